@@ -1,0 +1,185 @@
+//! Equations of motion as a right-hand side: joins a [`System`] to the integrator.
+//!
+//! The state is y = [q; v]: generalized coordinates, then motion variables. Buffers are made once:
+//! for up to 12 unknowns a call allocates nothing.
+
+use tripos_traits::System;
+
+use crate::error::{Failure, SimError};
+use crate::linear::{self, Shape, Unsolvable};
+use crate::solution::Solution;
+
+/// One formulation of one model with its parameters.
+pub struct Dynamics<'a> {
+    system: &'a dyn System<f64>,
+    parameters: Vec<f64>,
+    label: String,
+    matrix: Vec<f64>,
+    unknowns: Vec<f64>,
+}
+
+impl<'a> Dynamics<'a> {
+    /// `parameters` in the order of the model file.
+    ///
+    /// # Errors
+    /// [`SimError::Length`] or [`SimError::NotFinite`] if they are not the system's number of
+    /// finite values.
+    pub fn new(system: &'a dyn System<f64>, parameters: &[f64]) -> Result<Self, SimError> {
+        check_length("parameters", system.parameters(), parameters)?;
+        if let Some(i) = parameters.iter().position(|p| !p.is_finite()) {
+            return Err(SimError::NotFinite { what: format!("parameter {i}") });
+        }
+        let order = system.unknowns();
+        Ok(Self {
+            system,
+            parameters: parameters.to_vec(),
+            label: String::new(),
+            matrix: vec![0.0; order * order],
+            unknowns: vec![0.0; order],
+        })
+    }
+
+    /// Names the equations in messages, for instance "disk, kane".
+    #[must_use]
+    pub fn labelled(mut self, label: impl Into<String>) -> Self {
+        self.label = label.into();
+        self
+    }
+
+    /// The equations.
+    #[must_use]
+    pub fn system(&self) -> &'a dyn System<f64> {
+        self.system
+    }
+
+    /// The parameters, in the order of the model file.
+    #[must_use]
+    pub fn parameters(&self) -> &[f64] {
+        &self.parameters
+    }
+
+    /// Length of the state: coordinates and motion variables.
+    #[must_use]
+    pub fn state_length(&self) -> usize {
+        self.system.coordinates() + self.system.speeds()
+    }
+
+    /// The state y = [q; v].
+    ///
+    /// # Errors
+    /// [`SimError::Length`] if a length is not the system's.
+    pub fn state(&self, q: &[f64], v: &[f64]) -> Result<Vec<f64>, SimError> {
+        check_length("coordinates", self.system.coordinates(), q)?;
+        check_length("motion variables", self.system.speeds(), v)?;
+        Ok([q, v].concat())
+    }
+
+    /// (q, v) of a state; a state of the wrong length gives what there is.
+    #[must_use]
+    pub fn split<'y>(&self, y: &'y [f64]) -> (&'y [f64], &'y [f64]) {
+        y.split_at(self.system.coordinates().min(y.len()))
+    }
+
+    /// The unknowns x of A x = b at (q, v): v̇, then the reactions.
+    ///
+    /// # Errors
+    /// [`Failure`] with the code `singular` if A is exactly singular, A or b is not finite, or x
+    /// overflows; `length` if q or v has the wrong length.
+    pub fn unknowns(&mut self, q: &[f64], v: &[f64]) -> Result<&[f64], Failure> {
+        self.check_lengths(q, v)?;
+        let (system, p, shape) = (self.system, self.parameters.as_slice(), self.shape());
+        system.mass_matrix(p, q, v, &mut self.matrix);
+        system.forcing(p, q, v, &mut self.unknowns);
+        match linear::solve(&self.matrix, &mut self.unknowns, shape) {
+            Ok(()) => Ok(&self.unknowns),
+            Err(why) => Err(self.failure(why)),
+        }
+    }
+
+    /// y' = [q̇; v̇] for the integrator; the time is not used.
+    ///
+    /// # Errors
+    /// As [`Dynamics::unknowns`].
+    pub fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
+        let (n, speeds) = (self.system.coordinates(), self.system.speeds());
+        let (q, v) = self.split(y);
+        self.check_lengths(q, v)?;
+        if dydt.len() != y.len() {
+            return Err(wrong_length());
+        }
+        let (q_dot, v_dot) = dydt.split_at_mut(n);
+        self.system.coordinate_rates(&self.parameters, q, v, q_dot);
+        v_dot.copy_from_slice(&self.unknowns(q, v)?[..speeds]);
+        Ok(())
+    }
+
+    /// How far the matrix A(q, v) is from a singular one, see [`linear::reciprocal_condition`]; 0
+    /// also for lengths that are not the system's.
+    pub fn reciprocal_condition(&mut self, q: &[f64], v: &[f64]) -> f64 {
+        if self.check_lengths(q, v).is_err() {
+            return 0.0;
+        }
+        self.system.mass_matrix(&self.parameters, q, v, &mut self.matrix);
+        linear::reciprocal_condition(&self.matrix, self.system.unknowns())
+    }
+
+    /// T + V at (q, v), in J; not a number if a length is not the system's.
+    #[must_use]
+    pub fn energy(&self, q: &[f64], v: &[f64]) -> f64 {
+        if self.check_lengths(q, v).is_err() {
+            return f64::NAN;
+        }
+        self.system.kinetic_energy(&self.parameters, q, v) + self.system.potential_energy(&self.parameters, q)
+    }
+
+    /// Largest |E(t) − E(t0)| over the samples of a solution and its end, in J, where E(t0) belongs
+    /// to the first sample; not a number if E is not a number anywhere.
+    #[must_use]
+    pub fn energy_drift(&self, solution: &Solution) -> f64 {
+        let energy = |y: &Vec<f64>| {
+            let (q, v) = self.split(y);
+            self.energy(q, v)
+        };
+        let start = energy(solution.y.first().unwrap_or(&solution.y_end));
+        let drift = |y| (energy(y) - start).abs();
+        let larger = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
+        solution.y.iter().chain([&solution.y_end]).map(drift).fold(0.0, larger)
+    }
+
+    fn shape(&self) -> Shape {
+        if self.system.symmetric() { Shape::Symmetric } else { Shape::General }
+    }
+
+    fn check_lengths(&self, q: &[f64], v: &[f64]) -> Result<(), Failure> {
+        if q.len() == self.system.coordinates() && v.len() == self.system.speeds() {
+            Ok(())
+        } else {
+            Err(wrong_length())
+        }
+    }
+
+    fn failure(&self, why: Unsolvable) -> Failure {
+        let matrix = match self.shape() {
+            Shape::Symmetric => "mass matrix",
+            Shape::General => "matrix of accelerations and reactions",
+        };
+        let order = self.system.unknowns();
+        let label = if self.label.is_empty() { String::new() } else { format!("{}: ", self.label) };
+        let fact = match why {
+            Unsolvable::NotFinite => "or its forcing is not finite",
+            Unsolvable::Singular => "is singular",
+        };
+        let message = format!("{label}{matrix} of order {order} {fact}");
+        Failure { code: "singular", message }
+    }
+}
+
+fn wrong_length() -> Failure {
+    let message = "the state does not have the length of the equations".to_owned();
+    Failure { code: "length", message }
+}
+
+fn check_length(what: &'static str, expected: usize, found: &[f64]) -> Result<(), SimError> {
+    let found = found.len();
+    if found == expected { Ok(()) } else { Err(SimError::Length { what, expected, found }) }
+}

@@ -1,0 +1,88 @@
+//! What can be wrong with a question put to the simulator, and what a right-hand side may answer.
+//!
+//! Two kinds, kept apart: [`SimError`] is a question that makes no sense (nothing ran);
+//! [`Failure`] is a right-hand side that has no value at some state. The second is part of a run:
+//! it shortens the step, and ends the run as a [`crate::Stop`] when no shorter step helps.
+
+use std::fmt;
+
+/// A question that cannot be run. Nothing was integrated.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SimError {
+    /// A slice has the wrong length.
+    Length {
+        /// What the slice holds.
+        what: &'static str,
+        /// The length it must have.
+        expected: usize,
+        /// The length it has.
+        found: usize,
+    },
+    /// A number that must be finite is not.
+    NotFinite {
+        /// What the number is.
+        what: String,
+    },
+    /// The run would end where it starts.
+    EmptySpan {
+        /// The common time, in s.
+        t: f64,
+    },
+    /// A tolerance is negative, not a number, or leaves a component without any tolerance.
+    Tolerance {
+        /// What is wrong with it.
+        what: String,
+    },
+    /// An option has a value outside its range.
+    Option {
+        /// The option's name.
+        name: &'static str,
+        /// What it must be.
+        must: &'static str,
+    },
+    /// An output time lies outside the span or before its predecessor.
+    OutputTime {
+        /// Its position in the list, from 0.
+        index: usize,
+        /// The time, in s.
+        t: f64,
+    },
+}
+
+impl fmt::Display for SimError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length { what, expected, found } => {
+                write!(f, "{what}: expected {expected} numbers, found {found}")
+            }
+            Self::NotFinite { what } => write!(f, "{what} is not a finite number"),
+            Self::EmptySpan { t } => {
+                write!(f, "the run starts and ends at the same time t = {t} s")
+            }
+            Self::Tolerance { what } => f.write_str(what),
+            Self::Option { name, must } => write!(f, "option `{name}` must be {must}"),
+            Self::OutputTime { index, t } => {
+                write!(f, "output time {index}, t = {t} s, lies outside the run or before the previous one")
+            }
+        }
+    }
+}
+
+impl std::error::Error for SimError {}
+
+/// Why a right-hand side has no value at some state.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// A short stable word for programs, such as `"singular"`.
+    pub code: &'static str,
+    /// A sentence for people: what has no value, and where.
+    pub message: String,
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Failure {}

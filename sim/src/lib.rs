@@ -1,0 +1,59 @@
+//! Runs equations of motion: integrators, events, energies.
+//!
+//! ```
+//! use tripos_sim::{Direction, Event, Options, integrate};
+//!
+//! // A pendulum of 1 m released at rest from 1 rad; the first swing ends where the rate rises to 0.
+//! let pendulum = |_t: f64, y: &[f64], dydt: &mut [f64]| {
+//!     dydt[0] = y[1];
+//!     dydt[1] = -9.81 * y[0].sin();
+//!     Ok(())
+//! };
+//! let turn = Event::terminal("far side", Direction::Rising, |_t, y: &[f64]| y[1]);
+//! let options = Options { rtol: 1e-10, ..Options::default() };
+//! let solution = integrate(pendulum, (0.0, 10.0), &[1.0, 0.0], &options, &mut [turn])?;
+//!
+//! assert_eq!(solution.stop.code(), "event:far side");
+//! assert!((solution.t_end - 2.139_137_600_558_688_8 / 2.0).abs() < 1e-6); // half the period
+//! assert!((solution.y_end[0] + 1.0).abs() < 1e-6);
+//! # Ok::<(), tripos_sim::SimError>(())
+//! ```
+//!
+//! Invariants:
+//! - A question is either refused ([`SimError`]) or answered with a [`Solution`] that says why it
+//!   ended; no number makes the crate panic or loop for ever.
+//! - Watching events and asking for output never changes a step.
+//! - The same question gives the same bits.
+//!
+//! Units are those of the equations, time in s. Absent on purpose: models. The crate knows
+//! equations by the trait [`tripos_traits::System`] ([`Dynamics`] joins one to the integrator) or
+//! as a closure.
+
+#![cfg_attr(test, allow(clippy::float_cmp, reason = "exact answers are compared exactly"))]
+
+mod control;
+mod dormand_prince;
+mod dynamics;
+mod error;
+pub mod events;
+mod explicit;
+mod integrate;
+pub mod linear;
+mod recorder;
+mod root;
+mod samples;
+mod search;
+mod solution;
+mod stepper;
+mod tableau;
+mod tolerance;
+mod watch;
+
+pub use dormand_prince::DORMAND_PRINCE_54;
+pub use dynamics::Dynamics;
+pub use error::{Failure, SimError};
+pub use events::{Direction, Effect, Event, EventFunction, EventRecord, Kind};
+pub use integrate::{Method, Options, integrate};
+pub use solution::{Output, Solution, Stop, Warning};
+pub use tableau::{Fraction, Tableau};
+pub use tolerance::{AbsoluteTolerance, SMALLEST_RTOL};

@@ -1,0 +1,75 @@
+//! Keeps the samples of a solution that were asked for.
+
+use crate::solution::Output;
+use crate::stepper::{DenseStep, same};
+
+/// Samples so far.
+pub(crate) struct Recorder<'a> {
+    output: &'a Output,
+    next: usize,
+    pub(crate) t: Vec<f64>,
+    pub(crate) y: Vec<Vec<f64>>,
+}
+
+impl<'a> Recorder<'a> {
+    /// Starts at (t0, y0). `Output::At` must have been checked to be in order.
+    pub(crate) fn new(output: &'a Output, t0: f64, y0: &[f64]) -> Self {
+        let mut recorder = Self { output, next: 0, t: Vec::new(), y: Vec::new() };
+        match output {
+            Output::Steps { .. } | Output::Ends => recorder.push(t0, y0.to_vec()),
+            Output::At(times) => {
+                while times.get(recorder.next).is_some_and(|t| same(*t, t0)) {
+                    recorder.push(t0, y0.to_vec());
+                    recorder.next += 1;
+                }
+            }
+        }
+        recorder
+    }
+
+    fn push(&mut self, t: f64, y: Vec<f64>) {
+        self.t.push(t);
+        self.y.push(y);
+    }
+
+    fn sample(&mut self, step: &dyn DenseStep, t: f64, theta: f64, n: usize) {
+        let mut y = vec![0.0; n];
+        step.interpolate(theta, &mut y);
+        self.push(t, y);
+    }
+
+    /// Records an accepted step of `n` components, up to its fraction `end` (1 unless an event ends
+    /// the run inside the step).
+    pub(crate) fn step(&mut self, step: &dyn DenseStep, end: f64, n: usize) {
+        if end == 0.0 {
+            return; // the run ends where the step began
+        }
+        match self.output {
+            Output::Ends => {}
+            Output::Steps { refine } => {
+                for i in 1..*refine {
+                    let theta = end * (i as f64 / *refine as f64);
+                    self.sample(step, step.time_at(theta), theta, n);
+                }
+                self.sample(step, step.time_at(end), end, n);
+            }
+            Output::At(times) => {
+                let (t_old, t_new) = step.times();
+                let (h, t_stop) = (t_new - t_old, step.time_at(end));
+                let beyond = |t: f64| (t - t_stop) * h.signum() > 0.0;
+                while let Some(&t) = times.get(self.next).filter(|t| !beyond(**t)) {
+                    let theta = if same(t, t_stop) { end } else { ((t - t_old) / h).clamp(0.0, end) };
+                    self.sample(step, t, theta, n);
+                    self.next += 1;
+                }
+            }
+        }
+    }
+
+    /// Adds the end of the run where only the ends are kept.
+    pub(crate) fn finish(&mut self, t_end: f64, y_end: &[f64], steps: u64) {
+        if matches!(self.output, Output::Ends) && steps > 0 {
+            self.push(t_end, y_end.to_vec());
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! What a run hands back: samples, counts, events, and why it ended.
+//!
+//! Invariant: (`t_end`, `y_end`) is the last point that is part of the solution; no sample and no
+//! event lies beyond it, whatever ended the run.
+
+use std::fmt;
+
+use crate::error::Failure;
+use crate::events::EventRecord;
+
+/// Which points of a solution are kept.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Output {
+    /// The start, then `refine` points a step: its end and `refine` − 1 inside, evenly spaced in
+    /// time, from the dense output. `ode45` uses 4.
+    Steps {
+        /// Points a step, at least 1.
+        refine: usize,
+    },
+    /// These times, in s, from the dense output: in the direction of the run, within its span.
+    /// They have no influence on the steps (in `ode45` the first one bounds the initial step).
+    /// Times beyond an early end are left out.
+    At(Vec<f64>),
+    /// Start and end only: memory does not grow with the number of steps.
+    Ends,
+}
+
+/// Something worth knowing that did not prevent the run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Warning {
+    /// The relative tolerance was below 100 ε and was raised to that.
+    RtolRaised {
+        /// As asked for.
+        from: f64,
+        /// As used.
+        to: f64,
+    },
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::RtolRaised { from, to } => {
+                write!(f, "relative tolerance {from:e} is below rounding; raised to {to:e}")
+            }
+        }
+    }
+}
+
+/// Why a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stop {
+    /// It reached the end of its span.
+    End,
+    /// A terminal event happened.
+    Event {
+        /// The event's name.
+        name: String,
+    },
+    /// It left the domain in which its equations hold.
+    LeftDomain {
+        /// Name of the domain event.
+        name: String,
+    },
+    /// The error test fails although the step is down to rounding, 16 ulp of t.
+    StepTooSmall {
+        /// Size of the step that failed, in s.
+        step: f64,
+    },
+    /// The limit on accepted and rejected steps is used up.
+    StepLimit {
+        /// The limit.
+        limit: u64,
+    },
+    /// A state or derivative is infinite or not a number, however small the step.
+    NotFinite {
+        /// Component of the state, from 0.
+        component: usize,
+    },
+    /// The right-hand side (or an event function) has no value, however small the step.
+    Failed(Failure),
+}
+
+impl Stop {
+    /// A stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`,
+    /// `step-limit`, `not-finite`, or the code of the [`Failure`], such as `singular`.
+    #[must_use]
+    pub fn code(&self) -> String {
+        match self {
+            Self::End => "end".to_owned(),
+            Self::Event { name } => format!("event:{name}"),
+            Self::LeftDomain { name } => format!("domain:{name}"),
+            Self::StepTooSmall { .. } => "step-too-small".to_owned(),
+            Self::StepLimit { .. } => "step-limit".to_owned(),
+            Self::NotFinite { .. } => "not-finite".to_owned(),
+            Self::Failed(failure) => failure.code.to_owned(),
+        }
+    }
+
+    /// Whether the run could not go on, as opposed to having arrived or met an event it was told to
+    /// end at (leaving the domain included).
+    #[must_use]
+    pub fn is_failure(&self) -> bool {
+        !matches!(self, Self::End | Self::Event { .. } | Self::LeftDomain { .. })
+    }
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::End => f.write_str("end of the run"),
+            Self::Event { name } => write!(f, "event `{name}`"),
+            Self::LeftDomain { name } => {
+                write!(f, "outside the domain of the equations: `{name}` is not positive")
+            }
+            Self::StepTooSmall { step } => write!(f, "step {step:.1e} s is below rounding"),
+            Self::StepLimit { limit } => write!(f, "the limit of {limit} steps is used up"),
+            Self::NotFinite { component } => {
+                write!(f, "component {component} of the state or its derivative is not finite")
+            }
+            Self::Failed(failure) => failure.fmt(f),
+        }
+    }
+}
+
+/// The result of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// Times of the samples, in s, in the direction of the run.
+    pub t: Vec<f64>,
+    /// States at those times.
+    pub y: Vec<Vec<f64>>,
+    /// Last time of the solution, in s.
+    pub t_end: f64,
+    /// State at `t_end`.
+    pub y_end: Vec<f64>,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps: too inaccurate, or without a finite result.
+    pub rejected: u64,
+    /// Calls of the right-hand side; those made by event functions are not counted.
+    pub evaluations: u64,
+    /// Why the run ended.
+    pub stop: Stop,
+    /// What happened on the way, in order of time.
+    pub events: Vec<EventRecord>,
+    /// What the caller should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// When, after how many steps, why: "stopped at t = 3.181 s after 412 steps (19 rejected): …".
+impl fmt::Display for Solution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let verb = if self.stop == Stop::End { "ended" } else { "stopped" };
+        let plural = if self.steps == 1 { "" } else { "s" };
+        let (t, steps, rejected) = (self.t_end, self.steps, self.rejected);
+        write!(f, "{verb} at t = {t} s after {steps} step{plural} ({rejected} rejected)")?;
+        if self.stop == Stop::End { Ok(()) } else { write!(f, ": {}", self.stop) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stopped(stop: Stop) -> Solution {
+        Solution {
+            t: vec![],
+            y: vec![],
+            t_end: 3.181,
+            y_end: vec![],
+            steps: 412,
+            rejected: 19,
+            evaluations: 0,
+            stop,
+            events: vec![],
+            warnings: vec![],
+        }
+    }
+
+    #[test]
+    fn a_stopped_run_says_when_after_how_many_steps_and_why() {
+        assert_eq!(
+            stopped(Stop::StepTooSmall { step: 4.1e-15 }).to_string(),
+            "stopped at t = 3.181 s after 412 steps (19 rejected): step 4.1e-15 s is below rounding"
+        );
+        assert_eq!(stopped(Stop::End).to_string(), "ended at t = 3.181 s after 412 steps (19 rejected)");
+    }
+
+    #[test]
+    fn codes_are_stable() {
+        let failure = Failure { code: "singular", message: String::new() };
+        for (stop, code, failed) in [
+            (Stop::End, "end", false),
+            (Stop::Event { name: "hit".into() }, "event:hit", false),
+            (Stop::LeftDomain { name: "N".into() }, "domain:N", false),
+            (Stop::StepTooSmall { step: 1.0 }, "step-too-small", true),
+            (Stop::StepLimit { limit: 1 }, "step-limit", true),
+            (Stop::NotFinite { component: 0 }, "not-finite", true),
+            (Stop::Failed(failure), "singular", true),
+        ] {
+            assert_eq!((stop.code().as_str(), stop.is_failure()), (code, failed));
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! All events of a run, step by step, in order of time.
+
+use crate::error::Failure;
+use crate::events::{Direction, Effect, Event, EventRecord, Kind};
+use crate::samples::Probe;
+use crate::search::{Found, Memory, search};
+use crate::solution::Stop;
+use crate::stepper::DenseStep;
+
+/// The events of a run and what they did so far.
+pub(crate) struct Watch<'w, 'e> {
+    events: &'w mut [Event<'e>],
+    memories: Vec<Memory>,
+    y: Vec<f64>,
+    /// The largest size of each component so far.
+    magnitudes: Vec<f64>,
+    pub(crate) records: Vec<EventRecord>,
+}
+
+impl<'w, 'e> Watch<'w, 'e> {
+    /// A watch over a state of `n` components.
+    pub(crate) fn new(events: &'w mut [Event<'e>], n: usize) -> Self {
+        Self { events, memories: Vec::new(), y: vec![0.0; n], magnitudes: vec![0.0; n], records: Vec::new() }
+    }
+
+    /// Evaluates the events at the start; returns a reason not to start.
+    pub(crate) fn start(&mut self, t: f64, y: &[f64]) -> Option<Stop> {
+        self.y.copy_from_slice(y);
+        self.note_magnitudes();
+        for event in self.events.iter_mut() {
+            let value = (event.function)(t, y);
+            if value.is_nan() {
+                return Some(Stop::Failed(not_a_number(&event.name, t)));
+            }
+            let domain = event.effect == Effect::Domain;
+            if domain && value < 0.0 {
+                return Some(Stop::LeftDomain { name: event.name.clone() });
+            }
+            let side_at_zero = i8::from(domain);
+            self.memories.push(Memory { value, sign: 0, side: 0, begun: false, side_at_zero });
+        }
+        None
+    }
+
+    /// Looks at an accepted step, and records what happened up to its end or to the first terminal
+    /// event, which is returned with its fraction of the step.
+    pub(crate) fn look(&mut self, step: &dyn DenseStep) -> Result<Option<(f64, Stop)>, Failure> {
+        if self.events.is_empty() {
+            return Ok(None);
+        }
+        step.interpolate(1.0, &mut self.y);
+        self.note_magnitudes();
+        let mut found: Vec<(usize, Found)> = Vec::new();
+        let mut nowhere: Option<(f64, usize)> = None;
+        for (i, (event, memory)) in self.events.iter_mut().zip(&mut self.memories).enumerate() {
+            let mut probe =
+                Probe { step, function: &mut *event.function, y: &mut self.y, magnitudes: &self.magnitudes };
+            let findings = search(&mut probe, memory);
+            found.extend(findings.found.into_iter().map(|f| (i, f)));
+            if let Some(theta) = findings.not_a_number
+                && nowhere.is_none_or(|(first, _)| theta < first)
+            {
+                nowhere = Some((theta, i));
+            }
+        }
+        found.retain(|(i, f)| matters(&self.events[*i], f.kind));
+        found.sort_by(|(i, f), (j, g)| f.theta.total_cmp(&g.theta).then(i.cmp(j)));
+        let end = found.iter().find(|(i, f)| ends_run(&self.events[*i], f.kind)).copied();
+        if let Some((theta, i)) = nowhere
+            && end.is_none_or(|(_, f)| theta <= f.theta)
+        {
+            return Err(not_a_number(&self.events[i].name, step.time_at(theta)));
+        }
+        for (i, f) in found {
+            if end.is_none_or(|(_, last)| f.theta <= last.theta) {
+                self.record(step, i, f);
+            }
+        }
+        Ok(end.map(|(i, f)| (f.theta, stop_for(&self.events[i]))))
+    }
+
+    fn note_magnitudes(&mut self) {
+        for (magnitude, y) in self.magnitudes.iter_mut().zip(&self.y) {
+            *magnitude = magnitude.max(y.abs());
+        }
+    }
+
+    fn record(&mut self, step: &dyn DenseStep, event: usize, Found { theta, kind }: Found) {
+        let mut y = vec![0.0; self.y.len()];
+        step.interpolate(theta, &mut y);
+        self.records.push(EventRecord {
+            event,
+            name: self.events[event].name.clone(),
+            t: step.time_at(theta),
+            y,
+            kind,
+            terminal: ends_run(&self.events[event], kind),
+        });
+    }
+}
+
+/// Whether the event is about what happened.
+fn matters(event: &Event<'_>, kind: Kind) -> bool {
+    let direction = match event.effect {
+        Effect::Domain => Direction::Falling,
+        Effect::Record | Effect::Terminal => event.direction,
+    };
+    match kind {
+        Kind::Rising => direction != Direction::Falling,
+        Kind::Falling => direction != Direction::Rising,
+        Kind::Touch | Kind::AtStart => true,
+    }
+}
+
+fn ends_run(event: &Event<'_>, kind: Kind) -> bool {
+    event.effect != Effect::Record && matches!(kind, Kind::Rising | Kind::Falling)
+}
+
+fn stop_for(event: &Event<'_>) -> Stop {
+    let name = event.name.clone();
+    match event.effect {
+        Effect::Domain => Stop::LeftDomain { name },
+        Effect::Record | Effect::Terminal => Stop::Event { name },
+    }
+}
+
+fn not_a_number(name: &str, t: f64) -> Failure {
+    Failure { code: "event-not-a-number", message: format!("event function `{name}` is not a number at t = {t} s") }
+}

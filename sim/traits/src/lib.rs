@@ -1,0 +1,14 @@
+//! What generated equations of motion implement, and what the simulator runs.
+//!
+//! Two traits: [`Scalar`], the arithmetic a generated function body needs, so that one text serves
+//! `f64`, `f32` and every wider or narrower type; and [`System`], one formulation of one model as
+//! mass matrix, forcing and kinematic equations.
+//!
+//! Absent on purpose: names, units and files. They belong to the model, not to its numbers.
+#![no_std]
+
+mod scalar;
+mod system;
+
+pub use scalar::Scalar;
+pub use system::{CompiledModel, System};

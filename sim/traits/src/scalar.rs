@@ -1,0 +1,174 @@
+//! The arithmetic that a generated function body needs.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number type that generated equations can be evaluated in.
+///
+/// Angles are in radians. Functions outside their domain return the type's "not a number", never
+/// panic: the simulator looks for it and stops the run with a reason.
+pub trait Scalar:
+    Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The nearest value to `x`.
+    #[must_use]
+    fn from_f64(x: f64) -> Self;
+    /// The whole number `n`.
+    #[must_use]
+    fn int(n: i64) -> Self {
+        Self::ratio(n, 1)
+    }
+    /// The exact fraction `numerator / denominator`, rounded once in this type.
+    #[must_use]
+    fn ratio(numerator: i64, denominator: i64) -> Self;
+    /// (sin x, cos x), which cost less together than apart.
+    fn sin_cos(self) -> (Self, Self);
+    /// √x.
+    #[must_use]
+    fn sqrt(self) -> Self;
+    /// Inverse sine, in [−π/2, π/2].
+    #[must_use]
+    fn asin(self) -> Self;
+    /// Inverse cosine, in [0, π].
+    #[must_use]
+    fn acos(self) -> Self;
+    /// Inverse tangent, in (−π/2, π/2).
+    #[must_use]
+    fn atan(self) -> Self;
+    /// eˣ.
+    #[must_use]
+    fn exp(self) -> Self;
+    /// Natural logarithm.
+    #[must_use]
+    fn ln(self) -> Self;
+    /// Hyperbolic sine.
+    #[must_use]
+    fn sinh(self) -> Self;
+    /// Hyperbolic cosine.
+    #[must_use]
+    fn cosh(self) -> Self;
+    /// Hyperbolic tangent.
+    #[must_use]
+    fn tanh(self) -> Self;
+    /// |x|.
+    #[must_use]
+    fn abs(self) -> Self;
+    /// −1, 0 or 1 with the sign of x; 0 at 0, as the derivative of |x| is taken there.
+    #[must_use]
+    fn sign(self) -> Self;
+    /// xⁿ by repeated multiplication; n may be negative.
+    #[must_use]
+    fn powi(self, n: i32) -> Self {
+        let mut base = if n < 0 { Self::ratio(1, 1) / self } else { self };
+        let mut left = n.unsigned_abs();
+        let mut product = Self::ratio(1, 1);
+        while left > 0 {
+            if left & 1 == 1 {
+                product = product * base;
+            }
+            base = base * base;
+            left >>= 1;
+        }
+        product
+    }
+}
+
+macro_rules! float_scalar {
+    ($type:ty, $sincos:path, $sqrt:path, $asin:path, $acos:path, $atan:path, $exp:path, $ln:path,
+     $sinh:path, $cosh:path, $tanh:path) => {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
+        impl Scalar for $type {
+            #[inline]
+            fn from_f64(x: f64) -> Self {
+                x as Self
+            }
+            #[inline]
+            fn ratio(numerator: i64, denominator: i64) -> Self {
+                numerator as Self / denominator as Self
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                $sincos(self)
+            }
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline]
+            fn asin(self) -> Self {
+                $asin(self)
+            }
+            #[inline]
+            fn acos(self) -> Self {
+                $acos(self)
+            }
+            #[inline]
+            fn atan(self) -> Self {
+                $atan(self)
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                $exp(self)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                $ln(self)
+            }
+            #[inline]
+            fn sinh(self) -> Self {
+                $sinh(self)
+            }
+            #[inline]
+            fn cosh(self) -> Self {
+                $cosh(self)
+            }
+            #[inline]
+            fn tanh(self) -> Self {
+                $tanh(self)
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                <$type>::abs(self)
+            }
+            #[inline]
+            fn sign(self) -> Self {
+                if self == 0.0 { 0.0 } else { self.signum() }
+            }
+        }
+    };
+}
+
+float_scalar!(
+    f64,
+    libm::sincos,
+    libm::sqrt,
+    libm::asin,
+    libm::acos,
+    libm::atan,
+    libm::exp,
+    libm::log,
+    libm::sinh,
+    libm::cosh,
+    libm::tanh
+);
+float_scalar!(
+    f32,
+    libm::sincosf,
+    libm::sqrtf,
+    libm::asinf,
+    libm::acosf,
+    libm::atanf,
+    libm::expf,
+    libm::logf,
+    libm::sinhf,
+    libm::coshf,
+    libm::tanhf
+);
