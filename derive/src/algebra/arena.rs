@@ -1,0 +1,310 @@
+//! Expressions as a hash-consed graph.
+//!
+//! Invariants: two [`Expr`] of one arena are equal iff they are the same term, so comparing costs
+//! one integer comparison; operands have smaller handles than what is built from them, so every
+//! pass is a loop over handles and none can overflow the stack. This is equality of *form*;
+//! equality of *meaning* is [`crate::algebra::modular`].
+//!
+//! The constructors keep a light canonical form: like terms are collected, powers of one base are
+//! merged, coefficients are exact. tan x is sin x · (cos x)⁻¹, so that it cancels against cosines.
+//! Absent on purpose: expansion and trigonometric identities. They cost terms, and belong to
+//! [`crate::algebra::simplify`].
+
+use super::Rational;
+use hashbrown::HashTable;
+use rustc_hash::{FxHashMap, FxHasher};
+use std::hash::{Hash, Hasher};
+
+/// A term of an [`Arena`]: a copyable handle.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct Expr(u32);
+
+impl Expr {
+    /// 0, in every arena.
+    pub const ZERO: Self = Self(0);
+    /// 1, in every arena.
+    pub const ONE: Self = Self(1);
+    /// −1, in every arena.
+    pub const MINUS_ONE: Self = Self(2);
+
+    /// The position in the arena; operands come before what is built from them.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A function of one argument.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub enum Function {
+    /// Sine of an angle in radians.
+    Sin,
+    /// Cosine of an angle in radians.
+    Cos,
+    /// Square root.
+    Sqrt,
+    /// Exponential.
+    Exp,
+    /// Natural logarithm.
+    Log,
+    /// Inverse sine.
+    Asin,
+    /// Inverse cosine.
+    Acos,
+    /// Inverse tangent.
+    Atan,
+    /// Hyperbolic sine.
+    Sinh,
+    /// Hyperbolic cosine.
+    Cosh,
+    /// Hyperbolic tangent.
+    Tanh,
+    /// Absolute value.
+    Abs,
+    /// −1, 0 or 1: the derivative of the absolute value, 0 at 0.
+    Sign,
+}
+
+impl Function {
+    /// Every function, with the name used in model files.
+    pub const ALL: [(Self, &'static str); 13] = [
+        (Self::Sin, "sin"),
+        (Self::Cos, "cos"),
+        (Self::Sqrt, "sqrt"),
+        (Self::Exp, "exp"),
+        (Self::Log, "log"),
+        (Self::Asin, "asin"),
+        (Self::Acos, "acos"),
+        (Self::Atan, "atan"),
+        (Self::Sinh, "sinh"),
+        (Self::Cosh, "cosh"),
+        (Self::Tanh, "tanh"),
+        (Self::Abs, "abs"),
+        (Self::Sign, "sign"),
+    ];
+
+    /// The name used in model files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].1
+    }
+}
+
+/// What a handle stands for.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub enum Node {
+    /// An exact number.
+    Number(Rational),
+    /// A named quantity, by its position in [`Arena::symbol_names`].
+    Symbol(u32),
+    /// π.
+    Pi,
+    /// constant + Σ coefficient · term. Terms are neither numbers nor sums, sorted, coefficients not
+    /// zero; a single term stands only with a constant or with a coefficient other than 1.
+    Sum(Rational, Box<[(Expr, Rational)]>),
+    /// Π base^exponent. Bases are neither numbers nor products, sorted, exponents not zero; a single
+    /// base stands only with an exponent other than 1. A sum as base has content 1.
+    Product(Box<[(Expr, i32)]>),
+    /// A function of its argument.
+    Apply(Function, Expr),
+}
+
+/// A power that cannot be built: a negative power of zero, or an exponent or number too large.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PowerError {
+    /// 0 to a negative power.
+    DivisionByZero,
+    /// An exponent beyond ±[`Arena::MAX_EXPONENT`], or a number with too many digits.
+    TooLarge,
+}
+
+/// The store of all terms of one model.
+#[derive(Clone)]
+pub struct Arena {
+    nodes: Vec<Node>,
+    table: HashTable<u32>,
+    symbols: Vec<String>,
+    symbol_index: FxHashMap<String, Expr>,
+}
+
+impl Default for Arena {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+fn hash_of(node: &Node) -> u64 {
+    let mut hasher = FxHasher::default();
+    node.hash(&mut hasher);
+    hasher.finish()
+}
+
+impl Arena {
+    /// The largest exponent that a power may have.
+    pub const MAX_EXPONENT: i32 = 10_000;
+
+    /// An arena that holds 0, 1 and −1.
+    #[must_use]
+    pub fn new() -> Self {
+        let mut arena = Self {
+            nodes: Vec::new(),
+            table: HashTable::new(),
+            symbols: Vec::new(),
+            symbol_index: FxHashMap::default(),
+        };
+        for n in [0, 1, -1] {
+            arena.intern(Node::Number(Rational::integer(n)));
+        }
+        arena
+    }
+
+    pub(super) fn intern(&mut self, node: Node) -> Expr {
+        let hash = hash_of(&node);
+        let nodes = &self.nodes;
+        if let Some(&at) = self.table.find(hash, |&i| nodes[i as usize] == node) {
+            return Expr(at);
+        }
+        let at = u32::try_from(self.nodes.len()).expect("fewer than 2^32 terms fit in memory");
+        self.nodes.push(node);
+        let nodes = &self.nodes;
+        self.table.insert_unique(hash, at, |&i| hash_of(&nodes[i as usize]));
+        Expr(at)
+    }
+
+    /// What `e` stands for.
+    #[must_use]
+    pub fn node(&self, e: Expr) -> &Node {
+        &self.nodes[e.index()]
+    }
+
+    /// Number of different terms built so far.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether nothing was built; never true, since 0 and 1 are always there.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The symbol of this name, new if there was none. The order of first use is the order of
+    /// declaration, which everything printed follows.
+    pub fn symbol(&mut self, name: &str) -> Expr {
+        if let Some(&e) = self.symbol_index.get(name) {
+            return e;
+        }
+        let id = u32::try_from(self.symbols.len()).expect("fewer than 2^32 symbols");
+        self.symbols.push(name.to_owned());
+        let e = self.intern(Node::Symbol(id));
+        self.symbol_index.insert(name.to_owned(), e);
+        e
+    }
+
+    /// The symbol of this name, if there is one.
+    #[must_use]
+    pub fn find_symbol(&self, name: &str) -> Option<Expr> {
+        self.symbol_index.get(name).copied()
+    }
+
+    /// All symbol names, in order of declaration.
+    #[must_use]
+    pub fn symbol_names(&self) -> &[String] {
+        &self.symbols
+    }
+
+    /// The name of a symbol; `None` for any other term.
+    #[must_use]
+    pub fn symbol_name(&self, e: Expr) -> Option<&str> {
+        match self.node(e) {
+            Node::Symbol(id) => Some(&self.symbols[*id as usize]),
+            _ => None,
+        }
+    }
+
+    /// An exact number.
+    pub fn number(&mut self, value: Rational) -> Expr {
+        self.intern(Node::Number(value))
+    }
+
+    /// An integer.
+    pub fn integer(&mut self, n: i64) -> Expr {
+        self.number(Rational::integer(n))
+    }
+
+    /// n/d.
+    ///
+    /// # Panics
+    /// If d is 0: for literal fractions in code.
+    pub fn ratio(&mut self, n: i64, d: i64) -> Expr {
+        self.number(Rational::fraction(n, d).expect("a literal fraction"))
+    }
+
+    /// π.
+    pub fn pi(&mut self) -> Expr {
+        self.intern(Node::Pi)
+    }
+
+    /// The value of a literal number.
+    #[must_use]
+    pub fn as_number(&self, e: Expr) -> Option<&Rational> {
+        match self.node(e) {
+            Node::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// f(argument), with values at 0 and multiples of π/2 and the symmetries of even and odd
+    /// functions resolved.
+    pub fn apply(&mut self, f: Function, argument: Expr) -> Expr {
+        super::elementary::apply(self, f, argument)
+    }
+
+    /// The plain node f(argument), nothing resolved.
+    pub(super) fn intern_apply(&mut self, f: Function, argument: Expr) -> Expr {
+        self.intern(Node::Apply(f, argument))
+    }
+
+    /// sin e.
+    pub fn sin(&mut self, e: Expr) -> Expr {
+        self.apply(Function::Sin, e)
+    }
+
+    /// cos e.
+    pub fn cos(&mut self, e: Expr) -> Expr {
+        self.apply(Function::Cos, e)
+    }
+
+    /// The operands of `e`, each once.
+    pub fn operands(&self, e: Expr) -> impl Iterator<Item = Expr> + '_ {
+        let (terms, factors, argument): (&[_], &[_], _) = match self.node(e) {
+            Node::Sum(_, terms) => (terms, &[], None),
+            Node::Product(factors) => (&[], factors, None),
+            Node::Apply(_, argument) => (&[], &[], Some(*argument)),
+            _ => (&[], &[], None),
+        };
+        terms.iter().map(|(e, _)| *e).chain(factors.iter().map(|(e, _)| *e)).chain(argument)
+    }
+
+    /// Everything that `roots` are built from, themselves included, operands first.
+    #[must_use]
+    pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
+        let mut seen = rustc_hash::FxHashSet::default();
+        let mut stack: Vec<Expr> = roots.to_vec();
+        while let Some(e) = stack.pop() {
+            if seen.insert(e) {
+                stack.extend(self.operands(e));
+            }
+        }
+        let mut all: Vec<Expr> = seen.into_iter().collect();
+        all.sort_unstable();
+        all
+    }
+
+    /// Whether `symbol` occurs in `e`. Form, not meaning: it may occur and cancel.
+    #[must_use]
+    pub fn mentions(&self, e: Expr, symbol: Expr) -> bool {
+        self.reachable(&[e]).binary_search(&symbol).is_ok()
+    }
+}

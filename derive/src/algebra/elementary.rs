@@ -1,0 +1,149 @@
+//! Exact values and symmetries of the elementary functions.
+//!
+//! Every rule here keeps the meaning everywhere the function is defined; what holds only somewhere
+//! is left alone.
+
+use super::{Arena, Expr, Function, Node, Rational};
+
+/// f(argument) in canonical form.
+pub fn apply(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
+    match f {
+        Function::Sin | Function::Cos => circular(arena, f, argument),
+        Function::Sqrt => square_root(arena, argument),
+        // odd: f(−x) = −f(x), even: f(−x) = f(x); both fix the value at 0.
+        Function::Asin | Function::Atan | Function::Sinh | Function::Tanh | Function::Sign => {
+            if argument == Expr::ZERO {
+                return Expr::ZERO;
+            }
+            if f == Function::Sign
+                && let Some(value) = arena.as_number(argument)
+            {
+                return if value.is_negative() { Expr::MINUS_ONE } else { Expr::ONE };
+            }
+            let (positive, flipped) = with_positive_sign(arena, argument);
+            let value = arena.intern_apply(f, positive);
+            if flipped { arena.neg(value) } else { value }
+        }
+        Function::Cosh | Function::Abs => {
+            if let (Function::Abs, Some(value)) = (f, arena.as_number(argument)) {
+                let value = if value.is_negative() { value.neg() } else { value.clone() };
+                return arena.number(value);
+            }
+            let (positive, _) = with_positive_sign(arena, argument);
+            if f == Function::Cosh && positive == Expr::ZERO {
+                return Expr::ONE;
+            }
+            arena.intern_apply(f, positive)
+        }
+        Function::Exp if argument == Expr::ZERO => Expr::ONE,
+        Function::Log | Function::Acos if argument == Expr::ONE => Expr::ZERO,
+        _ => arena.intern_apply(f, argument),
+    }
+}
+
+/// (|e|, whether the sign was flipped): the first coefficient is made positive.
+fn with_positive_sign(arena: &mut Arena, e: Expr) -> (Expr, bool) {
+    let negative = match arena.node(e) {
+        Node::Number(value) => value.is_negative(),
+        Node::Sum(_, terms) => terms[0].1.is_negative(),
+        _ => false,
+    };
+    if negative { (arena.neg(e), true) } else { (e, false) }
+}
+
+/// Splits off the multiple of π: argument = turns·π + rest.
+pub fn split_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
+    let pi = arena.pi();
+    if argument == pi {
+        return (Rational::ONE, Expr::ZERO);
+    }
+    let turns = match arena.node(argument) {
+        Node::Sum(_, terms) => terms.iter().find(|(term, _)| *term == pi).map(|(_, k)| k.clone()),
+        _ => None,
+    };
+    match turns {
+        Some(turns) => {
+            let rest = arena.linear_combination(&[(argument, Rational::ONE), (pi, turns.neg())]);
+            (turns, rest)
+        }
+        None => (Rational::ZERO, argument),
+    }
+}
+
+fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
+    let (turns, rest) = split_pi(arena, argument);
+    // Quarter turns: sin(x + k π/2) runs through sin, cos, −sin, −cos.
+    let quarters = turns.mul(&Rational::integer(2));
+    let Some(k) = quarters.to_i64() else {
+        if rest == Expr::ZERO
+            && let Some(value) = special_angle(arena, f, &turns)
+        {
+            return value;
+        }
+        let (positive, flipped) = with_positive_sign(arena, argument);
+        let value = arena.intern_apply(f, positive);
+        return if flipped && f == Function::Sin { arena.neg(value) } else { value };
+    };
+    let k = (k + i64::from(f == Function::Cos)).rem_euclid(4);
+    let (positive, flipped) = with_positive_sign(arena, rest);
+    let value = match (k % 2, positive == Expr::ZERO) {
+        (0, true) => Expr::ZERO,
+        (_, true) => Expr::ONE,
+        (0, false) => arena.intern_apply(Function::Sin, positive),
+        (_, false) => arena.intern_apply(Function::Cos, positive),
+    };
+    let negative = (k >= 2) ^ (flipped && k % 2 == 0);
+    if negative { arena.neg(value) } else { value }
+}
+
+/// Exact sine or cosine of a multiple of π/6 or π/4.
+fn special_angle(arena: &mut Arena, f: Function, turns: &Rational) -> Option<Expr> {
+    let twelfths = turns.mul(&Rational::integer(12)).to_i64()?;
+    let shift = if f == Function::Cos { 6 } else { 0 };
+    let k = (twelfths + shift).rem_euclid(24);
+    let (quadrant_sign, k) = if k >= 12 { (-1, k - 12) } else { (1, k) };
+    // sin is symmetric about π/2.
+    let squared = match k.min(12 - k) {
+        2 => return Some(arena.ratio(quadrant_sign, 2)),
+        3 => 2,
+        4 => 3,
+        _ => return None,
+    };
+    let radicand = arena.integer(squared);
+    let root = arena.apply(Function::Sqrt, radicand);
+    Some(arena.scale(root, &Rational::fraction(quadrant_sign, 2)?))
+}
+
+fn square_root(arena: &mut Arena, argument: Expr) -> Expr {
+    if let Some(value) = arena.as_number(argument)
+        && let Some(root) = exact_root(value)
+    {
+        return arena.number(root);
+    }
+    arena.intern_apply(Function::Sqrt, argument)
+}
+
+/// √value if value is the square of a rational.
+fn exact_root(value: &Rational) -> Option<Rational> {
+    if value.is_negative() {
+        return None;
+    }
+    let big = value.to_big();
+    let root = num_rational::BigRational::new(big.numer().sqrt(), big.denom().sqrt());
+    (&root * &root == big).then(|| Rational::from_big(root))
+}
+
+/// An angle as Σ k·atom, atoms being neither numbers nor sums; a constant counts as the atom 1.
+pub fn angle_atoms(arena: &Arena, argument: Expr) -> Vec<(Expr, Rational)> {
+    match arena.node(argument) {
+        Node::Sum(constant, terms) => {
+            let mut atoms = terms.to_vec();
+            if !constant.is_zero() {
+                atoms.push((Expr::ONE, constant.clone()));
+            }
+            atoms
+        }
+        Node::Number(value) => vec![(Expr::ONE, value.clone())],
+        _ => vec![(argument, Rational::ONE)],
+    }
+}

@@ -1,0 +1,142 @@
+//! Linearity: coefficients of given symbols, and exact solution of linear systems.
+
+use super::calculus::{Differential, Substitution};
+use super::modular::{ZeroTest, zero_test};
+use super::simplify::Simplifier;
+use super::{Arena, Expr};
+
+/// An expression that is not linear in the stated symbols.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct NotLinear {
+    /// The symbol in which it is not linear.
+    pub symbol: Expr,
+    /// The derivative, which should not depend on the symbols and does.
+    pub coefficient: Expr,
+}
+
+/// Extracts linear coefficients of many expressions in the same symbols.
+pub struct LinearForm {
+    symbols: Vec<Expr>,
+    partials: Vec<Differential>,
+    at_zero: Substitution,
+}
+
+impl LinearForm {
+    /// In these symbols.
+    #[must_use]
+    pub fn new(symbols: &[Expr]) -> Self {
+        let zeros: Vec<_> = symbols.iter().map(|s| (*s, Expr::ZERO)).collect();
+        Self {
+            symbols: symbols.to_vec(),
+            partials: symbols.iter().map(|s| Differential::partial(*s)).collect(),
+            at_zero: Substitution::new(&zeros),
+        }
+    }
+
+    /// e = Σ coefficient_i · symbol_i + rest: the coefficients, then the rest.
+    ///
+    /// # Errors
+    /// [`NotLinear`] if a coefficient depends on one of the symbols by meaning.
+    pub fn coefficients(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
+        let mut coefficients = Vec::with_capacity(self.symbols.len());
+        for at in 0..self.symbols.len() {
+            let slope = self.partials[at].apply(arena, e);
+            for other in 0..self.symbols.len() {
+                let second = self.partials[other].apply(arena, slope);
+                if zero_test(arena, second) != ZeroTest::Zero {
+                    return Err(NotLinear { symbol: self.symbols[at], coefficient: slope });
+                }
+            }
+            // |u| has no second derivative and still is not linear: its slope sign(u) is not its slope at 0.
+            let at_zero = self.at_zero.apply(arena, slope);
+            let change = arena.sub(slope, at_zero);
+            if zero_test(arena, change) != ZeroTest::Zero {
+                return Err(NotLinear { symbol: self.symbols[at], coefficient: slope });
+            }
+            coefficients.push(at_zero);
+        }
+        Ok((coefficients, self.at_zero.apply(arena, e)))
+    }
+}
+
+/// A linear system whose matrix has no full rank.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Singular {
+    /// How many rows are independent.
+    pub rank: usize,
+    /// The first row that depends on the ones before it.
+    pub row: usize,
+}
+
+/// Solves A x = b for several right-hand sides (the columns of `b`), A square, exactly.
+///
+/// Gaussian elimination; a pivot is taken only where it is proved not to be zero by meaning, plain
+/// numbers first, short terms next, so that divisors stay simple. Entries are simplified as they
+/// are formed. The solution and the pivots that it was divided by are returned.
+///
+/// # Errors
+/// [`Singular`] if A is singular identically.
+pub fn solve(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    a: &[Vec<Expr>],
+    b: &[Vec<Expr>],
+) -> Result<(Vec<Vec<Expr>>, Vec<Expr>), Singular> {
+    let n = a.len();
+    let mut rows: Vec<Vec<Expr>> = a.iter().zip(b).map(|(l, r)| [l.as_slice(), r].concat()).collect();
+    let (mut pivots, mut used, mut order) = (Vec::new(), vec![false; n], Vec::new());
+    for _ in 0..n {
+        let Some((row, column)) = best_pivot(arena, &rows, &used, &order, n) else {
+            let row = (0..n).find(|r| !used[*r]).unwrap_or(n);
+            return Err(Singular { rank: order.len(), row });
+        };
+        used[row] = true;
+        order.push((row, column));
+        let pivot = rows[row][column];
+        pivots.push(pivot);
+        for entry in &mut rows[row] {
+            let quotient = arena.div(*entry, pivot).expect("a pivot is not zero");
+            *entry = simplifier.simplify(arena, quotient);
+        }
+        let pivot_row = rows[row].clone();
+        for (other, target) in rows.iter_mut().enumerate() {
+            let factor = target[column];
+            if other == row || factor == Expr::ZERO {
+                continue;
+            }
+            for (entry, &p) in target.iter_mut().zip(&pivot_row) {
+                let product = arena.mul(factor, p);
+                let difference = arena.sub(*entry, product);
+                *entry = simplifier.simplify(arena, difference);
+            }
+        }
+    }
+    let mut x = vec![Vec::new(); n];
+    for (row, column) in order {
+        x[column] = rows[row][n..].to_vec();
+    }
+    Ok((x, pivots))
+}
+
+/// The (row, column) of the simplest entry that is proved not to be zero.
+fn best_pivot(
+    arena: &Arena,
+    rows: &[Vec<Expr>],
+    used: &[bool],
+    order: &[(usize, usize)],
+    n: usize,
+) -> Option<(usize, usize)> {
+    let mut best: Option<(usize, usize, usize)> = None;
+    for (r, row) in rows.iter().enumerate().filter(|(r, _)| !used[*r]) {
+        for (c, &entry) in row[..n].iter().enumerate() {
+            if order.iter().any(|(_, column)| *column == c) || entry == Expr::ZERO {
+                continue;
+            }
+            let cost = if arena.as_number(entry).is_some() { 0 } else { arena.reachable(&[entry]).len() };
+            if best.is_none_or(|(least, _, _)| cost < least) && zero_test(arena, entry) != ZeroTest::Zero {
+                best = Some((cost, r, c));
+            }
+        }
+    }
+    best.map(|(_, r, c)| (r, c))
+}

@@ -1,0 +1,442 @@
+//! Infix text to expressions: `-R*u2*tan(q2) + u4*cos(q1)`, `q1'` for a time derivative, `^` for powers.
+//!
+//! Decimals are exact (`0.1` is 1/10). Sums and products are read in loops, so their length is
+//! unlimited; nesting is limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as
+//! quotients of sine and cosine.
+
+use super::evaluate::Tape;
+use super::{Arena, Expr, Function, Node, PowerError, Rational};
+use rustc_hash::FxHashSet;
+use std::ops::Range;
+
+/// The deepest nesting of parentheses and functions that is read.
+pub const MAX_DEPTH: usize = 200;
+
+/// The most digits that a number is written with.
+const MAX_DIGITS: usize = 4000;
+
+/// What exact arithmetic in one expression may cost, in squared bits: about a second.
+const MAX_WORK: u64 = 50_000_000_000;
+
+/// A place in the text, what is wrong there, and what to do about it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParseError {
+    /// Byte range in the text.
+    pub span: Range<usize>,
+    /// What is wrong.
+    pub message: String,
+    /// What to do about it.
+    pub help: Option<String>,
+}
+
+/// What a name stands for, or why it stands for nothing here: (message, help).
+pub type Resolve<'a> = dyn FnMut(&mut Arena, &str) -> Result<Expr, (String, Option<String>)> + 'a;
+
+/// Reads one expression; names are looked up by `resolve`.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse(arena: &mut Arena, text: &str, resolve: &mut Resolve<'_>) -> Result<Expr, ParseError> {
+    let mut parser = Parser { arena, text, at: 0, depth: 0, work: 0, resolve };
+    parser.skip_space();
+    if parser.at == text.len() {
+        return Err(error(0..text.len(), "the expression is empty", Some("write 0 if nothing is meant")));
+    }
+    let e = parser.sum()?;
+    if parser.at < text.len() {
+        return Err(parser.unexpected());
+    }
+    Ok(e)
+}
+
+/// Reads one expression in which every name is a symbol, declared as it appears.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse_free(arena: &mut Arena, text: &str) -> Result<Expr, ParseError> {
+    parse(arena, text, &mut |arena, name| Ok(arena.symbol(name)))
+}
+
+/// Whether `name` is a function or constant of the expression language.
+#[must_use]
+pub fn is_reserved(name: &str) -> bool {
+    name == "pi" || is_function(name)
+}
+
+fn is_function(name: &str) -> bool {
+    ["tan", "sec", "csc", "cot"].contains(&name) || Function::ALL.iter().any(|(_, n)| *n == name)
+}
+
+struct Parser<'a, 'b> {
+    arena: &'a mut Arena,
+    text: &'a str,
+    at: usize,
+    depth: usize,
+    work: u64,
+    resolve: &'a mut Resolve<'b>,
+}
+
+fn error(span: Range<usize>, message: impl Into<String>, help: Option<&str>) -> ParseError {
+    ParseError { span, message: message.into(), help: help.map(str::to_owned) }
+}
+
+impl Parser<'_, '_> {
+    fn peek(&self) -> Option<u8> {
+        self.text.as_bytes().get(self.at).copied()
+    }
+
+    fn skip_space(&mut self) {
+        while self.peek().is_some_and(|b| b.is_ascii_whitespace()) {
+            self.at += 1;
+        }
+    }
+
+    fn take(&mut self, byte: u8) -> bool {
+        let found = self.peek() == Some(byte);
+        if found {
+            self.at += 1;
+            self.skip_space();
+        }
+        found
+    }
+
+    /// What stands at the current place is not what may stand there.
+    fn unexpected(&self) -> ParseError {
+        let Some(found) = self.text[self.at..].chars().next() else {
+            return error(self.at..self.at, "the expression ends too early", Some("an operand is missing here"));
+        };
+        let span = self.at..self.at + found.len_utf8();
+        let before = self.text[..self.at].trim_end();
+        let alone = before.is_empty() || before.ends_with(['+', '-', '*', '/', '^', '(']);
+        if !alone && (found.is_ascii_alphanumeric() || found == '(' || found == '_') {
+            return error(span, "an operator is missing here", Some("write products with `*`, as in `2*q1`"));
+        }
+        let help = match found {
+            '\'' => "one prime only, as in q1', and only after a coordinate; second derivatives are derived",
+            '.' => "a time derivative is written with a prime: q1'",
+            '*' if before.ends_with('*') => "powers are written with `^`",
+            ')' if alone => "an operand is missing here",
+            ')' => "there is no `(` to close here",
+            '+' | '-' | '*' | '/' | '^' => "an operand is missing here",
+            ',' => "functions have one argument; decimals are written with a point",
+            '=' => "an expression has no `=`",
+            '<' | '>' => "inequalities stand in [domain] only, one in a condition",
+            '−' | '–' => "use the ASCII minus `-`",
+            '·' | '×' => "use `*` for products",
+            '°' => "angles are in radians: write `10*pi/180`",
+            '²' | '³' => "write powers with `^`",
+            'π' => "write `pi`",
+            '√' => "write `sqrt(…)`",
+            '’' | '′' | '`' => "the prime is the ASCII apostrophe: q1'",
+            _ if found.is_alphabetic() => "names have ASCII letters only: write `alpha` for the Greek letter",
+            _ => "allowed are numbers, names, + - * / ^ ( ) and functions such as sin(q1)",
+        };
+        let found = if found.is_control() { found.escape_default().to_string() } else { found.to_string() };
+        error(span, format!("unexpected `{found}`"), Some(help))
+    }
+
+    /// Counts what it costs to add or multiply numbers of so many bits.
+    fn spend(&mut self, bits: u64, start: usize) -> Result<(), ParseError> {
+        self.work = self.work.saturating_add(bits.saturating_mul(bits));
+        if self.work <= MAX_WORK {
+            return Ok(());
+        }
+        let help = "write shorter numbers, or fewer different fractions";
+        Err(error(start..self.at, "the numbers in this expression grow too large", Some(help)))
+    }
+
+    fn sum(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        let mut terms = Vec::new();
+        let mut sign = Rational::ONE;
+        let mut denominators = FxHashSet::default();
+        let mut common = 0;
+        loop {
+            let term = self.term()?;
+            let (above, below) = largest_number(self.arena, term);
+            // Different denominators multiply; numerators hardly grow.
+            if below > 1 && denominators.insert(below_of(self.arena, term)) {
+                common += below;
+            }
+            self.spend(common + above, start)?;
+            terms.push((term, sign));
+            sign = match self.peek() {
+                Some(b'+') => Rational::ONE,
+                Some(b'-') => Rational::MINUS_ONE,
+                _ => break,
+            };
+            self.at += 1;
+            self.skip_space();
+        }
+        Ok(if terms.len() == 1 { terms[0].0 } else { self.arena.linear_combination(&terms) })
+    }
+
+    fn term(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        let mut factors = vec![(self.signed()?, 1)];
+        let (above, below) = largest_number(self.arena, factors[0].0);
+        let mut bits = (above - 1) + (below - 1);
+        loop {
+            let exponent = match self.peek() {
+                Some(b'*') if self.text.as_bytes().get(self.at + 1) == Some(&b'*') => {
+                    self.at += 1;
+                    return Err(self.unexpected());
+                }
+                Some(b'*') => 1,
+                Some(b'/') => -1,
+                _ => break,
+            };
+            self.at += 1;
+            self.skip_space();
+            let operand = self.at;
+            let factor = self.signed()?;
+            if exponent < 0 && factor == Expr::ZERO {
+                return Err(error(operand..self.at, "division by zero", Some("this divisor is zero")));
+            }
+            factors.push((factor, exponent));
+            let (above, below) = largest_number(self.arena, factor);
+            bits += (above - 1) + (below - 1);
+            self.spend(bits, start)?;
+        }
+        if factors.len() == 1 {
+            return Ok(factors[0].0);
+        }
+        let product = self.arena.try_product(&factors);
+        product.map_err(|e| self.power_error(start, e))
+    }
+
+    fn power_error(&self, start: usize, kind: PowerError) -> ParseError {
+        let span = start..self.at;
+        match kind {
+            PowerError::DivisionByZero => error(span, "division by zero", Some("this divisor is zero")),
+            PowerError::TooLarge => {
+                let limit = format!("exponents reach to ±{}, numbers to about 30 000 digits", Arena::MAX_EXPONENT);
+                error(span, "this power is too large", Some(&limit))
+            }
+        }
+    }
+
+    /// Any number of signs, then a power: −x² is −(x²).
+    fn signed(&mut self) -> Result<Expr, ParseError> {
+        let mut negative = false;
+        loop {
+            match self.peek() {
+                Some(b'-') => negative = !negative,
+                Some(b'+') => {}
+                _ => break,
+            }
+            self.at += 1;
+            self.skip_space();
+        }
+        let e = self.power()?;
+        Ok(if negative { self.arena.neg(e) } else { e })
+    }
+
+    fn power(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        let base = self.primary()?;
+        if !self.take(b'^') {
+            return Ok(base);
+        }
+        let from = self.at;
+        self.enter(from)?;
+        let exponent = self.signed()?;
+        self.depth -= 1;
+        let halves = self.arena.as_number(exponent).map(|n| n.mul(&Rational::integer(2)));
+        let Some(halves) = halves.filter(Rational::is_integer) else {
+            let help = "an exponent is a number, whole or half: x^2, x^-1, x^(1/2)";
+            return Err(error(from..self.at, "this exponent is not a whole or half number", Some(help)));
+        };
+        let too_large = |parser: &Self| parser.power_error(start, PowerError::TooLarge);
+        let halves = halves.to_i64().and_then(|n| i32::try_from(n).ok()).ok_or_else(|| too_large(self))?;
+        let (base, n) = if halves % 2 == 0 {
+            (base, halves / 2)
+        } else {
+            (self.checked_apply(Function::Sqrt, base, start)?, halves)
+        };
+        if n == 0 {
+            return Ok(Expr::ONE);
+        }
+        self.arena.pow(base, n).map_err(|e| self.power_error(start, e))
+    }
+
+    fn enter(&mut self, start: usize) -> Result<(), ParseError> {
+        self.depth += 1;
+        if self.depth > MAX_DEPTH {
+            let message = format!("nesting deeper than {MAX_DEPTH}");
+            return Err(error(start..start + 1, message, Some("split the expression")));
+        }
+        Ok(())
+    }
+
+    fn parenthesized(&mut self, open: usize) -> Result<Expr, ParseError> {
+        self.enter(open)?;
+        let e = self.sum()?;
+        self.depth -= 1;
+        if !self.take(b')') {
+            if self.at < self.text.len() {
+                return Err(self.unexpected());
+            }
+            return Err(error(open..open + 1, "this `(` is never closed", Some("add `)`")));
+        }
+        Ok(e)
+    }
+
+    fn primary(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        match self.peek() {
+            Some(b'(') => {
+                self.take(b'(');
+                self.parenthesized(start)
+            }
+            Some(b'0'..=b'9' | b'.') => self.number(),
+            Some(b'a'..=b'z' | b'A'..=b'Z' | b'_') => self.named(),
+            _ => Err(self.unexpected()),
+        }
+    }
+
+    fn number(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        let bytes = self.text.as_bytes();
+        let digits = |mut at: usize| {
+            while bytes.get(at).is_some_and(|b| b.is_ascii_digit() || *b == b'.') {
+                at += 1;
+            }
+            at
+        };
+        self.at = digits(start);
+        if self.at - start > MAX_DIGITS {
+            let message = format!("a number of more than {MAX_DIGITS} digits");
+            return Err(error(start..self.at, message, Some("round it")));
+        }
+        if matches!(self.peek(), Some(b'e' | b'E')) {
+            let sign = usize::from(matches!(bytes.get(self.at + 1), Some(b'+' | b'-')));
+            let end = digits(self.at + 1 + sign);
+            if end > self.at + 1 + sign {
+                self.at = end;
+            }
+        }
+        let value = Rational::parse_decimal(&self.text[start..self.at]).ok_or_else(|| {
+            let message = format!("`{}` is not a number", &self.text[start..self.at.min(start + 60)]);
+            error(start..self.at, message, Some("write 12, 0.5 or 1.5e-3; exponents reach to ±4000"))
+        })?;
+        self.skip_space();
+        Ok(self.arena.number(value))
+    }
+
+    fn named(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        let name_end = self.text[start..]
+            .find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
+            .map_or(self.text.len(), |length| start + length);
+        let primes = self.text[name_end..].bytes().take_while(|b| *b == b'\'').count();
+        let end = name_end + primes;
+        let text = self.text;
+        let name = &text[start..end];
+        self.at = end;
+        self.skip_space();
+        let called = self.peek() == Some(b'(');
+        if is_function(name) {
+            if !called {
+                let help = format!("write {name}(…)");
+                return Err(error(start..end, format!("`{name}` needs an argument in parentheses"), Some(&help)));
+            }
+            let open = self.at;
+            self.take(b'(');
+            let argument = self.parenthesized(open)?;
+            return self.function(name, argument, start);
+        }
+        if called {
+            let help = format!("write `{name}` alone if it depends on time, `{name}*(…)` for a product");
+            return Err(error(start..end, format!("`{name}` is not a function"), Some(&help)));
+        }
+        if primes > 1 {
+            let help = "one prime only: second derivatives are derived, not stated";
+            return Err(error(start..end, format!("`{name}` has more than one prime"), Some(help)));
+        }
+        if name == "pi" {
+            return Ok(self.arena.pi());
+        }
+        (self.resolve)(self.arena, name).map_err(|(message, help)| ParseError { span: start..end, message, help })
+    }
+
+    fn function(&mut self, name: &str, argument: Expr, start: usize) -> Result<Expr, ParseError> {
+        let quotient = |parser: &mut Self, above: Expr, below: Expr| {
+            parser.arena.div(above, below).ok_or_else(|| {
+                let message = format!("{name} has no value here");
+                error(start..parser.at, message, Some("it divides by zero at this constant angle"))
+            })
+        };
+        match name {
+            "tan" | "cot" | "sec" | "csc" => {
+                let (sine, cosine) = (self.arena.sin(argument), self.arena.cos(argument));
+                match name {
+                    "tan" => quotient(self, sine, cosine),
+                    "cot" => quotient(self, cosine, sine),
+                    "sec" => quotient(self, Expr::ONE, cosine),
+                    _ => quotient(self, Expr::ONE, sine),
+                }
+            }
+            _ => {
+                let (f, _) = *Function::ALL.iter().find(|(_, n)| *n == name).expect("is_function said so");
+                self.checked_apply(f, argument, start)
+            }
+        }
+    }
+
+    /// f(argument), refused for constants outside the function's domain.
+    fn checked_apply(&mut self, f: Function, argument: Expr, start: usize) -> Result<Expr, ParseError> {
+        if let Some(value) = constant_value(self.arena, f, argument) {
+            // Only plain numbers are exact.
+            let slack = if self.arena.as_number(argument).is_some() { 0.0 } else { 1e-12 };
+            let outside = match f {
+                Function::Sqrt => value < -slack,
+                Function::Log => value <= 0.0,
+                Function::Asin | Function::Acos => value.abs() > 1.0 + slack,
+                _ => false,
+            };
+            if outside {
+                let message = format!("{}({value}) is not a real number", f.name());
+                return Err(error(start..self.at, message, Some("the argument is outside the function's domain")));
+            }
+        }
+        Ok(self.arena.apply(f, argument))
+    }
+}
+
+/// The value of an argument without symbols, for functions that are not defined everywhere.
+fn constant_value(arena: &Arena, f: Function, argument: Expr) -> Option<f64> {
+    if !matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos) {
+        return None;
+    }
+    if let Some(value) = arena.as_number(argument) {
+        return Some(value.to_f64());
+    }
+    Some(Tape::new(arena, &[], &[argument]).ok()?.evaluate(&[])[0])
+}
+
+/// Bits of the numerator and of the denominator of the number in front of a term, at least 1 each.
+fn largest_number(arena: &Arena, e: Expr) -> (u64, u64) {
+    let bits = |value: &Rational| match value.small() {
+        Some((n, d)) => (u64::from(64 - n.unsigned_abs().leading_zeros()), u64::from(64 - d.leading_zeros())),
+        None => {
+            let big = value.to_big();
+            (big.numer().bits(), big.denom().bits())
+        }
+    };
+    let (above, below) = bits(leading(arena, e));
+    (above.max(1), below.max(1))
+}
+
+/// The number in front of a term.
+fn leading(arena: &Arena, e: Expr) -> &Rational {
+    match arena.node(e) {
+        Node::Number(value) => value,
+        Node::Sum(_, terms) => &terms[0].1,
+        _ => &Rational::ONE,
+    }
+}
+
+fn below_of(arena: &Arena, e: Expr) -> num_bigint::BigInt {
+    leading(arena, e).to_big().denom().clone()
+}

@@ -1,0 +1,312 @@
+//! Exact rational numbers of any size.
+//!
+//! Invariant: the denominator is positive, the fraction is reduced, and `Big` is used only for what
+//! does not fit `Small`; so equal numbers are equal values and nothing ever wraps.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
+use std::fmt;
+
+/// A rational number: two machine words where they suffice, big integers behind.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Rational(Repr);
+
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Repr {
+    Small(i64, i64),
+    Big(Box<BigRational>),
+}
+
+impl Rational {
+    /// 0.
+    pub const ZERO: Self = Self(Repr::Small(0, 1));
+    /// 1.
+    pub const ONE: Self = Self(Repr::Small(1, 1));
+    /// −1.
+    pub const MINUS_ONE: Self = Self(Repr::Small(-1, 1));
+
+    /// The integer `n`.
+    #[must_use]
+    pub const fn integer(n: i64) -> Self {
+        Self(Repr::Small(n, 1))
+    }
+
+    /// `numerator / denominator`, reduced; `None` if the denominator is zero.
+    #[must_use]
+    pub fn fraction(numerator: i64, denominator: i64) -> Option<Self> {
+        (denominator != 0).then(|| Self::from_wide(i128::from(numerator), i128::from(denominator)))
+    }
+
+    /// A reduced fraction from a big one.
+    #[must_use]
+    pub fn from_big(value: BigRational) -> Self {
+        match (value.numer().to_i64(), value.denom().to_i64()) {
+            (Some(n), Some(d)) => Self(Repr::Small(n, d)),
+            _ => Self(Repr::Big(Box::new(value))),
+        }
+    }
+
+    /// The same number as a big fraction.
+    #[must_use]
+    pub fn to_big(&self) -> BigRational {
+        match &self.0 {
+            Repr::Small(n, d) => BigRational::new_raw((*n).into(), (*d).into()),
+            Repr::Big(value) => (**value).clone(),
+        }
+    }
+
+    /// Numerator and denominator, if both fit a machine word.
+    #[must_use]
+    pub fn small(&self) -> Option<(i64, i64)> {
+        match self.0 {
+            Repr::Small(n, d) => Some((n, d)),
+            Repr::Big(_) => None,
+        }
+    }
+
+    /// The value as a machine integer, if it is one.
+    #[must_use]
+    pub fn to_i64(&self) -> Option<i64> {
+        match self.0 {
+            Repr::Small(n, 1) => Some(n),
+            _ => None,
+        }
+    }
+
+    /// The exact value of a finite binary floating-point number.
+    #[must_use]
+    pub fn from_f64_exact(x: f64) -> Option<Self> {
+        BigRational::from_float(x).map(Self::from_big)
+    }
+
+    /// The nearest floating-point number.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        match &self.0 {
+            // Both below 2^53: one correctly rounded division.
+            Repr::Small(n, d) if n.unsigned_abs() < 1 << 53 && *d < 1 << 53 => *n as f64 / *d as f64,
+            _ => self.to_big().to_f64().unwrap_or(f64::NAN),
+        }
+    }
+
+    fn from_wide(n: i128, d: i128) -> Self {
+        let g = n.gcd(&d);
+        let sign = if d < 0 { -1 } else { 1 };
+        let (n, d) = (sign * (n / g), sign * (d / g));
+        match (i64::try_from(n), i64::try_from(d)) {
+            (Ok(n), Ok(d)) => Self(Repr::Small(n, d)),
+            _ => Self(Repr::Big(Box::new(BigRational::new_raw(n.into(), d.into())))),
+        }
+    }
+
+    /// Whether this is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        matches!(self.0, Repr::Small(0, _))
+    }
+
+    /// Whether this is 1.
+    #[must_use]
+    pub fn is_one(&self) -> bool {
+        matches!(self.0, Repr::Small(1, 1))
+    }
+
+    /// Whether the denominator is 1.
+    #[must_use]
+    pub fn is_integer(&self) -> bool {
+        match &self.0 {
+            Repr::Small(_, d) => *d == 1,
+            Repr::Big(value) => value.is_integer(),
+        }
+    }
+
+    /// Whether this is below 0.
+    #[must_use]
+    pub fn is_negative(&self) -> bool {
+        match &self.0 {
+            Repr::Small(n, _) => *n < 0,
+            Repr::Big(value) => value.is_negative(),
+        }
+    }
+
+    /// Sum.
+    #[must_use]
+    pub fn add(&self, other: &Self) -> Self {
+        if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
+            let (a, b, c, d) = (i128::from(*a), i128::from(*b), i128::from(*c), i128::from(*d));
+            if let Some(n) = (a * d).checked_add(c * b) {
+                return Self::from_wide(n, b * d);
+            }
+        }
+        Self::from_big(self.to_big() + other.to_big())
+    }
+
+    /// Product.
+    #[must_use]
+    pub fn mul(&self, other: &Self) -> Self {
+        if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
+            return Self::from_wide(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d));
+        }
+        Self::from_big(self.to_big() * other.to_big())
+    }
+
+    /// The opposite number.
+    #[must_use]
+    pub fn neg(&self) -> Self {
+        self.mul(&Self::MINUS_ONE)
+    }
+
+    /// The inverse; `None` for 0.
+    #[must_use]
+    pub fn recip(&self) -> Option<Self> {
+        match &self.0 {
+            Repr::Small(0, _) => None,
+            Repr::Small(n, d) => Some(Self::from_wide(i128::from(*d), i128::from(*n))),
+            Repr::Big(value) => Some(Self::from_big(value.recip())),
+        }
+    }
+
+    /// `self` to the power `n`; `None` for a negative power of 0, or when the result would have more
+    /// than about [`Self::MAX_BITS`] bits. 0⁰ is 1.
+    #[must_use]
+    pub fn pow(&self, n: i32) -> Option<Self> {
+        let bits = self.to_big().numer().bits().max(self.to_big().denom().bits());
+        if bits > 1 && bits.saturating_mul(u64::from(n.unsigned_abs())) > Self::MAX_BITS {
+            return None;
+        }
+        if self.is_zero() {
+            return (n >= 0).then_some(if n == 0 { Self::ONE } else { Self::ZERO });
+        }
+        Some(Self::from_big(num_traits::Pow::pow(self.to_big(), n)))
+    }
+
+    /// The size above which a power is refused rather than computed.
+    pub const MAX_BITS: u64 = 100_000;
+
+    /// The greatest positive rational that divides both into integers: gcd of the numerators over
+    /// lcm of the denominators. With 0 it is the other number's absolute value.
+    #[must_use]
+    pub fn common_content(&self, other: &Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            let value = self.add(other);
+            return if value.is_negative() { value.neg() } else { value };
+        }
+        let (a, b) = (self.to_big(), other.to_big());
+        Self::from_big(BigRational::new(a.numer().gcd(b.numer()), a.denom().lcm(b.denom())))
+    }
+
+    /// The exact value of an unsigned decimal number such as `12`, `0.5` or `1.5e-3`.
+    ///
+    /// Decimals are exact: `0.1` is 1/10. `None` if the text is no such number or its exponent is
+    /// beyond ±4 000.
+    #[must_use]
+    pub fn parse_decimal(text: &str) -> Option<Self> {
+        let (mantissa, exponent) = match text.find(['e', 'E']) {
+            Some(at) => (&text[..at], text[at + 1..].parse::<i32>().ok()?),
+            None => (text, 0),
+        };
+        let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits = format!("{whole}{decimals}");
+        if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) || exponent.abs() > 4000 {
+            return None;
+        }
+        let scale = exponent - i32::try_from(decimals.len()).ok()?;
+        let value = BigRational::from_integer(digits.parse::<BigInt>().ok()?);
+        let ten = BigRational::from_integer(10.into());
+        Some(Self::from_big(value * num_traits::Pow::pow(ten, scale)))
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            (Repr::Small(a, b), Repr::Small(c, d)) => {
+                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
+            }
+            _ => self.to_big().cmp(&other.to_big()),
+        }
+    }
+}
+
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Repr::Small(n, 1) => write!(f, "{n}"),
+            Repr::Small(n, d) => write!(f, "{n}/{d}"),
+            Repr::Big(value) => write!(f, "{value}"),
+        }
+    }
+}
+
+impl fmt::Debug for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl From<BigInt> for Rational {
+    fn from(value: BigInt) -> Self {
+        Self::from_big(BigRational::new_raw(value, BigInt::one()))
+    }
+}
+
+impl Default for Rational {
+    fn default() -> Self {
+        debug_assert!(BigInt::zero().is_zero());
+        Self::ZERO
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_beyond_a_machine_word_do_not_wrap() {
+        let big = Rational::integer(i64::MAX);
+        let twice = big.add(&big);
+        assert_eq!(twice.to_string(), "18446744073709551614");
+        assert_eq!(twice.add(&big.neg()), big, "and come back to the small form");
+    }
+
+    #[test]
+    fn i64_min_has_an_opposite() {
+        assert_eq!(Rational::integer(i64::MIN).neg().to_string(), "9223372036854775808");
+        assert_eq!(Rational::integer(i64::MIN).recip().unwrap().recip().unwrap(), Rational::integer(i64::MIN));
+    }
+
+    #[test]
+    fn decimals_are_exact() {
+        let sum = Rational::parse_decimal("0.1").unwrap().add(&Rational::parse_decimal("0.2").unwrap());
+        assert_eq!(sum, Rational::fraction(3, 10).unwrap());
+        assert_eq!(Rational::parse_decimal("1.5e-3").unwrap(), Rational::fraction(3, 2000).unwrap());
+        for bad in ["", ".", "1e", "1.2.3", "1e99999", "-1", "0x1"] {
+            assert_eq!(Rational::parse_decimal(bad), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn a_thousand_unit_fractions_sum_exactly() {
+        let forward = (1..=1000).fold(Rational::ZERO, |s, k| s.add(&Rational::fraction(1, k).unwrap()));
+        let backward = (1..=1000).rev().fold(Rational::ZERO, |s, k| s.add(&Rational::fraction(1, k).unwrap()));
+        assert_eq!(forward, backward);
+        assert!((forward.to_f64() - 7.485_470_860_550_345).abs() < 1e-14);
+    }
+
+    #[test]
+    fn powers_that_would_fill_memory_are_refused() {
+        assert_eq!(Rational::integer(2).pow(1 << 20), None);
+        assert_eq!(Rational::ONE.pow(i32::MAX), Some(Rational::ONE));
+        assert_eq!(Rational::ZERO.pow(-1), None);
+        assert_eq!(Rational::ZERO.pow(0), Some(Rational::ONE));
+    }
+}

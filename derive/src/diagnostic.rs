@@ -1,0 +1,273 @@
+//! What is wrong with a file: place, fact, help.
+
+use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
+use std::fmt;
+use std::io::Read;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// A text file as read, with the name it is reported under.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// The path as the user gave it.
+    pub path: PathBuf,
+    /// The content.
+    pub text: String,
+}
+
+impl Source {
+    /// Files beyond this many bytes are refused: no model written by a person comes near.
+    pub const MAX_BYTES: u64 = 4 << 20;
+
+    /// Reads a regular file of UTF-8 text.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] that name the file and what is wrong: absent, a directory, a device or pipe,
+    /// too large, not UTF-8 (with the line of the first bad byte), or with a NUL byte.
+    pub fn read(path: &Path) -> Result<Self, Diagnostics> {
+        let fail = |message: String, help: &str| Err(Diagnostics::without_place(path, &message, help));
+        let metadata = match std::fs::metadata(path) {
+            Ok(metadata) => metadata,
+            Err(error) => return fail(format!("cannot read the file: {error}"), "check the path"),
+        };
+        if !metadata.is_file() {
+            let what = if metadata.is_dir() { "a folder" } else { "not a regular file" };
+            return fail(format!("this is {what}"), "give the path of a text file, such as models/disk/model.toml");
+        }
+        let mut bytes = Vec::new();
+        let read = std::fs::File::open(path).and_then(|file| file.take(Self::MAX_BYTES + 1).read_to_end(&mut bytes));
+        if let Err(error) = read {
+            return fail(format!("cannot read the file: {error}"), "check its permissions");
+        }
+        if bytes.len() as u64 > Self::MAX_BYTES {
+            return fail(
+                format!("the file is larger than {} bytes", Self::MAX_BYTES),
+                "give a text file of this format",
+            );
+        }
+        // What can be shown of a file that is not plain text.
+        let fail_at = |at: usize, length: usize, message: &str, help: &str| {
+            let mut text = String::from_utf8_lossy(&bytes[..at]).into_owned();
+            let start = text.len();
+            text.push_str(&"\u{fffd}".repeat(length));
+            let span = start..text.len();
+            let source = Self { path: path.to_owned(), text };
+            Err(Diagnostics::new(source, vec![Diagnostic::new(span, message, help)]))
+        };
+        if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+            return fail_at(0, 1, "the file is UTF-16, not UTF-8", "save the file as UTF-8");
+        }
+        if let Some(at) = bytes.iter().position(|b| *b == 0) {
+            return fail_at(at, 1, "the file has a NUL byte here", "the file must be plain text");
+        }
+        match std::str::from_utf8(&bytes) {
+            Ok(text) => Ok(Self { path: path.to_owned(), text: text.to_owned() }),
+            Err(error) => {
+                fail_at(error.valid_up_to(), 1, "the file is not UTF-8 from here on", "save the file as UTF-8")
+            }
+        }
+    }
+
+    /// A text that did not come from a file.
+    #[must_use]
+    pub fn from_text(path: &str, text: &str) -> Self {
+        Self { path: PathBuf::from(path), text: text.to_owned() }
+    }
+}
+
+/// One error: what is wrong, where, and what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// What is wrong, in one line.
+    pub message: String,
+    /// The place, as a byte range.
+    pub span: Option<Range<usize>>,
+    /// A second place that belongs to it, with what stands there.
+    pub other: Option<(Range<usize>, String)>,
+    /// What to do.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// An error at a place.
+    #[must_use]
+    pub fn new(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { message: message.into(), span: Some(span), other: None, help: Some(help.into()) }
+    }
+
+    /// An error of the file as a whole.
+    #[must_use]
+    pub fn of_file(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { message: message.into(), span: None, other: None, help: Some(help.into()) }
+    }
+
+    /// Adds a second place.
+    #[must_use]
+    pub fn with_other(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
+        self.other = Some((span, label.into()));
+        self
+    }
+}
+
+/// All errors of one file, with its text. Displays as compilers do, each error with its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostics {
+    /// The file.
+    pub source: Source,
+    /// Its errors in the order of their places.
+    pub list: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    /// The errors of one file, sorted by place.
+    #[must_use]
+    pub fn new(source: Source, mut list: Vec<Diagnostic>) -> Self {
+        list.sort_by_key(|d| d.span.as_ref().map_or(0, |s| s.start));
+        list.dedup();
+        Self { source, list }
+    }
+
+    fn without_place(path: &Path, message: &str, help: &str) -> Self {
+        let source = Source { path: path.to_owned(), text: String::new() };
+        Self::new(source, vec![Diagnostic::of_file(message, help)])
+    }
+}
+
+impl std::error::Error for Diagnostics {}
+
+/// Errors of one file that are shown; nobody reads more before mending the first ones.
+const MAX_SHOWN: usize = 50;
+/// Bytes of a line that are shown on either side of an error.
+const MARGIN: usize = 160;
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let path = self.source.path.display().to_string();
+        for (at, diagnostic) in self.list.iter().take(MAX_SHOWN).enumerate() {
+            if at > 0 {
+                writeln!(f, "\n")?;
+            }
+            f.write_str(&render(&path, &self.source.text, diagnostic))?;
+        }
+        if self.list.len() > MAX_SHOWN {
+            write!(f, "\n\nand {} more errors", self.list.len() - MAX_SHOWN)?;
+        }
+        Ok(())
+    }
+}
+
+fn render(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
+    let title = Level::ERROR.primary_title(diagnostic.message.as_str());
+    let excerpt = diagnostic.span.as_ref().map(|span| Excerpt::new(text, span));
+    let mut group = match &excerpt {
+        None => title.element(Origin::path(path)),
+        Some(excerpt) if excerpt.whole => {
+            let primary = AnnotationKind::Primary.span(excerpt.span.clone());
+            let snippet = Snippet::source(&*excerpt.text).path(path).line_start(excerpt.line).annotation(primary);
+            let other = diagnostic.other.as_ref().filter(|(span, _)| excerpt.holds(span));
+            match (&diagnostic.other, other) {
+                (_, Some((span, label))) => {
+                    let span = span.start - excerpt.start..span.end - excerpt.start;
+                    title.element(snippet.annotation(AnnotationKind::Context.span(span).label(label.as_str())))
+                }
+                (Some((span, label)), None) => {
+                    let second = Excerpt::new(text, span);
+                    let context = AnnotationKind::Context.span(second.span.clone()).label(label.clone());
+                    let second_snippet = Snippet::source(second.text.into_owned()).path(path).line_start(second.line);
+                    title.element(snippet).element(second_snippet.annotation(context))
+                }
+                (None, None) => title.element(snippet),
+            }
+        }
+        // A part of a very long line: the place in words, since columns of the part would mislead.
+        Some(excerpt) => {
+            let origin = Origin::path(path).line(excerpt.line).char_column(excerpt.column);
+            let note = match &*excerpt.text {
+                "" => "at the end of a very long line".to_owned(),
+                part => format!("in a very long line, at `{}`", shown(part)),
+            };
+            title.element(origin).element(Level::NOTE.message(note))
+        }
+    };
+    if let Some(help) = diagnostic.help.as_ref().filter(|help| !help.is_empty()) {
+        group = group.element(Level::HELP.message(help.as_str()));
+    }
+    Renderer::plain().render(&[group])
+}
+
+/// The lines about a place, so that showing an error does not read the whole file.
+struct Excerpt<'a> {
+    text: std::borrow::Cow<'a, str>,
+    /// Where the excerpt starts in the file.
+    start: usize,
+    /// The number of its first line.
+    line: usize,
+    /// The column of the place, in characters, from 1.
+    column: usize,
+    /// The place, in the excerpt.
+    span: Range<usize>,
+    /// Whether it consists of whole lines.
+    whole: bool,
+}
+
+impl<'a> Excerpt<'a> {
+    fn new(text: &'a str, span: &Range<usize>) -> Self {
+        let from = floor(text, span.start);
+        let to = floor(text, span.end).max(from);
+        let first = text[..from].rfind('\n').map_or(0, |n| n + 1);
+        // Of a place over many lines, the first is enough.
+        let end = text[from..].find('\n').map_or(text.len(), |n| from + n);
+        let end = if text[..end].ends_with('\r') { end - 1 } else { end }.max(from);
+        let to = to.min(end).max(from);
+        let line = text[..first].bytes().filter(|b| *b == b'\n').count() + 1;
+        let bom = usize::from(text[first..from].starts_with('\u{feff}'));
+        let column = text[first..from].chars().count() + 1 - bom;
+        let whole = end - first <= 2 * MARGIN;
+        let start = if whole { first } else { from };
+        let end = if whole { end } else { floor(text, from + MARGIN).min(end) };
+        Self { text: text[start..end].into(), start, line, column, span: from - start..to.min(end) - start, whole }
+    }
+
+    fn holds(&self, span: &Range<usize>) -> bool {
+        span.start >= self.start && span.end <= self.start + self.text.len()
+    }
+}
+
+/// The start of the character at or before a byte.
+fn floor(text: &str, at: usize) -> usize {
+    let mut at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+/// "did you mean …?" for the nearest of the known names, or what the names are.
+#[must_use]
+pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    let known: Vec<&str> = known.into_iter().collect();
+    let close = known
+        .iter()
+        .filter(|k| k.len().abs_diff(name.len()) <= k.len().max(name.len()).div_ceil(3))
+        .map(|k| (strsim::damerau_levenshtein(&name.to_lowercase(), &k.to_lowercase()), *k))
+        .filter(|(distance, k)| *distance <= (k.len().max(name.len()) + 1) / 3)
+        .min();
+    match close {
+        Some((_, k)) => format!("did you mean `{k}`?"),
+        None if known.is_empty() => "nothing of this kind is declared".to_owned(),
+        None => {
+            let list: Vec<String> = known.iter().take(20).map(|k| format!("`{k}`")).collect();
+            format!("known here: {}", list.join(", "))
+        }
+    }
+}
+
+/// A text short enough to stand in a message.
+#[must_use]
+pub fn shown(text: &str) -> String {
+    const LONGEST: usize = 60;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}

@@ -1,0 +1,50 @@
+//! From a model file to equations of motion, derived three independent ways.
+//!
+//! ```
+//! use tripos_derive::algebra::print::text;
+//! use tripos_derive::diagnostic::Source;
+//! use tripos_derive::{Formulation, derive, model};
+//!
+//! let source = Source::from_text("pendulum.toml", r#"
+//!     name = "Pendulum"
+//!     [parameters]
+//!     m = { unit = "kg", positive = true }
+//!     l = { unit = "m", positive = true }
+//!     g = { unit = "m/s^2", positive = true }
+//!     [coordinates]
+//!     q1 = { unit = "rad", about = "from hanging" }
+//!     [speeds]
+//!     u1 = "q1'"
+//!     [inertial]
+//!     frame = "N"
+//!     origin = "O"
+//!     [frames]
+//!     A = { from = "N", axis = 3, angle = "q1" }
+//!     [points]
+//!     P = { from = "O", frame = "A", position = [0, "-l", 0] }
+//!     [particles]
+//!     bob = { point = "P", mass = "m" }
+//!     [gravity]
+//!     frame = "N"
+//!     acceleration = [0, "-g", 0]
+//! "#);
+//! let model = model::load(&source)?;
+//! let kane = derive(&model, Formulation::Kane)?;
+//! assert_eq!(text(&kane.arena, kane.equations.matrix[0][0]), "m*l^2");
+//! assert_eq!(text(&kane.arena, kane.equations.forcing[0]), "-m*l*g*sin(q1)");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The flow is one way: [`diagnostic::Source`] → [`model::Model`] → [`mechanics::Kinematics`] →
+//! [`mechanics::Equations`] by Kane, Lagrange or Newton–Euler. No stage changes what an earlier one
+//! made, and the three formulations know nothing of one another.
+
+pub mod algebra;
+pub mod diagnostic;
+pub mod mechanics;
+pub mod model;
+mod read;
+pub mod scene;
+
+pub use mechanics::{Equations, Formulation, derive};
+pub use model::Model;

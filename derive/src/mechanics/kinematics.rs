@@ -1,0 +1,313 @@
+//! Positions, velocities and accelerations: what all three formulations start from.
+
+use super::vector::{Components, Frames, Vector, apply_tensor};
+use super::{DeriveError, Equations};
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::model::{Body, Model, Place, ReactionKind};
+
+/// Positions and velocities in q and q̇, and the tools to go on from there.
+pub struct Kinematics {
+    /// The store of all terms; starts as the model's own.
+    pub arena: Arena,
+    /// The frames and the rotations between them.
+    pub frames: Frames,
+    /// Remembers what was simplified.
+    pub simplifier: Simplifier,
+    /// p_OP of each point, from the origin.
+    pub positions: Vec<Vector>,
+    /// Velocities in terms of q̇.
+    pub in_rates: Velocities,
+}
+
+/// Angular velocities of all frames and velocities of all points, in one choice of motion variables.
+#[derive(Clone)]
+pub struct Velocities {
+    /// ω of each frame in the inertial frame.
+    pub angular: Vec<Vector>,
+    /// v of each point in the inertial frame.
+    pub linear: Vec<Vector>,
+}
+
+impl Kinematics {
+    /// The kinematics of a model.
+    ///
+    /// # Errors
+    /// [`DeriveError`] if the stated inertia of a body is not constant in the body, or a reaction works.
+    pub fn new(model: &Model) -> Result<Self, DeriveError> {
+        let mut arena = model.arena.clone();
+        let mut frames = Frames::new(&model.frames);
+        let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let mut rates = Differential::along(&rates);
+        let angular = angular_velocities(&mut arena, model, &mut rates);
+        let (positions, linear) = points(&mut arena, &mut frames, model, &angular, &mut rates);
+        let in_rates = Velocities { angular, linear };
+        let mut kinematics = Self { arena, frames, simplifier: Simplifier::default(), positions, in_rates };
+        kinematics.check_inertias(model)?;
+        kinematics.check_reactions(model)?;
+        Ok(kinematics)
+    }
+
+    /// The same velocities in terms of the generalized speeds.
+    pub fn in_speeds(&mut self, model: &Model) -> Velocities {
+        let mut to_speeds = rates_to_speeds(model);
+        let Self { arena, simplifier, .. } = self;
+        let mut convert = |v: &Vector| v.substitute(arena, &mut to_speeds).simplify(arena, simplifier);
+        Velocities {
+            angular: self.in_rates.angular.iter().map(&mut convert).collect(),
+            linear: self.in_rates.linear.iter().map(&mut convert).collect(),
+        }
+    }
+
+    /// The velocity of the material point of a body that is at `place`: v_P = v_C + ω × p_CP.
+    pub fn place_velocity(&mut self, model: &Model, velocities: &Velocities, place: Place) -> Vector {
+        let body = &model.bodies[place.body];
+        let centre = velocities.linear[body.centre].clone();
+        let Some((frame, _)) = &body.rigid else { return centre };
+        let arm = self.arm(body, place.point);
+        let turning = self.frames.cross(&mut self.arena, &velocities.angular[*frame], &arm);
+        centre.add(&mut self.arena, &turning)
+    }
+
+    /// p_CP: from the mass centre of a body to a point.
+    pub fn arm(&mut self, body: &Body, point: usize) -> Vector {
+        let back = self.positions[body.centre].neg(&mut self.arena);
+        self.positions[point].add(&mut self.arena, &back)
+    }
+
+    /// Angular momentum of a body about its mass centre, H = I · ω, in the frame of the inertia;
+    /// nothing for a particle.
+    pub fn angular_momentum(&mut self, body: &Body, velocities: &Velocities) -> Vector {
+        let Some((_, inertia)) = &body.rigid else { return Vector::default() };
+        let omega = self.angular_velocity_in(body, velocities).unwrap_or([Expr::ZERO; 3]);
+        Vector::in_frame(inertia.frame, apply_tensor(&mut self.arena, &inertia.tensor, &omega))
+    }
+
+    /// ω of a rigid body in the frame of its inertia.
+    pub fn angular_velocity_in(&mut self, body: &Body, velocities: &Velocities) -> Option<Components> {
+        let (frame, inertia) = body.rigid.as_ref()?;
+        let omega = self.frames.express(&mut self.arena, &velocities.angular[*frame], inertia.frame);
+        Some(omega.map(|e| self.simplifier.simplify(&mut self.arena, e)))
+    }
+
+    /// T = Σ ½ m v·v + ½ ω·I·ω.
+    pub fn kinetic_energy(&mut self, model: &Model, velocities: &Velocities) -> Expr {
+        let mut terms = Vec::new();
+        for body in &model.bodies {
+            let v = &velocities.linear[body.centre];
+            let square = self.frames.dot(&mut self.arena, v, v);
+            terms.push(self.arena.mul(body.mass, square));
+            if let Some(omega) = self.angular_velocity_in(body, velocities) {
+                let h = self.angular_momentum(body, velocities);
+                if let Some((frame, _)) = h.parts.first() {
+                    let omega = Vector::in_frame(*frame, omega);
+                    terms.push(self.frames.dot(&mut self.arena, &omega, &h));
+                }
+            }
+        }
+        let twice = self.arena.sum(&terms);
+        let half = Rational::fraction(1, 2).expect("not zero");
+        let energy = self.arena.scale(twice, &half);
+        self.simplifier.simplify(&mut self.arena, energy)
+    }
+
+    /// V = −Σ m g·p, zero where the model puts its zero.
+    pub fn potential_energy(&mut self, model: &Model) -> Expr {
+        let Some(gravity) = &model.gravity else { return Expr::ZERO };
+        let g = Vector::in_frame(gravity.frame, gravity.acceleration);
+        let mut terms = Vec::new();
+        for body in &model.bodies {
+            let height = self.frames.dot(&mut self.arena, &g, &self.positions[body.centre]);
+            let term = self.arena.mul(body.mass, height);
+            terms.push(self.arena.neg(term));
+        }
+        let energy = self.arena.sum(&terms);
+        if gravity.zero_at.is_empty() {
+            return self.simplifier.simplify(&mut self.arena, energy);
+        }
+        let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
+        for (symbol, value) in &gravity.zero_at {
+            values.retain(|(s, _)| s != symbol);
+            values.push((*symbol, *value));
+        }
+        let at_zero = Substitution::new(&values).apply(&mut self.arena, energy);
+        let difference = self.arena.sub(energy, at_zero);
+        self.simplifier.simplify(&mut self.arena, difference)
+    }
+
+    /// The applied loads as pairs (velocity of what they act on, load): F_r = Σ ∂velocity/∂u_r · load.
+    ///
+    /// With `gravity`, weights are among them.
+    pub fn loads(&mut self, model: &Model, velocities: &Velocities, gravity: bool) -> Vec<(Vector, Vector)> {
+        let mut loads = Vec::new();
+        if let (true, Some(gravity)) = (gravity, &model.gravity) {
+            for body in &model.bodies {
+                let g = Vector::in_frame(gravity.frame, gravity.acceleration);
+                let weight = g.scale(&mut self.arena, body.mass);
+                loads.push((velocities.linear[body.centre].clone(), weight));
+            }
+        }
+        for force in &model.forces {
+            let vector = Vector::in_frame(force.frame, force.vector);
+            loads.push((self.place_velocity(model, velocities, force.on), vector.clone()));
+            if let Some(place) = force.against {
+                let back = vector.neg(&mut self.arena);
+                loads.push((self.place_velocity(model, velocities, place), back));
+            }
+        }
+        for torque in &model.torques {
+            let vector = Vector::in_frame(torque.frame, torque.vector);
+            loads.push((velocities.angular[torque.on.0].clone(), vector.clone()));
+            if let Some((frame, _)) = torque.against {
+                loads.push((velocities.angular[frame].clone(), vector.neg(&mut self.arena)));
+            }
+        }
+        loads
+    }
+
+    fn check_inertias(&mut self, model: &Model) -> Result<(), DeriveError> {
+        for body in &model.bodies {
+            let Some((frame, inertia)) = &body.rigid else { continue };
+            if *frame == inertia.frame {
+                continue;
+            }
+            // Constant in the body iff it commutes with the rotation: R I Rᵀ must not depend on q.
+            let r = self.frames.rotation(&mut self.arena, inertia.frame, *frame);
+            for (i, row) in r.iter().enumerate() {
+                let column = apply_tensor(&mut self.arena, &inertia.tensor, row);
+                for other in r.iter().take(i + 1) {
+                    let products: Vec<_> = other.iter().zip(&column).map(|(a, b)| self.arena.mul(*a, *b)).collect();
+                    let entry = self.arena.sum(&products);
+                    for c in &model.coordinates {
+                        let slope = Differential::partial(c.symbol).apply(&mut self.arena, entry);
+                        if zero_test(&self.arena, slope) != ZeroTest::Zero {
+                            return Err(DeriveError::InertiaNotConstant {
+                                body: body.name.clone(),
+                                frame: model.frames[inertia.frame].name.clone(),
+                                body_frame: model.frames[*frame].name.clone(),
+                            });
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A reaction of an ideal constraint does no work in any permitted motion.
+    fn check_reactions(&mut self, model: &Model) -> Result<(), DeriveError> {
+        let velocities = self.in_rates.clone();
+        for reaction in &model.reactions {
+            let direction = Vector::in_frame(reaction.frame, reaction.direction);
+            let velocity = match reaction.kind {
+                ReactionKind::Force { on, against } => {
+                    let v = self.place_velocity(model, &velocities, on);
+                    let opposite = against.map(|place| self.place_velocity(model, &velocities, place));
+                    self.minus(v, opposite)
+                }
+                ReactionKind::Torque { on, against } => {
+                    let omega = |body: usize| {
+                        let frame = model.bodies[body].rigid.as_ref().map_or(0, |(frame, _)| *frame);
+                        velocities.angular[frame].clone()
+                    };
+                    self.minus(omega(on), against.map(omega))
+                }
+            };
+            let power = self.frames.dot(&mut self.arena, &direction, &velocity);
+            for c in &model.coordinates {
+                let slope = Differential::partial(c.rate).apply(&mut self.arena, power);
+                if zero_test(&self.arena, slope) != ZeroTest::Zero {
+                    return Err(DeriveError::ReactionWorks {
+                        reaction: reaction.name.clone(),
+                        coordinate: c.name.clone(),
+                        rate: crate::algebra::print::text(&self.arena, slope),
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn minus(&mut self, a: Vector, b: Option<Vector>) -> Vector {
+        match b {
+            None => a,
+            Some(b) => {
+                let back = b.neg(&mut self.arena);
+                a.add(&mut self.arena, &back)
+            }
+        }
+    }
+
+    /// Simplifies every entry of finished equations.
+    pub fn simplify_equations(&mut self, equations: &mut Equations) {
+        let Self { arena, simplifier, .. } = self;
+        let entries = equations.matrix.iter_mut().flatten().chain(&mut equations.forcing);
+        let entries = entries.chain(&mut equations.coordinate_rates).chain(&mut equations.generalized_speeds);
+        for e in entries.chain(&mut equations.generalized_speed_rates).chain(&mut equations.motion_variables) {
+            *e = simplifier.simplify(arena, *e);
+        }
+    }
+}
+
+/// q̇ → W u + w.
+pub fn rates_to_speeds(model: &Model) -> Substitution {
+    let rates = model.q_dot();
+    let pairs: Vec<_> = rates.into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
+    Substitution::new(&pairs)
+}
+
+/// u → J q̇ + d.
+pub fn speeds_to_rates(model: &Model) -> Substitution {
+    let pairs: Vec<_> = model.speeds.iter().map(|s| (s.symbol, s.definition)).collect();
+    Substitution::new(&pairs)
+}
+
+/// d/dt along the motion: q → W u + w, u → u̇.
+pub fn motion_rates(model: &Model) -> Differential {
+    let mut rates: Vec<_> = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
+    rates.extend(model.speeds.iter().map(|s| (s.symbol, s.rate)));
+    Differential::along(&rates)
+}
+
+fn angular_velocities(arena: &mut Arena, model: &Model, rates: &mut Differential) -> Vec<Vector> {
+    let mut angular: Vec<Vector> = Vec::new();
+    for (at, frame) in model.frames.iter().enumerate() {
+        let Some((parent, axis, angle)) = frame.rotation else {
+            angular.push(Vector::default());
+            continue;
+        };
+        // Addition theorem: ω_F = ω_parent + angle' · axis, the axis being common to both frames.
+        let mut components = [Expr::ZERO; 3];
+        components[axis] = rates.apply(arena, angle);
+        let own = Vector::in_frame(at, components);
+        let total = angular[parent].add(arena, &own);
+        angular.push(total);
+    }
+    angular
+}
+
+fn points(
+    arena: &mut Arena,
+    frames: &mut Frames,
+    model: &Model,
+    angular: &[Vector],
+    rates: &mut Differential,
+) -> (Vec<Vector>, Vec<Vector>) {
+    let (mut positions, mut linear): (Vec<Vector>, Vec<Vector>) = (Vec::new(), Vec::new());
+    for point in &model.points {
+        let Some((parent, frame, components)) = point.position else {
+            positions.push(Vector::default());
+            linear.push(Vector::default());
+            continue;
+        };
+        let step = Vector::in_frame(frame, components);
+        let moving = frames.time_derivative(arena, &step, angular, rates);
+        let position = positions[parent].add(arena, &step);
+        let velocity = linear[parent].add(arena, &moving);
+        positions.push(position);
+        linear.push(velocity);
+    }
+    (positions, linear)
+}

@@ -1,0 +1,267 @@
+//! Equations of motion by three methods that share nothing but the kinematics.
+
+mod kane;
+mod kinematics;
+mod lagrange;
+mod newton_euler;
+mod vector;
+
+pub use kinematics::{Kinematics, Velocities};
+pub use vector::{Frames, Vector};
+
+use crate::algebra::{Arena, Expr};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::Model;
+use std::fmt;
+
+/// A method of derivation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Formulation {
+    /// Kane's method.
+    Kane,
+    /// Lagrange's equations.
+    Lagrange,
+    /// Newton's and Euler's equations of each body.
+    NewtonEuler,
+}
+
+impl Formulation {
+    /// All of them, in the order in which they are always listed.
+    pub const ALL: [Self; 3] = [Self::Kane, Self::Lagrange, Self::NewtonEuler];
+
+    /// The name on the command line and in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Kane => "kane",
+            Self::Lagrange => "lagrange",
+            Self::NewtonEuler => "newton-euler",
+        }
+    }
+
+    /// The name in a heading.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Kane => "Kane's method",
+            Self::Lagrange => "Lagrange's equations",
+            Self::NewtonEuler => "Newton–Euler equations",
+        }
+    }
+}
+
+/// A stage of a derivation, to be shown: named quantities and their values.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// What it gives.
+    pub title: String,
+    /// (name, value)
+    pub lines: Vec<(String, Expr)>,
+}
+
+/// Equations of motion  matrix · unknowns = forcing,  q̇ = `coordinate_rates`.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    /// The method they come from.
+    pub formulation: Formulation,
+    /// The motion variables v that are integrated beside q: u, or q̇ for Lagrange.
+    pub variables: Vec<Expr>,
+    /// Their time derivatives, then the reactions.
+    pub unknowns: Vec<Expr>,
+    /// What each row balances.
+    pub rows: Vec<String>,
+    /// Square; in parameters, q and v.
+    pub matrix: Vec<Vec<Expr>>,
+    /// One entry a row; in parameters, q and v.
+    pub forcing: Vec<Expr>,
+    /// Whether the matrix is symmetric by construction, and positive definite where it is regular.
+    pub symmetric: bool,
+    /// q̇ in q and v.
+    pub coordinate_rates: Vec<Expr>,
+    /// u in q and v.
+    pub generalized_speeds: Vec<Expr>,
+    /// u̇ in q, v and v̇.
+    pub generalized_speed_rates: Vec<Expr>,
+    /// v in q and u.
+    pub motion_variables: Vec<Expr>,
+    /// T in q and v.
+    pub kinetic_energy: Expr,
+    /// V in q.
+    pub potential_energy: Expr,
+    /// Expressions in q that the kinematic equations divide by.
+    pub divisors: Vec<Expr>,
+    /// The derivation, step by step.
+    pub steps: Vec<Step>,
+}
+
+/// Why a formulation cannot be derived.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DeriveError {
+    /// The inertia of a body, stated in a frame that the body turns in, is not constant in the body.
+    InertiaNotConstant {
+        /// The body.
+        body: String,
+        /// The frame its inertia is stated in.
+        frame: String,
+        /// The body's own frame.
+        body_frame: String,
+    },
+    /// A reaction does work in a permitted motion.
+    ReactionWorks {
+        /// The reaction.
+        reaction: String,
+        /// A coordinate whose motion it works along.
+        coordinate: String,
+        /// The power for each unit of that coordinate's rate.
+        rate: String,
+    },
+    /// A speed moves no mass: the mass matrix has a zero row.
+    NoInertia {
+        /// The speed.
+        speed: String,
+    },
+    /// An acceleration did not come out linear: cannot happen for a checked model.
+    NotLinear,
+    /// Newton–Euler needs as many reactions as there are equations left.
+    ReactionCount {
+        /// Equations that are not 0 = 0.
+        equations: usize,
+        /// Generalized speeds.
+        speeds: usize,
+        /// Reactions named.
+        reactions: usize,
+    },
+    /// The reactions named are not independent: they cannot be told apart.
+    ReactionsDependent,
+    /// A torque on a frame without a body: no moment balance holds it.
+    TorqueOnNothing {
+        /// The torque.
+        torque: String,
+    },
+}
+
+impl DeriveError {
+    /// Whether the model is right and only this formulation cannot be had.
+    #[must_use]
+    pub fn is_unsupported(&self) -> bool {
+        matches!(self, Self::ReactionCount { .. } | Self::ReactionsDependent | Self::TorqueOnNothing { .. })
+    }
+
+    /// The name in the model file that it is about, and what to do.
+    fn place_and_help(&self) -> (Option<&str>, &'static str) {
+        match self {
+            Self::InertiaNotConstant { body, .. } => (
+                Some(body),
+                "state the inertia in the body's frame, or in one that it turns in about an axis of symmetry",
+            ),
+            Self::ReactionWorks { reaction, .. } => (
+                Some(reaction),
+                "a reaction acts where and along what its constraint forbids; a force that works is an applied force",
+            ),
+            Self::NoInertia { speed } => {
+                (Some(speed.trim_end_matches('\'')), "give mass to what moves with it, or leave the coordinate out")
+            }
+            Self::NotLinear => (None, "this is a defect of the program: please report the model"),
+            Self::ReactionCount { .. } => (None, "name the missing reactions in [reactions], or use kane or lagrange"),
+            Self::ReactionsDependent => (
+                None,
+                "let each constraint be enforced by one reaction along its own direction, or use kane or lagrange",
+            ),
+            Self::TorqueOnNothing { torque } => (Some(torque), "let it act on a rigid body, or use kane or lagrange"),
+        }
+    }
+}
+
+impl std::error::Error for DeriveError {}
+
+impl fmt::Display for DeriveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InertiaNotConstant { body, frame, body_frame } => {
+                write!(f, "the inertia of `{body}` is constant in `{frame}` but not in its own frame `{body_frame}`")
+            }
+            Self::ReactionWorks { reaction, coordinate, rate } => {
+                write!(
+                    f,
+                    "the reaction `{reaction}` works along `{coordinate}`: power {rate} for each unit of {coordinate}'"
+                )
+            }
+            Self::NoInertia { speed } => {
+                write!(f, "`{speed}` moves no mass of its own: the mass matrix is singular in every configuration")
+            }
+            Self::NotLinear => write!(f, "the equations are not linear in the accelerations"),
+            Self::ReactionCount { equations, speeds, reactions } => {
+                let needed = equations.saturating_sub(*speeds);
+                let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
+                write!(
+                    f,
+                    "newton-euler has {equations} equations for {} unknowns, {} and {}: {} needed",
+                    speeds + reactions,
+                    plural(*speeds, "speed"),
+                    plural(*reactions, "reaction"),
+                    if needed == 1 { "1 reaction is".to_owned() } else { format!("{needed} reactions are") },
+                )
+            }
+            Self::ReactionsDependent => {
+                write!(f, "newton-euler is not possible: its equations do not determine the reactions one by one")
+            }
+            Self::TorqueOnNothing { torque } => {
+                write!(f, "newton-euler is not possible: the torque `{torque}` acts on a frame without a body")
+            }
+        }
+    }
+}
+
+impl Model {
+    /// The same error with its place in the model file.
+    #[must_use]
+    pub fn diagnose(&self, error: &DeriveError) -> Diagnostics {
+        let (name, help) = error.place_and_help();
+        let span = name.and_then(|n| self.declared.get(n).cloned());
+        let diagnostic = Diagnostic { message: error.to_string(), span, other: None, help: Some(help.to_owned()) };
+        Diagnostics::new(self.source.clone(), vec![diagnostic])
+    }
+}
+
+/// One formulation of a model, with the store of its terms.
+#[derive(Clone)]
+pub struct Derivation {
+    /// The terms of `equations`.
+    pub arena: Arena,
+    /// The equations.
+    pub equations: Equations,
+}
+
+/// Derives the equations of motion of a model.
+///
+/// # Errors
+/// [`DeriveError`]; ask [`DeriveError::is_unsupported`] whether another formulation may succeed.
+pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, DeriveError> {
+    let mut kinematics = Kinematics::new(model)?;
+    let equations = match formulation {
+        Formulation::Kane => kane::derive(model, &mut kinematics),
+        Formulation::Lagrange => lagrange::derive(model, &mut kinematics),
+        Formulation::NewtonEuler => newton_euler::derive(model, &mut kinematics),
+    }?;
+    let rank = crate::algebra::modular::rank(&kinematics.arena, &equations.matrix);
+    if let Some(row) = rank.and_then(|r| r.dependent) {
+        return Err(singular(model, formulation, row));
+    }
+    Ok(Derivation { arena: kinematics.arena, equations })
+}
+
+/// The matrix is singular in every configuration: a row follows from those before it.
+fn singular(model: &Model, formulation: Formulation, row: usize) -> DeriveError {
+    match formulation {
+        Formulation::Kane => DeriveError::NoInertia { speed: model.speeds[row].name.clone() },
+        Formulation::Lagrange => DeriveError::NoInertia { speed: format!("{}'", model.coordinates[row].name) },
+        Formulation::NewtonEuler => DeriveError::ReactionsDependent,
+    }
+}
+
+fn kinematic_step(model: &Model) -> Step {
+    let rates = model.coordinates.iter().zip(&model.kinematic_equations.rates);
+    let mut lines: Vec<_> = model.speeds.iter().map(|s| (s.name.clone(), s.definition)).collect();
+    lines.extend(rates.map(|(c, e)| (format!("{}'", c.name), *e)));
+    Step { title: "Generalized speeds and kinematic equations".to_owned(), lines }
+}

@@ -1,0 +1,173 @@
+//! Newton's and Euler's equations of each body, the reactions among the unknowns.
+//!
+//! Forces: m a_C = ΣF. Moments about the mass centre: dH/dt = ΣM. Components are taken in the frame
+//! of the body's inertia, for particles in the inertial frame; components that read 0 = 0 are left out.
+
+use super::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
+use super::vector::Vector;
+use super::{DeriveError, Equations, Formulation, Step};
+use crate::algebra::Expr;
+use crate::algebra::linear::LinearForm;
+use crate::model::{Body, Model, Place, ReactionKind};
+
+/// A(q, u) (u̇, reactions) = b(q, u).
+///
+/// # Errors
+/// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies feel;
+/// [`DeriveError::TorqueOnNothing`] for a torque on a frame that carries no body.
+pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, DeriveError> {
+    if let Some(torque) = model.torques.iter().find(|t| t.on.1.is_none() || t.against.is_some_and(|(_, b)| b.is_none()))
+    {
+        return Err(DeriveError::TorqueOnNothing { torque: torque.name.clone() });
+    }
+    let velocities = kinematics.in_speeds(model);
+    let mut unknowns: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
+    unknowns.extend(model.reactions.iter().map(|r| r.symbol));
+    let mut form = LinearForm::new(&unknowns);
+    let (mut rows, mut matrix, mut forcing) = (Vec::new(), Vec::new(), Vec::new());
+    for (at, body) in model.bodies.iter().enumerate() {
+        for (label, balance, frame) in balances(model, kinematics, &velocities, at, body) {
+            let components = kinematics.frames.express(&mut kinematics.arena, &balance, frame);
+            for (axis, residual) in components.into_iter().enumerate() {
+                let Kinematics { arena, simplifier, .. } = kinematics;
+                let (row, rest) = form.coefficients(arena, residual).map_err(|_| DeriveError::NotLinear)?;
+                let row: Vec<Expr> = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
+                let right = arena.neg(rest);
+                let right = simplifier.simplify(arena, right);
+                if row.iter().all(|e| *e == Expr::ZERO) && right == Expr::ZERO {
+                    continue;
+                }
+                rows.push(format!("{} {label} {}{}", body.name, model.frames[frame].name.to_lowercase(), axis + 1));
+                matrix.push(row);
+                forcing.push(right);
+            }
+        }
+    }
+    if matrix.len() != unknowns.len() {
+        return Err(DeriveError::ReactionCount {
+            equations: matrix.len(),
+            speeds: model.speeds.len(),
+            reactions: model.reactions.len(),
+        });
+    }
+    let mut equations = Equations {
+        formulation: Formulation::NewtonEuler,
+        variables: model.u(),
+        unknowns,
+        rows,
+        matrix,
+        forcing,
+        symmetric: false,
+        coordinate_rates: model.kinematic_equations.rates.clone(),
+        generalized_speeds: model.u(),
+        generalized_speed_rates: model.speeds.iter().map(|s| s.rate).collect(),
+        motion_variables: model.u(),
+        kinetic_energy: kinematics.kinetic_energy(model, &velocities),
+        potential_energy: kinematics.potential_energy(model),
+        divisors: model.kinematic_equations.divisors.clone(),
+        steps: Vec::new(),
+    };
+    equations.steps = steps(model, kinematics, &velocities);
+    kinematics.simplify_equations(&mut equations);
+    Ok(equations)
+}
+
+/// The force balance and, for a rigid body, the moment balance: (what, m a − ΣF or dH/dt − ΣM, frame).
+fn balances(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+    at: usize,
+    body: &Body,
+) -> Vec<(&'static str, Vector, usize)> {
+    let mut rates = motion_rates(model);
+    let Kinematics { arena, frames, .. } = kinematics;
+    let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
+    let mut force = a.scale(arena, body.mass);
+    if let Some(gravity) = &model.gravity {
+        let weight = Vector::in_frame(gravity.frame, gravity.acceleration).scale(arena, body.mass).neg(arena);
+        force = force.add(arena, &weight);
+    }
+    let h = kinematics.angular_momentum(body, velocities);
+    let Kinematics { arena, frames, .. } = kinematics;
+    let mut moment = frames.time_derivative(arena, &h, &velocities.angular, &mut rates);
+    for (point, load) in forces_on(model, kinematics, at) {
+        let back = load.neg(&mut kinematics.arena);
+        force = force.add(&mut kinematics.arena, &back);
+        let arm = kinematics.arm(body, point);
+        let turning = kinematics.frames.cross(&mut kinematics.arena, &arm, &back);
+        moment = moment.add(&mut kinematics.arena, &turning);
+    }
+    for load in torques_on(model, kinematics, at) {
+        let back = load.neg(&mut kinematics.arena);
+        moment = moment.add(&mut kinematics.arena, &back);
+    }
+    match &body.rigid {
+        Some((_, inertia)) => vec![("force", force, inertia.frame), ("moment", moment, inertia.frame)],
+        None => vec![("force", force, 0)],
+    }
+}
+
+/// Applied forces and reactions on one body, with their points; weights are not among them.
+fn forces_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<(usize, Vector)> {
+    let mut to_speeds = rates_to_speeds(model);
+    let mut loads: Vec<(Place, Vector)> = Vec::new();
+    let arena = &mut kinematics.arena;
+    for force in &model.forces {
+        let vector = Vector::in_frame(force.frame, force.vector).substitute(arena, &mut to_speeds);
+        loads.extend(force.against.map(|place| (place, vector.neg(arena))));
+        loads.push((force.on, vector));
+    }
+    for reaction in &model.reactions {
+        if let ReactionKind::Force { on, against } = reaction.kind {
+            let vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
+            loads.extend(against.map(|place| (place, vector.neg(arena))));
+            loads.push((on, vector));
+        }
+    }
+    loads.into_iter().filter(|(place, _)| place.body == body).map(|(place, v)| (place.point, v)).collect()
+}
+
+/// Applied and reaction torques on one body.
+fn torques_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<Vector> {
+    let mut to_speeds = rates_to_speeds(model);
+    let mut loads: Vec<(Option<usize>, Vector)> = Vec::new();
+    let arena = &mut kinematics.arena;
+    for torque in &model.torques {
+        let vector = Vector::in_frame(torque.frame, torque.vector).substitute(arena, &mut to_speeds);
+        loads.extend(torque.against.map(|(_, body)| (body, vector.neg(arena))));
+        loads.push((torque.on.1, vector));
+    }
+    for reaction in &model.reactions {
+        if let ReactionKind::Torque { on, against } = reaction.kind {
+            let vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
+            loads.extend(against.map(|body| (Some(body), vector.neg(arena))));
+            loads.push((Some(on), vector));
+        }
+    }
+    loads.into_iter().filter(|(on, _)| *on == Some(body)).map(|(_, v)| v).collect()
+}
+
+fn steps(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Step> {
+    let mut steps = vec![super::kinematic_step(model)];
+    let mut rates = motion_rates(model);
+    for body in &model.bodies {
+        let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+        let name = format!("a({}) @ {}", model.points[body.centre].name, model.frames[frame].name);
+        let Kinematics { arena, frames, simplifier, .. } = kinematics;
+        let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
+        let a = frames.express(arena, &a, frame).map(|e| simplifier.simplify(arena, e));
+        let mut lines: Vec<_> = a.iter().enumerate().map(|(i, e)| (format!("{name} [{}]", i + 1), *e)).collect();
+        if let Some((own, _)) = &body.rigid {
+            let omega = kinematics.angular_velocity_in(body, velocities).unwrap_or([Expr::ZERO; 3]);
+            let name = format!("alpha({}) @ {}", model.frames[*own].name, model.frames[frame].name);
+            let Kinematics { arena, frames, simplifier, .. } = kinematics;
+            let omega = Vector::in_frame(frame, omega);
+            let alpha = frames.time_derivative(arena, &omega, &velocities.angular, &mut rates);
+            let alpha = frames.express(arena, &alpha, frame).map(|e| simplifier.simplify(arena, e));
+            lines.extend(alpha.iter().enumerate().map(|(i, e)| (format!("{name} [{}]", i + 1), *e)));
+        }
+        steps.push(Step { title: format!("Accelerations of {}", body.name), lines });
+    }
+    steps
+}

@@ -1,0 +1,134 @@
+//! Holonomic constraints: each is solved for one configuration variable, which then leaves the model.
+
+use super::elements::Elements;
+use super::names::{CONFIGURATION, Kind};
+use super::read_model::Loading;
+use super::{Constraint, Coordinate};
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::linear::LinearForm;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::read::Reader;
+use std::ops::Range;
+use toml::de::DeTable;
+
+/// A constraint as read, before it is solved.
+pub struct Stated {
+    /// Its name.
+    pub name: String,
+    /// The expression that is zero.
+    pub equation: Expr,
+    /// The reaction that enforces it.
+    pub enforced_by: Option<usize>,
+    /// Where the equation stands in the file.
+    pub span: Range<usize>,
+}
+
+impl<'a> Loading<'a> {
+    /// Reads `[constraints]`.
+    pub fn constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<Stated> {
+        let mut stated = Vec::new();
+        for (name, value) in self.section(table, "constraints", &[]) {
+            let entry = self.entry(&name, value, Kind::Constraint, None, "{ equation = \"z = 0\" }");
+            let Some((entry, what)) = entry else { continue };
+            self.reader.allow(entry, "a constraint", &["equation", "enforced_by", "about"]);
+            let enforced_by = self.reader.get(entry, "enforced_by").and_then(|v| {
+                let reaction = self.reader.string(v, "`enforced_by`")?;
+                let known = self.names.expect(&mut self.reader, &reaction, Kind::Reaction);
+                elements.reactions.iter().position(|r| known && r.name == reaction.text)
+            });
+            let Some(value) = self.reader.need(entry, "equation", &what, &name.span) else { continue };
+            let Some(text) = self.reader.string(value, "`equation`") else { continue };
+            let help = "write the equation as \"z = 0\"";
+            let Some((left, (_, right))) = self.split(&text, &["="], help) else { continue };
+            let what = "a holonomic constraint";
+            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, CONFIGURATION, what);
+            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, CONFIGURATION, what);
+            let (Some(left), Some(right)) = (left, right) else { continue };
+            if !self.comparable(left, right, &text.span) {
+                continue;
+            }
+            let equation = self.arena.sub(left, right);
+            stated.push(Stated { name: name.text, equation, enforced_by, span: text.span });
+        }
+        stated
+    }
+}
+
+/// Solves the constraints one after the other. Returns them with what replaces the fixed variables
+/// and their time derivatives.
+pub fn solve_all(
+    reader: &mut Reader<'_>,
+    arena: &mut Arena,
+    coordinates: &mut Vec<Coordinate>,
+    stated: Vec<Stated>,
+) -> (Vec<Constraint>, Vec<(Expr, Expr)>) {
+    let mut solved = Vec::new();
+    let mut replacements: Vec<(Expr, Expr)> = Vec::new();
+    for constraint in stated {
+        let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
+        let all: Vec<Expr> = coordinates.iter().map(|c| c.symbol).collect();
+        let mentions = |e: Expr| all.iter().any(|symbol| arena.mentions(e, *symbol));
+        let depends = equation != constraint.equation && constraint.equation != Expr::ZERO;
+        if zero_test(arena, equation) == ZeroTest::Zero {
+            let name = &constraint.name;
+            let (message, help) = if depends {
+                (format!("the constraint `{name}` follows from those before it"), "remove it")
+            } else {
+                let help = "remove it, or state a relation that restricts the coordinates";
+                (format!("the constraint `{name}` is always fulfilled"), help)
+            };
+            reader.error(constraint.span, message, help);
+            continue;
+        }
+        if !mentions(equation) {
+            let name = &constraint.name;
+            let (message, help) = if depends {
+                (format!("the constraint `{name}` contradicts those before it"), "remove one of them")
+            } else if arena.as_number(equation).is_some() {
+                let help = "a holonomic constraint is an equation between coordinates";
+                (format!("the constraint `{name}` is never fulfilled"), help)
+            } else {
+                let help = "a holonomic constraint is an equation between coordinates";
+                (format!("the constraint `{name}` has no coordinate"), help)
+            };
+            reader.error(constraint.span, message, help);
+            continue;
+        }
+        let Some((at, solution)) = solve_one(arena, coordinates, equation) else {
+            let message = format!("the constraint `{}` cannot be solved for one coordinate", constraint.name);
+            let help = "supported are constraints linear in a coordinate with a constant factor, such as `z = R*cos(q2)`; closed loops are not supported yet";
+            reader.error(constraint.span, message, help);
+            continue;
+        };
+        let fixed = coordinates.remove(at);
+        let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let rate = Differential::along(&rates).apply(arena, solution);
+        let mut earlier = Substitution::new(&[(fixed.symbol, solution), (fixed.rate, rate)]);
+        for (_, replacement) in &mut replacements {
+            *replacement = earlier.apply(arena, *replacement);
+        }
+        replacements.extend([(fixed.symbol, solution), (fixed.rate, rate)]);
+        solved.push(Constraint {
+            name: constraint.name,
+            equation: constraint.equation,
+            fixes: fixed.name,
+            value: solution,
+            enforced_by: constraint.enforced_by,
+        });
+    }
+    (solved, replacements)
+}
+
+/// The last coordinate in which the equation is linear with a constant, non-zero factor, and its value.
+fn solve_one(arena: &mut Arena, coordinates: &[Coordinate], equation: Expr) -> Option<(usize, Expr)> {
+    for (at, coordinate) in coordinates.iter().enumerate().rev() {
+        let Ok((factors, rest)) = LinearForm::new(&[coordinate.symbol]).coefficients(arena, equation) else { continue };
+        let constant = !coordinates.iter().any(|c| arena.mentions(factors[0], c.symbol));
+        if constant && zero_test(arena, factors[0]) == ZeroTest::NonZero {
+            let quotient = arena.div(rest, factors[0])?;
+            return Some((at, arena.neg(quotient)));
+        }
+    }
+    None
+}

@@ -1,0 +1,295 @@
+//! Frames, points and bodies, as the model file states them.
+
+use super::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
+use super::read_model::Loading;
+use super::tree::{Node, in_order};
+use super::units::Unit;
+use super::{Body, Force, Frame, Gravity, Inertia, Parameter, Point, Reaction, Torque, physics};
+use crate::algebra::{Arena, Expr};
+use crate::read::Entry;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// What a mechanism is made of.
+#[derive(Default)]
+pub struct Elements {
+    pub frames: Vec<Frame>,
+    pub points: Vec<Point>,
+    pub bodies: Vec<Body>,
+    pub gravity: Option<Gravity>,
+    pub forces: Vec<Force>,
+    pub torques: Vec<Torque>,
+    pub reactions: Vec<Reaction>,
+}
+
+impl Elements {
+    /// Reads everything; what is wrong goes to the reader's errors.
+    pub fn read<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, reactions: &[Entry<'a>]) {
+        self.read_inertial(loading, table);
+        self.read_frames(loading, table);
+        self.read_points(loading, table);
+        self.read_bodies(loading, table);
+        self.read_particles(loading, table);
+        self.read_gravity(loading, table);
+        self.read_forces(loading, table);
+        self.read_torques(loading, table);
+        self.read_reactions(loading, reactions);
+    }
+
+    fn read_inertial<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        let what = "`inertial`";
+        let value = loading.reader.get(table, "inertial");
+        let entry = value.and_then(|v| Some((loading.reader.table(v, what, "[inertial]")?, v.span())));
+        let Some((entry, span)) = entry else { return loading.names.unread(&[Kind::Frame, Kind::Point]) };
+        loading.reader.allow(entry, what, &["frame", "origin"]);
+        for (key, kind) in [("frame", Kind::Frame), ("origin", Kind::Point)] {
+            let name = loading.reader.need(entry, key, what, &span);
+            let name = name.and_then(|v| loading.reader.string(v, &format!("`{key}`")));
+            let Some(name) = name else {
+                loading.names.unread(&[kind]);
+                continue;
+            };
+            loading.names.declare(&mut loading.reader, &name, kind, None);
+            match kind {
+                Kind::Frame => self.frames.push(Frame { name: name.text, rotation: None }),
+                _ => self.points.push(Point { name: name.text, position: None }),
+            }
+        }
+    }
+
+    fn read_frames<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        let mut nodes = Vec::new();
+        for (name, value) in loading.section(table, "frames", &[Kind::Frame]) {
+            let example = "{ from = \"N\", axis = 3, angle = \"q1\" }";
+            let Some((entry, what)) = loading.entry(&name, value, Kind::Frame, None, example) else { continue };
+            loading.reader.allow(entry, "a frame", &["from", "axis", "angle", "about"]);
+            let parent = loading.reader.need(entry, "from", &what, &name.span);
+            let parent = parent.and_then(|v| loading.reader.string(v, "`from`"));
+            let axis = loading.reader.need(entry, "axis", &what, &name.span).and_then(|v| {
+                let axis = match v.get_ref() {
+                    DeValue::Integer(n) => ["1", "2", "3"].iter().position(|a| *a == n.as_str()),
+                    _ => None,
+                };
+                if axis.is_none() {
+                    loading.reader.error(v.span(), "the axis of a rotation is 1, 2 or 3", "write axis = 3");
+                }
+                axis
+            });
+            let angle = loading.reader.need(entry, "angle", &what, &name.span);
+            let angle = angle.and_then(|v| loading.reader.formula(v, "an angle"));
+            let angle = angle.and_then(|f| loading.quantity(&f, CONFIGURATION, &Unit::default(), "an angle"));
+            if let (Some(parent), Some(axis), Some(angle)) = (parent, axis, angle) {
+                nodes.push(Node { name, parent, payload: (axis, angle) });
+            }
+        }
+        let root = self.frames.first().map(|f| f.name.clone());
+        for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Frame) {
+            let (axis, angle) = node.payload;
+            self.frames.push(Frame { name: node.name.text, rotation: Some((parent, axis, angle)) });
+        }
+    }
+
+    fn read_points<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        let mut nodes = Vec::new();
+        for (name, value) in loading.section(table, "points", &[Kind::Point]) {
+            let example = "{ from = \"O\", frame = \"N\", position = [\"0\", \"0\", \"l\"] }";
+            let Some((entry, what)) = loading.entry(&name, value, Kind::Point, None, example) else { continue };
+            loading.reader.allow(entry, "a point", &["from", "frame", "position", "about"]);
+            let parent = loading.reader.need(entry, "from", &what, &name.span);
+            let parent = parent.and_then(|v| loading.reader.string(v, "`from`"));
+            let frame = self.frame(loading, entry, &what, &name.span);
+            let metre = Unit::new(1, 0, 0);
+            let position = vector(loading, entry, "position", &what, &name.span, CONFIGURATION, &metre);
+            if let (Some(parent), Some(frame), Some(position)) = (parent, frame, position) {
+                nodes.push(Node { name, parent, payload: (frame, position) });
+            }
+        }
+        let root = self.points.first().map(|p| p.name.clone());
+        for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Point) {
+            let (frame, position) = node.payload;
+            self.points.push(Point { name: node.name.text, position: Some((parent, frame, position)) });
+        }
+    }
+
+    fn read_bodies<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        for (name, value) in loading.section(table, "bodies", &[Kind::Body]) {
+            let entry = loading.entry(&name, value, Kind::Body, None, "[bodies.NAME]");
+            let Some((entry, what)) = entry else { continue };
+            loading.reader.allow(entry, "a body", &["frame", "centre", "mass", "inertia", "about"]);
+            let frame = self.frame(loading, entry, &what, &name.span);
+            let centre = self.point(loading, entry, "centre", &what, &name.span);
+            let mass = mass(loading, entry, &what, &name.span);
+            let inertia = loading.reader.need(entry, "inertia", &what, &name.span);
+            let inertia = inertia.and_then(|v| self.inertia(loading, v, frame, centre, mass));
+            if let (Some(frame), Some(centre), Some(mass), Some(inertia)) = (frame, centre, mass, inertia) {
+                self.bodies.push(Body { name: name.text, centre, mass, rigid: Some((frame, inertia)) });
+            }
+        }
+    }
+
+    fn read_particles<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        for (name, value) in loading.section(table, "particles", &[Kind::Body]) {
+            let entry = loading.entry(&name, value, Kind::Body, None, "{ point = \"P\", mass = \"m\" }");
+            let Some((entry, _)) = entry else { continue };
+            let what = format!("particle `{}`", name.text);
+            loading.reader.allow(entry, "a particle", &["point", "mass", "about"]);
+            let centre = self.point(loading, entry, "point", &what, &name.span);
+            let mass = mass(loading, entry, &what, &name.span);
+            if let (Some(centre), Some(mass)) = (centre, mass) {
+                self.bodies.push(Body { name: name.text, centre, mass, rigid: None });
+            }
+        }
+    }
+
+    fn inertia<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        value: &'a Spanned<DeValue<'a>>,
+        body_frame: Option<usize>,
+        centre: Option<usize>,
+        mass: Option<Expr>,
+    ) -> Option<Inertia> {
+        let what = "an inertia";
+        let entry = loading.reader.table(value, what, "{ diagonal = [\"Ixx\", \"Iyy\", \"Izz\"] }")?;
+        loading.reader.allow(entry, what, &["frame", "diagonal", "products", "about_point"]);
+        let unit = Unit::new(2, 1, 0);
+        let frame = match loading.reader.get(entry, "frame") {
+            Some(_) => self.frame(loading, entry, what, &value.span()),
+            None => body_frame,
+        };
+        let diagonal = vector(loading, entry, "diagonal", what, &value.span(), PARAMETERS, &unit)?;
+        let products = match loading.reader.get(entry, "products") {
+            Some(_) => vector(loading, entry, "products", what, &value.span(), PARAMETERS, &unit)?,
+            None => [Expr::ZERO; 3],
+        };
+        let [xy, yz, zx] = products;
+        let mut tensor = [[diagonal[0], xy, zx], [xy, diagonal[1], yz], [zx, yz, diagonal[2]]];
+        if let Some(at) = loading.reader.get(entry, "about_point") {
+            let point = self.point(loading, entry, "about_point", what, &value.span())?;
+            let (frame, centre, mass) = (frame?, centre?, mass?);
+            let Some(arm) = self.arm(&mut loading.arena, point, centre, frame) else {
+                let help =
+                    "the mass centre must be placed from that point, or that point from it, in the inertia's frame";
+                loading.reader.error(at.span(), "the inertia cannot be moved to the mass centre", help);
+                return None;
+            };
+            tensor = to_centre(&mut loading.arena, tensor, mass, arm);
+        }
+        Some(Inertia { frame: frame?, tensor })
+    }
+
+    /// The components in `frame` of the vector between two points, one placed directly from the other.
+    fn arm(&self, arena: &mut Arena, from: usize, to: usize, frame: usize) -> Option<[Expr; 3]> {
+        if from == to {
+            return Some([Expr::ZERO; 3]);
+        }
+        let direct = |a: usize, b: usize| match &self.points[b].position {
+            Some((parent, f, r)) if *parent == a && *f == frame => Some(*r),
+            _ => None,
+        };
+        direct(from, to).or_else(|| direct(to, from).map(|r| r.map(|e| arena.neg(e))))
+    }
+
+    /// The position of the frame under the key `frame`.
+    pub fn frame<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        entry: &'a DeTable<'a>,
+        what: &str,
+        owner: &Range<usize>,
+    ) -> Option<usize> {
+        let value = loading.reader.need(entry, "frame", what, owner)?;
+        let name = loading.reader.string(value, "`frame`")?;
+        let known = loading.names.expect(&mut loading.reader, &name, Kind::Frame);
+        self.frames.iter().position(|f| known && f.name == name.text)
+    }
+
+    /// The position of the point under a key.
+    pub fn point<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        entry: &'a DeTable<'a>,
+        key: &str,
+        what: &str,
+        owner: &Range<usize>,
+    ) -> Option<usize> {
+        let value = loading.reader.need(entry, key, what, owner)?;
+        let name = loading.reader.string(value, &format!("`{key}`"))?;
+        let known = loading.names.expect(&mut loading.reader, &name, Kind::Point);
+        self.points.iter().position(|p| known && p.name == name.text)
+    }
+
+    /// Rewrites every expression: used to take constrained variables out.
+    pub fn rewrite(&mut self, map: &mut impl FnMut(Expr) -> Expr) {
+        for frame in &mut self.frames {
+            if let Some((_, _, angle)) = &mut frame.rotation {
+                *angle = map(*angle);
+            }
+        }
+        for point in &mut self.points {
+            if let Some((_, _, components)) = &mut point.position {
+                *components = components.map(&mut *map);
+            }
+        }
+        if let Some(gravity) = &mut self.gravity {
+            for (at, _) in &mut gravity.zero_at {
+                *at = map(*at);
+            }
+        }
+        let vectors = self.forces.iter_mut().map(|f| &mut f.vector);
+        let vectors = vectors.chain(self.torques.iter_mut().map(|t| &mut t.vector));
+        for vector in vectors.chain(self.reactions.iter_mut().map(|r| &mut r.direction)) {
+            *vector = vector.map(&mut *map);
+        }
+    }
+
+    /// Checks what can only be seen when everything is read.
+    pub fn check(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
+        for body in &self.bodies {
+            if let Some((message, help)) = physics::objection(&loading.arena, parameters, body) {
+                let span = loading.names.span(&body.name).unwrap_or_default();
+                loading.reader.error(span, message, help);
+            }
+        }
+    }
+}
+
+fn mass<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>, what: &str, owner: &Range<usize>) -> Option<Expr> {
+    let value = loading.reader.need(entry, "mass", what, owner)?;
+    let formula = loading.reader.formula(value, "`mass`")?;
+    loading.quantity(&formula, PARAMETERS, &Unit::new(0, 1, 0), &format!("the mass of {what}"))
+}
+
+/// Three formulas under a key, each in `unit`.
+pub fn vector<'a>(
+    loading: &mut Loading<'a>,
+    entry: &'a DeTable<'a>,
+    key: &str,
+    what: &str,
+    owner: &Range<usize>,
+    allowed: Allowed,
+    unit: &Unit,
+) -> Option<[Expr; 3]> {
+    let value = loading.reader.need(entry, key, what, owner)?;
+    let triple = loading.reader.triple(value, &format!("`{key}`"))?;
+    let what = format!("the {key} of {what}");
+    let [a, b, c] = triple.map(|formula| loading.quantity(&formula, allowed, unit, &what));
+    Some([a?, b?, c?])
+}
+
+/// I_C = I_P − m (|r|² 1 − r rᵀ), r from P to the mass centre C: Steiner.
+fn to_centre(arena: &mut Arena, tensor: [[Expr; 3]; 3], mass: Expr, arm: [Expr; 3]) -> [[Expr; 3]; 3] {
+    let squares = arm.map(|r| arena.square(r));
+    let length = arena.sum(&squares);
+    let mut result = tensor;
+    for (i, row) in result.iter_mut().enumerate() {
+        for (j, entry) in row.iter_mut().enumerate() {
+            let product = arena.mul(arm[i], arm[j]);
+            let shift = if i == j { arena.sub(length, product) } else { arena.neg(product) };
+            let shift = arena.mul(mass, shift);
+            *entry = arena.sub(*entry, shift);
+        }
+    }
+    result
+}

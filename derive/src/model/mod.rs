@@ -1,0 +1,331 @@
+//! A mechanism as the model file states it, checked.
+
+mod constraint;
+mod elements;
+mod loads;
+mod names;
+mod physics;
+mod read_model;
+mod speeds;
+mod tree;
+mod units;
+
+pub use read_model::load;
+pub use units::Unit;
+
+use crate::algebra::{Arena, Expr, Rational};
+use crate::diagnostic::{Diagnostics, Source};
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+use std::path::Path;
+
+/// A quantity that stays fixed during a motion.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Its name in the file.
+    pub name: String,
+    /// Its symbol.
+    pub symbol: Expr,
+    /// Its unit, in SI.
+    pub unit: Unit,
+    /// The default value, if the file gives one.
+    pub value: Option<Rational>,
+    /// Whether the file states that it is positive.
+    pub positive: bool,
+    /// What it is, in words.
+    pub about: String,
+}
+
+/// A configuration variable.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// Its name in the file.
+    pub name: String,
+    /// q.
+    pub symbol: Expr,
+    /// q̇, named `q'`.
+    pub rate: Expr,
+    /// q̈, named `q''`.
+    pub second_rate: Expr,
+    /// Its unit, in SI; radians count as 1.
+    pub unit: Unit,
+    /// What it is, in words.
+    pub about: String,
+}
+
+/// A generalized speed.
+#[derive(Clone, Debug)]
+pub struct Speed {
+    /// Its name in the file.
+    pub name: String,
+    /// u.
+    pub symbol: Expr,
+    /// u̇, named `u'`.
+    pub rate: Expr,
+    /// Its definition in terms of q and q̇, linear in q̇.
+    pub definition: Expr,
+}
+
+/// A reference frame, turned from its parent about one of the axes they share.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Its name in the file.
+    pub name: String,
+    /// Parent, axis (0, 1 or 2) and angle in radians; `None` for the inertial frame.
+    pub rotation: Option<(usize, usize, Expr)>,
+}
+
+/// A point, placed from another.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Its name in the file.
+    pub name: String,
+    /// Parent point, frame of the components, components; `None` for the origin.
+    pub position: Option<(usize, usize, [Expr; 3])>,
+}
+
+/// The inertia of a rigid body about its mass centre.
+#[derive(Clone, Debug)]
+pub struct Inertia {
+    /// The frame of the components. The tensor is constant in the body.
+    pub frame: usize,
+    /// The symmetric tensor, kg m².
+    pub tensor: [[Expr; 3]; 3],
+}
+
+/// A rigid body or a particle.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Its name in the file.
+    pub name: String,
+    /// The mass centre.
+    pub centre: usize,
+    /// The mass, kg.
+    pub mass: Expr,
+    /// The body's frame and inertia; `None` for a particle.
+    pub rigid: Option<(usize, Inertia)>,
+}
+
+/// Uniform gravity.
+#[derive(Clone, Debug)]
+pub struct Gravity {
+    /// The frame of the components: inertial.
+    pub frame: usize,
+    /// The acceleration of free fall, m/s².
+    pub acceleration: [Expr; 3],
+    /// Values of coordinates at which the potential energy is zero; the others cancel or are 0.
+    pub zero_at: Vec<(Expr, Expr)>,
+}
+
+/// Where a force or reaction acts: a body and a point moving with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The body.
+    pub body: usize,
+    /// The point of the body, as it is now.
+    pub point: usize,
+}
+
+/// An applied force, and its opposite on another body if there is one.
+#[derive(Clone, Debug)]
+pub struct Force {
+    /// Its name in the file.
+    pub name: String,
+    /// What it acts on.
+    pub on: Place,
+    /// What the opposite force acts on.
+    pub against: Option<Place>,
+    /// The frame of the components.
+    pub frame: usize,
+    /// The components, N, in parameters, q, q̇ and u.
+    pub vector: [Expr; 3],
+}
+
+/// An applied torque, and its opposite on another frame if there is one.
+#[derive(Clone, Debug)]
+pub struct Torque {
+    /// Its name in the file.
+    pub name: String,
+    /// The frame that is turned, and the body it belongs to if it belongs to one.
+    pub on: (usize, Option<usize>),
+    /// The frame that the opposite torque turns.
+    pub against: Option<(usize, Option<usize>)>,
+    /// The frame of the components.
+    pub frame: usize,
+    /// The components, N m, in parameters, q, q̇ and u.
+    pub vector: [Expr; 3],
+}
+
+/// What a reaction pushes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReactionKind {
+    /// A force at a place, and the opposite at another if given.
+    Force {
+        /// Where it acts.
+        on: Place,
+        /// Where its opposite acts.
+        against: Option<Place>,
+    },
+    /// A torque on a body, and the opposite on another if given.
+    Torque {
+        /// The body it turns.
+        on: usize,
+        /// The body its opposite turns.
+        against: Option<usize>,
+    },
+}
+
+/// An unknown force or torque that a constraint exerts along a known direction.
+#[derive(Clone, Debug)]
+pub struct Reaction {
+    /// Its name in the file.
+    pub name: String,
+    /// Its symbol.
+    pub symbol: Expr,
+    /// What it acts on.
+    pub kind: ReactionKind,
+    /// The frame of the direction's components.
+    pub frame: usize,
+    /// The direction; positive values act along it.
+    pub direction: [Expr; 3],
+}
+
+/// A holonomic constraint, solved for one configuration variable.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Its name in the file.
+    pub name: String,
+    /// The expression that is zero.
+    pub equation: Expr,
+    /// The configuration variable that it fixes.
+    pub fixes: String,
+    /// The value of that variable, in the generalized coordinates.
+    pub value: Expr,
+    /// The reaction that enforces it, if it is named.
+    pub enforced_by: Option<usize>,
+}
+
+/// A condition of the domain in which the model holds.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// Its name in the file.
+    pub name: String,
+    /// The condition as written.
+    pub text: String,
+    /// An expression in parameters, q, q̇, u and reactions that is positive inside.
+    pub positive: Expr,
+}
+
+/// The solved kinematic equations q̇ = W u + w.
+#[derive(Clone, Debug, Default)]
+pub struct KinematicEquations {
+    /// q̇ of each generalized coordinate, in q and u.
+    pub rates: Vec<Expr>,
+    /// What was divided by: where one of these is zero the speeds do not determine q̇.
+    pub divisors: Vec<Expr>,
+}
+
+/// A mechanism, checked: every name resolved, frames and points in order, parents first.
+#[derive(Clone)]
+pub struct Model {
+    /// The title.
+    pub title: String,
+    /// Where the problem comes from.
+    pub reference: String,
+    /// The file.
+    pub source: Source,
+    /// The store of every expression below.
+    pub arena: Arena,
+    /// Parameters, in the order of the file.
+    pub parameters: Vec<Parameter>,
+    /// Generalized coordinates, in the order of the file; constrained configuration variables are not among them.
+    pub coordinates: Vec<Coordinate>,
+    /// Number of configuration variables: generalized coordinates and constrained variables.
+    pub configuration_variables: usize,
+    /// Generalized speeds, in the order of the file.
+    pub speeds: Vec<Speed>,
+    /// Frames, the inertial one first.
+    pub frames: Vec<Frame>,
+    /// Points, the origin first.
+    pub points: Vec<Point>,
+    /// Bodies and particles, in the order of the file.
+    pub bodies: Vec<Body>,
+    /// Gravity, if there is any.
+    pub gravity: Option<Gravity>,
+    /// Applied forces.
+    pub forces: Vec<Force>,
+    /// Applied torques.
+    pub torques: Vec<Torque>,
+    /// Reactions.
+    pub reactions: Vec<Reaction>,
+    /// Holonomic constraints.
+    pub constraints: Vec<Constraint>,
+    /// The domain.
+    pub domain: Vec<Condition>,
+    /// q̇ in terms of the speeds.
+    pub kinematic_equations: KinematicEquations,
+    /// Where each name was declared in the file, for diagnostics.
+    pub declared: FxHashMap<String, Range<usize>>,
+}
+
+impl Model {
+    /// Reads and checks a model file.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] with every error of the file.
+    pub fn read(path: &Path) -> Result<Self, Diagnostics> {
+        load(&Source::read(path)?)
+    }
+
+    /// Symbols of the generalized coordinates.
+    #[must_use]
+    pub fn q(&self) -> Vec<Expr> {
+        self.coordinates.iter().map(|c| c.symbol).collect()
+    }
+
+    /// Symbols of their time derivatives.
+    #[must_use]
+    pub fn q_dot(&self) -> Vec<Expr> {
+        self.coordinates.iter().map(|c| c.rate).collect()
+    }
+
+    /// Symbols of the generalized speeds.
+    #[must_use]
+    pub fn u(&self) -> Vec<Expr> {
+        self.speeds.iter().map(|s| s.symbol).collect()
+    }
+
+    /// Symbols of the parameters.
+    #[must_use]
+    pub fn p(&self) -> Vec<Expr> {
+        self.parameters.iter().map(|p| p.symbol).collect()
+    }
+
+    /// A hash of the model text: equations that carry it were derived from exactly this text.
+    #[must_use]
+    pub fn text_hash(&self) -> String {
+        text_hash(&self.source.text)
+    }
+
+    /// The count a dynamicist states first.
+    #[must_use]
+    pub fn count(&self) -> String {
+        let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
+        format!(
+            "{}, {}, {}, 0 nonholonomic constraints, {}",
+            plural(self.configuration_variables, "configuration variable"),
+            plural(self.constraints.len(), "holonomic constraint"),
+            plural(self.coordinates.len(), "generalized coordinate"),
+            plural(self.speeds.len(), "generalized speed"),
+        )
+    }
+}
+
+/// The hash that compiled equations carry: the first 16 hexadecimal digits of SHA-256.
+#[must_use]
+pub fn text_hash(text: &str) -> String {
+    use sha2::Digest;
+    let digest = sha2::Sha256::digest(text.as_bytes());
+    let first = digest.iter().take(8).fold(0_u64, |n, byte| n << 8 | u64::from(*byte));
+    format!("{first:016x}")
+}

@@ -1,0 +1,249 @@
+//! What each name of a model file stands for, and what may be used where.
+
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::parse::{is_reserved, parse};
+use crate::algebra::{Arena, Expr, Node};
+use crate::diagnostic::{Diagnostic, nearest, shown};
+use crate::read::{Located, Reader};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::ops::Range;
+
+/// What a name stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
+pub enum Kind {
+    Parameter,
+    Coordinate,
+    Rate,
+    Speed,
+    Reaction,
+    Frame,
+    Point,
+    Body,
+    Force,
+    Torque,
+    Constraint,
+    Condition,
+}
+
+impl Kind {
+    /// What it is called in a message.
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Parameter => "parameter",
+            Self::Coordinate => "coordinate",
+            Self::Rate => "time derivative",
+            Self::Speed => "speed",
+            Self::Reaction => "reaction",
+            Self::Frame => "frame",
+            Self::Point => "point",
+            Self::Body => "body",
+            Self::Force => "force",
+            Self::Torque => "torque",
+            Self::Constraint => "constraint",
+            Self::Condition => "condition",
+        }
+    }
+}
+
+/// Which quantities a formula may contain.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Allowed(pub &'static [Kind]);
+
+/// Nothing but numbers.
+pub const CONSTANT: Allowed = Allowed(&[]);
+/// Parameters.
+pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
+/// Parameters and coordinates.
+pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
+/// Parameters, coordinates and their time derivatives.
+pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
+/// The same and speeds.
+pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
+/// Everything that has a value during a run.
+pub const ANYTHING: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Reaction]);
+
+/// The longest name: it becomes an identifier in generated code.
+const MAX_LENGTH: usize = 60;
+/// Divisors of one formula that are tested for being zero by meaning.
+const MAX_DIVISORS: usize = 200;
+
+/// All names of a file.
+///
+/// Invariant: what is wrong with a declaration is reported once, there. A name so spoiled is known
+/// to be spoiled, and what uses it fails in silence.
+#[derive(Default)]
+pub struct Names {
+    known: FxHashMap<String, (Kind, Range<usize>, Option<Expr>)>,
+    order: Vec<String>,
+    spoiled: FxHashSet<String>,
+    /// Kinds whose section could not be read: an unknown name may be one of them.
+    unread: Vec<Kind>,
+}
+
+impl Names {
+    /// Declares a name; reports one that is not an identifier, is reserved or is taken.
+    pub fn declare(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind, symbol: Option<Expr>) {
+        let text = &name.text;
+        let valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
+            && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+            && text.len() <= MAX_LENGTH;
+        let wrong = if !valid {
+            let message = format!("`{}` cannot be a name", shown(text));
+            let help = format!("a name is an ASCII letter and up to {} letters, digits and `_`", MAX_LENGTH - 1);
+            Some(Diagnostic::new(name.span.clone(), message, help))
+        } else if is_reserved(text) || text == "t" || text == "deg" {
+            let help = "choose another name: this one belongs to the expression language";
+            Some(Diagnostic::new(name.span.clone(), format!("`{text}` is reserved"), help))
+        } else if let Some((other, span, _)) = self.known.get(text) {
+            let message = format!("`{text}` is declared twice: as a {} and as a {}", other.noun(), kind.noun());
+            let twice = Diagnostic::new(name.span.clone(), message, "rename one of the two");
+            Some(twice.with_other(span.clone(), "first declared here"))
+        } else {
+            None
+        };
+        match wrong {
+            Some(diagnostic) => {
+                reader.errors.push(diagnostic);
+                self.spoil(text);
+            }
+            None => self.insert(text, kind, name.span.clone(), symbol),
+        }
+    }
+
+    /// Declares a name without checks: for derived names such as `q1'`.
+    pub fn insert(&mut self, text: &str, kind: Kind, span: Range<usize>, symbol: Option<Expr>) {
+        self.known.insert(text.to_owned(), (kind, span, symbol));
+        self.order.push(text.to_owned());
+    }
+
+    /// Notes that the declaration of a name is wrong and that this is reported.
+    pub fn spoil(&mut self, name: &str) {
+        self.spoiled.insert(name.to_owned());
+        self.spoiled.insert(format!("{name}'"));
+    }
+
+    /// Notes that the names of these kinds could not be read and that this is reported.
+    pub fn unread(&mut self, kinds: &[Kind]) {
+        self.unread.extend(kinds);
+    }
+
+    /// Whether it is already reported why `name` is not one of `kinds`.
+    fn excused(&self, name: &str, kinds: &[Kind]) -> bool {
+        self.spoiled.contains(name)
+            || (!self.known.contains_key(name) && self.unread.iter().any(|kind| kinds.contains(kind)))
+    }
+
+    /// The names of some kinds, in order of declaration.
+    pub fn of_kind(&self, kinds: &[Kind]) -> Vec<&str> {
+        self.order.iter().filter(|n| kinds.contains(&self.known[*n].0)).map(String::as_str).collect()
+    }
+
+    /// Whether a name is of this kind; reports one that is not. With `false` it cannot be used.
+    pub fn expect(&self, reader: &mut Reader<'_>, name: &Located, kind: Kind) -> bool {
+        if self.excused(&name.text, &[kind]) {
+            return false;
+        }
+        let message = match self.known.get(&name.text) {
+            Some((found, _, _)) if *found == kind => return true,
+            Some((other, _, _)) => format!("`{}` is a {}, not a {}", name.text, other.noun(), kind.noun()),
+            None => format!("there is no {} `{}`", kind.noun(), shown(&name.text)),
+        };
+        reader.error_once(name.span.clone(), message, nearest(&name.text, self.of_kind(&[kind])));
+        false
+    }
+
+    /// The kind of a name.
+    pub fn kind(&self, name: &str) -> Option<Kind> {
+        self.known.get(name).map(|(kind, _, _)| *kind)
+    }
+
+    /// Where a name was declared.
+    pub fn span(&self, name: &str) -> Option<Range<usize>> {
+        self.known.get(name).map(|(_, span, _)| span.clone())
+    }
+
+    /// Where every name was declared.
+    pub fn places(&self) -> FxHashMap<String, Range<usize>> {
+        self.known.iter().map(|(name, (_, span, _))| (name.clone(), span.clone())).collect()
+    }
+
+    /// Reads a formula; reports what is wrong in it.
+    pub fn formula(
+        &self,
+        reader: &mut Reader<'_>,
+        arena: &mut Arena,
+        formula: &Located,
+        allowed: Allowed,
+        what: &str,
+    ) -> Option<Expr> {
+        let (mut spoiled, mut unknown) = (false, false);
+        let result = parse(arena, &formula.text, &mut |arena, name| {
+            if self.excused(name, allowed.0) {
+                spoiled = true;
+                return Ok(arena.symbol(name));
+            }
+            unknown = !self.known.contains_key(name);
+            self.resolve(name, allowed, what)
+        });
+        match result {
+            Ok(_) if spoiled => None,
+            Ok(e) => no_hidden_zero(reader, arena, formula, e),
+            Err(error) => {
+                let (span, help) = (formula.part(error.span), error.help.unwrap_or_default());
+                if unknown {
+                    reader.error_once(span, error.message, help);
+                } else {
+                    reader.error(span, error.message, help);
+                }
+                None
+            }
+        }
+    }
+
+    fn resolve(&self, name: &str, allowed: Allowed, what: &str) -> Result<Expr, (String, Option<String>)> {
+        let plain = name.trim_end_matches('\'');
+        match self.known.get(name) {
+            Some((kind, _, Some(symbol))) if allowed.0.contains(kind) => Ok(*symbol),
+            Some((kind, _, _)) => {
+                let may: Vec<String> = allowed.0.iter().map(|k| format!("{}s", k.noun())).collect();
+                let may = if may.is_empty() { "numbers only".to_owned() } else { may.join(", ") };
+                Err((format!("the {} `{name}` cannot stand in {what}", kind.noun()), Some(format!("allowed: {may}"))))
+            }
+            None if name == "t" => Err((
+                "explicit time is not supported yet".to_owned(),
+                Some("state the motion by coordinates and speeds".to_owned()),
+            )),
+            None if ["deg", "degree", "degrees"].contains(&name) => Err((
+                format!("unknown name `{name}`"),
+                Some("angles are in radians: write 10 degrees as `10*pi/180`".to_owned()),
+            )),
+            None if self.known.get(plain).is_some_and(|(kind, _, _)| *kind != Kind::Coordinate) => Err((
+                format!("`{name}` does not exist: `{plain}` is a {}", self.known[plain].0.noun()),
+                Some("a prime stands after coordinates only".to_owned()),
+            )),
+            None => Err((format!("unknown name `{}`", shown(name)), Some(nearest(name, self.of_kind(allowed.0))))),
+        }
+    }
+}
+
+/// Refuses a divisor that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1.
+fn no_hidden_zero(reader: &mut Reader<'_>, arena: &Arena, formula: &Located, e: Expr) -> Option<Expr> {
+    let mut divisors = Vec::new();
+    for part in arena.reachable(&[e]) {
+        if let Node::Product(factors) = arena.node(part) {
+            divisors.extend(factors.iter().filter(|(_, n)| *n < 0).map(|(base, _)| *base));
+        }
+    }
+    // A sum of different symbols is not zero; only products and functions can cancel unseen.
+    let may_cancel = |base: &Expr| match arena.node(*base) {
+        Node::Sum(_, terms) => terms.iter().any(|(term, _)| arena.symbol_name(*term).is_none()),
+        _ => false,
+    };
+    divisors.retain(may_cancel);
+    divisors.truncate(MAX_DIVISORS);
+    let zero = divisors.into_iter().find(|d| zero_test(arena, *d) == ZeroTest::Zero);
+    let Some(zero) = zero else { return Some(e) };
+    let message = format!("division by zero: {} is zero", shown(&crate::algebra::print::text(arena, zero)));
+    reader.error(formula.span.clone(), message, "this divisor vanishes identically");
+    None
+}

@@ -1,0 +1,398 @@
+//! From the text of a model file to a checked [`Model`].
+//!
+//! Invariant: every error is reported once, at its cause. What depends on something that is already
+//! reported fails in silence, so that `None` always means that an error stands in the reader.
+
+use super::constraint::solve_all;
+use super::elements::Elements;
+use super::names::{ANYTHING, Allowed, CONSTANT, Kind, Names};
+use super::units::{Unit, unit_of};
+use super::{Condition, Coordinate, Model, Parameter};
+use crate::algebra::calculus::Substitution;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
+use crate::read::{Entry, Located, Reader};
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Entries that one section may have: no mechanism derived by symbols comes near.
+const MAX_ENTRIES: usize = 1000;
+
+const KEYS: [&str; 16] = [
+    "name",
+    "source",
+    "parameters",
+    "coordinates",
+    "speeds",
+    "inertial",
+    "frames",
+    "points",
+    "bodies",
+    "particles",
+    "gravity",
+    "forces",
+    "torques",
+    "reactions",
+    "constraints",
+    "domain",
+];
+
+/// Reads and checks a model text.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the file.
+///
+/// # Panics
+/// Never: a model without errors is complete.
+pub fn load(source: &Source) -> Result<Model, Diagnostics> {
+    let (mut reader, table) = Reader::parse(source)?;
+    let table = table.get_ref();
+    if table.is_empty() {
+        let empty = source.text.trim_start_matches('\u{feff}').trim().is_empty();
+        let message = if empty { "the model file is empty" } else { "the model file holds nothing but comments" };
+        reader.errors.push(Diagnostic::of_file(message, "docs/model.md describes the format"));
+    }
+    reader.finish()?;
+    reader.allow(table, "a model file", &KEYS);
+    let mut loading = Loading { reader, arena: Arena::new(), names: Names::default(), units: FxHashMap::default() };
+    let model = loading.model(table, source);
+    loading.reader.finish()?;
+    Ok(model.expect("a model without errors is complete"))
+}
+
+/// The state of reading one file.
+pub struct Loading<'a> {
+    pub reader: Reader<'a>,
+    pub arena: Arena,
+    pub names: Names,
+    /// The unit of each symbol; none for a symbol whose declaration is wrong.
+    pub units: FxHashMap<Expr, Unit>,
+}
+
+impl<'a> Loading<'a> {
+    fn model(&mut self, table: &'a DeTable<'a>, source: &Source) -> Option<Model> {
+        if !table.contains_key("name") {
+            self.reader.errors.push(Diagnostic::of_file("the model has no `name`", "add `name = \"…\"` at the top"));
+        }
+        let title = self.text(table, "name");
+        let reference = self.text(table, "source").unwrap_or_default();
+        let parameters = self.parameters(table);
+        let before_motion = self.reader.errors.len();
+        let mut coordinates = self.coordinates(table);
+        let texts = self.speed_symbols(table);
+        for c in &mut coordinates {
+            c.second_rate = self.arena.symbol(&format!("{}''", c.name));
+        }
+        let mut motion_errors = self.reader.errors.len() - before_motion;
+        let reactions = self.section(table, "reactions", &[Kind::Reaction]);
+        for (name, _) in &reactions {
+            let symbol = self.arena.symbol(&name.text);
+            self.names.declare(&mut self.reader, name, Kind::Reaction, Some(symbol));
+        }
+        self.missing_sections(table);
+        let mut elements = Elements::default();
+        elements.read(self, table, &reactions);
+        let before_constraints = self.reader.errors.len();
+        let stated = self.constraints(table, &elements);
+        let configuration_variables = coordinates.len();
+        let (constraints, replacements) = solve_all(&mut self.reader, &mut self.arena, &mut coordinates, stated);
+        motion_errors += self.reader.errors.len() - before_constraints;
+        let domain = self.domain(table);
+        let stated_speeds = texts.len();
+        let speeds = self.speeds(texts, &replacements);
+        // With an error in any of them, the number and the rank of the speeds say nothing.
+        let kinematic_equations = if motion_errors == 0 && speeds.len() == stated_speeds && stated_speeds > 0 {
+            self.kinematic_equations(table, &coordinates, &speeds)
+        } else {
+            None
+        };
+        let mut fixed = Substitution::new(&replacements);
+        elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
+        elements.check(self, &parameters);
+        let domain =
+            domain.into_iter().map(|c| Condition { positive: fixed.apply(&mut self.arena, c.positive), ..c }).collect();
+        if !self.reader.errors.is_empty() {
+            return None;
+        }
+        Some(Model {
+            title: title?,
+            reference,
+            source: source.clone(),
+            arena: std::mem::take(&mut self.arena),
+            parameters,
+            coordinates,
+            configuration_variables,
+            speeds: speeds.into_iter().map(|(speed, _)| speed).collect(),
+            frames: elements.frames,
+            points: elements.points,
+            bodies: elements.bodies,
+            gravity: elements.gravity,
+            forces: elements.forces,
+            torques: elements.torques,
+            reactions: elements.reactions,
+            constraints,
+            domain,
+            kinematic_equations: kinematic_equations?,
+            declared: self.names.places(),
+        })
+    }
+
+    fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
+        let value = self.reader.get(table, key)?;
+        let text = self.reader.string(value, &format!("`{key}`"))?;
+        Some(text.text)
+    }
+
+    /// The named entries of a section, in the order of the file; none if the section is absent.
+    /// If it cannot be read, names of `kinds` are not missed elsewhere.
+    pub fn section(&mut self, table: &'a DeTable<'a>, key: &str, kinds: &[Kind]) -> Vec<Entry<'a>> {
+        let Some(value) = self.reader.get(table, key) else { return Vec::new() };
+        let Some(section) = self.reader.table(value, &format!("`{key}`"), &format!("[{key}]")) else {
+            self.names.unread(kinds);
+            return Vec::new();
+        };
+        let mut entries = self.reader.entries(section);
+        if entries.len() > MAX_ENTRIES {
+            let message = format!("`{key}` has {} entries: more than {MAX_ENTRIES}", entries.len());
+            self.reader.error(entries[MAX_ENTRIES].0.span.clone(), message, "state a smaller mechanism");
+            self.names.unread(kinds);
+            entries.truncate(MAX_ENTRIES);
+        }
+        entries
+    }
+
+    /// Declares a named entry and opens its table; returns with it what to call the entry.
+    pub fn entry(
+        &mut self,
+        name: &Located,
+        value: &'a Spanned<DeValue<'a>>,
+        kind: Kind,
+        symbol: Option<Expr>,
+        example: &str,
+    ) -> Option<(&'a DeTable<'a>, String)> {
+        let what = format!("{} `{}`", kind.noun(), shown(&name.text));
+        self.names.declare(&mut self.reader, name, kind, symbol);
+        let Some(entry) = self.reader.table(value, &what, example) else {
+            self.names.spoil(&name.text);
+            return None;
+        };
+        self.about(entry);
+        Some((entry, what))
+    }
+
+    fn missing_sections(&mut self, table: &'a DeTable<'a>) {
+        let empty = |key: &str| {
+            self.reader.get(table, key).is_none_or(|v| v.get_ref().as_table().is_some_and(DeTable::is_empty))
+        };
+        let no_bodies = empty("bodies") && empty("particles");
+        let (no_coordinates, no_speeds) = (empty("coordinates"), empty("speeds"));
+        let mut missing = |message: &str, help: &str| self.reader.errors.push(Diagnostic::of_file(message, help));
+        if no_bodies {
+            missing("the model has no bodies", "add [bodies.NAME] or [particles.NAME]");
+            self.names.unread(&[Kind::Body]);
+        }
+        if no_coordinates {
+            let help = "add [coordinates]; a problem without them is statics, which is not derived here";
+            missing("the model has no coordinates", help);
+        }
+        if no_speeds && !no_coordinates {
+            missing("the model has no speeds", "add [speeds], such as u1 = \"q1'\"");
+        }
+        if no_speeds {
+            self.names.unread(&[Kind::Speed]);
+        }
+        if !table.contains_key("inertial") {
+            missing("the model has no inertial frame", "add [inertial] with frame = \"N\" and origin = \"O\"");
+        }
+    }
+
+    fn unit(&mut self, table: &'a DeTable<'a>, owner: &Located) -> Option<Unit> {
+        let value = self.reader.need(table, "unit", &format!("`{}`", shown(&owner.text)), &owner.span)?;
+        let text = self.reader.string(value, "`unit`")?;
+        match Unit::parse(&text.text) {
+            Ok(unit) => Some(unit),
+            Err(message) => {
+                self.reader.error(text.span, message, Unit::help(&text.text));
+                None
+            }
+        }
+    }
+
+    fn about(&mut self, table: &'a DeTable<'a>) -> String {
+        self.text(table, "about").unwrap_or_default()
+    }
+
+    fn parameters(&mut self, table: &'a DeTable<'a>) -> Vec<Parameter> {
+        let mut parameters = Vec::new();
+        for (name, value) in self.section(table, "parameters", &[Kind::Parameter]) {
+            let symbol = self.arena.symbol(&name.text);
+            let example = "{ unit = \"kg\", value = 1, positive = true }";
+            let Some((entry, _)) = self.entry(&name, value, Kind::Parameter, Some(symbol), example) else { continue };
+            self.reader.allow(entry, "a parameter", &["unit", "value", "positive", "about"]);
+            let unit = self.unit(entry, &name);
+            self.units.extend(unit.clone().map(|unit| (symbol, unit)));
+            let positive = self.reader.get(entry, "positive");
+            let positive = positive.and_then(|v| self.reader.boolean(v, "`positive`")).unwrap_or(false);
+            let value = self.reader.get(entry, "value").and_then(|v| {
+                let formula = self.reader.formula(v, "`value`")?;
+                let number = self.constant(&formula)?;
+                if positive && (number.is_negative() || number.is_zero()) {
+                    let stated = shown(&formula.text);
+                    let message = format!("`{}` is stated to be positive but is {stated}", name.text);
+                    self.reader.error(formula.span, message, "change the value or remove `positive = true`");
+                    return None;
+                }
+                Some(number)
+            });
+            let about = self.reader.get(entry, "about").and_then(|v| v.get_ref().as_str()).unwrap_or_default();
+            let unit = unit.unwrap_or_default();
+            parameters.push(Parameter { name: name.text, symbol, unit, value, positive, about: about.to_owned() });
+        }
+        parameters
+    }
+
+    /// A formula that must be a plain number.
+    fn constant(&mut self, formula: &Located) -> Option<Rational> {
+        let what = "a parameter's value";
+        let e = self.names.formula(&mut self.reader, &mut self.arena, formula, CONSTANT, what)?;
+        let value = match self.arena.as_number(e) {
+            Some(value) => Some(value.clone()),
+            None => super::physics::at_defaults(&self.arena, &[], &[e]).and_then(|v| Rational::from_f64_exact(v[0])),
+        };
+        // Neither overflow nor a silent 0.
+        let value = value.filter(|v| v.to_f64().is_finite() && (v.is_zero() || v.to_f64().is_normal()));
+        if value.is_none() {
+            let message = format!("`{}` is not a number of double precision", shown(&formula.text));
+            self.reader.error(formula.span.clone(), message, "give 0 or a number between 1e-307 and 1e308 in size");
+        }
+        value
+    }
+
+    fn coordinates(&mut self, table: &'a DeTable<'a>) -> Vec<Coordinate> {
+        let mut coordinates = Vec::new();
+        for (name, value) in self.section(table, "coordinates", &[Kind::Coordinate, Kind::Rate]) {
+            let symbol = self.arena.symbol(&name.text);
+            let entry = self.entry(&name, value, Kind::Coordinate, Some(symbol), "{ unit = \"rad\" }");
+            let Some((entry, _)) = entry else { continue };
+            self.reader.allow(entry, "a coordinate", &["unit", "about"]);
+            let unit = self.unit(entry, &name);
+            let about = self.reader.get(entry, "about").and_then(|v| v.get_ref().as_str()).unwrap_or_default();
+            coordinates.push((name, symbol, unit, about.to_owned()));
+        }
+        if coordinates.is_empty() {
+            self.names.unread(&[Kind::Coordinate, Kind::Rate]);
+        }
+        coordinates
+            .into_iter()
+            .map(|(name, symbol, unit, about)| {
+                let dotted = format!("{}'", name.text);
+                let rate = self.arena.symbol(&dotted);
+                self.names.insert(&dotted, Kind::Rate, name.span, Some(rate));
+                if let Some(unit) = &unit {
+                    self.units.insert(symbol, unit.clone());
+                    self.units.insert(rate, unit.per_second());
+                }
+                let unit = unit.unwrap_or_default();
+                Coordinate { name: name.text, symbol, rate, second_rate: rate, unit, about }
+            })
+            .collect()
+    }
+
+    fn domain(&mut self, table: &'a DeTable<'a>) -> Vec<Condition> {
+        let mut domain = Vec::new();
+        for (name, value) in self.section(table, "domain", &[]) {
+            self.names.declare(&mut self.reader, &name, Kind::Condition, None);
+            let Some(text) = self.reader.string(value, "a condition") else { continue };
+            let help = "write a strict inequality, such as \"abs(q2) < pi/2\" or \"N > 0\"";
+            let Some((left, (sign, right))) = self.split(&text, &["<", ">"], help) else { continue };
+            let what = "a condition of the domain";
+            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, ANYTHING, what);
+            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, ANYTHING, what);
+            let (Some(left), Some(right)) = (left, right) else { continue };
+            if !self.comparable(left, right, &text.span) {
+                continue;
+            }
+            let positive = if sign == "<" { self.arena.sub(right, left) } else { self.arena.sub(left, right) };
+            if let Some(value) = self.arena.as_number(positive) {
+                let always = if value.is_negative() || value.is_zero() { "never" } else { "always" };
+                let message = format!("the condition `{}` is {always} fulfilled", name.text);
+                self.reader.error(text.span, message, "state where the model holds, or remove the condition");
+                continue;
+            }
+            domain.push(Condition { name: name.text, text: text.text, positive });
+        }
+        domain
+    }
+
+    /// Whether two sides have one unit; reports it if not.
+    pub fn comparable(&mut self, left: Expr, right: Expr, span: &Range<usize>) -> bool {
+        let before = self.reader.errors.len();
+        if let (Some(a), Some(b)) = (self.unit_of(left, span), self.unit_of(right, span))
+            && a != b
+        {
+            let message = format!("the left side is in {}, the right side in {}", a.words(), b.words());
+            self.reader.error(span.clone(), message, "check the units of the parameters and coordinates");
+        }
+        self.reader.errors.len() == before
+    }
+
+    /// Splits a relation at its one sign: the left side, the sign and the right side.
+    pub fn split<'s>(
+        &mut self,
+        text: &Located,
+        signs: &[&'s str],
+        help: &str,
+    ) -> Option<(Located, (&'s str, Located))> {
+        let found: Vec<(usize, &'s str)> =
+            signs.iter().flat_map(|sign| text.text.match_indices(sign).map(|(at, _)| (at, *sign))).collect();
+        let weak = found.iter().map(|(at, _)| *at).find(|at| signs.len() > 1 && text.text[at + 1..].starts_with('='));
+        if let Some(at) = weak {
+            let sign = &text.text[at..at + 2];
+            self.reader.error(text.part(at..at + 2), format!("`{sign}` is not a strict inequality"), help);
+            return None;
+        }
+        let [(at, sign)] = found.as_slice() else {
+            let expected = signs.join("` or `");
+            self.reader.error(text.span.clone(), format!("expected exactly one `{expected}` here"), help);
+            return None;
+        };
+        let side = |range: Range<usize>| {
+            let part = &text.text[range.clone()];
+            let start = range.start + (part.len() - part.trim_start().len());
+            let trimmed = part.trim();
+            Located { text: trimmed.to_owned(), span: text.part(start..start + trimmed.len()), exact: text.exact }
+        };
+        Some((side(0..*at), (*sign, side(at + 1..text.text.len()))))
+    }
+
+    /// The unit of a formula, where it is known; reports a sum of unlike quantities.
+    pub fn unit_of(&mut self, e: Expr, span: &Range<usize>) -> Option<Unit> {
+        match unit_of(&self.arena, e, &self.units) {
+            Ok(unit) => unit,
+            Err(message) => {
+                self.reader.error(span.clone(), message, "check the units of the parameters and coordinates");
+                None
+            }
+        }
+    }
+
+    /// Reads a formula whose unit is known.
+    pub fn quantity(&mut self, formula: &Located, allowed: Allowed, unit: &Unit, what: &str) -> Option<Expr> {
+        let e = self.names.formula(&mut self.reader, &mut self.arena, formula, allowed, what)?;
+        if let Some(found) = self.unit_of(e, &formula.span)
+            && found != *unit
+        {
+            let (needed, found) = (unit.words(), found.words());
+            let message = format!("{what} must be in {needed}, but `{}` is in {found}", shown(&formula.text));
+            let help = if self.arena.reachable(&[e]).iter().any(|part| self.arena.symbol_name(*part).is_some()) {
+                "check the units of the parameters and coordinates".to_owned()
+            } else {
+                format!("a plain number has no unit: declare a parameter with unit = \"{needed}\" and use its name")
+            };
+            self.reader.error(formula.span.clone(), message, help);
+        }
+        Some(e)
+    }
+}

@@ -1,0 +1,207 @@
+//! Units of measurement and the check that every sum adds like to like.
+//!
+//! Only coherent SI units are read, so that no conversion can be forgotten; a radian counts as 1.
+
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use crate::diagnostic::{nearest, shown};
+use rustc_hash::FxHashMap;
+use std::fmt;
+
+/// Exponents of metre, kilogram and second.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Unit {
+    exponents: [Rational; 3],
+}
+
+const BASE: [&str; 3] = ["m", "kg", "s"];
+/// Derived units as exponents of m, kg, s.
+const NAMED: [(&str, [i64; 3]); 11] = [
+    ("1", [0, 0, 0]),
+    ("rad", [0, 0, 0]),
+    ("m", [1, 0, 0]),
+    ("kg", [0, 1, 0]),
+    ("s", [0, 0, 1]),
+    ("N", [1, 1, -2]),
+    ("J", [2, 1, -2]),
+    ("W", [2, 1, -3]),
+    ("Pa", [-1, 1, -2]),
+    ("Hz", [0, 0, -1]),
+    ("sr", [0, 0, 0]),
+];
+
+impl Unit {
+    /// From exponents of metre, kilogram, second.
+    #[must_use]
+    pub fn new(metre: i64, kilogram: i64, second: i64) -> Self {
+        Self { exponents: [metre, kilogram, second].map(Rational::integer) }
+    }
+
+    /// Reads `kg*m^2/s`, `N*m`, `rad`, `1`.
+    ///
+    /// # Errors
+    /// What is wrong, in a line.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        if text.trim().is_empty() {
+            return Err("the unit is empty".to_owned());
+        }
+        let mut unit = Self::default();
+        let mut sign = 1;
+        for factor in text.split_inclusive(['*', '/']) {
+            let (name, next) = match factor.chars().last() {
+                Some('/') => (&factor[..factor.len() - 1], -1),
+                Some('*') => (&factor[..factor.len() - 1], 1),
+                _ => (factor, 1),
+            };
+            let (name, power) = match name.trim().split_once('^') {
+                Some((name, power)) => {
+                    let whole = power.trim().parse::<i64>().ok().filter(|n| n.abs() <= 12);
+                    let message = || format!("`{}` is not a whole exponent up to 12", shown(power.trim()));
+                    (name.trim(), whole.ok_or_else(message)?)
+                }
+                None => (name.trim(), 1),
+            };
+            let Some((_, exponents)) = NAMED.iter().find(|(n, _)| *n == name) else {
+                return Err(format!("`{}` is not a unit known here", shown(name)));
+            };
+            for (sum, e) in unit.exponents.iter_mut().zip(exponents) {
+                *sum = sum.add(&Rational::integer(e * power * sign));
+            }
+            sign = next;
+        }
+        Ok(unit)
+    }
+
+    /// What to write instead of a text that is not a unit.
+    #[must_use]
+    pub fn help(text: &str) -> String {
+        let angle = ["deg", "degree", "degrees", "°"].contains(&text.trim());
+        if angle {
+            return "angles are in rad: write a value of 10 degrees as \"10*pi/180\"".to_owned();
+        }
+        let near = nearest(text.trim(), NAMED.iter().map(|(name, _)| *name));
+        let known = "units are SI: products, quotients and powers of kg, m, s, rad, N, J, W, Pa, Hz, or 1";
+        if near.starts_with("did") && text.trim().len() > 1 { format!("{near} {known}") } else { known.to_owned() }
+    }
+
+    /// The unit as a message names it.
+    #[must_use]
+    pub fn words(&self) -> String {
+        match self {
+            _ if self.is_plain() => "1 or rad".to_owned(),
+            _ if *self == Self::new(1, 1, -2) => "N".to_owned(),
+            _ if *self == Self::new(2, 1, -2) => "N*m".to_owned(),
+            _ => self.to_string(),
+        }
+    }
+
+    fn scaled(&self, k: &Rational) -> Self {
+        Self { exponents: self.exponents.clone().map(|e| e.mul(k)) }
+    }
+
+    /// The unit of a product.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let mut result = self.clone();
+        for (sum, e) in result.exponents.iter_mut().zip(&other.exponents) {
+            *sum = sum.add(e);
+        }
+        result
+    }
+
+    /// The unit of a time derivative.
+    #[must_use]
+    pub fn per_second(&self) -> Self {
+        self.times(&Self::new(0, 0, -1))
+    }
+
+    fn is_plain(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let show = |name: &str, e: &Rational| if e.is_one() { name.to_owned() } else { format!("{name}^{e}") };
+        let order = [1, 0, 2];
+        let above: Vec<_> = order.iter().filter(|i| self.exponents[**i] > Rational::ZERO).collect();
+        let below: Vec<_> = order.iter().filter(|i| self.exponents[**i] < Rational::ZERO).collect();
+        let join = |list: &[&usize], sign: &Rational| {
+            list.iter().map(|i| show(BASE[**i], &self.exponents[**i].mul(sign))).collect::<Vec<_>>().join("*")
+        };
+        let numerator = if above.is_empty() { "1".to_owned() } else { join(&above, &Rational::ONE) };
+        f.write_str(&numerator)?;
+        for i in below {
+            write!(f, "/{}", show(BASE[*i], &self.exponents[*i].neg()))?;
+        }
+        Ok(())
+    }
+}
+
+/// The unit of an expression; `Ok(None)` where it is not known: for the number 0, which fits every
+/// unit, and for what contains a symbol without a unit, whose declaration is already reported.
+///
+/// # Errors
+/// What does not fit, in a line.
+pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Result<Option<Unit>, String> {
+    let show = |e: Expr| shown(&crate::algebra::print::text(arena, e));
+    let mut units: FxHashMap<Expr, Option<Unit>> = FxHashMap::default();
+    for part in arena.reachable(&[e]) {
+        let unit = match arena.node(part) {
+            Node::Number(value) if value.is_zero() => None,
+            Node::Number(_) | Node::Pi | Node::Apply(Function::Sign, _) => Some(Unit::default()),
+            Node::Symbol(_) => symbols.get(&part).cloned(),
+            Node::Sum(constant, terms) => {
+                let mut known = terms.iter().filter_map(|(term, _)| Some((*term, units[term].as_ref()?)));
+                match known.next() {
+                    None => None,
+                    Some((first, unit)) => {
+                        if let Some((term, other)) = known.find(|(_, other)| *other != unit) {
+                            let (a, b) = (show(first), show(term));
+                            let (unit, other) = (unit.words(), other.words());
+                            return Err(format!("`{a}` is in {unit} but `{b}` in {other}: they cannot be added"));
+                        }
+                        if !constant.is_zero() && !unit.is_plain() {
+                            return Err(format!(
+                                "the number {constant} cannot be added to a quantity in {}",
+                                unit.words()
+                            ));
+                        }
+                        Some(unit.clone())
+                    }
+                }
+            }
+            Node::Product(factors) => factors.iter().try_fold(Unit::default(), |product, (base, n)| {
+                Some(product.times(&units[base].as_ref()?.scaled(&Rational::integer(i64::from(*n)))))
+            }),
+            Node::Apply(Function::Sqrt, argument) => {
+                let half = Rational::fraction(1, 2).expect("not zero");
+                units[argument].as_ref().map(|unit| unit.scaled(&half))
+            }
+            Node::Apply(Function::Abs, argument) => units[argument].clone(),
+            Node::Apply(f, argument) => {
+                if let Some(unit) = units[argument].as_ref().filter(|unit| !unit.is_plain()) {
+                    let (f, inner) = (f.name(), show(*argument));
+                    return Err(format!("{f}({inner}) is the function of a quantity in {}", unit.words()));
+                }
+                Some(Unit::default())
+            }
+        };
+        units.insert(part, unit);
+    }
+    Ok(units.remove(&e).flatten())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_multiply_and_print() {
+        assert_eq!(Unit::parse("N*m").unwrap(), Unit::parse("kg*m^2/s^2").unwrap());
+        assert_eq!(Unit::parse("N*s/m").unwrap().to_string(), "kg/s");
+        assert_eq!(Unit::parse("m/s/s").unwrap(), Unit::parse("m/s^2").unwrap());
+        assert!(Unit::parse("cm").is_err());
+        assert!(Unit::parse("").is_err());
+        assert!(Unit::parse("m^x").is_err());
+    }
+}

@@ -1,0 +1,270 @@
+//! Typed access to a TOML file, collecting every error with its place.
+
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A piece of text with its place in the file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Located {
+    /// The text, as written between the quotes.
+    pub text: String,
+    /// Its byte range in the file, without quotes where the text has no escapes.
+    pub span: Range<usize>,
+    /// Whether byte k of the text is byte `span.start + k` of the file.
+    pub exact: bool,
+}
+
+impl Located {
+    /// The place of a part of the text.
+    #[must_use]
+    pub fn part(&self, range: Range<usize>) -> Range<usize> {
+        if self.exact { self.span.start + range.start..self.span.start + range.end } else { self.span.clone() }
+    }
+}
+
+/// A table entry: its key and its value.
+pub type Entry<'a> = (Located, &'a Spanned<DeValue<'a>>);
+
+/// Reads one file and gathers what is wrong with it.
+pub struct Reader<'a> {
+    /// The file.
+    pub source: &'a Source,
+    /// What was found wrong so far.
+    pub errors: Vec<Diagnostic>,
+    /// Messages of which the first place stands in `errors`: its position, and the number of places.
+    repeated: FxHashMap<String, (usize, usize)>,
+}
+
+impl<'a> Reader<'a> {
+    /// A reader that has found nothing wrong yet.
+    #[must_use]
+    pub fn new(source: &'a Source) -> Self {
+        Self { source, errors: Vec::new(), repeated: FxHashMap::default() }
+    }
+
+    /// Parses the file's TOML, reporting every syntax error.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] if the file is not TOML.
+    pub fn parse(source: &'a Source) -> Result<(Self, Spanned<DeTable<'a>>), Diagnostics> {
+        let (table, errors) = DeTable::parse_recoverable(&source.text);
+        if errors.is_empty() {
+            return Ok((Self::new(source), table));
+        }
+        let duplicate = |e: &toml::de::Error| e.message() == "duplicate key";
+        let mut list: Vec<Diagnostic> = Vec::new();
+        let mut doubled_section: Option<usize> = None;
+        for error in errors.iter().filter(|e| duplicate(e)) {
+            let span = error.span().unwrap_or(0..0);
+            // The keys of a section stated twice are not errors of their own.
+            if doubled_section.is_some_and(|start| !source.text[start..span.start].contains("\n[")) {
+                continue;
+            }
+            doubled_section = source.text[..span.start].ends_with('[').then_some(span.end);
+            list.push(stated_twice(source, table.get_ref(), span));
+        }
+        // After an error of syntax the rest is guesswork: only the first is shown.
+        let first = errors.iter().filter(|e| !duplicate(e)).min_by_key(|e| e.span().map_or(0, |s| s.start));
+        if let Some(error) = first {
+            let span = error.span().unwrap_or(0..0);
+            let message = error.message().lines().next().unwrap_or("not TOML");
+            let help = "the file must be valid TOML: `key = value`, with text and formulas in quotes";
+            list.push(Diagnostic::new(span, message, help));
+        }
+        Err(Diagnostics::new(source.clone(), list))
+    }
+
+    /// Ends reading: the errors as diagnostics, or nothing if there were none.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] if any error was gathered.
+    pub fn finish(&mut self) -> Result<(), Diagnostics> {
+        if self.errors.is_empty() {
+            return Ok(());
+        }
+        Err(Diagnostics::new(self.source.clone(), std::mem::take(&mut self.errors)))
+    }
+
+    /// Notes an error.
+    pub fn error(&mut self, span: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
+        self.errors.push(Diagnostic::new(span, message, help));
+    }
+
+    /// Notes an error that one cause may raise at many places: shown once, with its first two places.
+    pub fn error_once(&mut self, span: Range<usize>, message: String, help: impl Into<String>) {
+        let Some((at, places)) = self.repeated.get_mut(&message) else {
+            self.repeated.insert(message.clone(), (self.errors.len(), 1));
+            return self.error(span, message, help);
+        };
+        *places += 1;
+        let others =
+            if *places > 2 { format!("also here, and {} times more", *places - 2) } else { "also here".into() };
+        let first = &mut self.errors[*at];
+        let mut spans: Vec<_> = [first.span.take(), first.other.take().map(|(s, _)| s), Some(span)].into();
+        spans.sort_by_key(|s| s.as_ref().map_or(usize::MAX, |s| s.start));
+        first.span = spans[0].take();
+        first.other = spans[1].take().map(|s| (s, others));
+    }
+
+    /// The entries of a table in the order of the file.
+    #[allow(clippy::unused_self, reason = "a question to the reader like its neighbours")]
+    pub fn entries(&self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
+        let mut entries: Vec<Entry<'a>> = table.iter().map(|(key, value)| (located_key(key), value)).collect();
+        entries.sort_by_key(|(key, _)| key.span.start);
+        entries
+    }
+
+    /// Reports every key of `table` that is none of `allowed`.
+    pub fn allow(&mut self, table: &'a DeTable<'a>, what: &str, allowed: &[&str]) {
+        for (key, _) in self.entries(table) {
+            if !allowed.contains(&key.text.as_str()) {
+                let help = nearest(&key.text, allowed.iter().copied());
+                self.error(key.span, format!("unknown key `{}` in {what}", key.text), help);
+            }
+        }
+    }
+
+    /// The value of a key that may be absent.
+    #[allow(clippy::unused_self, reason = "a question to the reader like its neighbours")]
+    pub fn get(&self, table: &'a DeTable<'a>, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        table.iter().find(|(k, _)| k.get_ref() == key).map(|(_, value)| value)
+    }
+
+    /// The value of a key that must be there; reports its absence at `owner`.
+    pub fn need(
+        &mut self,
+        table: &'a DeTable<'a>,
+        key: &str,
+        what: &str,
+        owner: &Range<usize>,
+    ) -> Option<&'a Spanned<DeValue<'a>>> {
+        let value = self.get(table, key);
+        if value.is_none() {
+            self.error(owner.clone(), format!("{what} has no `{key}`"), format!("add `{key} = …`"));
+        }
+        value
+    }
+
+    /// The value as a table; `example` shows what was expected.
+    pub fn table(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str, example: &str) -> Option<&'a DeTable<'a>> {
+        match value.get_ref() {
+            DeValue::Table(table) => Some(table),
+            _ => {
+                self.error(value.span(), format!("{what} must be a table"), format!("write it as {example}"));
+                None
+            }
+        }
+    }
+
+    /// The value as a string.
+    pub fn string(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
+        match value.get_ref() {
+            DeValue::String(text) => Some(self.located(value.span(), text)),
+            _ => {
+                self.error(value.span(), format!("{what} must be a string"), "put it in quotes");
+                None
+            }
+        }
+    }
+
+    /// The value as mathematics: a string, or a plain number.
+    pub fn formula(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
+        match value.get_ref() {
+            DeValue::String(text) => Some(self.located(value.span(), text)),
+            DeValue::Integer(n) if n.radix() == 10 => Some(number(n.as_str(), value.span())),
+            DeValue::Float(x) if x.as_str().bytes().any(|b| b.is_ascii_digit()) => {
+                Some(number(x.as_str(), value.span()))
+            }
+            DeValue::Float(x) => {
+                self.error(value.span(), format!("{what} is `{}`, not a number", x.as_str()), "give a finite number");
+                None
+            }
+            _ => {
+                let help = "write a number, or mathematics in quotes such as \"M*R^2/4\"";
+                self.error(value.span(), format!("{what} must be a number or a formula in quotes"), help);
+                None
+            }
+        }
+    }
+
+    /// The value as an array of exactly three formulas.
+    pub fn triple(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Located; 3]> {
+        let help = "write three components, such as [\"0\", \"R\", \"0\"]";
+        let DeValue::Array(array) = value.get_ref() else {
+            self.error(value.span(), format!("{what} must be an array"), help);
+            return None;
+        };
+        if array.len() != 3 {
+            self.error(value.span(), format!("{what} has {} components, not 3", array.len()), help);
+            return None;
+        }
+        let parts: Vec<_> = array.iter().map(|v| self.formula(v, what)).collect();
+        let parts: Option<Vec<Located>> = parts.into_iter().collect();
+        parts?.try_into().ok()
+    }
+
+    /// The value as a boolean.
+    pub fn boolean(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<bool> {
+        match value.get_ref() {
+            DeValue::Boolean(b) => Some(*b),
+            _ => {
+                self.error(
+                    value.span(),
+                    format!("{what} must be true or false"),
+                    "write true or false, without quotes",
+                );
+                None
+            }
+        }
+    }
+
+    /// A string without its quotes: one or three, then perhaps a line break that TOML drops.
+    fn located(&self, span: Range<usize>, text: &str) -> Located {
+        for (before, after) in [(1, 1), (3, 3), (4, 3), (5, 3)] {
+            let inner = span.start + before..span.end.saturating_sub(after);
+            if self.source.text.get(inner.clone()) == Some(text) {
+                return Located { text: text.to_owned(), span: inner, exact: true };
+            }
+        }
+        Located { text: text.to_owned(), span, exact: false }
+    }
+}
+
+/// The error of a key that is there already, with its first place if it is found.
+fn stated_twice(source: &Source, table: &DeTable<'_>, span: Range<usize>) -> Diagnostic {
+    let key = source.text[span.clone()].trim_matches(['"', '\'']);
+    let message = format!("`{}` is stated twice", shown(key));
+    let diagnostic = Diagnostic::new(span.clone(), message, "remove or rename one of the two");
+    // The section that it stands in: the last header above, or the file.
+    let above = &source.text[..span.start];
+    let line = &above[above.rfind('\n').map_or(0, |n| n + 1)..];
+    let header = if line.starts_with('[') { line } else { above.rfind("\n[").map_or("", |n| &above[n + 1..]) };
+    let header = header.trim_start_matches('[');
+    let path = if line.starts_with('[') { header } else { header.split(']').next().unwrap_or_default() };
+    let mut section = Some(table);
+    for part in path.split('.').map(str::trim).filter(|part| !part.is_empty()) {
+        section = section.and_then(|t| t.get(part)).and_then(|v| v.get_ref().as_table());
+    }
+    let first = if line.starts_with('[') {
+        above.find(&format!("\n[{key}]")).map(|at| at + 2..at + 2 + key.len())
+    } else {
+        section.and_then(|t| t.iter().find(|(k, _)| k.get_ref() == key)).map(|(k, _)| k.span())
+    };
+    match first.filter(|first| first.end <= span.start) {
+        Some(first) => diagnostic.with_other(first, "first stated here"),
+        None => diagnostic,
+    }
+}
+
+fn located_key(key: &Spanned<std::borrow::Cow<'_, str>>) -> Located {
+    Located { text: key.get_ref().to_string(), span: key.span(), exact: false }
+}
+
+fn number(text: &str, span: Range<usize>) -> Located {
+    let plain = text.replace('_', "");
+    let exact = plain.len() == span.len();
+    Located { text: plain, span, exact }
+}

@@ -1,0 +1,337 @@
+//! Scenes: what to run, from where, how accurately, what to look at. States: one instant of it.
+
+mod values;
+
+use crate::algebra::Expr;
+use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::model::Model;
+use crate::read::{Located, Reader};
+use std::path::{Path, PathBuf};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+use values::Values;
+
+/// Which way an event function must cross zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Crossing {
+    /// From below.
+    Rising,
+    /// From above.
+    Falling,
+    /// Either way.
+    Either,
+}
+
+/// Something to notice during a run.
+#[derive(Clone, Debug)]
+pub struct SceneEvent {
+    /// Its name.
+    pub name: String,
+    /// Zero where it happens; in parameters, q, q̇, u and reactions.
+    pub function: Expr,
+    /// Which crossings count.
+    pub crossing: Crossing,
+    /// Whether the run ends there.
+    pub terminal: bool,
+}
+
+/// What a figure shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FigureKind {
+    /// Total energy over time.
+    Energy,
+    /// Every coordinate and speed over time, a panel each.
+    States,
+}
+
+/// A figure of the scene's page.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// What it shows.
+    pub kind: FigureKind,
+    /// The caption.
+    pub caption: String,
+}
+
+/// A run to be made.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The file.
+    pub source: Source,
+    /// The title.
+    pub title: String,
+    /// What it is about, in words.
+    pub about: String,
+    /// Values of the parameters, in the order of the model.
+    pub parameters: Vec<f64>,
+    /// Coordinates at the start.
+    pub q: Vec<f64>,
+    /// Generalized speeds at the start.
+    pub u: Vec<f64>,
+    /// First and last instant, s.
+    pub span: (f64, f64),
+    /// Relative tolerance of the integration.
+    pub rtol: f64,
+    /// Absolute tolerance of the integration.
+    pub atol: f64,
+    /// The method of integration.
+    pub method: String,
+    /// Steps after which a run is given up.
+    pub step_limit: u64,
+    /// Number of equally spaced samples of the output; by default four points for each step.
+    pub samples: Option<usize>,
+    /// Whether leaving the model's domain ends the run.
+    pub domain_stops: bool,
+    /// What to notice.
+    pub events: Vec<SceneEvent>,
+    /// What to draw.
+    pub figures: Vec<Figure>,
+}
+
+const KEYS: [&str; 9] = ["model", "title", "about", "parameters", "start", "span", "integration", "events", "figures"];
+
+/// The model file that a scene file belongs to: its key `model`, relative to the scene, or
+/// `../model.toml`.
+///
+/// # Errors
+/// [`Diagnostics`] if the scene file is not TOML or its `model` is not a string.
+pub fn model_path(source: &Source) -> Result<PathBuf, Diagnostics> {
+    let (mut reader, table) = Reader::parse(source)?;
+    let stated = reader.get(table.get_ref(), "model").and_then(|v| reader.string(v, "`model`"));
+    reader.finish()?;
+    let folder = source.path.parent().unwrap_or(Path::new("."));
+    let stated = stated.map_or(PathBuf::from("../model.toml"), |s| PathBuf::from(s.text));
+    Ok(if stated.is_absolute() { stated } else { folder.join(stated) })
+}
+
+/// Reads a scene for its model; event functions go to the model's arena.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the scene file.
+pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
+    let (reader, table) = Reader::parse(source)?;
+    let table = table.get_ref();
+    let mut values = Values { reader, model };
+    values.reader.allow(table, "a scene file", &KEYS);
+    let parameters = values.parameters(table);
+    let start = values.section(table, "start");
+    let (q, u) = match (start, &parameters) {
+        (None, _) => {
+            let help = "add [start] with every coordinate and every speed or every q'";
+            values.reader.errors.push(Diagnostic::of_file("the scene has no `start`", help));
+            (Vec::new(), Vec::new())
+        }
+        (Some(start), Some(parameters)) => values.state(start, parameters).unwrap_or_default(),
+        (Some(_), None) => (Vec::new(), Vec::new()),
+    };
+    let p = parameters.clone().unwrap_or_default();
+    let span = values.span(table, &p);
+    let integration = values.section(table, "integration");
+    if let Some(integration) = integration {
+        let keys = ["method", "rtol", "atol", "step_limit", "samples", "domain"];
+        values.reader.allow(integration, "`integration`", &keys);
+    }
+    let rtol = values.tolerance(integration, "rtol", 1e-6, &p);
+    let atol = values.tolerance(integration, "atol", 1e-9, &p);
+    if rtol == 0.0 && atol == 0.0 {
+        let help = "give at least one tolerance above zero";
+        values.reader.errors.push(Diagnostic::of_file("rtol and atol are both zero", help));
+    }
+    let method = values.choice(integration, "method", &["ode45"]).unwrap_or("ode45").to_owned();
+    let domain_stops = values.choice(integration, "domain", &["stop", "watch"]) != Some("watch");
+    let step_limit = values.count(integration, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000);
+    let samples = values.count(integration, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok());
+    let events = values.events(table);
+    let figures = values.figures(table);
+    let title = values.text(table, "title").unwrap_or_default();
+    let about = values.text(table, "about").unwrap_or_default();
+    values.reader.finish()?;
+    Ok(Scene {
+        source: source.clone(),
+        title,
+        about,
+        parameters: p,
+        q,
+        u,
+        span: span.expect("reported if missing"),
+        rtol,
+        atol,
+        method,
+        step_limit,
+        samples,
+        domain_stops,
+        events,
+        figures,
+    })
+}
+
+/// One instant: parameters, coordinates and generalized speeds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Values of the parameters, in the order of the model.
+    pub parameters: Vec<f64>,
+    /// Coordinates.
+    pub q: Vec<f64>,
+    /// Generalized speeds.
+    pub u: Vec<f64>,
+}
+
+/// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the file.
+pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnostics> {
+    let (reader, table) = Reader::parse(source)?;
+    let table = table.get_ref();
+    let mut values = Values { reader, model };
+    values.reader.allow(table, "a state file", &["parameters", "state"]);
+    let parameters = values.parameters(table);
+    let state = values.section(table, "state");
+    if state.is_none() {
+        let help = "add [state] with every coordinate and every speed or every q'";
+        values.reader.errors.push(Diagnostic::of_file("the file has no `state`", help));
+    }
+    let state = state.and_then(|state| values.state(state, parameters.as_ref()?));
+    values.reader.finish()?;
+    let (q, u) = state.expect("reported if missing");
+    Ok(State { parameters: parameters.expect("reported if missing"), q, u })
+}
+
+impl<'a> Values<'a, '_> {
+    fn span(&mut self, table: &'a DeTable<'a>, p: &[f64]) -> Option<(f64, f64)> {
+        let Some(value) = self.reader.get(table, "span") else {
+            let help = "add span = [0, 1], in seconds";
+            self.reader.errors.push(Diagnostic::of_file("the scene has no `span`", help));
+            return None;
+        };
+        let DeValue::Array(array) = value.get_ref() else {
+            self.reader.error(value.span(), "`span` must be two instants", "write span = [0, 1], in seconds");
+            return None;
+        };
+        let ends: Vec<Option<f64>> = array
+            .iter()
+            .map(|v| {
+                let formula = self.reader.formula(v, "an instant")?;
+                self.number(&formula, p, "an instant")
+            })
+            .collect();
+        let [from, to] = ends.as_slice() else {
+            let message = format!("`span` has {} values, not 2", ends.len());
+            self.reader.error(value.span(), message, "write span = [0, 1], in seconds");
+            return None;
+        };
+        let (from, to) = ((*from)?, (*to)?);
+        if from - to == 0.0 {
+            self.reader.error(value.span(), "the span is empty", "let the last instant differ from the first");
+            return None;
+        }
+        Some((from, to))
+    }
+
+    fn tolerance(&mut self, section: Option<&'a DeTable<'a>>, key: &str, default: f64, p: &[f64]) -> f64 {
+        let Some(value) = section.and_then(|s| self.reader.get(s, key)) else { return default };
+        let Some(formula) = self.reader.formula(value, &format!("`{key}`")) else { return default };
+        let Some(number) = self.number(&formula, p, "a tolerance") else { return default };
+        if number < 0.0 {
+            self.reader.error(formula.span, format!("`{key}` is negative"), "a tolerance is zero or above");
+        }
+        number
+    }
+
+    fn choice(
+        &mut self,
+        section: Option<&'a DeTable<'a>>,
+        key: &str,
+        allowed: &[&'static str],
+    ) -> Option<&'static str> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let text = self.reader.string(value, &format!("`{key}`"))?;
+        let found = allowed.iter().find(|a| **a == text.text).copied();
+        if found.is_none() {
+            let help = crate::diagnostic::nearest(&text.text, allowed.iter().copied());
+            self.reader.error(text.span, format!("`{}` is not a value of `{key}`", text.text), help);
+        }
+        found
+    }
+
+    fn count(&mut self, section: Option<&'a DeTable<'a>>, key: &str, least: u64, most: u64) -> Option<u64> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let number = match value.get_ref() {
+            DeValue::Integer(n) if n.radix() == 10 => n.as_str().replace('_', "").parse::<u64>().ok(),
+            _ => None,
+        };
+        let number = number.filter(|n| (least..=most).contains(n));
+        if number.is_none() {
+            let help = format!("write a whole number from {least} to {most}");
+            self.reader.error(value.span(), format!("`{key}` is out of range"), help);
+        }
+        number
+    }
+
+    /// The entries of an array of tables.
+    fn entries(&mut self, table: &'a DeTable<'a>, key: &str) -> Vec<(&'a DeTable<'a>, &'a Spanned<DeValue<'a>>)> {
+        let Some(value) = self.reader.get(table, key) else { return Vec::new() };
+        let DeValue::Array(array) = value.get_ref() else {
+            let help = format!("write each as [[{key}]]");
+            self.reader.error(value.span(), format!("`{key}` must be a list of tables"), help);
+            return Vec::new();
+        };
+        array
+            .iter()
+            .filter_map(|v| Some((self.reader.table(v, &format!("an entry of `{key}`"), &format!("[[{key}]]"))?, v)))
+            .collect()
+    }
+
+    fn events(&mut self, table: &'a DeTable<'a>) -> Vec<SceneEvent> {
+        let mut events: Vec<SceneEvent> = Vec::new();
+        for (entry, value) in self.entries(table, "events") {
+            self.reader.allow(entry, "an event", &["name", "zero", "direction", "terminal", "about"]);
+            let name = self.reader.need(entry, "name", "an event", &value.span());
+            let name = name.and_then(|v| self.reader.string(v, "an event's name"));
+            let zero = self.reader.need(entry, "zero", "an event", &value.span());
+            let zero = zero.and_then(|v| self.reader.formula(v, "an event function"));
+            let function = zero.and_then(|f| self.motion_formula(&f));
+            let direction = self.choice(Some(entry), "direction", &["rising", "falling", "either"]);
+            let terminal = self.reader.get(entry, "terminal").and_then(|v| self.reader.boolean(v, "`terminal`"));
+            let crossing = match direction {
+                Some("rising") => Crossing::Rising,
+                Some("falling") => Crossing::Falling,
+                _ => Crossing::Either,
+            };
+            let (Some(name), Some(function)) = (name, function) else { continue };
+            if events.iter().any(|e| e.name == name.text) {
+                self.reader.error(
+                    name.span,
+                    format!("the event `{}` is declared twice", name.text),
+                    "rename one of them",
+                );
+                continue;
+            }
+            events.push(SceneEvent { name: name.text, function, crossing, terminal: terminal.unwrap_or(false) });
+        }
+        events
+    }
+
+    fn figures(&mut self, table: &'a DeTable<'a>) -> Vec<Figure> {
+        let mut figures = Vec::new();
+        for (entry, value) in self.entries(table, "figures") {
+            self.reader.allow(entry, "a figure", &["kind", "caption"]);
+            if self.reader.need(entry, "kind", "a figure", &value.span()).is_none() {
+                continue;
+            }
+            let kind = match self.choice(Some(entry), "kind", &["energy", "states"]) {
+                Some("energy") => FigureKind::Energy,
+                Some(_) => FigureKind::States,
+                None => continue,
+            };
+            figures.push(Figure { kind, caption: self.text(entry, "caption").unwrap_or_default() });
+        }
+        figures
+    }
+
+    fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
+        let value = self.reader.get(table, key)?;
+        let text: Located = self.reader.string(value, &format!("`{key}`"))?;
+        Some(text.text)
+    }
+}

@@ -1,0 +1,236 @@
+//! Numbers in scene and state files: exact formulas in parameters, evaluated once.
+
+use crate::algebra::evaluate::Tape;
+use crate::algebra::parse::parse;
+use crate::algebra::{Expr, Rational};
+use crate::diagnostic::nearest;
+use crate::model::Model;
+use crate::read::{Located, Reader};
+use toml::de::DeTable;
+
+/// Reads values that belong to a model.
+pub struct Values<'a, 'm> {
+    pub reader: Reader<'a>,
+    pub model: &'m mut Model,
+}
+
+/// How far a stated constrained variable may be from where its constraint puts it.
+const RESIDUAL: f64 = 1e-9;
+
+impl<'a> Values<'a, '_> {
+    /// A table under a key, if there is one.
+    pub fn section(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<&'a DeTable<'a>> {
+        let value = self.reader.get(table, key)?;
+        self.reader.table(value, &format!("`{key}`"), &format!("[{key}]"))
+    }
+
+    /// Values of all parameters: those stated, the model's defaults for the rest.
+    pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Option<Vec<f64>> {
+        let mut values: Vec<Option<f64>> =
+            self.model.parameters.iter().map(|p| p.value.as_ref().map(Rational::to_f64)).collect();
+        let section = self.section(table, "parameters");
+        for (name, value) in section.map_or(Vec::new(), |s| self.reader.entries(s)) {
+            let Some(at) = self.model.parameters.iter().position(|p| p.name == name.text) else {
+                let help = nearest(&name.text, self.model.parameters.iter().map(|p| p.name.as_str()));
+                self.reader.error(name.span, format!("the model has no parameter `{}`", name.text), help);
+                continue;
+            };
+            let Some(formula) = self.reader.formula(value, "a parameter's value") else { continue };
+            let Some(number) = self.constant(&formula) else { continue };
+            let parameter = &self.model.parameters[at];
+            if parameter.positive && number <= 0.0 {
+                let message = format!("`{}` is stated to be positive but is {number}", parameter.name);
+                self.reader.error(formula.span, message, "give a value above zero");
+            }
+            values[at] = Some(number);
+        }
+        for (parameter, value) in self.model.parameters.iter().zip(&values) {
+            if value.is_none() {
+                let message = format!("the parameter `{}` has no value", parameter.name);
+                let help = "give it in [parameters], or a default in the model file";
+                self.reader.errors.push(crate::diagnostic::Diagnostic::of_file(message, help));
+            }
+        }
+        values.into_iter().collect()
+    }
+
+    /// Every coordinate, and every speed or every q′: as (q, u).
+    pub fn state(&mut self, table: &'a DeTable<'a>, parameters: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let before = self.reader.errors.len();
+        let n = self.model.coordinates.len();
+        let (mut q, mut rates, mut u) = (vec![None; n], vec![None; n], vec![None; n]);
+        let mut constrained = Vec::new();
+        for (name, value) in self.reader.entries(table) {
+            let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) else { continue };
+            let Some(number) = self.number(&formula, parameters, "a value at the start") else { continue };
+            let model = &self.model;
+            let rate = name.text.strip_suffix('\'');
+            if let Some(at) = model.coordinates.iter().position(|c| c.name == name.text) {
+                q[at] = Some(number);
+            } else if let Some(at) = rate.and_then(|r| model.coordinates.iter().position(|c| c.name == r)) {
+                rates[at] = Some((number, name));
+            } else if let Some(at) = model.speeds.iter().position(|s| s.name == name.text) {
+                u[at] = Some((number, name));
+            } else if let Some(at) = model.constraints.iter().position(|c| c.fixes == name.text) {
+                constrained.push((at, number, formula.span));
+            } else {
+                let rates: Vec<String> = model.coordinates.iter().map(|c| format!("{}'", c.name)).collect();
+                let known = model.coordinates.iter().map(|c| c.name.as_str());
+                let known =
+                    known.chain(rates.iter().map(String::as_str)).chain(model.speeds.iter().map(|s| s.name.as_str()));
+                let help = nearest(&name.text, known);
+                self.reader.error(name.span, format!("the model has no coordinate or speed `{}`", name.text), help);
+            }
+        }
+        if self.reader.errors.len() > before {
+            return None;
+        }
+        self.complete(table, &q, &rates, &u)?;
+        let q: Vec<f64> = q.into_iter().flatten().collect();
+        self.check_constrained(&constrained, parameters, &q);
+        let given =
+            |list: Vec<Option<(f64, Located)>>| list.into_iter().flatten().map(|(x, _)| x).collect::<Vec<f64>>();
+        let (rates, u) = (given(rates), given(u));
+        let u = if rates.is_empty() { u } else { self.speeds_from_rates(parameters, &q, &rates) };
+        if let Some(at) = u.iter().position(|x| !x.is_finite()) {
+            let message = format!("the speed `{}` is not finite at this state", self.model.speeds[at].name);
+            self.reader.errors.push(crate::diagnostic::Diagnostic::of_file(message, "choose another state"));
+            return None;
+        }
+        Some((q, u))
+    }
+
+    /// Reports what is missing; speeds and rates must not be mixed.
+    fn complete(
+        &mut self,
+        table: &'a DeTable<'a>,
+        q: &[Option<f64>],
+        rates: &[Option<(f64, Located)>],
+        u: &[Option<(f64, Located)>],
+    ) -> Option<()> {
+        let model = &self.model;
+        let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
+        let mut missing: Vec<String> =
+            model.coordinates.iter().zip(q).filter(|(_, x)| x.is_none()).map(|(c, _)| c.name.clone()).collect();
+        let by_rate = rates.iter().any(Option::is_some);
+        let by_speed = u.iter().flatten().next();
+        if let (true, Some((_, name))) = (by_rate, by_speed) {
+            let help = "state every speed or every q', not some of both: the others follow from the definitions";
+            self.reader.error(name.span.clone(), "speeds and time derivatives are mixed", help);
+            return None;
+        }
+        if by_rate {
+            let names = model.coordinates.iter().zip(rates).filter(|(_, x)| x.is_none());
+            missing.extend(names.map(|(c, _)| format!("{}'", c.name)));
+        } else {
+            let names = model.speeds.iter().zip(u).filter(|(_, x)| x.is_none());
+            missing.extend(names.map(|(s, _)| s.name.clone()));
+        }
+        if missing.is_empty() {
+            return Some(());
+        }
+        let message = format!("no value for {}", missing.join(", "));
+        self.reader.error(place, message, "give every coordinate, and every speed or every q'");
+        None
+    }
+
+    fn check_constrained(&mut self, stated: &[(usize, f64, std::ops::Range<usize>)], parameters: &[f64], q: &[f64]) {
+        for (at, number, span) in stated {
+            let constraint = self.model.constraints[*at].clone();
+            let inputs = [parameters, q].concat();
+            let symbols = [self.model.p(), self.model.q()].concat();
+            let Ok(tape) = Tape::new(&self.model.arena, &symbols, &[constraint.value]) else { continue };
+            let value = tape.evaluate(&inputs)[0];
+            let residual = number - value;
+            if residual.is_nan() || residual.abs() > RESIDUAL * (1.0 + value.abs()) {
+                let message = format!(
+                    "the constraint `{}` is broken: `{}` is off by {residual:e}",
+                    constraint.name, constraint.fixes
+                );
+                let help = format!("leave `{}` out, or state {value}", constraint.fixes);
+                self.reader.error(span.clone(), message, help);
+            }
+        }
+    }
+
+    fn speeds_from_rates(&self, parameters: &[f64], q: &[f64], rates: &[f64]) -> Vec<f64> {
+        let inputs = [parameters, q, rates].concat();
+        let symbols = [self.model.p(), self.model.q(), self.model.q_dot()].concat();
+        let definitions: Vec<Expr> = self.model.speeds.iter().map(|s| s.definition).collect();
+        match Tape::new(&self.model.arena, &symbols, &definitions) {
+            Ok(tape) => tape.evaluate(&inputs),
+            Err(unknown) => unreachable!("speeds are defined by coordinates and rates, not by {}", unknown.0),
+        }
+    }
+
+    /// A formula of numbers, `deg` and `pi`.
+    pub fn constant(&mut self, formula: &Located) -> Option<f64> {
+        self.evaluate(formula, &[], "a parameter's value")
+    }
+
+    /// A formula of numbers, `deg`, `pi` and parameters.
+    pub fn number(&mut self, formula: &Located, parameters: &[f64], what: &str) -> Option<f64> {
+        self.evaluate(formula, parameters, what)
+    }
+
+    fn evaluate(&mut self, formula: &Located, parameters: &[f64], what: &str) -> Option<f64> {
+        let model = &mut *self.model;
+        let known: Vec<(String, Expr)> =
+            model.parameters.iter().take(parameters.len()).map(|p| (p.name.clone(), p.symbol)).collect();
+        let result = parse(&mut model.arena, &formula.text, &mut |arena, name| {
+            if name == "deg" {
+                let pi = arena.pi();
+                return Ok(arena.scale(pi, &Rational::fraction(1, 180).expect("not zero")));
+            }
+            if let Some((_, symbol)) = known.iter().find(|(n, _)| n == name) {
+                return Ok(*symbol);
+            }
+            let names = known.iter().map(|(n, _)| n.as_str()).chain(["deg", "pi"]);
+            Err((format!("`{name}` cannot stand in {what}"), Some(nearest(name, names))))
+        });
+        let e = match result {
+            Ok(e) => e,
+            Err(error) => {
+                self.reader.error(formula.part(error.span), error.message, error.help.unwrap_or_default());
+                return None;
+            }
+        };
+        let symbols: Vec<Expr> = known.iter().map(|(_, e)| *e).collect();
+        let value = Tape::new(&model.arena, &symbols, &[e]).ok()?.evaluate(parameters)[0];
+        if !value.is_finite() {
+            self.reader.error(
+                formula.span.clone(),
+                format!("{what} is {value}, not a finite number"),
+                "give a finite number",
+            );
+            return None;
+        }
+        Some(value)
+    }
+
+    /// A formula in everything that has a value during a run.
+    pub fn motion_formula(&mut self, formula: &Located) -> Option<Expr> {
+        let model = &mut *self.model;
+        let mut known: Vec<(String, Expr)> = Vec::new();
+        known.extend(model.parameters.iter().map(|p| (p.name.clone(), p.symbol)));
+        known.extend(
+            model.coordinates.iter().flat_map(|c| [(c.name.clone(), c.symbol), (format!("{}'", c.name), c.rate)]),
+        );
+        known.extend(model.speeds.iter().map(|s| (s.name.clone(), s.symbol)));
+        known.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
+        known.extend(model.constraints.iter().map(|c| (c.fixes.clone(), c.value)));
+        let result = parse(&mut model.arena, &formula.text, &mut |_, name| {
+            let found = known.iter().find(|(n, _)| n == name).map(|(_, e)| *e);
+            found.ok_or_else(|| {
+                (format!("unknown name `{name}`"), Some(nearest(name, known.iter().map(|(n, _)| n.as_str()))))
+            })
+        });
+        match result {
+            Ok(e) => Some(e),
+            Err(error) => {
+                self.reader.error(formula.part(error.span), error.message, error.help.unwrap_or_default());
+                None
+            }
+        }
+    }
+}
