@@ -1,0 +1,171 @@
+//! One generated function: signature, body, cost.
+
+use crate::formulation::field_name;
+use crate::program::{Output, input_name, program};
+use crate::tokens::{Cost, section, statements};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::{Equations, Formulation, Model};
+
+/// The arguments a generated function reads.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Arguments {
+    /// (p, q, v)
+    State,
+    /// (p, q, u)
+    Speeds,
+    /// (p, q, v, v̇)
+    StateAndRates,
+    /// (p, q)
+    Configuration,
+}
+
+/// What a generated function returns.
+#[derive(Clone, Copy)]
+pub enum Returns {
+    /// One number.
+    Number,
+    /// An array of this many.
+    Vector,
+    /// A square array, row by row; symmetric ones are computed from their upper triangle.
+    Matrix { symmetric: bool },
+}
+
+/// A value to be computed: its variable, its name in comments, its expression.
+pub type Value = (String, String, Expr);
+
+/// Writes the functions of one formulation.
+pub struct Writer<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// The store of its terms.
+    pub arena: &'a Arena,
+    /// The equations.
+    pub equations: &'a Equations,
+}
+
+/// A generated function.
+pub struct Function {
+    /// Its text.
+    pub tokens: TokenStream,
+    /// Its name.
+    pub name: &'static str,
+    /// What a call costs.
+    pub cost: Cost,
+}
+
+impl Writer<'_> {
+    /// One generated function: zeros are written as such, and the lower triangle of a symmetric matrix
+    /// is its upper one.
+    pub fn function(
+        &self,
+        name: &'static str,
+        about: &str,
+        arguments: Arguments,
+        returns: Returns,
+        values: &[Value],
+    ) -> Function {
+        let side = values.len().isqrt();
+        let mirrored = |at: usize| matches!(returns, Returns::Matrix { symmetric: true }) && at % side < at / side;
+        let wanted = |at: usize| !mirrored(at) && values[at].2 != Expr::ZERO;
+        let outputs: Vec<Output> = (0..values.len())
+            .filter(|at| wanted(*at))
+            .map(|at| Output { name: values[at].0.clone(), label: values[at].1.clone(), value: values[at].2 })
+            .collect();
+        let program = program(self.arena, &outputs);
+        let mut cost = Cost::default();
+        let head = statements(&program, &mut cost);
+        let heading = match returns {
+            Returns::Matrix { symmetric: true } => "Entries that are not zero; upper triangle.",
+            Returns::Matrix { .. } => "Entries that are not zero.",
+            _ => "Values.",
+        };
+        let body = section(heading, &program.outputs, &mut cost);
+        let entry = |at: usize| {
+            let at = if mirrored(at) { (at % side) * side + at / side } else { at };
+            if values[at].2 == Expr::ZERO { format_ident!("zero") } else { format_ident!("{}", values[at].0) }
+        };
+        let has_zero = (0..values.len()).any(|at| values[at].2 == Expr::ZERO);
+        let zero = if has_zero { quote!(let zero = S::int(0);) } else { TokenStream::new() };
+        let count = Literal::usize_unsuffixed(values.len());
+        let (kind, result) = match returns {
+            Returns::Number => {
+                let value = entry(0);
+                (quote!(S), quote!(#value))
+            }
+            Returns::Vector => {
+                let entries = (0..values.len()).map(entry);
+                (quote!([S; #count]), quote!([#(#entries),*]))
+            }
+            Returns::Matrix { .. } => {
+                let rows = (0..side).map(|i| {
+                    let entries = (0..side).map(|j| entry(i * side + j));
+                    quote!([#(#entries),*])
+                });
+                let order = Literal::usize_unsuffixed(side);
+                (quote!([[S; #order]; #order]), quote!([#(#rows),*]))
+            }
+        };
+        let (signature, unpack) = self.arguments(arguments, &program.inputs);
+        let function = format_ident!("{name}");
+        let (about, cost_line) = (format!(" {about}"), format!(" {cost}."));
+        let tokens = quote! {
+            #[doc = #about]
+            #[doc = ""]
+            #[doc = #cost_line]
+            #[must_use]
+            pub fn #function<S: Scalar>(#signature) -> #kind {
+                #unpack
+                #zero
+                #head
+                #body
+                #result
+            }
+        };
+        Function { tokens, name, cost }
+    }
+
+    /// The argument list and the statements that unpack what is used.
+    fn arguments(&self, arguments: Arguments, inputs: &rustc_hash::FxHashSet<Expr>) -> (TokenStream, TokenStream) {
+        let unpack_array = |symbols: &[Expr], argument: &str| {
+            let patterns = symbols.iter().map(|s| {
+                if inputs.contains(s) {
+                    let name = format_ident!("{}", input_name(self.arena.symbol_name(*s).unwrap_or_default()));
+                    quote!(#name)
+                } else {
+                    quote!(_)
+                }
+            });
+            let used = symbols.iter().any(|s| inputs.contains(s));
+            let argument_name = format_ident!("{}{argument}", if used { "" } else { "_" });
+            let statement = if used { quote!(let [#(#patterns),*] = *#argument_name;) } else { TokenStream::new() };
+            let count = Literal::usize_unsuffixed(symbols.len());
+            (quote!(#argument_name: &[S; #count]), statement)
+        };
+        let used: Vec<&str> =
+            self.model.parameters.iter().filter(|p| inputs.contains(&p.symbol)).map(|p| p.name.as_str()).collect();
+        let fields = used.iter().map(|name| {
+            let (field, variable) = (field_name(name), format_ident!("{}", input_name(name)));
+            if field == variable { quote!(#field) } else { quote!(#field: #variable) }
+        });
+        let rest = if used.len() < self.model.parameters.len() { quote!(, ..) } else { TokenStream::new() };
+        let (p, p_unpack) = if used.is_empty() {
+            (format_ident!("_p"), TokenStream::new())
+        } else {
+            (format_ident!("p"), quote!(let Parameters { #(#fields),* #rest } = *p;))
+        };
+        let (q, q_unpack) = unpack_array(&self.model.q(), "q");
+        let variables_name = if self.equations.formulation == Formulation::Lagrange { "q_dot" } else { "u" };
+        let (v, v_unpack) = unpack_array(&self.equations.variables, variables_name);
+        let (u, u_unpack) = unpack_array(&self.model.u(), "u");
+        let (a, a_unpack) = unpack_array(&self.equations.unknowns, "v_dot");
+        let p = quote!(#p: &Parameters<S>);
+        match arguments {
+            Arguments::State => (quote!(#p, #q, #v), quote!(#p_unpack #q_unpack #v_unpack)),
+            Arguments::Speeds => (quote!(#p, #q, #u), quote!(#p_unpack #q_unpack #u_unpack)),
+            Arguments::Configuration => (quote!(#p, #q), quote!(#p_unpack #q_unpack)),
+            Arguments::StateAndRates => (quote!(#p, #q, #v, #a), quote!(#p_unpack #q_unpack #v_unpack #a_unpack)),
+        }
+    }
+}

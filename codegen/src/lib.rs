@@ -1,0 +1,15 @@
+//! Equations to readable Rust, the same bytes for the same model text on every machine.
+//!
+//! The flow: [`tripos_derive::Equations`] → [`program::Program`] (ordered, shared, named) → tokens →
+//! text through prettyplease → [`workspace::Generated`] files. Nothing here reads a clock, an
+//! environment variable or a hash map's order.
+
+pub mod formulation;
+mod function;
+mod module;
+pub mod program;
+mod system;
+pub mod tokens;
+pub mod workspace;
+
+pub use workspace::{Difference, Freshness, Generated, freshness};

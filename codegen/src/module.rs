@@ -1,0 +1,90 @@
+//! The `mod.rs` of one model: its parameters, its names, its formulations.
+
+use crate::formulation::{field_name, module_name, type_name};
+use crate::tokens::format;
+use proc_macro2::Literal;
+use quote::{format_ident, quote};
+use tripos_derive::{Formulation, Model};
+
+/// Emits `mod.rs`.
+pub fn file(model: &Model, folder: &str, formulations: &[Formulation]) -> String {
+    let header = vec![
+        format!("{}.", model.title),
+        String::new(),
+        format!("Generated from `models/{folder}/model.toml`. Do not edit; run `tripos regenerate`."),
+        format!("{}.", model.count()),
+    ];
+    let modules = formulations.iter().map(|f| {
+        let name = format_ident!("{}", module_name(*f));
+        quote!(#[rustfmt::skip] pub mod #name;)
+    });
+    let count = model.parameters.len();
+    let fields = model.parameters.iter().map(|p| {
+        let name = field_name(&p.name);
+        let about = if p.about.is_empty() { "parameter" } else { &p.about };
+        let text = format!(" {about}, {}", p.unit);
+        quote!(#[doc = #text] pub #name: S)
+    });
+    let from = model.parameters.iter().enumerate().map(|(at, p)| {
+        let (name, at) = (field_name(&p.name), Literal::usize_unsuffixed(at));
+        quote!(#name: p[#at])
+    });
+    let names = |list: Vec<&str>| {
+        let count = Literal::usize_unsuffixed(list.len());
+        (quote!([&str; #count]), quote!([#(#list),*]))
+    };
+    let (parameter_type, parameters) = names(model.parameters.iter().map(|p| p.name.as_str()).collect());
+    let (coordinate_type, coordinates) = names(model.coordinates.iter().map(|c| c.name.as_str()).collect());
+    let (speed_type, speeds) = names(model.speeds.iter().map(|s| s.name.as_str()).collect());
+    let systems = formulations.iter().map(|f| {
+        let (module, name) = (format_ident!("{}", module_name(*f)), format_ident!("{}", type_name(*f)));
+        let formulation = f.name();
+        quote!((#formulation, &#module::#name))
+    });
+    let hash = model.text_hash();
+    let unused = if count == 0 { quote!(_p) } else { quote!(p) };
+    let phantom = if count == 0 {
+        quote!(#[doc = " A model without parameters."] pub none: core::marker::PhantomData<S>)
+    } else {
+        quote!()
+    };
+    let phantom_value = if count == 0 { quote!(none: core::marker::PhantomData) } else { quote!() };
+    let items = quote! {
+        #(#modules)*
+
+        use tripos_traits::{CompiledModel, Scalar};
+
+        #[doc = " The parameters, in the order of the model file."]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Parameters<S> {
+            #(#fields,)*
+            #phantom
+        }
+
+        impl<S: Scalar> Parameters<S> {
+            #[doc = " From values in the order of [`PARAMETERS`]."]
+            #[doc = ""]
+            #[doc = " # Panics"]
+            #[doc = " If `p` has fewer values than there are parameters."]
+            #[must_use]
+            pub fn from_slice(#unused: &[S]) -> Self {
+                Self { #(#from,)* #phantom_value }
+            }
+        }
+
+        #[doc = " Names of the parameters."]
+        pub const PARAMETERS: #parameter_type = #parameters;
+        #[doc = " Names of the generalized coordinates."]
+        pub const COORDINATES: #coordinate_type = #coordinates;
+        #[doc = " Names of the generalized speeds."]
+        pub const SPEEDS: #speed_type = #speeds;
+
+        #[doc = " What a program needs to find these equations and to trust them."]
+        pub const MODEL: CompiledModel = CompiledModel {
+            name: #folder,
+            text_hash: #hash,
+            systems: &[#(#systems),*],
+        };
+    };
+    format(&header, items)
+}

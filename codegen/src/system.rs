@@ -1,0 +1,81 @@
+//! The `System` that hands the simulator's slices to the generated functions.
+
+use crate::formulation::type_name;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+use tripos_derive::{Equations, Formulation, Model};
+
+/// The `System` that hands slices to the functions above.
+pub fn system(model: &Model, e: &Equations) -> TokenStream {
+    let name = format_ident!("{}", type_name(e.formulation));
+    let about = format!(" {} of this model as a [`System`].", e.formulation.title());
+    let symmetric = e.symmetric;
+    let [parameters, n, m, reactions] =
+        [model.parameters.len(), model.coordinates.len(), e.variables.len(), e.unknowns.len() - e.variables.len()]
+            .map(Literal::usize_unsuffixed);
+    let lagrange = e.formulation == Formulation::Lagrange;
+    let from = |argument: &str| {
+        let argument = format_ident!("{argument}");
+        quote!(array(#argument))
+    };
+    let (q, v, u, v_dot) = (from("q"), from("v"), from("u"), from("v_dot"));
+    let state = quote!(&Parameters::from_slice(p), #q, #v);
+    let conversions = if lagrange {
+        quote! {
+            fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(&generalized_speeds(#state));
+            }
+            fn generalized_speed_rates(&self, p: &[S], q: &[S], v: &[S], v_dot: &[S], out: &mut [S]) {
+                out.copy_from_slice(&generalized_speed_rates(#state, #v_dot));
+            }
+            fn motion_variables(&self, p: &[S], q: &[S], u: &[S], out: &mut [S]) {
+                out.copy_from_slice(&motion_variables(&Parameters::from_slice(p), #q, #u));
+            }
+        }
+    } else {
+        quote! {
+            fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(v);
+            }
+            fn generalized_speed_rates(&self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S], out: &mut [S]) {
+                out.copy_from_slice(v_dot);
+            }
+            fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+                out.copy_from_slice(u);
+            }
+        }
+    };
+    quote! {
+        #[doc = #about]
+        #[derive(Clone, Copy, Debug)]
+        pub struct #name;
+
+        impl<S: Scalar> System<S> for #name {
+            fn parameters(&self) -> usize { #parameters }
+            fn coordinates(&self) -> usize { #n }
+            fn speeds(&self) -> usize { #m }
+            fn reactions(&self) -> usize { #reactions }
+            fn symmetric(&self) -> bool { #symmetric }
+            fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(&coordinate_rates(#state));
+            }
+            fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(mass_matrix(#state).as_flattened());
+            }
+            fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(&forcing(#state));
+            }
+            #conversions
+            fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+                kinetic_energy(#state)
+            }
+            fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+                potential_energy(&Parameters::from_slice(p), #q)
+            }
+        }
+
+        fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+            slice.try_into().expect("a slice of the length that System states")
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! Formulas as Rust tokens, and formatted text with comments.
+
+use crate::program::{Program, Statement, input_name};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use std::fmt::Write;
+use tripos_derive::algebra::view::View;
+
+/// What a piece of generated code costs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Additions, subtractions, multiplications, divisions and sign changes.
+    pub operations: usize,
+    /// Pairs of sine and cosine.
+    pub sincos: usize,
+    /// Other function values.
+    pub functions: usize,
+}
+
+impl std::fmt::Display for Cost {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let plural = |n: usize, one: &str, many: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {many}") };
+        f.write_str(&plural(self.operations, "operation", "operations"))?;
+        if self.sincos > 0 {
+            write!(f, ", {}", plural(self.sincos, "sine and cosine", "sines and cosines"))?;
+        }
+        if self.functions > 0 {
+            write!(f, ", {}", plural(self.functions, "other function", "other functions"))?;
+        }
+        Ok(())
+    }
+}
+
+/// A formula as an expression of the scalar type `S`; its operations are added to `cost`.
+pub fn expression(view: &View, cost: &mut Cost) -> TokenStream {
+    match view {
+        View::Number(text) => number(text, "1"),
+        View::Name(name) => ident(&input_name(name)),
+        View::Shared(name) => ident(name),
+        View::Pi => quote!(S::from_f64(core::f64::consts::PI)),
+        View::Sum(terms) => sum(terms, cost),
+        View::Product(factors) => product(factors, cost),
+        View::Fraction(above, below) => fraction(above, below, cost),
+        View::Power(base, n) => power(base, *n, cost),
+        View::Call(name, argument) => {
+            cost.functions += 1;
+            let argument = receiver(argument, cost);
+            let method = format_ident!("{}", if *name == "log" { "ln" } else { name });
+            quote!(#argument.#method())
+        }
+        View::Root(argument) => {
+            cost.functions += 1;
+            let argument = receiver(argument, cost);
+            quote!(#argument.sqrt())
+        }
+        View::Cut => quote!(compile_error!("formula too large")),
+    }
+}
+
+fn ident(name: &str) -> TokenStream {
+    let ident = format_ident!("{name}");
+    quote!(#ident)
+}
+
+/// An exact constant; whole where the denominator is 1.
+fn number(numerator: &str, denominator: &str) -> TokenStream {
+    match (numerator.parse::<i64>(), denominator.parse::<i64>()) {
+        (Ok(n), Ok(1)) => {
+            let n = proc_macro2::Literal::i64_unsuffixed(n);
+            quote!(S::int(#n))
+        }
+        (Ok(n), Ok(d)) => {
+            let (n, d) = (proc_macro2::Literal::i64_unsuffixed(n), proc_macro2::Literal::i64_unsuffixed(d));
+            quote!(S::ratio(#n, #d))
+        }
+        // Too large for a word: the decimal digits, correctly rounded by the compiler.
+        _ => {
+            let above: proc_macro2::Literal = literal(numerator);
+            let below: proc_macro2::Literal = literal(denominator);
+            quote!((S::from_f64(#above) / S::from_f64(#below)))
+        }
+    }
+}
+
+fn literal(digits: &str) -> proc_macro2::Literal {
+    format!("{digits}.0").parse().expect("digits make a literal")
+}
+
+fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    for (at, (negative, term)) in terms.iter().enumerate() {
+        let loose = matches!(term, View::Sum(_));
+        let term = expression(term, cost);
+        let term = if loose { quote!((#term)) } else { term };
+        cost.operations += usize::from(at > 0 || *negative);
+        match (at, negative) {
+            (0, false) => tokens.extend(term),
+            (_, true) => tokens.extend(quote!(- #term)),
+            (_, false) => tokens.extend(quote!(+ #term)),
+        }
+    }
+    tokens
+}
+
+fn factor(view: &View, cost: &mut Cost) -> TokenStream {
+    let tokens = expression(view, cost);
+    if matches!(view, View::Sum(_) | View::Fraction(..)) { quote!((#tokens)) } else { tokens }
+}
+
+/// A formula that a method is called on.
+fn receiver(view: &View, cost: &mut Cost) -> TokenStream {
+    let tokens = expression(view, cost);
+    if matches!(view, View::Name(_) | View::Shared(_) | View::Call(..) | View::Root(_)) {
+        tokens
+    } else {
+        quote!((#tokens))
+    }
+}
+
+fn product(factors: &[View], cost: &mut Cost) -> TokenStream {
+    cost.operations += factors.len().saturating_sub(1);
+    let factors = factors.iter().map(|f| factor(f, cost)).collect::<Vec<_>>();
+    join_products(&factors)
+}
+
+fn join_products(factors: &[TokenStream]) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    for (at, factor) in factors.iter().enumerate() {
+        if at > 0 {
+            tokens.extend(quote!(*));
+        }
+        tokens.extend(factor.clone());
+    }
+    tokens
+}
+
+/// above / below, with the whole numbers of both merged into one exact constant.
+fn fraction(above: &View, below: &View, cost: &mut Cost) -> TokenStream {
+    let (n, above) = split_number(above);
+    let (d, below) = split_number(below);
+    let mut factors: Vec<TokenStream> = Vec::new();
+    if n != "1" || d != "1" || above.is_empty() {
+        factors.push(number(&n, &d));
+    }
+    factors.extend(above.iter().map(|f| factor(f, cost)));
+    cost.operations += factors.len() - 1;
+    let numerator = join_products(&factors);
+    match below.as_slice() {
+        [] => numerator,
+        [one] => {
+            cost.operations += 1;
+            let product = matches!(one, View::Power(..));
+            let one = factor(one, cost);
+            // A power may be written as a product, which binds no tighter than the division.
+            if product { quote!(#numerator / (#one)) } else { quote!(#numerator / #one) }
+        }
+        many => {
+            cost.operations += many.len();
+            let many: Vec<TokenStream> = many.iter().map(|f| factor(f, cost)).collect();
+            let denominator = join_products(&many);
+            quote!(#numerator / (#denominator))
+        }
+    }
+}
+
+/// The leading whole number of a product, and the other factors.
+fn split_number(view: &View) -> (String, Vec<View>) {
+    match view {
+        View::Number(text) => (text.clone(), Vec::new()),
+        View::Product(factors) => match &factors[0] {
+            View::Number(text) => (text.clone(), factors[1..].to_vec()),
+            _ => ("1".to_owned(), factors.clone()),
+        },
+        other => ("1".to_owned(), vec![other.clone()]),
+    }
+}
+
+/// Squares and cubes of a variable as products, other powers by `powi`.
+fn power(base: &View, n: i32, cost: &mut Cost) -> TokenStream {
+    let plain = matches!(base, View::Name(_) | View::Shared(_));
+    let tokens = receiver(base, cost);
+    if plain && (2..=3).contains(&n) {
+        let count = usize::try_from(n).unwrap_or(2);
+        cost.operations += count - 1;
+        return join_products(&vec![tokens; count]);
+    }
+    let bits = n.unsigned_abs().ilog2();
+    cost.operations += (bits + n.unsigned_abs().count_ones() - 1) as usize;
+    let n = proc_macro2::Literal::i32_unsuffixed(n);
+    quote!(#tokens.powi(#n))
+}
+
+/// The statements of a program, with comments carried as marked doc attributes.
+pub fn statements(program: &Program, cost: &mut Cost) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    for (at, (sine, cosine, angle, _)) in program.angles.iter().enumerate() {
+        cost.sincos += 1;
+        let angle = receiver(angle, cost);
+        let used = |name: &str| uses(program, name);
+        let (sine, cosine) = (pattern(sine, used(sine)), pattern(cosine, used(cosine)));
+        let comment = if at == 0 { comment("Sines and cosines.") } else { TokenStream::new() };
+        tokens.extend(quote!(#comment let (#sine, #cosine) = #angle.sin_cos();));
+    }
+    tokens.extend(section("Shared terms.", &program.shared, cost));
+    tokens
+}
+
+/// `let` statements, the first one under a heading.
+pub fn section(heading: &str, list: &[Statement], cost: &mut Cost) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    for (at, statement) in list.iter().enumerate() {
+        let heading = if at == 0 { comment(heading) } else { TokenStream::new() };
+        let name = format_ident!("{}", statement.name);
+        let value = expression(&statement.value, cost);
+        let equation = comment(&statement.comment);
+        tokens.extend(quote!(#heading #equation let #name = #value;));
+    }
+    tokens
+}
+
+/// A comment on the next statement.
+#[must_use]
+pub fn comment(text: &str) -> TokenStream {
+    let marked = format!("{MARK}{text}");
+    quote!(#[doc = #marked])
+}
+
+const MARK: &str = "~";
+
+fn pattern(name: &str, used: bool) -> TokenStream {
+    if used { ident(name) } else { quote!(_) }
+}
+
+/// Whether a variable occurs in the shared terms or outputs.
+fn uses(program: &Program, name: &str) -> bool {
+    fn occurs(view: &View, name: &str) -> bool {
+        match view {
+            View::Shared(n) => n == name,
+            View::Sum(terms) => terms.iter().any(|(_, t)| occurs(t, name)),
+            View::Product(factors) => factors.iter().any(|f| occurs(f, name)),
+            View::Fraction(a, b) => occurs(a, name) || occurs(b, name),
+            View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => occurs(inner, name),
+            View::Number(_) | View::Name(_) | View::Pi | View::Cut => false,
+        }
+    }
+    program.shared.iter().chain(&program.outputs).any(|s| occurs(&s.value, name))
+}
+
+/// Formats items and turns the marked attributes into comments.
+///
+/// # Panics
+/// If the tokens are not a Rust file: a defect of the generator.
+#[must_use]
+pub fn format(header: &[String], items: TokenStream) -> String {
+    let file: syn::File = syn::parse2(items).expect("generated tokens are a Rust file");
+    let body = prettyplease::unparse(&file);
+    let mut out: String =
+        header.iter().map(|line| if line.is_empty() { "//!\n".to_owned() } else { format!("//! {line}\n") }).collect();
+    out.push('\n');
+    let marked = format!("///{MARK}");
+    let mut before = "";
+    for line in body.lines() {
+        // A blank line before each item, as rustfmt would keep.
+        let starts = ["///", "pub ", "impl", "fn ", "use ", "#["].iter().any(|start| line.starts_with(start));
+        let ended = before.starts_with('}') || before.ends_with(';') && !before.starts_with(' ');
+        let group = |l: &str| l.split_whitespace().next() == Some("use") || l.starts_with("pub mod");
+        if starts && ended && !(group(before) && (group(line) || line.starts_with("#[rustfmt"))) {
+            out.push('\n');
+        }
+        before = line;
+        match line.split_once(&marked) {
+            Some((indent, text)) if indent.trim().is_empty() => {
+                for (at, part) in wrap(text, 104 - indent.len().min(60)).iter().enumerate() {
+                    let hang = if at == 0 { "" } else { "  " };
+                    let _ = writeln!(out, "{indent}// {hang}{part}");
+                }
+            }
+            _ => {
+                out.push_str(line);
+                out.push('\n');
+            }
+        }
+    }
+    out
+}
+
+/// Breaks a long comment at spaces.
+fn wrap(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let last = lines.last_mut().expect("at least one line");
+        if !last.is_empty() && last.len() + 1 + word.len() > width {
+            lines.push(word.to_owned());
+        } else {
+            if !last.is_empty() {
+                last.push(' ');
+            }
+            last.push_str(word);
+        }
+    }
+    lines
+}

@@ -1,0 +1,254 @@
+//! All models of a workspace, and what stands in `generated/`.
+
+use crate::tokens::format;
+use crate::{formulation, module};
+use quote::{format_ident, quote};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::{Formulation, Model, derive};
+
+/// What the models of a workspace generate.
+#[derive(Debug, Default)]
+pub struct Generated {
+    /// Text of each file by its path under `generated/src`, with `/` between folders.
+    pub files: BTreeMap<String, String>,
+    /// Folders under `models/` that generated, in order.
+    pub models: Vec<String>,
+    /// Models with errors; their committed files are left as they are.
+    pub broken: Vec<(String, Diagnostics)>,
+}
+
+/// Derives every model under `models/` and emits its code.
+///
+/// A model with errors does not stop the others: it is listed in [`Generated::broken`].
+///
+/// # Errors
+/// If the folder cannot be listed.
+pub fn generate(models: &Path) -> std::io::Result<Generated> {
+    let mut folders: Vec<String> = Vec::new();
+    for entry in std::fs::read_dir(models)? {
+        let entry = entry?;
+        if entry.path().join("model.toml").exists() {
+            folders.push(entry.file_name().to_string_lossy().into_owned());
+        }
+    }
+    folders.sort();
+    let mut generated = Generated::default();
+    for folder in folders {
+        match model_files(&models.join(&folder).join("model.toml"), &folder) {
+            Ok(files) => {
+                generated.files.extend(files.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text)));
+                generated.models.push(folder);
+            }
+            Err(diagnostics) => generated.broken.push((folder, diagnostics)),
+        }
+    }
+    Ok(generated)
+}
+
+/// The files of one model, by name.
+///
+/// # Errors
+/// [`Diagnostics`] of the model file.
+pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnostics> {
+    let model = Model::read(path)?;
+    if syn::parse_str::<syn::Ident>(folder).is_err() {
+        let message = format!("the folder's name `{folder}` cannot be a Rust module");
+        let help = "rename the folder: a letter, then letters, digits and `_`";
+        let diagnostic = tripos_derive::diagnostic::Diagnostic::of_file(message, help);
+        return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
+    }
+    let (mut files, mut supported) = (Vec::new(), Vec::new());
+    for f in Formulation::ALL {
+        match derive(&model, f) {
+            Ok(derivation) => {
+                files.push((
+                    format!("{}.rs", formulation::module_name(f)),
+                    formulation::file(&model, folder, &derivation),
+                ));
+                supported.push(f);
+            }
+            Err(error) if error.is_unsupported() => {}
+            Err(error) => return Err(model.diagnose(&error)),
+        }
+    }
+    files.push(("mod.rs".to_owned(), module::file(&model, folder, &supported)));
+    Ok(files)
+}
+
+/// `lib.rs` for these models: the committed modules, or fresh ones from the build directory.
+#[must_use]
+pub fn library(models: &[String]) -> String {
+    let header = [
+        "Equations of motion, compiled: one module a model, one file a formulation.",
+        "",
+        "Generated from the files under `models/`. Do not edit; run `tripos regenerate`.",
+        "When a model file is newer than this text, the build derives its equations afresh and this",
+        "crate is built from those instead.",
+    ];
+    let modules = models.iter().map(|name| {
+        let name = format_ident!("{name}");
+        quote!(#[cfg(not(stale))] #[rustfmt::skip] pub mod #name;)
+    });
+    let entries = models.iter().map(|name| {
+        let name = format_ident!("{name}");
+        quote!(#name::MODEL)
+    });
+    let items = quote! {
+        #![no_std]
+        #![allow(non_snake_case)]
+        #![allow(clippy::pedantic, clippy::let_and_return)]
+
+        #(#modules)*
+
+        #[doc = " Every compiled model, by name."]
+        #[cfg(not(stale))]
+        #[rustfmt::skip]
+        pub static MODELS: &[tripos_traits::CompiledModel] = &[#(#entries),*];
+
+        #[cfg(stale)]
+        include!(concat!(env!("OUT_DIR"), "/stale.rs"));
+    };
+    format(&header.map(str::to_owned), items)
+}
+
+/// The declarations that stand in for those of `lib.rs` while the committed text is stale: each model
+/// with the folder that holds its modules.
+#[must_use]
+pub fn stale_library(models: &[(String, PathBuf)]) -> String {
+    let modules = models.iter().map(|(name, folder)| {
+        let path = folder.join("mod.rs").to_string_lossy().into_owned();
+        let name = format_ident!("{name}");
+        quote!(#[path = #path] pub mod #name;)
+    });
+    let entries = models.iter().map(|(name, _)| {
+        let name = format_ident!("{name}");
+        quote!(#name::MODEL)
+    });
+    quote! {
+        #(#modules)*
+        #[doc = " Every compiled model, by name."]
+        pub static MODELS: &[tripos_traits::CompiledModel] = &[#(#entries),*];
+    }
+    .to_string()
+}
+
+/// How one file of `generated/src` differs from what the models give.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Difference {
+    /// The models give it, but it is not there.
+    Missing(String),
+    /// Its text is another.
+    Changed(String),
+    /// No model gives it any more.
+    Extra(String),
+}
+
+impl std::fmt::Display for Difference {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Missing(file) => write!(f, "missing  {file}"),
+            Self::Changed(file) => write!(f, "changed  {file}"),
+            Self::Extra(file) => write!(f, "extra    {file}"),
+        }
+    }
+}
+
+impl Difference {
+    /// The file, relative to `generated/src`.
+    #[must_use]
+    pub fn file(&self) -> &str {
+        match self {
+            Self::Missing(file) | Self::Changed(file) | Self::Extra(file) => file,
+        }
+    }
+}
+
+/// What the models give, beside what is committed.
+#[derive(Debug)]
+pub struct Freshness {
+    /// What the models give, `lib.rs` among the files; broken models keep their committed files.
+    pub generated: Generated,
+    /// Where the committed text differs.
+    pub differences: Vec<Difference>,
+}
+
+/// Derives every model and compares with the committed text, byte by byte.
+///
+/// # Errors
+/// If a folder or a file cannot be read.
+pub fn freshness(models: &Path, committed: &Path) -> std::io::Result<Freshness> {
+    let mut generated = generate(models)?;
+    let on_disk = read_tree(committed)?;
+    // A model with errors keeps its last good equations.
+    for (name, _) in &generated.broken {
+        let prefix = format!("{name}/");
+        let kept: Vec<_> = on_disk.iter().filter(|(file, _)| file.starts_with(&prefix)).collect();
+        if !kept.is_empty() {
+            generated.models.push(name.clone());
+            generated.files.extend(kept.into_iter().map(|(file, text)| (file.clone(), text.clone())));
+        }
+    }
+    generated.models.sort();
+    generated.files.insert("lib.rs".to_owned(), library(&generated.models));
+    let mut differences = Vec::new();
+    for (file, text) in &generated.files {
+        match on_disk.get(file) {
+            None => differences.push(Difference::Missing(file.clone())),
+            Some(old) if old != text => differences.push(Difference::Changed(file.clone())),
+            Some(_) => {}
+        }
+    }
+    let extra = on_disk.into_keys().filter(|file| !generated.files.contains_key(file));
+    differences.extend(extra.map(Difference::Extra));
+    Ok(Freshness { generated, differences })
+}
+
+/// Every file under a folder with its text; empty if there is no such folder.
+fn read_tree(root: &Path) -> std::io::Result<BTreeMap<String, String>> {
+    let mut files = BTreeMap::new();
+    let mut folders = vec![String::new()];
+    while let Some(folder) = folders.pop() {
+        let path = root.join(&folder);
+        if !path.is_dir() {
+            continue;
+        }
+        for entry in std::fs::read_dir(path)? {
+            let entry = entry?;
+            let name = format!("{folder}{}", entry.file_name().to_string_lossy());
+            if entry.file_type()?.is_dir() {
+                folders.push(format!("{name}/"));
+            } else {
+                files.insert(name, String::from_utf8_lossy(&std::fs::read(entry.path())?).into_owned());
+            }
+        }
+    }
+    Ok(files)
+}
+
+/// Makes the committed text what the models give; extra files are removed.
+///
+/// # Errors
+/// If a file cannot be written.
+pub fn write(freshness: &Freshness, committed: &Path) -> std::io::Result<()> {
+    for difference in &freshness.differences {
+        let path = committed.join(difference.file());
+        match freshness.generated.files.get(difference.file()) {
+            Some(text) => {
+                if let Some(folder) = path.parent() {
+                    std::fs::create_dir_all(folder)?;
+                }
+                std::fs::write(&path, text)?;
+            }
+            None => {
+                std::fs::remove_file(&path)?;
+                // The folder of a model that is gone goes too, once it is empty.
+                if let Some(folder) = path.parent().filter(|folder| *folder != committed) {
+                    let _ = std::fs::remove_dir(folder);
+                }
+            }
+        }
+    }
+    Ok(())
+}

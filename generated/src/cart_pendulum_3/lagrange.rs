@@ -1,0 +1,347 @@
+//! Three-link pendulum on a cart: Lagrange's equations, E(q) q'' = A(q, q').
+//!
+//! Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
+//! 4 coordinates, 4 speeds, 9 parameters. Unknowns: (q0'', q1'', q2'', q3'').
+//! Cost: mass_matrix 33 operations, 6 sines and cosines; forcing 67 operations, 6 sines and cosines.
+//! The kinematic equations are singular nowhere.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q0, q1, q2, q3.
+///
+/// 33 operations, 6 sines and cosines.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 4],
+    _q_dot: &[S; 4],
+) -> [[S; 4]; 4] {
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, .. } = *p;
+    let [_, q1, q2, q3] = *q;
+    // Sines and cosines.
+    let (_, c1) = q1.sin_cos();
+    let (_, c2) = q2.sin_cos();
+    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
+    let (_, c3) = q3.sin_cos();
+    let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
+    let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
+    // Shared terms.
+    // m1 + m2 + m3; used 2 times
+    let m12_part = m1 + m2 + m3;
+    // m2 + m3; used 3 times
+    let m2_plus_m3 = m2 + m3;
+    // Entries that are not zero; upper triangle.
+    // M11 = m0 + m1 + m2 + m3
+    let m11 = m0 + m1 + m2 + m3;
+    // M12 = -l0*cos(q1)*(m1 + m2 + m3)
+    let m12 = -l0 * c1 * m12_part;
+    // M13 = -l1*cos(q2)*(m2 + m3)
+    let m13 = -l1 * c2 * m2_plus_m3;
+    // M14 = -m3*l2*cos(q3)
+    let m14 = -m3 * l2 * c3;
+    // M22 = l0^2*(m1 + m2 + m3)
+    let m22 = l0 * l0 * m12_part;
+    // M23 = l0*l1*cos(q1 - q2)*(m2 + m3)
+    let m23 = l0 * l1 * cos_q1_minus_q2 * m2_plus_m3;
+    // M24 = m3*l0*l2*cos(q1 - q3)
+    let m24 = m3 * l0 * l2 * cos_q1_minus_q3;
+    // M33 = l1^2*(m2 + m3)
+    let m33 = l1 * l1 * m2_plus_m3;
+    // M34 = m3*l1*l2*cos(q2 - q3)
+    let m34 = m3 * l1 * l2 * cos_q2_minus_q3;
+    // M44 = m3*l2^2
+    let m44 = m3 * l2 * l2;
+    [
+        [m11, m12, m13, m14],
+        [m12, m22, m23, m24],
+        [m13, m23, m33, m34],
+        [m14, m24, m34, m44],
+    ]
+}
+
+/// Right-hand side of the linear system; unknowns (q0'', q1'', q2'', q3'').
+///
+/// 67 operations, 6 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 4] {
+    let Parameters { m1, m2, m3, l0, l1, l2, g, F, .. } = *p;
+    let [_, q1, q2, q3] = *q;
+    let [_, q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (s1, _) = q1.sin_cos();
+    let (s2, _) = q2.sin_cos();
+    let (sin_q1_minus_q2, _) = (q1 - q2).sin_cos();
+    let (s3, _) = q3.sin_cos();
+    let (sin_q1_minus_q3, _) = (q1 - q3).sin_cos();
+    let (sin_q2_minus_q3, _) = (q2 - q3).sin_cos();
+    // Shared terms.
+    // l0*sin(q1)*q1'^2; used 2 times
+    let l0_q1_dot_sq_s1 = l0 * s1 * q1_dot * q1_dot;
+    // l1*sin(q2)*q2'^2; used 2 times
+    let l1_q2_dot_sq_s2 = l1 * s2 * q2_dot * q2_dot;
+    // l1*sin(q1 - q2)*q2'^2; used 2 times
+    let f2_part = l1 * sin_q1_minus_q2 * q2_dot * q2_dot;
+    // g*sin(q1); used 2 times
+    let g_s1 = g * s1;
+    // l0*sin(q1 - q2)*q1'^2; used 2 times
+    let f3_part = l0 * sin_q1_minus_q2 * q1_dot * q1_dot;
+    // g*sin(q2); used 2 times
+    let g_s2 = g * s2;
+    // Values.
+    // f1 = F - m1*l0*sin(q1)*q1'^2 - m2*(l0*sin(q1)*q1'^2 + l1*sin(q2)*q2'^2) - m3*(l0*sin(q1)*q1'^2 +
+    //   l1*sin(q2)*q2'^2 + l2*sin(q3)*q3'^2)
+    let f1 = F - m1 * l0 * s1 * q1_dot * q1_dot
+        - m2 * (l0_q1_dot_sq_s1 + l1_q2_dot_sq_s2)
+        - m3 * (l0_q1_dot_sq_s1 + l1_q2_dot_sq_s2 + l2 * s3 * q3_dot * q3_dot);
+    // f2 = -l0*(m2*(l1*sin(q1 - q2)*q2'^2 - g*sin(q1)) - m1*g*sin(q1) + m3*(l1*sin(q1 - q2)*q2'^2 +
+    //   l2*sin(q1 - q3)*q3'^2 - g*sin(q1)))
+    let f2 = -l0
+        * (m2 * (f2_part - g_s1) - m1 * g * s1
+            + m3 * (f2_part + l2 * sin_q1_minus_q3 * q3_dot * q3_dot - g_s1));
+    // f3 = l1*(m2*(l0*sin(q1 - q2)*q1'^2 + g*sin(q2)) + m3*(l0*sin(q1 - q2)*q1'^2 - l2*sin(q2 - q3)*q3'^2
+    //   + g*sin(q2)))
+    let f3 = l1
+        * (m2 * (f3_part + g_s2)
+            + m3 * (f3_part - l2 * sin_q2_minus_q3 * q3_dot * q3_dot + g_s2));
+    // f4 = m3*l2*(l0*sin(q1 - q3)*q1'^2 + l1*sin(q2 - q3)*q2'^2 + g*sin(q3))
+    let f4 = m3 * l2
+        * (l0 * sin_q1_minus_q3 * q1_dot * q1_dot
+            + l1 * sin_q2_minus_q3 * q2_dot * q2_dot + g * s3);
+    [f1, f2, f3, f4]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 0 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 4],
+    q_dot: &[S; 4],
+) -> [S; 4] {
+    let [q0_dot, q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Values.
+    // q0' = q0'
+    let q0_dot_value = q0_dot;
+    // q1' = q1'
+    let q1_dot_value = q1_dot;
+    // q2' = q2'
+    let q2_dot_value = q2_dot;
+    // q3' = q3'
+    let q3_dot_value = q3_dot;
+    [q0_dot_value, q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 66 operations, 6 sines and cosines.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> S {
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, .. } = *p;
+    let [_, q1, q2, q3] = *q;
+    let [q0_dot, q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (_, c1) = q1.sin_cos();
+    let (_, c2) = q2.sin_cos();
+    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
+    let (_, c3) = q3.sin_cos();
+    let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
+    let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
+    // Shared terms.
+    // l0*q1'; used 3 times
+    let l0_q1_dot = l0 * q1_dot;
+    // l1*q2'; used 2 times
+    let l1_q2_dot = l1 * q2_dot;
+    // q0'^2; used 3 times
+    let q0_dot_sq = q0_dot * q0_dot;
+    // cos(q1)*q0'; used 3 times
+    let q0_dot_c1 = c1 * q0_dot;
+    // l1*cos(q1 - q2)*q2'; used 2 times
+    let energy_part = l1 * cos_q1_minus_q2 * q2_dot;
+    // cos(q2)*q0'; used 2 times
+    let q0_dot_c2 = c2 * q0_dot;
+    // Values.
+    // T = m0*q0'^2/2 + m1*(l0*q1'*(l0*q1' - 2*cos(q1)*q0') + q0'^2)/2 + m2*(l0*q1'*(l0*q1' + 2*l1*cos(q1 -
+    //   q2)*q2' - 2*cos(q1)*q0') + l1*q2'*(l1*q2' - 2*cos(q2)*q0') + q0'^2)/2 + m3*(l0*q1'*(l0*q1' +
+    //   2*l1*cos(q1 - q2)*q2' + 2*l2*cos(q1 - q3)*q3' - 2*cos(q1)*q0') + l1*q2'*(l1*q2' + 2*l2*cos(q2 -
+    //   q3)*q3' - 2*cos(q2)*q0') + l2*q3'*(l2*q3' - 2*cos(q3)*q0') + q0'^2)/2
+    let energy = S::ratio(1, 2) * m0 * q0_dot * q0_dot
+        + S::ratio(1, 2) * m1
+            * (l0 * q1_dot * (l0_q1_dot - S::int(2) * q0_dot_c1) + q0_dot_sq)
+        + S::ratio(1, 2) * m2
+            * (l0 * q1_dot
+                * (l0_q1_dot + S::int(2) * energy_part - S::int(2) * q0_dot_c1)
+                + l1 * q2_dot * (l1_q2_dot - S::int(2) * q0_dot_c2) + q0_dot_sq)
+        + S::ratio(1, 2) * m3
+            * (l0 * q1_dot
+                * (l0_q1_dot + S::int(2) * energy_part
+                    + S::int(2) * l2 * cos_q1_minus_q3 * q3_dot - S::int(2) * q0_dot_c1)
+                + l1 * q2_dot
+                    * (l1_q2_dot + S::int(2) * l2 * cos_q2_minus_q3 * q3_dot
+                        - S::int(2) * q0_dot_c2)
+                + l2 * q3_dot * (l2 * q3_dot - S::int(2) * c3 * q0_dot) + q0_dot_sq);
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 13 operations, 3 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
+    let Parameters { m1, m2, m3, l0, l1, l2, g, .. } = *p;
+    let [_, q1, q2, q3] = *q;
+    // Sines and cosines.
+    let (_, c1) = q1.sin_cos();
+    let (_, c2) = q2.sin_cos();
+    let (_, c3) = q3.sin_cos();
+    // Shared terms.
+    // l0*cos(q1); used 2 times
+    let l0_c1 = l0 * c1;
+    // l1*cos(q2); used 2 times
+    let l1_c2 = l1 * c2;
+    // Values.
+    // V = g*(m1*l0*cos(q1) + m2*(l0*cos(q1) + l1*cos(q2)) + m3*(l0*cos(q1) + l1*cos(q2) + l2*cos(q3)))
+    let energy = g
+        * (m1 * l0 * c1 + m2 * (l0_c1 + l1_c2) + m3 * (l0_c1 + l1_c2 + l2 * c3));
+    energy
+}
+
+/// The generalized speeds u, from q and q'.
+///
+/// 0 operations.
+#[must_use]
+pub fn generalized_speeds<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 4],
+    q_dot: &[S; 4],
+) -> [S; 4] {
+    let [q0_dot, q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Values.
+    // u0 = q0'
+    let u0_value = q0_dot;
+    // u1 = q1'
+    let u1_value = q1_dot;
+    // u2 = q2'
+    let u2_value = q2_dot;
+    // u3 = q3'
+    let u3_value = q3_dot;
+    [u0_value, u1_value, u2_value, u3_value]
+}
+
+/// Their time derivatives u', from q, q' and q''.
+///
+/// 0 operations.
+#[must_use]
+pub fn generalized_speed_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 4],
+    _q_dot: &[S; 4],
+    v_dot: &[S; 4],
+) -> [S; 4] {
+    let [q0_ddot, q1_ddot, q2_ddot, q3_ddot] = *v_dot;
+    // Values.
+    // u0' = q0''
+    let u0_dot_value = q0_ddot;
+    // u1' = q1''
+    let u1_dot_value = q1_ddot;
+    // u2' = q2''
+    let u2_dot_value = q2_ddot;
+    // u3' = q3''
+    let u3_dot_value = q3_ddot;
+    [u0_dot_value, u1_dot_value, u2_dot_value, u3_dot_value]
+}
+
+/// q' from q and the generalized speeds u.
+///
+/// 0 operations.
+#[must_use]
+pub fn motion_variables<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 4],
+    u: &[S; 4],
+) -> [S; 4] {
+    let [u0, u1, u2, u3] = *u;
+    // Values.
+    // q0' = u0
+    let q0_dot_value = u0;
+    // q1' = u1
+    let q1_dot_value = u1;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3
+    let q3_dot_value = u3;
+    [q0_dot_value, q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Lagrange's equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Lagrange;
+
+impl<S: Scalar> System<S> for Lagrange {
+    fn parameters(&self) -> usize {
+        9
+    }
+    fn coordinates(&self) -> usize {
+        4
+    }
+    fn speeds(&self) -> usize {
+        4
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &generalized_speeds(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn generalized_speed_rates(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(
+            &generalized_speed_rates(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                array(v_dot),
+            ),
+        );
+    }
+    fn motion_variables(&self, p: &[S], q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &motion_variables(&Parameters::from_slice(p), array(q), array(u)),
+        );
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

@@ -1,0 +1,168 @@
+//! Chaotic pendulum: a swinging rod with a plate turning about it: Kane's method, M(q) u' = f(q, u).
+//!
+//! Generated from `models/chaotic_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+//! 2 coordinates, 2 speeds, 9 parameters. Unknowns: (omega', alpha').
+//! Cost: mass_matrix 12 operations, 1 sine and cosine; forcing 17 operations, 2 sines and cosines.
+//! The kinematic equations are singular nowhere.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows omega, alpha.
+///
+/// 12 operations, 1 sine and cosine.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    _u: &[S; 2],
+) -> [[S; 2]; 2] {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
+    let [_, phi] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    // Entries that are not zero; upper triangle.
+    // M11 = mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2
+    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+        + IByy * cos_phi * cos_phi;
+    // M22 = IBzz
+    let m22 = IBzz;
+    [[m11, zero], [zero, m22]]
+}
+
+/// Right-hand side of the linear system; unknowns (omega', alpha').
+///
+/// 17 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
+    let Parameters { mA, mB, lA, lB, IBxx, IByy, g, .. } = *p;
+    let [theta, phi] = *q;
+    let [omega, alpha] = *u;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    // Shared terms.
+    // IBxx - IByy; used 2 times
+    let ibxx_minus_ibyy = IBxx - IByy;
+    // Values.
+    // f1 = -g*sin(theta)*(mA*lA + mB*lB) - 2*sin(phi)*cos(phi)*omega*alpha*(IBxx - IByy)
+    let f1 = -g * sin_theta * (mA * lA + mB * lB)
+        - S::int(2) * sin_phi * cos_phi * omega * alpha * ibxx_minus_ibyy;
+    // f2 = sin(phi)*cos(phi)*omega^2*(IBxx - IByy)
+    let f2 = sin_phi * cos_phi * omega * omega * ibxx_minus_ibyy;
+    [f1, f2]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 0 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 2],
+    u: &[S; 2],
+) -> [S; 2] {
+    let [omega, alpha] = *u;
+    // Values.
+    // theta' = omega
+    let theta_dot_value = omega;
+    // phi' = alpha
+    let phi_dot_value = alpha;
+    [theta_dot_value, phi_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 19 operations, 1 sine and cosine.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
+    let [_, phi] = *q;
+    let [omega, alpha] = *u;
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    // Values.
+    // T = IBzz*alpha^2/2 + omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2
+    let energy = S::ratio(1, 2) * IBzz * alpha * alpha
+        + S::ratio(1, 2) * omega * omega
+            * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+                + IByy * cos_phi * cos_phi);
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 6 operations, 1 sine and cosine.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
+    let Parameters { mA, mB, lA, lB, g, .. } = *p;
+    let [theta, _] = *q;
+    // Sines and cosines.
+    let (_, cos_theta) = theta.sin_cos();
+    // Values.
+    // V = -g*cos(theta)*(mA*lA + mB*lB)
+    let energy = -g * cos_theta * (mA * lA + mB * lB);
+    energy
+}
+
+/// Kane's method of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Kane;
+
+impl<S: Scalar> System<S> for Kane {
+    fn parameters(&self) -> usize {
+        9
+    }
+    fn coordinates(&self) -> usize {
+        2
+    }
+    fn speeds(&self) -> usize {
+        2
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

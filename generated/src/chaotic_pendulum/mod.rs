@@ -1,0 +1,80 @@
+//! Chaotic pendulum: a swinging rod with a plate turning about it.
+//!
+//! Generated from `models/chaotic_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+//! 2 configuration variables, 0 holonomic constraints, 2 generalized coordinates, 0 nonholonomic constraints, 2 generalized speeds.
+
+#[rustfmt::skip]
+pub mod kane;
+#[rustfmt::skip]
+pub mod lagrange;
+use tripos_traits::{CompiledModel, Scalar};
+
+/// The parameters, in the order of the model file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<S> {
+    /// mass of the rod, kg
+    pub mA: S,
+    /// mass of the plate, kg
+    pub mB: S,
+    /// pin to the centre of the rod, m
+    pub lA: S,
+    /// pin to the centre of the plate, m
+    pub lB: S,
+    /// rod, across its axis, kg*m^2
+    pub IAxx: S,
+    /// plate, about its first axis, kg*m^2
+    pub IBxx: S,
+    /// plate, about its second axis, kg*m^2
+    pub IByy: S,
+    /// plate, about the rod, kg*m^2
+    pub IBzz: S,
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+}
+
+impl<S: Scalar> Parameters<S> {
+    /// From values in the order of [`PARAMETERS`].
+    ///
+    /// # Panics
+    /// If `p` has fewer values than there are parameters.
+    #[must_use]
+    pub fn from_slice(p: &[S]) -> Self {
+        Self {
+            mA: p[0],
+            mB: p[1],
+            lA: p[2],
+            lB: p[3],
+            IAxx: p[4],
+            IBxx: p[5],
+            IByy: p[6],
+            IBzz: p[7],
+            g: p[8],
+        }
+    }
+}
+
+/// Names of the parameters.
+pub const PARAMETERS: [&str; 9] = [
+    "mA",
+    "mB",
+    "lA",
+    "lB",
+    "IAxx",
+    "IBxx",
+    "IByy",
+    "IBzz",
+    "g",
+];
+
+/// Names of the generalized coordinates.
+pub const COORDINATES: [&str; 2] = ["theta", "phi"];
+
+/// Names of the generalized speeds.
+pub const SPEEDS: [&str; 2] = ["omega", "alpha"];
+
+/// What a program needs to find these equations and to trust them.
+pub const MODEL: CompiledModel = CompiledModel {
+    name: "chaotic_pendulum",
+    text_hash: "44a236d0a518fd3b",
+    systems: &[("kane", &kane::Kane), ("lagrange", &lagrange::Lagrange)],
+};

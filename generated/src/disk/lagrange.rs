@@ -1,0 +1,317 @@
+//! Thin disk sliding on a frictionless plane: Lagrange's equations, E(q) q'' = A(q, q').
+//!
+//! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
+//! 5 coordinates, 5 speeds, 3 parameters. Unknowns: (q1'', q2'', q3'', q4'', q5'').
+//! Cost: mass_matrix 31 operations, 2 sines and cosines; forcing 56 operations, 2 sines and cosines.
+//! The kinematic equations are singular where cos(q2) = 0.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3, q4, q5.
+///
+/// 31 operations, 2 sines and cosines.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    _q_dot: &[S; 5],
+) -> [[S; 5]; 5] {
+    let Parameters { M, R, .. } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // M*R^2; used 2 times
+    let m_r_sq = M * R * R;
+    // Entries that are not zero; upper triangle.
+    // M11 = M*R^2*(6*sin(q2)^2 + cos(q2)^2)/4
+    let m11 = S::ratio(1, 4) * M * R * R * (S::int(6) * s2 * s2 + c2 * c2);
+    // M13 = M*R^2*sin(q2)/2
+    let m13 = S::ratio(1, 2) * M * R * R * s2;
+    // M14 = -M*R*cos(q1)*sin(q2)
+    let m14 = -M * R * c1 * s2;
+    // M15 = -M*R*sin(q1)*sin(q2)
+    let m15 = -M * R * s1 * s2;
+    // M22 = 5*M*R^2/4
+    let m22 = S::ratio(5, 4) * m_r_sq;
+    // M24 = -M*R*sin(q1)*cos(q2)
+    let m24 = -M * R * s1 * c2;
+    // M25 = M*R*cos(q1)*cos(q2)
+    let m25 = M * R * c1 * c2;
+    // M33 = M*R^2/2
+    let m33 = S::ratio(1, 2) * m_r_sq;
+    // M44 = M
+    let m44 = M;
+    // M55 = M
+    let m55 = M;
+    [
+        [m11, zero, m13, m14, m15],
+        [zero, m22, zero, m24, m25],
+        [m13, zero, m33, zero, zero],
+        [m14, m24, zero, m44, zero],
+        [m15, m25, zero, zero, m55],
+    ]
+}
+
+/// Right-hand side of the linear system; unknowns (q1'', q2'', q3'', q4'', q5'').
+///
+/// 56 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 5] {
+    let Parameters { M, R, g } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [q1_dot, q2_dot, q3_dot, _, _] = *q_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // sin(q2)*q1'; used 2 times
+    let q1_dot_s2 = s2 * q1_dot;
+    // Values.
+    // f1 = -M*R^2*cos(q2)*q2'*(5*sin(q2)*q1' + q3')/2
+    let f1 = -S::ratio(1, 2) * M * R * R * c2 * q2_dot
+        * (S::int(5) * q1_dot_s2 + q3_dot);
+    // f2 = M*R*(R*cos(q2)*q1'*(5*sin(q2)*q1' + 2*q3') + 4*g*sin(q2))/4
+    let f2 = S::ratio(1, 4) * M * R
+        * (R * c2 * q1_dot * (S::int(5) * q1_dot_s2 + S::int(2) * q3_dot)
+            + S::int(4) * g * s2);
+    // f3 = -M*R^2*cos(q2)*q1'*q2'/2
+    let f3 = -S::ratio(1, 2) * M * R * R * c2 * q1_dot * q2_dot;
+    // f4 = -M*R*(sin(q1)*sin(q2)*q2'^2 + q1'*(sin(q1)*sin(q2)*q1' - 2*cos(q1)*cos(q2)*q2'))
+    let f4 = -M * R
+        * (s1 * s2 * q2_dot * q2_dot
+            + q1_dot * (s1 * s2 * q1_dot - S::int(2) * c1 * c2 * q2_dot));
+    // f5 = M*R*(cos(q1)*sin(q2)*q2'^2 + q1'*(2*sin(q1)*cos(q2)*q2' + cos(q1)*sin(q2)*q1'))
+    let f5 = M * R
+        * (c1 * s2 * q2_dot * q2_dot
+            + q1_dot * (S::int(2) * s1 * c2 * q2_dot + c1 * s2 * q1_dot));
+    [f1, f2, f3, f4, f5]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 0 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 5],
+    q_dot: &[S; 5],
+) -> [S; 5] {
+    let [q1_dot, q2_dot, q3_dot, q4_dot, q5_dot] = *q_dot;
+    // Values.
+    // q1' = q1'
+    let q1_dot_value = q1_dot;
+    // q2' = q2'
+    let q2_dot_value = q2_dot;
+    // q3' = q3'
+    let q3_dot_value = q3_dot;
+    // q4' = q4'
+    let q4_dot_value = q4_dot;
+    // q5' = q5'
+    let q5_dot_value = q5_dot;
+    [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 39 operations, 2 sines and cosines.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> S {
+    let Parameters { M, R, .. } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [q1_dot, q2_dot, q3_dot, q4_dot, q5_dot] = *q_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Values.
+    // T = M*(R*(R*(q1'*(4*sin(q2)*q3' + q1'*(6*sin(q2)^2 + cos(q2)^2)) + 5*q2'^2 + 2*q3'^2) -
+    //   8*sin(q2)*q1'*(sin(q1)*q5' + cos(q1)*q4') - 8*cos(q2)*q2'*(sin(q1)*q4' - cos(q1)*q5')) + 4*q4'^2 +
+    //   4*q5'^2)/8
+    let energy = S::ratio(1, 8) * M
+        * (R
+            * (R
+                * (q1_dot
+                    * (S::int(4) * s2 * q3_dot
+                        + q1_dot * (S::int(6) * s2 * s2 + c2 * c2))
+                    + S::int(5) * q2_dot * q2_dot + S::int(2) * q3_dot * q3_dot)
+                - S::int(8) * s2 * q1_dot * (s1 * q5_dot + c1 * q4_dot)
+                - S::int(8) * c2 * q2_dot * (s1 * q4_dot - c1 * q5_dot))
+            + S::int(4) * q4_dot * q4_dot + S::int(4) * q5_dot * q5_dot);
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
+    let Parameters { M, R, g } = *p;
+    let [_, q2, _, _, _] = *q;
+    // Sines and cosines.
+    let (_, c2) = q2.sin_cos();
+    // Values.
+    // V = M*R*g*(cos(q2) - 1)
+    let energy = M * R * g * (c2 - S::int(1));
+    energy
+}
+
+/// The generalized speeds u, from q and q'.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn generalized_speeds<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 5],
+    q_dot: &[S; 5],
+) -> [S; 5] {
+    let [_, q2, _, _, _] = *q;
+    let [q1_dot, q2_dot, q3_dot, q4_dot, q5_dot] = *q_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Values.
+    // u1 = -q2'
+    let u1_value = -q2_dot;
+    // u2 = cos(q2)*q1'
+    let u2_value = c2 * q1_dot;
+    // u3 = sin(q2)*q1' + q3'
+    let u3_value = s2 * q1_dot + q3_dot;
+    // u4 = q4'
+    let u4_value = q4_dot;
+    // u5 = q5'
+    let u5_value = q5_dot;
+    [u1_value, u2_value, u3_value, u4_value, u5_value]
+}
+
+/// Their time derivatives u', from q, q' and q''.
+///
+/// 10 operations, 1 sine and cosine.
+#[must_use]
+pub fn generalized_speed_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 5],
+    q_dot: &[S; 5],
+    v_dot: &[S; 5],
+) -> [S; 5] {
+    let [_, q2, _, _, _] = *q;
+    let [q1_dot, q2_dot, _, _, _] = *q_dot;
+    let [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot] = *v_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Values.
+    // u1' = -q2''
+    let u1_dot_value = -q2_ddot;
+    // u2' = cos(q2)*q1'' - sin(q2)*q1'*q2'
+    let u2_dot_value = c2 * q1_ddot - s2 * q1_dot * q2_dot;
+    // u3' = sin(q2)*q1'' + cos(q2)*q1'*q2' + q3''
+    let u3_dot_value = s2 * q1_ddot + c2 * q1_dot * q2_dot + q3_ddot;
+    // u4' = q4''
+    let u4_dot_value = q4_ddot;
+    // u5' = q5''
+    let u5_dot_value = q5_ddot;
+    [u1_dot_value, u2_dot_value, u3_dot_value, u4_dot_value, u5_dot_value]
+}
+
+/// q' from q and the generalized speeds u.
+///
+/// 5 operations, 1 sine and cosine.
+#[must_use]
+pub fn motion_variables<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+) -> [S; 5] {
+    let [_, q2, _, _, _] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // Values.
+    // q1' = u2/cos(q2)
+    let q1_dot_value = u2 / c2;
+    // q2' = -u1
+    let q2_dot_value = -u1;
+    // q3' = u3 - u2*tan(q2)
+    let q3_dot_value = u3 - u2 * t2;
+    // q4' = u4
+    let q4_dot_value = u4;
+    // q5' = u5
+    let q5_dot_value = u5;
+    [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value]
+}
+
+/// Lagrange's equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Lagrange;
+
+impl<S: Scalar> System<S> for Lagrange {
+    fn parameters(&self) -> usize {
+        3
+    }
+    fn coordinates(&self) -> usize {
+        5
+    }
+    fn speeds(&self) -> usize {
+        5
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &generalized_speeds(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn generalized_speed_rates(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(
+            &generalized_speed_rates(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                array(v_dot),
+            ),
+        );
+    }
+    fn motion_variables(&self, p: &[S], q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &motion_variables(&Parameters::from_slice(p), array(q), array(u)),
+        );
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

@@ -1,0 +1,233 @@
+//! Thin disk sliding on a frictionless plane: Newton–Euler equations, A(q, u) (u', reactions) = b(q, u).
+//!
+//! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
+//! 5 coordinates, 5 speeds, 3 parameters, 1 reaction. Unknowns: (u1', u2', u3', u4', u5', N).
+//! Cost: mass_matrix 24 operations, 2 sines and cosines; forcing 38 operations, 1 sine and cosine.
+//! The kinematic equations are singular where cos(q2) = 0.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows disk force b1, disk force b2, disk force b3, disk moment b1, disk moment b2, disk moment b3.
+///
+/// 24 operations, 2 sines and cosines.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    _u: &[S; 5],
+) -> [[S; 6]; 6] {
+    let Parameters { M, R, .. } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // M*R^2; used 2 times
+    let m_r_sq = M * R * R;
+    // M*R^2/4; used 2 times
+    let m_r_sq_scaled = S::ratio(1, 4) * m_r_sq;
+    // Entries that are not zero.
+    // M12 = -M*R*tan(q2)
+    let m12 = -M * R * t2;
+    // M14 = M*cos(q1)
+    let m14 = M * c1;
+    // M15 = M*sin(q1)
+    let m15 = M * s1;
+    // M24 = -M*sin(q1)*sin(q2)
+    let m24 = -M * s1 * s2;
+    // M25 = M*cos(q1)*sin(q2)
+    let m25 = M * c1 * s2;
+    // M26 = -cos(q2)
+    let m26 = -c2;
+    // M31 = M*R
+    let m31 = M * R;
+    // M34 = M*sin(q1)*cos(q2)
+    let m34 = M * s1 * c2;
+    // M35 = -M*cos(q1)*cos(q2)
+    let m35 = -M * c1 * c2;
+    // M36 = -sin(q2)
+    let m36 = -s2;
+    // M41 = M*R^2/4
+    let m41 = m_r_sq_scaled;
+    // M46 = R*sin(q2)
+    let m46 = R * s2;
+    // M52 = M*R^2/4
+    let m52 = m_r_sq_scaled;
+    // M63 = M*R^2/2
+    let m63 = S::ratio(1, 2) * m_r_sq;
+    [
+        [zero, m12, zero, m14, m15, zero],
+        [zero, zero, zero, m24, m25, m26],
+        [m31, zero, zero, m34, m35, m36],
+        [m41, zero, zero, zero, zero, m46],
+        [zero, m52, zero, zero, zero, zero],
+        [zero, zero, m63, zero, zero, zero],
+    ]
+}
+
+/// Right-hand side of the linear system; unknowns (u1', u2', u3', u4', u5', N).
+///
+/// 38 operations, 1 sine and cosine.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
+    let Parameters { M, R, g } = *p;
+    let [_, q2, _, _, _] = *q;
+    let [u1, u2, u3, _, _] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // 2*u3 - u2*tan(q2); used 2 times
+    let f4_part = S::int(2) * u3 - u2 * t2;
+    // Values.
+    // f1 = -M*R*u1*u2*(2 + tan(q2)^2)
+    let f1 = -M * R * u1 * u2 * (S::int(2) + t2 * t2);
+    // f2 = M*(R*(u2^2*tan(q2)^2 + u1^2) - g*cos(q2))
+    let f2 = M * (R * (u2 * u2 * t2 * t2 + u1 * u1) - g * c2);
+    // f3 = -M*sin(q2)*(R*u2^2/cos(q2) + g)
+    let f3 = -M * s2 * (R * u2 * u2 / c2 + g);
+    // f4 = -M*R^2*u2*(2*u3 - u2*tan(q2))/4
+    let f4 = -S::ratio(1, 4) * M * R * R * u2 * f4_part;
+    // f5 = M*R^2*u1*(2*u3 - u2*tan(q2))/4
+    let f5 = S::ratio(1, 4) * M * R * R * u1 * f4_part;
+    [f1, f2, f3, f4, f5, zero]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 5 operations, 1 sine and cosine.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+) -> [S; 5] {
+    let [_, q2, _, _, _] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // Values.
+    // q1' = u2/cos(q2)
+    let q1_dot_value = u2 / c2;
+    // q2' = -u1
+    let q2_dot_value = -u1;
+    // q3' = u3 - u2*tan(q2)
+    let q3_dot_value = u3 - u2 * t2;
+    // q4' = u4
+    let q4_dot_value = u4;
+    // q5' = u5
+    let q5_dot_value = u5;
+    [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 36 operations, 2 sines and cosines.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S {
+    let Parameters { M, R, .. } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // Values.
+    // T = M*(R*(R*(u2^2*(1 + 4*tan(q2)^2) + 5*u1^2 + 2*u3^2) - 8*u2*tan(q2)*(sin(q1)*u5 + cos(q1)*u4) +
+    //   8*cos(q2)*u1*(sin(q1)*u4 - cos(q1)*u5)) + 4*u4^2 + 4*u5^2)/8
+    let energy = S::ratio(1, 8) * M
+        * (R
+            * (R
+                * (u2 * u2 * (S::int(1) + S::int(4) * t2 * t2) + S::int(5) * u1 * u1
+                    + S::int(2) * u3 * u3) - S::int(8) * u2 * t2 * (s1 * u5 + c1 * u4)
+                + S::int(8) * c2 * u1 * (s1 * u4 - c1 * u5)) + S::int(4) * u4 * u4
+            + S::int(4) * u5 * u5);
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
+    let Parameters { M, R, g } = *p;
+    let [_, q2, _, _, _] = *q;
+    // Sines and cosines.
+    let (_, c2) = q2.sin_cos();
+    // Values.
+    // V = M*R*g*(cos(q2) - 1)
+    let energy = M * R * g * (c2 - S::int(1));
+    energy
+}
+
+/// Newton–Euler equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct NewtonEuler;
+
+impl<S: Scalar> System<S> for NewtonEuler {
+    fn parameters(&self) -> usize {
+        3
+    }
+    fn coordinates(&self) -> usize {
+        5
+    }
+    fn speeds(&self) -> usize {
+        5
+    }
+    fn reactions(&self) -> usize {
+        1
+    }
+    fn symmetric(&self) -> bool {
+        false
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}
