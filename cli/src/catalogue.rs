@@ -1,0 +1,116 @@
+//! Which code runs a model: compiled in, or interpreted.
+
+use crate::failure::Failure;
+use crate::interpreted::Interpreted;
+use std::path::{Path, PathBuf};
+use tripos_derive::diagnostic::Source;
+use tripos_derive::{Formulation, Model, derive};
+use tripos_traits::{CompiledModel, System};
+
+/// Equations ready to run.
+pub enum Code {
+    /// Generated Rust, compiled in.
+    Compiled(&'static (dyn System<f64> + Sync)),
+    /// A tape made just now.
+    Interpreted(Box<Interpreted>),
+}
+
+impl Code {
+    /// The equations.
+    pub fn system(&self) -> &dyn System<f64> {
+        match self {
+            Self::Compiled(system) => *system,
+            Self::Interpreted(system) => system.as_ref(),
+        }
+    }
+
+    /// Whether they are compiled in.
+    pub fn is_compiled(&self) -> bool {
+        matches!(self, Self::Compiled(_))
+    }
+
+    /// How tables name it.
+    pub fn name(&self) -> &'static str {
+        if self.is_compiled() { "compiled" } else { "interpreted" }
+    }
+}
+
+/// The model file that an argument means: a file, or a folder with `model.toml` in it.
+pub fn model_file(argument: &Path) -> PathBuf {
+    if argument.is_dir() { argument.join("model.toml") } else { argument.to_owned() }
+}
+
+/// Reads the model that an argument means.
+pub fn read_model(argument: &Path) -> Result<Model, Failure> {
+    let path = model_file(argument);
+    Ok(tripos_derive::model::load(&Source::read(&path)?)?)
+}
+
+/// The short name of a model: its folder, or the file's own name if it is not called `model.toml`.
+pub fn short_name(model: &Model) -> String {
+    let path = &model.source.path;
+    let stem = path.file_stem().map_or("model".into(), |s| s.to_string_lossy().into_owned());
+    if stem != "model" {
+        return stem;
+    }
+    let full = path.canonicalize().unwrap_or_else(|_| path.clone());
+    full.parent().and_then(Path::file_name).map_or(stem, |folder| folder.to_string_lossy().into_owned())
+}
+
+/// The formulation of this name.
+pub fn formulation(name: &str) -> Result<Formulation, Failure> {
+    Formulation::ALL.into_iter().find(|f| f.name() == name).ok_or_else(|| {
+        let names = Formulation::ALL.map(Formulation::name);
+        Failure::Request(format!("there is no formulation `{name}`"), tripos_derive::diagnostic::nearest(name, names))
+    })
+}
+
+/// The equations of a model by one formulation: compiled in if they were derived from this very text.
+///
+/// Compiled equations of a workspace model whose text has changed since are refused, never run.
+pub fn code(model: &Model, formulation: Formulation) -> Result<Code, Failure> {
+    if let Some(compiled) = compiled(model)? {
+        let found = compiled.systems.iter().find(|(name, _)| *name == formulation.name());
+        if let Some((_, system)) = found {
+            return Ok(Code::Compiled(*system));
+        }
+    }
+    let derivation = derive(model, formulation).map_err(|error| model.diagnose(&error))?;
+    Ok(Code::Interpreted(Box::new(Interpreted::new(model, &derivation))))
+}
+
+fn compiled(model: &Model) -> Result<Option<&'static CompiledModel>, Failure> {
+    let hash = model.text_hash();
+    if let Some(found) = tripos::MODELS.iter().find(|m| m.text_hash == hash) {
+        return Ok(Some(found));
+    }
+    let Some(stale) = tripos::MODELS.iter().find(|m| is_workspace_model(model, m.name)) else { return Ok(None) };
+    Err(Failure::Request(
+        format!(
+            "the compiled equations of `{}` were derived from another text of {}",
+            stale.name,
+            model.source.path.display()
+        ),
+        "build again: `cargo run --release -- …` derives the new text; then `tripos regenerate` commits it".to_owned(),
+    ))
+}
+
+/// Whether the model file is the one that a compiled model was derived from, by place.
+fn is_workspace_model(model: &Model, name: &str) -> bool {
+    let committed = workspace_root().join("models").join(name).join("model.toml");
+    match (committed.canonicalize(), model.source.path.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => false,
+    }
+}
+
+/// The workspace: the nearest folder, from the current one upwards, that holds `models` and
+/// `generated`; otherwise the one this program was built from.
+pub fn workspace_root() -> PathBuf {
+    let here = std::env::current_dir().unwrap_or_default();
+    let is_root = |folder: &Path| folder.join("models").is_dir() && folder.join("generated/src").is_dir();
+    if let Some(root) = here.ancestors().find(|folder| is_root(folder)) {
+        return root.to_owned();
+    }
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(".")).to_owned()
+}

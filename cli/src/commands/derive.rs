@@ -1,0 +1,149 @@
+//! `tripos derive`: the equations, for people and for programs.
+
+use crate::Format;
+use crate::catalogue::{formulation, read_model, short_name};
+use crate::failure::{Failure, print};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos_derive::algebra::print::{latex, latex_name, mathml, mathml_name, text};
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::Derivation;
+use tripos_derive::{Formulation, Model};
+
+/// Derives and prints.
+pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Failure> {
+    let model = read_model(model)?;
+    let derivations = derivations(&model, by)?;
+    let out = match format {
+        Format::Text => as_text(&model, &derivations),
+        Format::Latex => as_latex(&derivations),
+        Format::Mathml => as_mathml(&derivations),
+        Format::Json => {
+            let list: Vec<Value> = derivations.iter().map(as_json).collect();
+            let value = json!({ "model": short_name(&model), "title": model.title, "count": model.count(), "formulations": list });
+            format!("{value:#}\n")
+        }
+    };
+    print(&out)?;
+    Ok(0)
+}
+
+/// The formulation asked for, or all that the model supports; those it does not are named on
+/// standard error.
+fn derivations(model: &Model, by: Option<&str>) -> Result<Vec<Derivation>, Failure> {
+    if let Some(name) = by {
+        let derivation = tripos_derive::derive(model, formulation(name)?).map_err(|error| model.diagnose(&error))?;
+        return Ok(vec![derivation]);
+    }
+    let mut list = Vec::new();
+    for f in Formulation::ALL {
+        match tripos_derive::derive(model, f) {
+            Ok(derivation) => list.push(derivation),
+            Err(error) if error.is_unsupported() => eprintln!("not shown: {error}"),
+            Err(error) => return Err(model.diagnose(&error).into()),
+        }
+    }
+    Ok(list)
+}
+
+fn as_text(model: &Model, derivations: &[Derivation]) -> String {
+    let mut out = format!("{}\n{}\n", model.title, model.count());
+    for Derivation { arena, equations: e } in derivations {
+        let _ = writeln!(out, "\n{}\n{}", e.formulation.title(), "=".repeat(e.formulation.title().chars().count()));
+        for step in &e.steps {
+            let _ = writeln!(out, "\n{}", step.title);
+            for (name, value) in &step.lines {
+                let _ = writeln!(out, "  {name} = {}", text(arena, *value));
+            }
+        }
+        let _ = writeln!(out, "\nEquations of motion, one row for each of {}", e.rows.join(", "));
+        for (row, right) in e.matrix.iter().zip(&e.forcing) {
+            let _ = writeln!(out, "  {} = {}", row_text(arena, row, &e.unknowns), text(arena, *right));
+        }
+        let _ = writeln!(out, "\nT = {}\nV = {}", text(arena, e.kinetic_energy), text(arena, e.potential_energy));
+        if !e.divisors.is_empty() {
+            let list: Vec<String> = e.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
+            let _ = writeln!(out, "The kinematic equations are singular where {}.", list.join(", "));
+        }
+    }
+    out
+}
+
+/// M1·x1 + M2·x2 + … without the zeros.
+fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
+    let mut terms = Vec::new();
+    for (entry, unknown) in row.iter().zip(unknowns) {
+        let name = arena.symbol_name(*unknown).unwrap_or_default();
+        match text(arena, *entry).as_str() {
+            "0" => {}
+            "1" => terms.push(name.to_owned()),
+            "-1" => terms.push(format!("-{name}")),
+            factor if factor.contains(' ') => terms.push(format!("({factor})*{name}")),
+            factor => terms.push(format!("{factor}*{name}")),
+        }
+    }
+    terms.join(" + ").replace("+ -", "- ")
+}
+
+fn as_latex(derivations: &[Derivation]) -> String {
+    let mut out = String::new();
+    for Derivation { arena, equations: e } in derivations {
+        let rows: Vec<String> =
+            e.matrix.iter().map(|row| row.iter().map(|x| latex(arena, *x)).collect::<Vec<_>>().join(" & ")).collect();
+        let column = |list: Vec<String>| format!("\\begin{{bmatrix}}\n{}\n\\end{{bmatrix}}", list.join(" \\\\\n"));
+        let unknowns = e.unknowns.iter().map(|x| latex_name(arena.symbol_name(*x).unwrap_or_default())).collect();
+        let right = e.forcing.iter().map(|x| latex(arena, *x)).collect();
+        let _ =
+            writeln!(out, "% {}\n{}\n{}\n=\n{}", e.formulation.title(), column(rows), column(unknowns), column(right));
+    }
+    out
+}
+
+fn as_mathml(derivations: &[Derivation]) -> String {
+    let mut out = String::new();
+    for Derivation { arena, equations: e } in derivations {
+        for (row, right) in e.matrix.iter().zip(&e.forcing) {
+            let mut terms = Vec::new();
+            for (entry, unknown) in row.iter().zip(&e.unknowns) {
+                if *entry != Expr::ZERO {
+                    let name = mathml_name(arena.symbol_name(*unknown).unwrap_or_default());
+                    terms.push(format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>{name}", mathml(arena, *entry)));
+                }
+            }
+            let _ = writeln!(
+                out,
+                "<math display=\"block\"><mrow>{}<mo>=</mo>{}</mrow></math>",
+                terms.join("<mo>+</mo>"),
+                mathml(arena, *right)
+            );
+        }
+    }
+    out
+}
+
+fn as_json(derivation: &Derivation) -> Value {
+    let Derivation { arena, equations: e } = derivation;
+    let texts = |list: &[Expr]| list.iter().map(|x| text(arena, *x)).collect::<Vec<_>>();
+    let steps: Vec<Value> = e
+        .steps
+        .iter()
+        .map(|step| {
+            let lines: Vec<Value> =
+                step.lines.iter().map(|(name, value)| json!({ "name": name, "value": text(arena, *value) })).collect();
+            json!({ "title": step.title, "lines": lines })
+        })
+        .collect();
+    json!({
+        "formulation": e.formulation.name(),
+        "unknowns": texts(&e.unknowns),
+        "rows": e.rows,
+        "mass_matrix": e.matrix.iter().map(|row| texts(row)).collect::<Vec<_>>(),
+        "forcing": texts(&e.forcing),
+        "coordinate_rates": texts(&e.coordinate_rates),
+        "kinetic_energy": text(arena, e.kinetic_energy),
+        "potential_energy": text(arena, e.potential_energy),
+        "singular_where": texts(&e.divisors),
+        "steps": steps,
+    })
+}

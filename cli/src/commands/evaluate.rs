@@ -1,0 +1,103 @@
+//! `tripos evaluate`: everything at one state, by interpretation.
+
+use crate::catalogue::{formulation, read_model, short_name};
+use crate::failure::{Failure, print};
+use crate::interpreted::Interpreted;
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos_derive::Model;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::mechanics::Derivation;
+use tripos_derive::scene::{State, load_state};
+use tripos_sim::Dynamics;
+use tripos_traits::System;
+
+/// The equations in numbers.
+struct Values {
+    unknowns: Vec<String>,
+    mass_matrix: Vec<Vec<f64>>,
+    forcing: Vec<f64>,
+    accelerations: Vec<(String, f64)>,
+    reactions: Vec<(String, f64)>,
+    kinetic_energy: f64,
+    potential_energy: f64,
+}
+
+/// Evaluates a formulation at the state of a file.
+pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, Failure> {
+    let mut model = read_model(model)?;
+    let formulation = formulation(by)?;
+    let derivation = tripos_derive::derive(&model, formulation).map_err(|error| model.diagnose(&error))?;
+    let state = load_state(&Source::read(at)?, &mut model)?;
+    let values = values(&model, &derivation, &state)?;
+    if as_json {
+        let object = |list: &[(String, f64)]| {
+            list.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<String, Value>>()
+        };
+        let value = json!({
+            "model": short_name(&model),
+            "formulation": formulation.name(),
+            "unknowns": values.unknowns,
+            "mass_matrix": values.mass_matrix,
+            "forcing": values.forcing,
+            "accelerations": object(&values.accelerations),
+            "reactions": object(&values.reactions),
+            "kinetic_energy": values.kinetic_energy,
+            "potential_energy": values.potential_energy,
+        });
+        print(&format!("{value:#}\n"))?;
+    } else {
+        print(&as_text(&model, formulation.title(), &values))?;
+    }
+    Ok(0)
+}
+
+fn values(model: &Model, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
+    let system = Interpreted::new(model, derivation);
+    let State { parameters: p, q, u } = state;
+    let mut v = vec![0.0; system.speeds()];
+    system.motion_variables(p, q, u, &mut v);
+    let n = system.unknowns();
+    let (mut matrix, mut forcing) = (vec![0.0; n * n], vec![0.0; n]);
+    system.mass_matrix(p, q, &v, &mut matrix);
+    system.forcing(p, q, &v, &mut forcing);
+    let stopped = |why: String| Failure::Stopped(format!("no accelerations at this state: {why}"));
+    let mut dynamics = Dynamics::new(&system, p).map_err(|error| stopped(error.to_string()))?;
+    let x = dynamics.unknowns(q, &v).map_err(|failure| stopped(failure.message))?.to_vec();
+    let (v_dot, reactions) = x.split_at(system.speeds());
+    let mut u_dot = vec![0.0; model.speeds.len()];
+    system.generalized_speed_rates(p, q, &v, v_dot, &mut u_dot);
+    if let Some(at) = u_dot.iter().position(|a| !a.is_finite()) {
+        return Err(stopped(format!("{}' is not finite", model.speeds[at].name)));
+    }
+    let unknowns = &derivation.equations.unknowns;
+    Ok(Values {
+        unknowns: unknowns.iter().filter_map(|e| derivation.arena.symbol_name(*e)).map(str::to_owned).collect(),
+        mass_matrix: matrix.chunks(n).map(<[f64]>::to_vec).collect(),
+        forcing,
+        accelerations: model.speeds.iter().zip(&u_dot).map(|(s, a)| (format!("{}'", s.name), *a)).collect(),
+        reactions: model.reactions.iter().zip(reactions).map(|(r, x)| (r.name.clone(), *x)).collect(),
+        kinetic_energy: system.kinetic_energy(p, q, &v),
+        potential_energy: system.potential_energy(p, q),
+    })
+}
+
+fn as_text(model: &Model, title: &str, values: &Values) -> String {
+    let mut out = format!("{}: {title}, by interpretation\n\n", model.title);
+    let row = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:>15.8e}")).collect::<Vec<_>>().join(" ");
+    let _ = writeln!(out, "unknowns: {}\nmatrix | right-hand side", values.unknowns.join(", "));
+    for (numbers, right) in values.mass_matrix.iter().zip(&values.forcing) {
+        let _ = writeln!(out, "  {} | {right:>15.8e}", row(numbers));
+    }
+    for (heading, list) in [("accelerations", &values.accelerations), ("reactions", &values.reactions)] {
+        if !list.is_empty() {
+            let _ = writeln!(out, "\n{heading}");
+        }
+        for (name, value) in list {
+            let _ = writeln!(out, "  {name} = {value}");
+        }
+    }
+    let _ = writeln!(out, "\nT = {} J\nV = {} J", values.kinetic_energy, values.potential_energy);
+    out
+}

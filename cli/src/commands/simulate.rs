@@ -1,0 +1,142 @@
+//! `tripos simulate`: one run of a scene.
+
+use crate::Simulate;
+use crate::catalogue::{formulation, read_model, short_name};
+use crate::failure::{Failure, print, status};
+use crate::run::{Run, method, run, state_names};
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::scene::{Scene, load, model_path};
+use tripos_derive::{Formulation, Model, derive};
+
+/// Runs the scene and prints how it ended.
+pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
+    let (model, mut scene) = read_scene(&request.scene)?;
+    change(&mut scene, request)?;
+    let by = match &request.by {
+        Some(name) => formulation(name)?,
+        None => Formulation::ALL.into_iter().find(|f| derive(&model, *f).is_ok()).unwrap_or(Formulation::Kane),
+    };
+    let run = run(&model, &scene, by)?;
+    if let Some(path) = &request.csv {
+        write_csv(path, &model, &run)?;
+    }
+    for warning in &run.warnings {
+        eprintln!("warning: {warning}");
+    }
+    if request.json {
+        print(&format!("{:#}\n", as_json(&model, &scene, &run)))?;
+        if run.solution.stop.is_failure() {
+            eprintln!("{}", run.solution);
+        }
+    } else {
+        print(&as_text(&model, &scene, &run))?;
+    }
+    Ok(if run.solution.stop.is_failure() { status::STOPPED } else { 0 })
+}
+
+/// A scene and the model it belongs to.
+pub fn read_scene(path: &Path) -> Result<(Model, Scene), Failure> {
+    let source = Source::read(path)?;
+    let mut model = read_model(&model_path(&source)?)?;
+    let scene = load(&source, &mut model)?;
+    Ok((model, scene))
+}
+
+/// Puts the options of the command line in place of the scene's values.
+fn change(scene: &mut Scene, request: &Simulate) -> Result<(), Failure> {
+    if let Some(name) = &request.method {
+        method(name)?.name().clone_into(&mut scene.method);
+    }
+    for (option, value, place) in [("--rtol", request.rtol, &mut scene.rtol), ("--atol", request.atol, &mut scene.atol)]
+    {
+        if let Some(value) = value {
+            if !value.is_finite() || value < 0.0 {
+                let help = "give a finite number, zero or above";
+                return Err(Failure::Request(format!("{option} is {value}"), help.to_owned()));
+            }
+            *place = value;
+        }
+    }
+    if scene.rtol == 0.0 && scene.atol == 0.0 {
+        let help = "give at least one tolerance above zero";
+        return Err(Failure::Request("rtol and atol are both zero".to_owned(), help.to_owned()));
+    }
+    if let Some(until) = request.until {
+        if !until.is_finite() || until - scene.span.0 == 0.0 {
+            let help = format!("the run starts at {}: give another instant", scene.span.0);
+            return Err(Failure::Request(format!("--until is {until}"), help));
+        }
+        scene.span.1 = until;
+    }
+    Ok(())
+}
+
+fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
+    let state: Map<String, Value> =
+        state_names(model).into_iter().zip(&run.end).map(|(name, x)| (name, json!(x))).collect();
+    let solution = &run.solution;
+    let events: Vec<Value> = solution
+        .events
+        .iter()
+        .map(|e| json!({ "name": e.name, "t": e.t, "kind": format!("{:?}", e.kind).to_lowercase(), "terminal": e.terminal }))
+        .collect();
+    json!({
+        "model": short_name(model),
+        "formulation": run.formulation.name(),
+        "method": scene.method,
+        "compiled": run.code == "compiled",
+        "t": solution.t_end,
+        "state": state,
+        "steps": solution.steps,
+        "rejected": solution.rejected,
+        "evaluations": solution.evaluations,
+        "stop": solution.stop.code(),
+        "drift": { "energy": run.energy_drift },
+        "events": events,
+        "warnings": run.warnings,
+    })
+}
+
+fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
+    let mut out = format!(
+        "{}, {}, {} code, {} with rtol {:e}, atol {:e}\n",
+        model.title,
+        run.formulation.title(),
+        run.code,
+        scene.method,
+        scene.rtol,
+        scene.atol
+    );
+    let _ = writeln!(out, "{}", run.solution);
+    for event in &run.solution.events {
+        let _ = writeln!(out, "  {} at t = {} s ({:?})", event.name, event.t, event.kind);
+    }
+    let _ = writeln!(out, "\nstate at t = {} s", run.solution.t_end);
+    for (name, x) in state_names(model).iter().zip(&run.end) {
+        let _ = writeln!(out, "  {name} = {x}");
+    }
+    let _ = writeln!(out, "\nlargest change of total energy: {:e} J", run.energy_drift);
+    out
+}
+
+fn write_csv(path: &Path, model: &Model, run: &Run) -> Result<(), Failure> {
+    let failed = |error: csv::Error| {
+        let error = match error.into_kind() {
+            csv::ErrorKind::Io(error) => error,
+            other => std::io::Error::other(format!("{other:?}")),
+        };
+        Failure::Output(path.display().to_string(), error)
+    };
+    let mut writer = csv::Writer::from_path(path).map_err(failed)?;
+    let header = ["t".to_owned()].into_iter().chain(state_names(model));
+    let header = header.chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]);
+    writer.write_record(header).map_err(failed)?;
+    for ((t, state), (kinetic, potential)) in run.solution.t.iter().zip(&run.states).zip(&run.energies) {
+        let numbers = [*t].into_iter().chain(state.iter().copied()).chain([*kinetic, *potential]);
+        writer.write_record(numbers.map(|x| x.to_string())).map_err(failed)?;
+    }
+    writer.flush().map_err(|error| Failure::Output(path.display().to_string(), error))
+}

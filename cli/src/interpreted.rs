@@ -1,0 +1,107 @@
+//! Derived equations as a [`System`] by interpretation: for models that are not compiled in.
+
+use std::cell::RefCell;
+use tripos_derive::Model;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::mechanics::Derivation;
+use tripos_traits::System;
+
+/// One formulation, interpreted.
+pub struct Interpreted {
+    sizes: [usize; 4],
+    symmetric: bool,
+    coordinate_rates: Tape,
+    mass_matrix: Tape,
+    forcing: Tape,
+    generalized_speeds: Tape,
+    generalized_speed_rates: Tape,
+    motion_variables: Tape,
+    kinetic_energy: Tape,
+    potential_energy: Tape,
+    work: RefCell<(Vec<f64>, Vec<f64>)>,
+}
+
+impl Interpreted {
+    /// Compiles the equations to tapes.
+    ///
+    /// # Panics
+    /// If an equation has a symbol that is no input of it: the derivation allows none.
+    pub fn new(model: &Model, derivation: &Derivation) -> Self {
+        let Derivation { arena, equations: e } = derivation;
+        let (p, q) = (model.p(), model.q());
+        let state = [p.clone(), q.clone(), e.variables.clone()].concat();
+        let tape = |inputs: &[Expr], outputs: &[Expr]| {
+            Tape::new(arena, inputs, outputs).expect("equations depend on parameters, q and v alone")
+        };
+        let speed_rates = e.unknowns[..e.variables.len()].to_vec();
+        Self {
+            sizes: [p.len(), q.len(), e.variables.len(), e.unknowns.len() - e.variables.len()],
+            symmetric: e.symmetric,
+            coordinate_rates: tape(&state, &e.coordinate_rates),
+            mass_matrix: tape(&state, &e.matrix.concat()),
+            forcing: tape(&state, &e.forcing),
+            generalized_speeds: tape(&state, &e.generalized_speeds),
+            generalized_speed_rates: tape(&[state.clone(), speed_rates].concat(), &e.generalized_speed_rates),
+            motion_variables: tape(&[p.clone(), q.clone(), model.u()].concat(), &e.motion_variables),
+            kinetic_energy: tape(&state, &[e.kinetic_energy]),
+            potential_energy: tape(&[p, q].concat(), &[e.potential_energy]),
+            work: RefCell::default(),
+        }
+    }
+
+    fn run(&self, tape: &Tape, inputs: &[&[f64]], out: &mut [f64]) {
+        let (joined, scratch) = &mut *self.work.borrow_mut();
+        joined.clear();
+        for part in inputs {
+            joined.extend_from_slice(part);
+        }
+        tape.evaluate_into(joined, scratch, out);
+    }
+}
+
+impl System<f64> for Interpreted {
+    fn parameters(&self) -> usize {
+        self.sizes[0]
+    }
+    fn coordinates(&self) -> usize {
+        self.sizes[1]
+    }
+    fn speeds(&self) -> usize {
+        self.sizes[2]
+    }
+    fn reactions(&self) -> usize {
+        self.sizes[3]
+    }
+    fn symmetric(&self) -> bool {
+        self.symmetric
+    }
+    fn coordinate_rates(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.run(&self.coordinate_rates, &[p, q, v], out);
+    }
+    fn mass_matrix(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.run(&self.mass_matrix, &[p, q, v], out);
+    }
+    fn forcing(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.run(&self.forcing, &[p, q, v], out);
+    }
+    fn generalized_speeds(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.run(&self.generalized_speeds, &[p, q, v], out);
+    }
+    fn generalized_speed_rates(&self, p: &[f64], q: &[f64], v: &[f64], v_dot: &[f64], out: &mut [f64]) {
+        self.run(&self.generalized_speed_rates, &[p, q, v, v_dot], out);
+    }
+    fn motion_variables(&self, p: &[f64], q: &[f64], u: &[f64], out: &mut [f64]) {
+        self.run(&self.motion_variables, &[p, q, u], out);
+    }
+    fn kinetic_energy(&self, p: &[f64], q: &[f64], v: &[f64]) -> f64 {
+        let mut out = [0.0];
+        self.run(&self.kinetic_energy, &[p, q, v], &mut out);
+        out[0]
+    }
+    fn potential_energy(&self, p: &[f64], q: &[f64]) -> f64 {
+        let mut out = [0.0];
+        self.run(&self.potential_energy, &[p, q], &mut out);
+        out[0]
+    }
+}

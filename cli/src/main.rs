@@ -1,0 +1,133 @@
+//! `tripos`: equations of motion from a model file, derived three ways, compiled and run.
+
+mod catalogue;
+mod commands;
+mod failure;
+mod interpreted;
+mod page;
+mod plot;
+mod run;
+
+use clap::{Parser, Subcommand, ValueEnum};
+use failure::Failure;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Derives the equations of motion of a mechanism by Kane, Lagrange and Newton–Euler from one model
+/// file, generates Rust for them, and runs it.
+///
+/// Exit status: 0 done; 1 the answer is "no" (stale, different); 2 bad input; 3 a run that could not
+/// go on. With --json, standard output is the JSON alone.
+#[derive(Parser)]
+#[command(name = "tripos", version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Derive, run every scene of a model by all formulations, and write one page that shows it
+    Report {
+        /// A model file, or a folder with model.toml and scenes/
+        #[arg(default_value = "models/disk")]
+        model: PathBuf,
+        /// Where index.html goes
+        #[arg(long, default_value = "target/report")]
+        out: PathBuf,
+    },
+    /// Print the equations of motion of a model
+    Derive {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// kane, lagrange or newton-euler; all that the model supports if not given
+        #[arg(long)]
+        by: Option<String>,
+        /// How to write mathematics
+        #[arg(long, value_enum, default_value_t = Format::Text)]
+        format: Format,
+    },
+    /// Write generated/ anew from models/
+    Regenerate {
+        /// Only say what would change; exit status 1 if anything would
+        #[arg(long)]
+        check: bool,
+    },
+    /// Evaluate the equations of motion at one state
+    Evaluate {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// kane, lagrange or newton-euler
+        #[arg(long)]
+        by: String,
+        /// A TOML file with [parameters] and [state]
+        #[arg(long, value_name = "STATE.toml")]
+        at: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Run a scene
+    Simulate(Simulate),
+}
+
+/// What `simulate` may change of a scene.
+#[derive(clap::Args)]
+struct Simulate {
+    /// A scene file
+    scene: PathBuf,
+    /// kane, lagrange or newton-euler; the first that the model supports if not given
+    #[arg(long)]
+    by: Option<String>,
+    /// The method of integration: ode45
+    #[arg(long)]
+    method: Option<String>,
+    /// Relative tolerance
+    #[arg(long)]
+    rtol: Option<f64>,
+    /// Absolute tolerance
+    #[arg(long)]
+    atol: Option<f64>,
+    /// The last instant, s
+    #[arg(long)]
+    until: Option<f64>,
+    /// Write the samples to this file
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// How to write mathematics.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// The language of model files
+    Text,
+    /// LaTeX for math mode
+    Latex,
+    /// `MathML` for web pages
+    Mathml,
+    /// Text inside JSON
+    Json,
+}
+
+fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Report { model, out } => commands::report::report(&model, &out),
+        Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
+        Command::Regenerate { check: true } => commands::regenerate::check(),
+        Command::Regenerate { check: false } => commands::regenerate::regenerate(),
+        Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),
+        Command::Simulate(request) => commands::simulate::simulate(&request),
+    };
+    match result {
+        Ok(status) => ExitCode::from(status),
+        Err(failure) => {
+            if !matches!(failure, Failure::Hangup) {
+                eprintln!("{failure}");
+            }
+            ExitCode::from(failure.status())
+        }
+    }
+}

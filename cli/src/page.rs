@@ -1,0 +1,139 @@
+//! The report: one page that needs nothing else, with a derivation and the runs of its equations.
+//!
+//! Invariant: the same input gives the same bytes; every text that came from a file is escaped. Absent on
+//! purpose: scripts, outside resources, dates and paths of the machine.
+
+pub mod axis;
+mod derivation;
+mod html;
+mod math;
+mod mechanism;
+mod scene;
+pub mod thin;
+
+use html::{anchor, escape};
+use std::fmt::Write;
+use tripos_derive::mechanics::Derivation;
+use tripos_derive::{Formulation, Model};
+
+/// What the page shows.
+pub struct Page<'a> {
+    /// The mechanism.
+    pub model: &'a Model,
+    /// Its equations of motion by each formulation, or why there are none.
+    pub derivations: Vec<(Formulation, Result<Derivation, String>)>,
+    /// The simulations.
+    pub scenes: Vec<SceneSection>,
+    /// The command that made the page.
+    pub command: String,
+}
+
+/// One simulated scene.
+pub struct SceneSection {
+    /// Its title.
+    pub title: String,
+    /// What it shows.
+    pub about: String,
+    /// (what, value): parameters, start, tolerances.
+    pub facts: Vec<(String, String)>,
+    /// One run for each formulation.
+    pub runs: Vec<RunRow>,
+    /// Its figures.
+    pub figures: Vec<Figure>,
+}
+
+/// What came of one run.
+pub struct RunRow {
+    /// The formulation, as in a heading.
+    pub formulation: String,
+    /// The integration method.
+    pub method: String,
+    /// `compiled` or `interpreted`.
+    pub code: String,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Calls of the right-hand side.
+    pub evaluations: u64,
+    /// Where the run ended, s.
+    pub t_end: f64,
+    /// Why it ended, as a sentence.
+    pub stop: String,
+    /// Whether the run went as far as its equations hold and it was asked to.
+    pub trusted: bool,
+    /// Largest change of total energy, J.
+    pub energy_drift: f64,
+    /// What else the reader should know.
+    pub warnings: Vec<String>,
+}
+
+/// A figure and its caption.
+pub struct Figure {
+    /// The caption.
+    pub caption: String,
+    /// An `<svg>` element.
+    pub svg: String,
+}
+
+/// The page as HTML.
+pub fn render(page: &Page) -> String {
+    let title = escape(&page.model.title);
+    let mut body = mechanism::section(page.model);
+    let mut shown = Vec::new();
+    for (formulation, result) in &page.derivations {
+        body += &derivation::section(page.model, *formulation, result, &mut shown);
+    }
+    if !page.scenes.is_empty() {
+        body += "<section id=\"simulation\">\n<h2>Simulation</h2>\n";
+        let mut figures = 0;
+        for (at, scene) in page.scenes.iter().enumerate() {
+            body += &scene::section(scene, at, &mut figures);
+        }
+        body += "</section>\n";
+    }
+    let source = match page.model.reference.as_str() {
+        "" => String::new(),
+        reference => format!("<p class=\"source\">{}</p>\n", escape(reference)),
+    };
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n<style>\n{}</style>\n</head>\n\
+         <body>\n<header>\n<h1>{title}</h1>\n{source}<p class=\"count\">{}.</p>\n</header>\n{}<main>\n{body}</main>\n\
+         {}</body>\n</html>\n",
+        include_str!("page/style.css"),
+        escape(&page.model.count()),
+        contents(page),
+        footer(page),
+    )
+}
+
+fn contents(page: &Page) -> String {
+    let mut out = String::from("<nav aria-label=\"Contents\">\n<ul>\n<li><a href=\"#mechanism\">Mechanism</a></li>\n");
+    for (formulation, result) in &page.derivations {
+        let missing = if result.is_err() { " <span class=\"quiet\">(not derived)</span>" } else { "" };
+        let (name, title) = (formulation.name(), escape(formulation.title()));
+        let _ = writeln!(out, "<li><a href=\"#{name}\">{title}</a>{missing}</li>");
+    }
+    if !page.scenes.is_empty() {
+        out += "<li><a href=\"#simulation\">Simulation</a>\n<ul>\n";
+        for (at, scene) in page.scenes.iter().enumerate() {
+            let _ = writeln!(out, "<li><a href=\"#{}\">{}</a></li>", anchor(at), escape(&scene.title));
+        }
+        out += "</ul></li>\n";
+    }
+    out + "</ul>\n</nav>\n"
+}
+
+fn footer(page: &Page) -> String {
+    format!(
+        "<footer>\n<p>To make this page again: <code>{}</code>. The equations carry the mark <code>{}</code> of the \
+         model text that they were derived from.</p>\n</footer>\n",
+        escape(&page.command),
+        escape(&page.model.text_hash()),
+    )
+}
+
+#[cfg(test)]
+mod tests;

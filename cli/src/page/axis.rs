@@ -1,0 +1,157 @@
+//! Axes with ticks that can be read, and labels as a person writes them.
+//!
+//! Invariant: no tick shows a rounding error: a tick is a whole number times a power of ten, printed with
+//! the digits of that power.
+
+/// A linear axis: values less `offset`, from `low` to `high`.
+pub struct Axis {
+    offset: f64,
+    low: f64,
+    high: f64,
+    /// Position from 0 to 1, and text.
+    pub ticks: Vec<(f64, String)>,
+    /// The label, with what was subtracted and the power of ten.
+    pub label: String,
+}
+
+impl Axis {
+    /// An axis that holds `values` with a `margin` (part of their range) and about `count` ticks.
+    pub fn new(values: impl Iterator<Item = f64>, label: &str, margin: f64, count: f64) -> Self {
+        let (min, max) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+        let (min, max) = if min <= max { (min, max) } else { (0.0, 1.0) };
+        let size = min.abs().max(max.abs());
+        let range = max - min;
+        // Differences of a few roundings are no shape.
+        let flat = range <= 8.0 * f64::EPSILON * size || range < 1e-290;
+        let offset = if !flat && range < 1e-4 * size { round_near(f64::midpoint(min, max), range) } else { 0.0 };
+        let around = if size < 1e-290 { 1.0 } else { 0.1 * size };
+        let pad = if flat { around } else { margin * range };
+        let (low, high) = (min - offset - pad, max - offset + pad);
+        let mut axis = Self { offset, low, high, ticks: Vec::new(), label: String::new() };
+        let power = axis.tick(count);
+        axis.label = scaled_label(label, offset, power);
+        axis
+    }
+
+    /// Sets ticks at multiples of 1, 2 or 5 times a power of ten; gives the power of ten taken out of them.
+    fn tick(&mut self, count: f64) -> i32 {
+        let rough = (self.high - self.low) / count;
+        let decade = whole(rough.log10().floor());
+        let digit = rough / 10_f64.powi(decade);
+        let (digit, decade) = match digit {
+            d if d < 1.5 => (1.0, decade),
+            d if d < 3.0 => (2.0, decade),
+            d if d < 7.0 => (5.0, decade),
+            _ => (1.0, decade + 1),
+        };
+        let size = self.low.abs().max(self.high.abs());
+        let power = if (1e-2..1e5).contains(&size) { 0 } else { 3 * whole((size.log10() / 3.0).floor()) };
+        let step = digit * 10_f64.powi(decade);
+        let decimals = usize::try_from(power - decade).unwrap_or(0);
+        let first = whole((self.low / step - 1e-9).ceil());
+        for i in first..=whole((self.high / step + 1e-9).floor()) {
+            let text = format!("{:.decimals$}", f64::from(i) * digit * 10_f64.powi(decade - power));
+            let at = (f64::from(i) * step - self.low) / (self.high - self.low);
+            self.ticks.push((at, text.replace('-', "−")));
+        }
+        power
+    }
+
+    /// Position of a value, from 0 to 1.
+    pub fn place(&self, value: f64) -> f64 {
+        (value - self.offset - self.low) / (self.high - self.low)
+    }
+}
+
+/// The number of fewest digits within two ranges of the middle: short to read, close enough to subtract.
+fn round_near(middle: f64, range: f64) -> f64 {
+    let rounded = (0..17).filter_map(|digits| format!("{middle:.digits$e}").parse::<f64>().ok());
+    rounded.into_iter().find(|x| (x - middle).abs() <= 2.0 * range).unwrap_or(middle)
+}
+
+/// `T + V [J]` as `T + V − 24.525 J  [10⁻⁹ J]`.
+fn scaled_label(label: &str, offset: f64, power: i32) -> String {
+    let (stem, unit) = match label.trim_end().strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
+        Some((stem, unit)) => (pretty(stem), pretty(unit)),
+        None => (pretty(label), String::new()),
+    };
+    let sign = if offset < 0.0 { '+' } else { '−' };
+    let stem = match offset {
+        0.0 => stem,
+        _ => format!("{stem} {sign} {} {unit}", pretty(&offset.abs().to_string())).trim_end().to_owned(),
+    };
+    match (power, unit.is_empty()) {
+        (0, true) => stem,
+        (0, false) => format!("{stem} [{unit}]"),
+        _ => format!("{stem} [{}]", format!("10{} {unit}", raised(&power.to_string())).trim_end()),
+    }
+}
+
+fn raised(number: &str) -> String {
+    let raise = |c| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => char::from_digit(digit as u32 - '0' as u32, 10)
+            .map_or(digit, |_| char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit)),
+    };
+    number.chars().map(raise).collect()
+}
+
+/// Words as a person writes them: `q1'` as q̇₁, `m/s^2` as m/s², `kg*m` as kg·m.
+pub fn pretty(text: &str) -> String {
+    let word = |word: &str| {
+        let stem = word.trim_end_matches('\'');
+        let dots = ["", "\u{307}", "\u{308}"][(word.len() - stem.len()).min(2)];
+        match (stem.chars().next(), stem.get(1..)) {
+            (Some(letter), Some(digits))
+                if letter.is_ascii_alphabetic() && digits.bytes().all(|b| b.is_ascii_digit()) =>
+            {
+                let lowered = digits.bytes().filter_map(|b| char::from_u32(u32::from(b - b'0') + '₀' as u32));
+                format!("{letter}{dots}{}", lowered.collect::<String>())
+            }
+            _ => word.replace("^2", "²").replace("^3", "³").replace('*', "·"),
+        }
+    };
+    text.split_whitespace().map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// The whole part.
+#[expect(clippy::cast_possible_truncation, reason = "saturates, and every place in a figure is small")]
+pub fn whole(x: f64) -> i32 {
+    x as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axis(values: &[f64]) -> (Vec<String>, String) {
+        let axis = Axis::new(values.iter().copied(), "T + V [J]", 0.06, 4.0);
+        (axis.ticks.into_iter().map(|(_, text)| text).collect(), axis.label)
+    }
+
+    #[test]
+    fn ticks_show_no_rounding() {
+        assert_eq!(axis(&[0.0, 1.2]).0, ["0.0", "0.5", "1.0"]);
+        assert_eq!(axis(&[0.0, 0.7]).0, ["0.0", "0.2", "0.4", "0.6"]);
+        assert_eq!(
+            axis(&[-2e5, 3e5]),
+            (["−200", "−100", "0", "100", "200", "300"].map(str::to_owned).to_vec(), "T + V [10³ J]".to_owned())
+        );
+    }
+
+    #[test]
+    fn a_drift_is_shown_less_its_offset() {
+        let (ticks, label) = axis(&[24.525, 24.525 + 3e-9, 24.525 - 1e-9]);
+        assert_eq!(label, "T + V − 24.525 J [10⁻⁹ J]");
+        assert_eq!(ticks, ["−1", "0", "1", "2", "3"]);
+    }
+
+    #[test]
+    fn names_are_written_as_by_hand() {
+        assert_eq!(pretty("q1' [m/s^2]"), "q̇₁ [m/s²]");
+        assert_eq!(pretty("T + V"), "T + V");
+    }
+}

@@ -1,0 +1,218 @@
+//! One formulation: the derivation step by step, then the equations.
+
+use super::html::{escape, folded, scroll};
+use super::math::{formula, inline, length, lines, matrix, row_name, step_name, step_title};
+use std::fmt::Write;
+use tripos_derive::algebra::print::latex;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::{Derivation, Equations, Step};
+use tripos_derive::{Formulation, Model};
+
+/// A step of more lines than this is folded.
+const MANY_LINES: usize = 14;
+/// A step of more characters of plain text than this is folded.
+const LONG: usize = 900;
+/// Entries of more characters stand as M_ij, with their values below: the first that makes the system fit.
+const WIDE: [usize; 3] = [56, 40, 28];
+/// Characters of plain text that fit the page as mathematics, beside each other.
+const PAGE: usize = 110;
+/// Equations of more characters in all are not repeated row by row and in LaTeX.
+const TOO_LONG: usize = 60_000;
+
+/// The section of one formulation. `shown` collects steps, so that a repeated one is folded.
+pub fn section(
+    model: &Model,
+    formulation: Formulation,
+    result: &Result<Derivation, String>,
+    shown: &mut Vec<String>,
+) -> String {
+    let (name, title) = (formulation.name(), escape(formulation.title()));
+    let content = match result {
+        Ok(derivation) => {
+            let equations = &derivation.equations;
+            let steps: String =
+                equations.steps.iter().map(|step| show_step(model, &derivation.arena, step, shown)).collect();
+            format!("<h3>Derivation</h3>\n{steps}<h3>Equations of motion</h3>\n{}", show_equations(model, derivation))
+        }
+        Err(reason) => format!("<p class=\"missing\"><strong>Not derived.</strong> {}.</p>\n", escape(reason)),
+    };
+    format!("<section id=\"{name}\">\n<h2>{title}</h2>\n<p>{}</p>\n{content}</section>\n", principle(formulation))
+}
+
+/// The principle, in a sentence.
+fn principle(formulation: Formulation) -> &'static str {
+    match formulation {
+        Formulation::Kane => {
+            "For each generalized speed the generalized active force and the generalized inertia force add to zero: \
+             <math><mrow><msub><mi>F</mi><mi>r</mi></msub><mo>+</mo><msubsup><mi>F</mi><mi>r</mi><mo>⋆</mo></msubsup>\
+             <mo>=</mo><mn>0</mn></mrow></math>."
+        }
+        Formulation::Lagrange => {
+            "For each generalized coordinate <math><mrow><mfrac><mi mathvariant=\"normal\">d</mi><mrow>\
+             <mi mathvariant=\"normal\">d</mi><mi>t</mi></mrow></mfrac><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi>\
+             </mrow><mrow><mo form=\"prefix\">∂</mo><msub><mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi>\
+             </msub></mrow></mfrac><mo>−</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi></mrow><mrow>\
+             <mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi></msub></mrow></mfrac><mo>+</mo><mfrac><mrow>\
+             <mo form=\"prefix\">∂</mo><mi>V</mi></mrow><mrow><mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi>\
+             </msub></mrow></mfrac><mo>=</mo><msub><mi>Q</mi><mi>i</mi></msub></mrow></math>."
+        }
+        Formulation::NewtonEuler => {
+            "For each body the forces give its mass times the acceleration of its mass centre, and the moments about \
+             the mass centre give the rate of its angular momentum; the reactions are unknowns beside the accelerations."
+        }
+    }
+}
+
+fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>) -> String {
+    if step.lines.is_empty() {
+        return String::new();
+    }
+    let mut title = step_title(model, &step.title);
+    let pairs: Vec<_> = step.lines.iter().map(|(name, e)| (step_name(model, name), formula(arena, *e))).collect();
+    let mut content = scroll(&step.title, &lines(&pairs));
+    if step.lines.iter().any(|(name, _)| name.starts_with("d ")) {
+        content += "<p class=\"quiet\">Partial derivatives that are not listed are zero.</p>\n";
+    }
+    let size: usize = step.lines.iter().map(|(_, e)| length(arena, *e).unwrap_or(LONG)).sum();
+    let repeated = shown.contains(&content);
+    if repeated {
+        title += " <span class=\"quiet\">(as above)</span>";
+    } else {
+        shown.push(content.clone());
+    }
+    if repeated || step.lines.len() > MANY_LINES || size > LONG {
+        let count = step.lines.len();
+        let count = if repeated { String::new() } else { format!(" <span class=\"quiet\">({count} lines)</span>") };
+        folded(&format!("{title}{count}"), &content)
+    } else {
+        format!("<h4>{title}</h4>\n{content}")
+    }
+}
+
+fn show_equations(model: &Model, derivation: &Derivation) -> String {
+    let Derivation { arena, equations } = derivation;
+    let mut out = String::new();
+    let (system, named) = system(arena, equations);
+    let math = format!("<math display=\"block\"><mrow>{system}</mrow></math>\n");
+    out += &scroll("System of equations in matrix form", &math);
+    if !named.is_empty() {
+        out += if equations.symmetric { "<p>The matrix is symmetric. Here</p>\n" } else { "<p>Here</p>\n" };
+        out += &scroll("Entries of the matrix and of the forcing", &lines(&named));
+    }
+    if !equations.divisors.is_empty() {
+        let divisors: Vec<_> = equations.divisors.iter().map(|e| inline(&formula(arena, *e))).collect();
+        let _ = writeln!(
+            out,
+            "<p>The kinematic equations divide by {}: where one vanishes the generalized speeds do not determine the \
+             rates of the coordinates.</p>",
+            divisors.join(", ")
+        );
+    }
+    let entries = equations.matrix.iter().flatten().chain(&equations.forcing);
+    match entries.map(|e| length(arena, *e)).sum::<Option<usize>>() {
+        Some(size) if size <= TOO_LONG => {
+            out += &folded("Row by row", &scroll("Equations row by row", &row_by_row(model, arena, equations)));
+            let source = format!("<pre><code>{}</code></pre>\n", escape(&latex_source(arena, equations)));
+            out += &folded("LaTeX source", &scroll("LaTeX source", &source));
+        }
+        _ => {
+            let name = equations.formulation.name();
+            let _ = writeln!(
+                out,
+                "<p class=\"quiet\">Too long to print row by row; <code>tripos derive --by {name}</code> prints it.</p>"
+            );
+        }
+    }
+    out
+}
+
+/// How many characters an entry may have in the system.
+fn widest(arena: &Arena, equations: &Equations) -> usize {
+    let named = "M12".len();
+    let width = |e: Expr, limit: usize| length(arena, e).filter(|n| *n <= limit).unwrap_or(named);
+    let fits = |limit: &usize| {
+        let column = |j: usize| equations.matrix.iter().map(|row| width(row[j], *limit)).max().unwrap_or(0);
+        let matrix: usize = (0..equations.unknowns.len()).map(|j| column(j) + 2).sum();
+        matrix + equations.forcing.iter().map(|e| width(*e, *limit)).max().unwrap_or(0) <= PAGE
+    };
+    // What fits at no width scrolls.
+    WIDE.into_iter().find(fits).unwrap_or(WIDE[1])
+}
+
+/// matrix · unknowns = forcing, and the entries that are too wide for it as (name, value).
+fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(String, String)>) {
+    let wide = widest(arena, equations);
+    let mut named = Vec::new();
+    let mut entry = |e: Expr, name: String, is_repeated: bool| {
+        if length(arena, e).is_some_and(|length| length <= wide) {
+            return formula(arena, e);
+        }
+        if !is_repeated {
+            named.push((name.clone(), formula(arena, e)));
+        }
+        name
+    };
+    let mut rows = Vec::new();
+    for (i, row) in equations.matrix.iter().enumerate() {
+        let mut cells = Vec::new();
+        for (j, e) in row.iter().enumerate() {
+            let below = equations.symmetric && j < i;
+            let (a, b) = if below { (j, i) } else { (i, j) };
+            // One digit each needs no comma.
+            let comma = if equations.matrix.len() > 9 { "<mo separator=\"true\">,</mo>" } else { "" };
+            let name = format!("<msub><mi>M</mi><mrow><mn>{}</mn>{comma}<mn>{}</mn></mrow></msub>", a + 1, b + 1);
+            cells.push(entry(*e, name, below));
+        }
+        rows.push(cells);
+    }
+    let forcing = equations.forcing.iter().enumerate();
+    let forcing: Vec<_> =
+        forcing.map(|(i, e)| vec![entry(*e, format!("<msub><mi>f</mi><mn>{}</mn></msub>", i + 1), false)]).collect();
+    let unknowns: Vec<_> = equations.unknowns.iter().map(|e| vec![formula(arena, *e)]).collect();
+    (format!("{}{}<mo>=</mo>{}", matrix(&rows), matrix(&unknowns), matrix(&forcing)), named)
+}
+
+fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
+    // Terms are joined here, in a store of their own.
+    let mut arena = arena.clone();
+    let mut out = String::from("<table class=\"lines\">\n<tbody>\n");
+    for ((row, name), forcing) in equations.matrix.iter().zip(&equations.rows).zip(&equations.forcing) {
+        let terms = row.iter().zip(&equations.unknowns).filter(|(e, _)| **e != Expr::ZERO);
+        let terms: Vec<Expr> = terms.map(|(e, x)| arena.mul(*e, *x)).collect();
+        let equation = format!("{}<mo>=</mo>{}", joined(&arena, &terms), formula(&arena, *forcing));
+        let _ = writeln!(
+            out,
+            "<tr><th scope=\"row\">{}</th><td>{}</td></tr>",
+            row_name(model, name),
+            inline(&format!("<mrow>{equation}</mrow>"))
+        );
+    }
+    out + "</tbody>\n</table>\n"
+}
+
+/// Terms in their order, with signs between them.
+fn joined(arena: &Arena, terms: &[Expr]) -> String {
+    let mut out = String::new();
+    for (at, term) in terms.iter().enumerate() {
+        let term = formula(arena, *term);
+        match term.strip_prefix("<mrow><mo>−</mo>") {
+            _ if at == 0 => out += &term,
+            Some(rest) => out.extend(["<mo>−</mo><mrow>", rest]),
+            None => out.extend(["<mo>+</mo>", &term]),
+        }
+    }
+    if out.is_empty() { "<mn>0</mn>".to_owned() } else { out }
+}
+
+fn latex_source(arena: &Arena, equations: &Equations) -> String {
+    let column = |list: &[Expr]| list.iter().map(|e| latex(arena, *e)).collect::<Vec<_>>().join(" \\\\\n  ");
+    let rows = equations.matrix.iter();
+    let rows = rows.map(|row| row.iter().map(|e| latex(arena, *e)).collect::<Vec<_>>().join(" & "));
+    format!(
+        "\\begin{{bmatrix}}\n  {}\n\\end{{bmatrix}}\n\\begin{{bmatrix}}\n  {}\n\\end{{bmatrix}}\n=\n\
+         \\begin{{bmatrix}}\n  {}\n\\end{{bmatrix}}",
+        rows.collect::<Vec<_>>().join(" \\\\\n  "),
+        column(&equations.unknowns),
+        column(&equations.forcing),
+    )
+}

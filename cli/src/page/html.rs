@@ -1,0 +1,48 @@
+//! The few shapes of HTML that the page is made of.
+
+/// Text as the content of an element or of an attribute in double quotes.
+pub fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// The place of a scene in the page.
+pub fn anchor(scene: usize) -> String {
+    format!("scene-{}", scene + 1)
+}
+
+/// A box that scrolls by itself, reachable by keyboard.
+pub fn scroll(label: &str, content: &str) -> String {
+    format!("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">\n{content}</div>\n", escape(label))
+}
+
+/// Content that opens on demand; `summary` is HTML.
+pub fn folded(summary: &str, content: &str) -> String {
+    format!("<details>\n<summary>{summary}</summary>\n{content}</details>\n")
+}
+
+/// `shape` of each item, one after another.
+pub fn each<T>(items: &[T], shape: impl Fn(&T) -> String) -> String {
+    items.iter().fold(String::new(), |out, item| out + &shape(item))
+}
+
+/// The head of a table; cells are HTML.
+pub fn head(cells: &[&str]) -> String {
+    format!("<thead><tr>{}</tr></thead>\n", each(cells, |cell| format!("<th scope=\"col\">{cell}</th>")))
+}
+
+/// A table with a head; cells are HTML.
+pub fn table(caption: &str, columns: &[&str], rows: &[Vec<String>]) -> String {
+    let row = |cells: &Vec<String>| format!("<tr>{}</tr>\n", each(cells, |cell| format!("<td>{cell}</td>")));
+    let (head, rows) = (head(columns), each(rows, row));
+    scroll(caption, &format!("<table>\n<caption>{caption}</caption>\n{head}<tbody>\n{rows}</tbody>\n</table>\n"))
+}
+
+/// A number as mathematics on paper: `1.2e-9` as 1.2 × 10⁻⁹.
+pub fn number(text: &str) -> String {
+    let text = text.replace('-', "−");
+    match text.split_once('e') {
+        Some((digits, "0")) => digits.to_owned(),
+        Some((digits, power)) => format!("{digits} × 10<sup>{power}</sup>"),
+        None => text,
+    }
+}

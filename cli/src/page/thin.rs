@@ -1,0 +1,60 @@
+//! Which points of a curve are drawn, and which carry a marker. Points are in pixels.
+
+use super::axis::whole;
+
+/// Points that a curve keeps whatever its shape.
+const PLENTY: usize = 2000;
+
+/// Points of a curve that show: all of a short one; of a long one the ends and extremes of each
+/// pixel column, or, where x turns back, the points that are half a pixel apart.
+pub fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    if points.len() <= PLENTY {
+        return points.to_vec();
+    }
+    if !points.is_sorted_by(|a, b| a.0 <= b.0) {
+        let mut kept = vec![points[0]];
+        for p in points {
+            let last = kept[kept.len() - 1];
+            if (p.0 - last.0).hypot(p.1 - last.1) >= 0.5 {
+                kept.push(*p);
+            }
+        }
+        kept.extend(points.last());
+        return kept;
+    }
+    let mut kept = Vec::new();
+    for column in points.chunk_by(|a, b| whole(a.0) == whole(b.0)) {
+        let order = |a: &usize, b: &usize| column[*a].1.total_cmp(&column[*b].1);
+        let low = (0..column.len()).min_by(order).unwrap_or(0);
+        let high = (0..column.len()).max_by(order).unwrap_or(0);
+        let mut chosen = [0, low.min(high), low.max(high), column.len() - 1].to_vec();
+        chosen.dedup();
+        kept.extend(chosen.into_iter().map(|at| column[at]));
+    }
+    kept
+}
+
+/// About 25 points to carry markers; `share` shifts them, so that equal curves show different places.
+pub fn marked(points: &[(f64, f64)], width: f64, share: f64) -> Vec<(f64, f64)> {
+    let spacing = (width / 25.0).max(34.0);
+    let mut chosen = Vec::new();
+    let mut next = match points {
+        [] => return chosen,
+        [only] => return vec![*only],
+        [first, ..] => first.0.min(points[points.len() - 1].0) + share * spacing,
+    };
+    if points.is_sorted_by(|a, b| a.0 <= b.0) {
+        for pair in points.windows(2) {
+            // Between samples, on the line that is drawn.
+            while next <= pair[1].0 && pair[1].0 > pair[0].0 {
+                let part = ((next - pair[0].0) / (pair[1].0 - pair[0].0)).max(0.0);
+                chosen.push((next, pair[0].1 + part * (pair[1].1 - pair[0].1)));
+                next += spacing;
+            }
+        }
+        return chosen;
+    }
+    let every = points.len().div_ceil(12);
+    let start = whole(share * every as f64).unsigned_abs() as usize;
+    points.iter().skip(start).step_by(every).copied().collect()
+}

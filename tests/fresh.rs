@@ -1,0 +1,27 @@
+//! The committed equations are what the models give, byte by byte.
+
+use std::path::Path;
+use tripos_codegen::freshness;
+
+/// Fails while a model was edited and `tripos regenerate` was not run.
+#[test]
+fn generated_text_is_what_the_models_give() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let found = freshness(&root.join("models"), &root.join("generated/src")).unwrap();
+    for (name, diagnostics) in &found.generated.broken {
+        eprintln!("models/{name}:\n{diagnostics}");
+    }
+    assert!(found.generated.broken.is_empty(), "a model of the library has errors");
+    let list: Vec<String> = found.differences.iter().map(ToString::to_string).collect();
+    assert!(list.is_empty(), "generated/ is stale; run `tripos regenerate` and read its diff:\n{}", list.join("\n"));
+}
+
+/// The same text gives the same bytes: two derivations in one process share no state, and differ in the
+/// order in which memory is handed out.
+#[test]
+fn generating_twice_gives_the_same_bytes() {
+    let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
+    let first = tripos_codegen::workspace::generate(&models).unwrap();
+    let second = std::thread::spawn(move || tripos_codegen::workspace::generate(&models).unwrap()).join().unwrap();
+    assert_eq!(first.files, second.files);
+}

@@ -1,0 +1,74 @@
+//! What the whole-pipeline tests share.
+
+#![allow(dead_code, reason = "each test uses its part")]
+
+use rustc_hash::FxHashMap;
+use tripos_derive::algebra::evaluate::value_of;
+use tripos_derive::algebra::{Arena, Expr, Node};
+use tripos_sim::Dynamics;
+use tripos_traits::System;
+
+/// The compiled equations of a model.
+pub fn system(model: &str, formulation: &str) -> &'static (dyn System<f64> + Sync) {
+    let model = tripos::MODELS.iter().find(|m| m.name == model).expect("a compiled model");
+    model.systems.iter().find(|(name, _)| *name == formulation).expect("a compiled formulation").1
+}
+
+/// u̇ at a state, by any formulation.
+pub fn accelerations(system: &dyn System<f64>, p: &[f64], q: &[f64], u: &[f64]) -> Vec<f64> {
+    let mut v = vec![0.0; u.len()];
+    system.motion_variables(p, q, u, &mut v);
+    let x = Dynamics::new(system, p).unwrap().unknowns(q, &v).unwrap().to_vec();
+    let mut u_dot = vec![0.0; u.len()];
+    system.generalized_speed_rates(p, q, &v, &x[..u.len()], &mut u_dot);
+    u_dot
+}
+
+/// For each output the largest term that is added or multiplied on the way to it: the interpreter with
+/// absolute values, so that nothing cancels.
+pub fn largest_terms(arena: &Arena, inputs: &[Expr], values: &[f64], outputs: &[Expr]) -> Vec<f64> {
+    let mut plain: FxHashMap<Expr, f64> = FxHashMap::default();
+    let mut largest: FxHashMap<Expr, f64> = FxHashMap::default();
+    for e in arena.reachable(outputs) {
+        let (value, magnitude) = match arena.node(e) {
+            Node::Number(k) => (k.to_f64(), k.to_f64().abs()),
+            Node::Pi => (std::f64::consts::PI, std::f64::consts::PI),
+            Node::Symbol(_) => {
+                let x = values[inputs.iter().position(|i| *i == e).expect("an input")];
+                (x, x.abs())
+            }
+            Node::Sum(c, terms) => {
+                let c = c.to_f64();
+                let value = terms.iter().fold(c, |s, (t, k)| s + k.to_f64() * plain[t]);
+                let magnitude = terms.iter().fold(c.abs(), |s, (t, k)| s.max((k.to_f64() * largest[t]).abs()));
+                (value, magnitude)
+            }
+            Node::Product(factors) => {
+                let value = factors.iter().fold(1.0, |s, (b, n)| s * plain[b].powi(*n));
+                // A divisor is as small as it is; a factor counts with its largest term.
+                let magnitude = factors
+                    .iter()
+                    .fold(1.0_f64, |s, (b, n)| s * if *n > 0 { largest[b].powi(*n) } else { plain[b].abs().powi(*n) });
+                (value, magnitude)
+            }
+            Node::Apply(f, x) => (value_of(*f, plain[x]), value_of(*f, plain[x]).abs()),
+        };
+        plain.insert(e, value);
+        largest.insert(e, magnitude);
+    }
+    outputs.iter().map(|e| largest[e]).collect()
+}
+
+/// A seeded generator (SplitMix64): the same states on every machine.
+pub struct Random(pub u64);
+
+impl Random {
+    /// Uniform between two bounds.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        low + (high - low) * ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
