@@ -3,13 +3,11 @@
 //! Invariant: the same input gives the same bytes; every text that came from a file is escaped. Absent on
 //! purpose: scripts, outside resources, dates and paths of the machine.
 
-pub mod axis;
 mod derivation;
 mod html;
 mod math;
 mod mechanism;
 mod scene;
-pub mod thin;
 
 use html::{anchor, escape};
 use std::fmt::Write;

@@ -4,12 +4,17 @@
 //! places everything at whole numbers. Invariant: the same panels give the same bytes. Absent on
 //! purpose: logarithmic axes, which hide the sign of a drift.
 
-use crate::page::axis::{Axis, pretty, whole};
-use crate::page::thin::{marked, thin};
+mod axis;
+mod thin;
+
+pub use axis::pretty;
+
+use axis::{Axis, whole};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::fmt;
+use thin::{marked, thin};
 
 /// One curve.
 pub struct Series {
@@ -70,7 +75,7 @@ struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64
 
 /// Colours of Okabe and Ito. A thick light line lies under thin dashed ones, so equal curves all show.
 const LOOKS: [Look; 6] = [
-    Look(RGBColor(0x56, 0xb4, 0xe9), 5.0, "", RGBColor(0x00, 0x72, 0xb2), &[]),
+    Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
         RGBColor(0xd5, 0x5e, 0x00),
         2.0,

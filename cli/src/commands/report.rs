@@ -181,9 +181,15 @@ fn energy_panel(runs: &[Run]) -> Panel {
 }
 
 fn state_panels(model: &Model, runs: &[Run]) -> Vec<Panel> {
-    let rate = |unit: &str| if unit == "1" { "rad".to_owned() } else { unit.to_owned() };
-    let coordinates = model.coordinates.iter().map(|c| format!("{} [{}]", c.name, rate(&c.unit.to_string())));
-    let labels: Vec<String> = coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect();
+    // An angle's plain unit is shown as radians.
+    let radians = |unit: String| match unit.as_str() {
+        "1" => "rad".to_owned(),
+        other => other.strip_prefix("1/").map_or(other.to_owned(), |rest| format!("rad/{rest}")),
+    };
+    let coordinates = model.coordinates.iter().map(|c| (&c.name, &c.unit));
+    let quantities = coordinates.chain(model.speeds.iter().map(|s| (&s.name, &s.unit)));
+    let labels: Vec<String> =
+        quantities.map(|(name, unit)| format!("{name} [{}]", radians(unit.to_string()))).collect();
     let panel = |(at, label): (usize, &String)| Panel {
         title: label.split(' ').next().unwrap_or_default().to_owned(),
         x_label: "t [s]".to_owned(),

@@ -13,7 +13,7 @@ const MANY_LINES: usize = 14;
 /// A step of more characters of plain text than this is folded.
 const LONG: usize = 900;
 /// Entries of more characters stand as M_ij, with their values below: the first that makes the system fit.
-const WIDE: [usize; 3] = [56, 40, 28];
+const WIDE: [usize; 5] = [56, 48, 40, 34, 28];
 /// Characters of plain text that fit the page as mathematics, beside each other.
 const PAGE: usize = 110;
 /// Equations of more characters in all are not repeated row by row and in LaTeX.
@@ -136,7 +136,7 @@ fn widest(arena: &Arena, equations: &Equations) -> usize {
         matrix + equations.forcing.iter().map(|e| width(*e, *limit)).max().unwrap_or(0) <= PAGE
     };
     // What fits at no width scrolls.
-    WIDE.into_iter().find(fits).unwrap_or(WIDE[1])
+    WIDE.into_iter().find(fits).unwrap_or(WIDE[2])
 }
 
 /// matrix · unknowns = forcing, and the entries that are too wide for it as (name, value).

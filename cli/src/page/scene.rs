@@ -1,8 +1,8 @@
 //! One simulated scene: what was given, how each run went, figures.
 
-use super::axis::pretty;
 use super::html::{anchor, each, escape, head, number, scroll};
 use super::{RunRow, SceneSection};
+use crate::plot::pretty;
 use std::fmt::Write;
 
 const HEAD: [&str; 9] = [
@@ -63,7 +63,7 @@ fn runs(scene: &SceneSection) -> String {
     scroll(&format!("Runs of {}", scene.title), &table)
 }
 
-/// One row of numbers; below it why the run cannot be trusted, and its warnings.
+/// One row of numbers; below it how a run ended that cannot be trusted, and warnings.
 fn run(run: &RunRow) -> String {
     let class = if run.trusted { "" } else { " class=\"untrusted\"" };
     let result = if run.trusted { escape(&run.stop) } else { "<strong>not trusted</strong>".to_owned() };
@@ -88,7 +88,7 @@ fn run(run: &RunRow) -> String {
         );
     };
     if !run.trusted {
-        remark("Not trusted:", &run.stop);
+        remark("How it ended:", &run.stop);
     }
     for warning in &run.warnings {
         remark("Warning:", warning);
@@ -102,6 +102,14 @@ fn rounded(x: f64) -> String {
     if short != 0.0 && !(1e-4..1e6).contains(&short.abs()) { format!("{short:e}") } else { short.to_string() }
 }
 
+/// Two significant digits.
 fn energy(drift: f64) -> String {
-    if drift.is_finite() { number(&format!("{drift:.1e}")) } else { "<strong>not finite</strong>".to_owned() }
+    if !drift.is_finite() {
+        return "<strong>not finite</strong>".to_owned();
+    }
+    let digits = format!("{drift:.1e}");
+    match digits.parse::<f64>() {
+        Ok(short) if short == 0.0 || (1e-2..1e4).contains(&short.abs()) => number(&short.to_string()),
+        _ => number(&digits),
+    }
 }

@@ -118,7 +118,8 @@ fn a_page_needs_nothing_else() {
 fn an_untrusted_run_is_shown_with_its_reason() {
     let page = page();
     assert!(page.contains("<tr class=\"untrusted\"><th scope=\"row\">Lagrange's equations</th>"));
-    assert!(page.contains("<strong>Not trusted:</strong> component 3 &lt; 0 is not finite"));
+    assert!(page.contains("<strong>not trusted</strong>"));
+    assert!(page.contains("<strong>How it ended:</strong> component 3 &lt; 0 is not finite"));
 }
 
 #[test]

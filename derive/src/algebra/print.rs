@@ -110,6 +110,13 @@ fn split_name(name: &str) -> (&str, &str, usize) {
     {
         return (letters, subscript, primes);
     }
+    // mA is m with the subscript A.
+    if let Some(rest) = stem.get(1..)
+        && stem.starts_with(|c: char| c.is_ascii_lowercase())
+        && rest.starts_with(|c: char| c.is_ascii_uppercase())
+    {
+        return (&stem[..1], rest, primes);
+    }
     let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
     if letters.len() == 1 || letters.len() < stem.len() {
         return (letters, &stem[letters.len()..], primes);
@@ -121,7 +128,7 @@ fn split_name(name: &str) -> (&str, &str, usize) {
     (letters, "", primes)
 }
 
-const GREEK: [(&str, &str); 20] = [
+const GREEK: [(&str, &str); 29] = [
     ("alpha", "α"),
     ("beta", "β"),
     ("gamma", "γ"),
@@ -142,6 +149,15 @@ const GREEK: [(&str, &str); 20] = [
     ("chi", "χ"),
     ("psi", "ψ"),
     ("omega", "ω"),
+    ("Gamma", "Γ"),
+    ("Delta", "Δ"),
+    ("Theta", "Θ"),
+    ("Lambda", "Λ"),
+    ("Xi", "Ξ"),
+    ("Sigma", "Σ"),
+    ("Phi", "Φ"),
+    ("Psi", "Ψ"),
+    ("Omega", "Ω"),
 ];
 
 /// A symbol's name in LaTeX, `q1'` as `\dot{q}_{1}`.
@@ -164,6 +180,11 @@ pub fn latex_name(name: &str) -> String {
 /// A symbol's name in `MathML`, with dots for time derivatives.
 #[must_use]
 pub fn mathml_name(name: &str) -> String {
+    mathml_symbol(name, None)
+}
+
+/// A symbol and its power; subscript and exponent stand above each other.
+fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     let (letters, subscript, primes) = split_name(name);
     let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
     let letters = format!("<mi>{letters}</mi>");
@@ -172,12 +193,12 @@ pub fn mathml_name(name: &str) -> String {
         1 => format!("<mover accent=\"true\">{letters}<mo>˙</mo></mover>"),
         _ => format!("<mover accent=\"true\">{letters}<mo>¨</mo></mover>"),
     };
-    if subscript.is_empty() {
-        dotted
-    } else if subscript.bytes().all(|b| b.is_ascii_digit()) {
-        format!("<msub>{dotted}<mn>{subscript}</mn></msub>")
-    } else {
-        format!("<msub>{dotted}<mi>{subscript}</mi></msub>")
+    let kind = if subscript.bytes().all(|b| b.is_ascii_digit()) { "mn" } else { "mi" };
+    match (subscript.is_empty(), power) {
+        (true, None) => dotted,
+        (true, Some(n)) => format!("<msup>{dotted}<mn>{n}</mn></msup>"),
+        (false, None) => format!("<msub>{dotted}<{kind}>{subscript}</{kind}></msub>"),
+        (false, Some(n)) => format!("<msubsup>{dotted}<{kind}>{subscript}</{kind}><mn>{n}</mn></msubsup>"),
     }
 }
 
@@ -218,9 +239,7 @@ fn write_latex(view: &View, out: &mut String) {
                 latex_argument(argument, out);
             }
             base => {
-                let plain = matches!(base, View::Number(_) | View::Pi)
-                    || matches!(base, View::Name(name) if !name.contains('\''));
-                if plain {
+                if matches!(base, View::Number(_) | View::Pi | View::Name(_)) {
                     write_latex(base, out);
                 } else {
                     out.push_str("\\left(");
@@ -311,9 +330,10 @@ fn write_mathml(view: &View, out: &mut String) {
                 let _ = write!(out, "<msup><mi>{name}</mi><mn>{n}</mn></msup><mo>&#8289;</mo>");
                 mathml_argument(argument, out);
             }
+            View::Name(name) => out.push_str(&mathml_symbol(name, Some(*n))),
             base => {
                 out.push_str("<msup><mrow>");
-                if matches!(base, View::Name(_) | View::Number(_) | View::Pi) {
+                if matches!(base, View::Number(_) | View::Pi) {
                     write_mathml(base, out);
                 } else {
                     mathml_parenthesized(base, out);
@@ -373,7 +393,7 @@ mod tests {
     fn formulas_read_as_written_by_hand() {
         let mut arena = sample();
         for (input, expected) in [
-            ("-R*u2*tan(q2) + u1*cos(q1)", "cos(q1)*u1 - R*u2*tan(q2)"),
+            ("-R*u2*tan(q2) + u1*cos(q1)", "u1*cos(q1) - R*u2*tan(q2)"),
             ("M*R^2/4", "M*R^2/4"),
             ("u2/cos(q2)", "u2/cos(q2)"),
             ("3*u1*u3 - 2*tan(q2)*u1*u2", "3*u1*u3 - 2*u1*u2*tan(q2)"),
@@ -393,7 +413,7 @@ mod tests {
     fn latex_and_mathml_carry_dots_subscripts_and_fractions() {
         let mut arena = sample();
         let e = parse_free(&mut arena, "M*R^2*q1'*sin(q2)^2/4").unwrap();
-        assert_eq!(latex(&arena, e), "\\frac{M \\, R^{2} \\, \\sin^{2} q_{2} \\, \\dot{q}_{1}}{4}");
+        assert_eq!(latex(&arena, e), "\\frac{M \\, R^{2} \\, \\dot{q}_{1} \\, \\sin^{2} q_{2}}{4}");
         assert!(mathml(&arena, e).contains("<mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover>"));
     }
 }

@@ -120,13 +120,15 @@ impl Viewer<'_> {
         }
     }
 
-    /// Order of terms in a sum: by their factors, read in print order.
+    /// Order of terms in a sum: by their factors, the latest declared first, so that a linear form stands
+    /// in the order of its variables.
     fn monomial_rank(&self, term: Expr) -> Vec<(Rank, i32)> {
         let mut ranks: Vec<_> = match self.arena.node(term) {
             Node::Product(factors) => factors.iter().map(|(base, n)| (self.ranks[base], -n)).collect(),
             _ => vec![(self.ranks[&term], -1)],
         };
         ranks.sort_unstable();
+        ranks.reverse();
         ranks
     }
 
@@ -150,14 +152,19 @@ impl Viewer<'_> {
         };
         let (mut above, mut below) = (Vec::new(), Vec::new());
         let tangents = self.take_tangents(&mut factors);
-        // Sums stand last, in parentheses.
-        let (sums, plain): (Vec<_>, Vec<_>) =
-            factors.into_iter().partition(|(base, _)| matches!(self.arena.node(*base), Node::Sum(..)));
-        let plain = plain.into_iter().map(|(base, n)| (self.view(base), n)).collect::<Vec<_>>();
-        let tangents = tangents.into_iter().map(|(angle, n)| (View::Call("tan", Box::new(self.view(angle))), n));
-        let tangents = tangents.collect::<Vec<_>>();
-        let sums = sums.into_iter().map(|(base, n)| (self.view(base), n)).collect::<Vec<_>>();
-        for (view, n) in plain.into_iter().chain(tangents).chain(sums) {
+        // Symbols first, then functions, then sums: `u4 sin q1` cannot be misread, `sin q1 u4` can.
+        let class = |e: Expr| match self.arena.node(e) {
+            Node::Apply(..) => 1,
+            Node::Sum(..) => 2,
+            _ => 0,
+        };
+        let mut ordered: Vec<(u8, Expr, i32, bool)> =
+            factors.into_iter().map(|(base, n)| (class(base), base, n, false)).collect();
+        ordered.extend(tangents.into_iter().map(|(angle, n)| (1, angle, n, true)));
+        ordered.sort_by_key(|(class, ..)| *class);
+        for (_, base, n, tangent) in ordered {
+            let view = self.view(base);
+            let view = if tangent { View::Call("tan", Box::new(view)) } else { view };
             let side = if n > 0 { &mut above } else { &mut below };
             side.push(if n.abs() == 1 { view } else { View::Power(Box::new(view), n.abs()) });
         }

@@ -92,8 +92,8 @@ impl Kinematics {
         Some(omega.map(|e| self.simplifier.simplify(&mut self.arena, e)))
     }
 
-    /// T = Σ ½ m v·v + ½ ω·I·ω.
-    pub fn kinetic_energy(&mut self, model: &Model, velocities: &Velocities) -> Expr {
+    /// T = Σ ½ m v·v + ½ ω·I·ω, written as a quadratic form in the motion variables.
+    pub fn kinetic_energy(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Expr {
         let mut terms = Vec::new();
         for body in &model.bodies {
             let v = &velocities.linear[body.centre];
@@ -110,7 +110,28 @@ impl Kinematics {
         let twice = self.arena.sum(&terms);
         let half = Rational::fraction(1, 2).expect("not zero");
         let energy = self.arena.scale(twice, &half);
-        self.simplifier.simplify(&mut self.arena, energy)
+        self.quadratic_form(energy, variables)
+    }
+
+    /// Σ c_ij v_i v_j with short coefficients, as a person writes an energy; a rest that is not
+    /// quadratic, from speeds that are not homogeneous in the rates, stays as it is.
+    fn quadratic_form(&mut self, e: Expr, variables: &[Expr]) -> Expr {
+        let Self { arena, simplifier, .. } = self;
+        let mut partials: Vec<Differential> = variables.iter().map(|v| Differential::partial(*v)).collect();
+        let mut terms = Vec::new();
+        for i in 0..variables.len() {
+            let slope = partials[i].apply(arena, e);
+            for j in i..variables.len() {
+                let second = partials[j].apply(arena, slope);
+                let coefficient = simplifier.simplify(arena, second);
+                let product = arena.product(&[coefficient, variables[i], variables[j]]);
+                let share = if i == j { Rational::fraction(1, 2) } else { Rational::fraction(1, 1) };
+                terms.push(arena.scale(product, &share.expect("not zero")));
+            }
+        }
+        let form = arena.sum(&terms);
+        let rest = arena.sub(e, form);
+        if zero_test(arena, rest) == ZeroTest::Zero { form } else { simplifier.simplify(arena, e) }
     }
 
     /// V = −Σ m g·p, zero where the model puts its zero.

@@ -13,7 +13,7 @@ use crate::model::Model;
 /// [`DeriveError::NoInertia`] if a coordinate moves no mass.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, DeriveError> {
     let velocities = kinematics.in_rates.clone();
-    let t = kinematics.kinetic_energy(model, &velocities);
+    let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());
     let v = kinematics.potential_energy(model);
     let q_forces = generalized_forces(model, kinematics);
     let arena = &mut kinematics.arena;

@@ -64,6 +64,8 @@ pub struct Speed {
     pub rate: Expr,
     /// Its definition in terms of q and q̇, linear in q̇.
     pub definition: Expr,
+    /// Its unit, that of its definition.
+    pub unit: Unit,
 }
 
 /// A reference frame, turned from its parent about one of the axes they share.

@@ -53,7 +53,8 @@ impl<'a> Loading<'a> {
             let definition = fixed.apply(&mut self.arena, e);
             let rate = self.arena.symbol(&format!("{}'", name.text));
             let symbol = self.arena.symbol(&name.text);
-            speeds.push((Speed { name: name.text, symbol, rate, definition }, formula.span));
+            let unit = self.units.get(&symbol).cloned().unwrap_or_default();
+            speeds.push((Speed { name: name.text, symbol, rate, definition, unit }, formula.span));
         }
         speeds
     }

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
 //! 4 coordinates, 4 speeds, 9 parameters. Unknowns: (q0'', q1'', q2'', q3'').
-//! Cost: mass_matrix 33 operations, 6 sines and cosines; forcing 67 operations, 6 sines and cosines.
+//! Cost: mass_matrix 33 operations, 6 sines and cosines; forcing 64 operations, 6 sines and cosines.
 //! The kinematic equations are singular nowhere.
 
 use super::Parameters;
@@ -62,7 +62,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (q0'', q1'', q2'', q3'').
 ///
-/// 67 operations, 6 sines and cosines.
+/// 64 operations, 6 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 4] {
     let Parameters { m1, m2, m3, l0, l1, l2, g, F, .. } = *p;
@@ -76,38 +76,32 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
     let (sin_q1_minus_q3, _) = (q1 - q3).sin_cos();
     let (sin_q2_minus_q3, _) = (q2 - q3).sin_cos();
     // Shared terms.
-    // l0*sin(q1)*q1'^2; used 2 times
-    let l0_q1_dot_sq_s1 = l0 * s1 * q1_dot * q1_dot;
-    // l1*sin(q2)*q2'^2; used 2 times
-    let l1_q2_dot_sq_s2 = l1 * s2 * q2_dot * q2_dot;
-    // l1*sin(q1 - q2)*q2'^2; used 2 times
-    let f2_part = l1 * sin_q1_minus_q2 * q2_dot * q2_dot;
+    // l1*q2'^2*sin(q1 - q2); used 2 times
+    let f2_part = l1 * q2_dot * q2_dot * sin_q1_minus_q2;
     // g*sin(q1); used 2 times
     let g_s1 = g * s1;
-    // l0*sin(q1 - q2)*q1'^2; used 2 times
-    let f3_part = l0 * sin_q1_minus_q2 * q1_dot * q1_dot;
+    // l0*q1'^2*sin(q1 - q2); used 2 times
+    let f3_part = l0 * q1_dot * q1_dot * sin_q1_minus_q2;
     // g*sin(q2); used 2 times
     let g_s2 = g * s2;
     // Values.
-    // f1 = F - m1*l0*sin(q1)*q1'^2 - m2*(l0*sin(q1)*q1'^2 + l1*sin(q2)*q2'^2) - m3*(l0*sin(q1)*q1'^2 +
-    //   l1*sin(q2)*q2'^2 + l2*sin(q3)*q3'^2)
-    let f1 = F - m1 * l0 * s1 * q1_dot * q1_dot
-        - m2 * (l0_q1_dot_sq_s1 + l1_q2_dot_sq_s2)
-        - m3 * (l0_q1_dot_sq_s1 + l1_q2_dot_sq_s2 + l2 * s3 * q3_dot * q3_dot);
-    // f2 = -l0*(m2*(l1*sin(q1 - q2)*q2'^2 - g*sin(q1)) - m1*g*sin(q1) + m3*(l1*sin(q1 - q2)*q2'^2 +
-    //   l2*sin(q1 - q3)*q3'^2 - g*sin(q1)))
+    // f1 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*q3'^2*sin(q3)
+    let f1 = F - l0 * q1_dot * q1_dot * s1 * (m1 + m2 + m3)
+        - l1 * q2_dot * q2_dot * s2 * (m2 + m3) - m3 * l2 * q3_dot * q3_dot * s3;
+    // f2 = -l0*(m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m1*g*sin(q1) + m3*(l1*q2'^2*sin(q1 - q2) -
+    //   g*sin(q1) + l2*q3'^2*sin(q1 - q3)))
     let f2 = -l0
         * (m2 * (f2_part - g_s1) - m1 * g * s1
-            + m3 * (f2_part + l2 * sin_q1_minus_q3 * q3_dot * q3_dot - g_s1));
-    // f3 = l1*(m2*(l0*sin(q1 - q2)*q1'^2 + g*sin(q2)) + m3*(l0*sin(q1 - q2)*q1'^2 - l2*sin(q2 - q3)*q3'^2
-    //   + g*sin(q2)))
+            + m3 * (f2_part - g_s1 + l2 * q3_dot * q3_dot * sin_q1_minus_q3));
+    // f3 = l1*(m2*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) -
+    //   l2*q3'^2*sin(q2 - q3)))
     let f3 = l1
-        * (m2 * (f3_part + g_s2)
-            + m3 * (f3_part - l2 * sin_q2_minus_q3 * q3_dot * q3_dot + g_s2));
-    // f4 = m3*l2*(l0*sin(q1 - q3)*q1'^2 + l1*sin(q2 - q3)*q2'^2 + g*sin(q3))
+        * (m2 * (g_s2 + f3_part)
+            + m3 * (g_s2 + f3_part - l2 * q3_dot * q3_dot * sin_q2_minus_q3));
+    // f4 = m3*l2*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3))
     let f4 = m3 * l2
-        * (l0 * sin_q1_minus_q3 * q1_dot * q1_dot
-            + l1 * sin_q2_minus_q3 * q2_dot * q2_dot + g * s3);
+        * (g * s3 + l0 * q1_dot * q1_dot * sin_q1_minus_q3
+            + l1 * q2_dot * q2_dot * sin_q2_minus_q3);
     [f1, f2, f3, f4]
 }
 
@@ -135,7 +129,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 66 operations, 6 sines and cosines.
+/// 63 operations, 6 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> S {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, .. } = *p;
@@ -149,38 +143,25 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) 
     let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
     let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
     // Shared terms.
-    // l0*q1'; used 3 times
-    let l0_q1_dot = l0 * q1_dot;
-    // l1*q2'; used 2 times
-    let l1_q2_dot = l1 * q2_dot;
-    // q0'^2; used 3 times
-    let q0_dot_sq = q0_dot * q0_dot;
-    // cos(q1)*q0'; used 3 times
-    let q0_dot_c1 = c1 * q0_dot;
-    // l1*cos(q1 - q2)*q2'; used 2 times
-    let energy_part = l1 * cos_q1_minus_q2 * q2_dot;
-    // cos(q2)*q0'; used 2 times
-    let q0_dot_c2 = c2 * q0_dot;
+    // m1 + m2 + m3; used 2 times
+    let energy_part = m1 + m2 + m3;
+    // m2 + m3; used 3 times
+    let m2_plus_m3 = m2 + m3;
     // Values.
-    // T = m0*q0'^2/2 + m1*(l0*q1'*(l0*q1' - 2*cos(q1)*q0') + q0'^2)/2 + m2*(l0*q1'*(l0*q1' + 2*l1*cos(q1 -
-    //   q2)*q2' - 2*cos(q1)*q0') + l1*q2'*(l1*q2' - 2*cos(q2)*q0') + q0'^2)/2 + m3*(l0*q1'*(l0*q1' +
-    //   2*l1*cos(q1 - q2)*q2' + 2*l2*cos(q1 - q3)*q3' - 2*cos(q1)*q0') + l1*q2'*(l1*q2' + 2*l2*cos(q2 -
-    //   q3)*q3' - 2*cos(q2)*q0') + l2*q3'*(l2*q3' - 2*cos(q3)*q0') + q0'^2)/2
-    let energy = S::ratio(1, 2) * m0 * q0_dot * q0_dot
-        + S::ratio(1, 2) * m1
-            * (l0 * q1_dot * (l0_q1_dot - S::int(2) * q0_dot_c1) + q0_dot_sq)
-        + S::ratio(1, 2) * m2
-            * (l0 * q1_dot
-                * (l0_q1_dot + S::int(2) * energy_part - S::int(2) * q0_dot_c1)
-                + l1 * q2_dot * (l1_q2_dot - S::int(2) * q0_dot_c2) + q0_dot_sq)
-        + S::ratio(1, 2) * m3
-            * (l0 * q1_dot
-                * (l0_q1_dot + S::int(2) * energy_part
-                    + S::int(2) * l2 * cos_q1_minus_q3 * q3_dot - S::int(2) * q0_dot_c1)
-                + l1 * q2_dot
-                    * (l1_q2_dot + S::int(2) * l2 * cos_q2_minus_q3 * q3_dot
-                        - S::int(2) * q0_dot_c2)
-                + l2 * q3_dot * (l2 * q3_dot - S::int(2) * c3 * q0_dot) + q0_dot_sq);
+    // T = q0'^2*(m0 + m1 + m2 + m3)/2 + l0^2*q1'^2*(m1 + m2 + m3)/2 - l0*q0'*q1'*cos(q1)*(m1 + m2 + m3) +
+    //   l1^2*q2'^2*(m2 + m3)/2 - l1*q0'*q2'*cos(q2)*(m2 + m3) + l0*l1*q1'*q2'*cos(q1 - q2)*(m2 + m3) +
+    //   m3*l2^2*q3'^2/2 - m3*l2*q0'*q3'*cos(q3) + m3*l0*l2*q1'*q3'*cos(q1 - q3) + m3*l1*l2*q2'*q3'*cos(q2 -
+    //   q3)
+    let energy = S::ratio(1, 2) * q0_dot * q0_dot * (m0 + m1 + m2 + m3)
+        + S::ratio(1, 2) * l0 * l0 * q1_dot * q1_dot * energy_part
+        - l0 * q0_dot * q1_dot * c1 * energy_part
+        + S::ratio(1, 2) * l1 * l1 * q2_dot * q2_dot * m2_plus_m3
+        - l1 * q0_dot * q2_dot * c2 * m2_plus_m3
+        + l0 * l1 * q1_dot * q2_dot * cos_q1_minus_q2 * m2_plus_m3
+        + S::ratio(1, 2) * m3 * l2 * l2 * q3_dot * q3_dot
+        - m3 * l2 * q0_dot * q3_dot * c3
+        + m3 * l0 * l2 * q1_dot * q3_dot * cos_q1_minus_q3
+        + m3 * l1 * l2 * q2_dot * q3_dot * cos_q2_minus_q3;
     energy
 }
 

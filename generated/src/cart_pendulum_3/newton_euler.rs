@@ -108,31 +108,31 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
     let (s2, c2) = q2.sin_cos();
     let (s3, c3) = q3.sin_cos();
     // Shared terms.
-    // l0*cos(q1)*u1^2; used 3 times
-    let l0_u1_sq_c1 = l0 * c1 * u1 * u1;
-    // l0*sin(q1)*u1^2; used 2 times
-    let l0_u1_sq_s1 = l0 * s1 * u1 * u1;
-    // l1*sin(q2)*u2^2; used 2 times
-    let l1_u2_sq_s2 = l1 * s2 * u2 * u2;
-    // l1*cos(q2)*u2^2; used 2 times
-    let l1_u2_sq_c2 = l1 * c2 * u2 * u2;
+    // l0*u1^2*cos(q1); used 3 times
+    let l0_u1_sq_c1 = l0 * u1 * u1 * c1;
+    // l0*u1^2*sin(q1); used 2 times
+    let l0_u1_sq_s1 = l0 * u1 * u1 * s1;
+    // l1*u2^2*sin(q2); used 2 times
+    let l1_u2_sq_s2 = l1 * u2 * u2 * s2;
+    // l1*u2^2*cos(q2); used 2 times
+    let l1_u2_sq_c2 = l1 * u2 * u2 * c2;
     // Values.
     // f1 = F
     let f1 = F;
     // f2 = -m0*g
     let f2 = -m0 * g;
-    // f3 = -m1*l0*sin(q1)*u1^2
-    let f3 = -m1 * l0 * s1 * u1 * u1;
-    // f4 = -m1*(g - l0*cos(q1)*u1^2)
+    // f3 = -m1*l0*u1^2*sin(q1)
+    let f3 = -m1 * l0 * u1 * u1 * s1;
+    // f4 = -m1*(g - l0*u1^2*cos(q1))
     let f4 = -m1 * (g - l0_u1_sq_c1);
-    // f5 = -m2*(l0*sin(q1)*u1^2 + l1*sin(q2)*u2^2)
+    // f5 = -m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2))
     let f5 = -m2 * (l0_u1_sq_s1 + l1_u2_sq_s2);
-    // f6 = -m2*(g - l0*cos(q1)*u1^2 - l1*cos(q2)*u2^2)
+    // f6 = -m2*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2))
     let f6 = -m2 * (g - l0_u1_sq_c1 - l1_u2_sq_c2);
-    // f7 = -m3*(l0*sin(q1)*u1^2 + l1*sin(q2)*u2^2 + l2*sin(q3)*u3^2)
-    let f7 = -m3 * (l0_u1_sq_s1 + l1_u2_sq_s2 + l2 * s3 * u3 * u3);
-    // f8 = -m3*(g - l0*cos(q1)*u1^2 - l1*cos(q2)*u2^2 - l2*cos(q3)*u3^2)
-    let f8 = -m3 * (g - l0_u1_sq_c1 - l1_u2_sq_c2 - l2 * c3 * u3 * u3);
+    // f7 = -m3*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2) + l2*u3^2*sin(q3))
+    let f7 = -m3 * (l0_u1_sq_s1 + l1_u2_sq_s2 + l2 * u3 * u3 * s3);
+    // f8 = -m3*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2) - l2*u3^2*cos(q3))
+    let f8 = -m3 * (g - l0_u1_sq_c1 - l1_u2_sq_c2 - l2 * u3 * u3 * c3);
     [f1, f2, f3, f4, f5, f6, f7, f8]
 }
 
@@ -160,7 +160,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 66 operations, 6 sines and cosines.
+/// 63 operations, 6 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, .. } = *p;
@@ -174,35 +174,23 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
     let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
     // Shared terms.
-    // l0*u1; used 3 times
-    let l0_u1 = l0 * u1;
-    // l1*u2; used 2 times
-    let l1_u2 = l1 * u2;
-    // u0^2; used 3 times
-    let u0_sq = u0 * u0;
-    // cos(q1)*u0; used 3 times
-    let u0_c1 = c1 * u0;
-    // l1*cos(q1 - q2)*u2; used 2 times
-    let energy_part = l1 * cos_q1_minus_q2 * u2;
-    // cos(q2)*u0; used 2 times
-    let u0_c2 = c2 * u0;
+    // m1 + m2 + m3; used 2 times
+    let energy_part = m1 + m2 + m3;
+    // m2 + m3; used 3 times
+    let m2_plus_m3 = m2 + m3;
     // Values.
-    // T = m0*u0^2/2 + m1*(l0*u1*(l0*u1 - 2*cos(q1)*u0) + u0^2)/2 + m2*(l0*u1*(l0*u1 + 2*l1*cos(q1 - q2)*u2
-    //   - 2*cos(q1)*u0) + l1*u2*(l1*u2 - 2*cos(q2)*u0) + u0^2)/2 + m3*(l0*u1*(l0*u1 + 2*l1*cos(q1 - q2)*u2 +
-    //   2*l2*cos(q1 - q3)*u3 - 2*cos(q1)*u0) + l1*u2*(l1*u2 + 2*l2*cos(q2 - q3)*u3 - 2*cos(q2)*u0) +
-    //   l2*u3*(l2*u3 - 2*cos(q3)*u0) + u0^2)/2
-    let energy = S::ratio(1, 2) * m0 * u0 * u0
-        + S::ratio(1, 2) * m1 * (l0 * u1 * (l0_u1 - S::int(2) * u0_c1) + u0_sq)
-        + S::ratio(1, 2) * m2
-            * (l0 * u1 * (l0_u1 + S::int(2) * energy_part - S::int(2) * u0_c1)
-                + l1 * u2 * (l1_u2 - S::int(2) * u0_c2) + u0_sq)
-        + S::ratio(1, 2) * m3
-            * (l0 * u1
-                * (l0_u1 + S::int(2) * energy_part
-                    + S::int(2) * l2 * cos_q1_minus_q3 * u3 - S::int(2) * u0_c1)
-                + l1 * u2
-                    * (l1_u2 + S::int(2) * l2 * cos_q2_minus_q3 * u3 - S::int(2) * u0_c2)
-                + l2 * u3 * (l2 * u3 - S::int(2) * c3 * u0) + u0_sq);
+    // T = u0^2*(m0 + m1 + m2 + m3)/2 + l0^2*u1^2*(m1 + m2 + m3)/2 - l0*u0*u1*cos(q1)*(m1 + m2 + m3) +
+    //   l1^2*u2^2*(m2 + m3)/2 - l1*u0*u2*cos(q2)*(m2 + m3) + l0*l1*u1*u2*cos(q1 - q2)*(m2 + m3) +
+    //   m3*l2^2*u3^2/2 - m3*l2*u0*u3*cos(q3) + m3*l0*l2*u1*u3*cos(q1 - q3) + m3*l1*l2*u2*u3*cos(q2 - q3)
+    let energy = S::ratio(1, 2) * u0 * u0 * (m0 + m1 + m2 + m3)
+        + S::ratio(1, 2) * l0 * l0 * u1 * u1 * energy_part
+        - l0 * u0 * u1 * c1 * energy_part
+        + S::ratio(1, 2) * l1 * l1 * u2 * u2 * m2_plus_m3
+        - l1 * u0 * u2 * c2 * m2_plus_m3
+        + l0 * l1 * u1 * u2 * cos_q1_minus_q2 * m2_plus_m3
+        + S::ratio(1, 2) * m3 * l2 * l2 * u3 * u3 - m3 * l2 * u0 * u3 * c3
+        + m3 * l0 * l2 * u1 * u3 * cos_q1_minus_q3
+        + m3 * l1 * l2 * u2 * u3 * cos_q2_minus_q3;
     energy
 }
 

@@ -46,11 +46,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     // IBxx - IByy; used 2 times
     let ibxx_minus_ibyy = IBxx - IByy;
     // Values.
-    // f1 = -g*sin(theta)*(mA*lA + mB*lB) - 2*sin(phi)*cos(phi)*omega*alpha*(IBxx - IByy)
+    // f1 = -g*sin(theta)*(mA*lA + mB*lB) - 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy)
     let f1 = -g * sin_theta * (mA * lA + mB * lB)
-        - S::int(2) * sin_phi * cos_phi * omega * alpha * ibxx_minus_ibyy;
-    // f2 = sin(phi)*cos(phi)*omega^2*(IBxx - IByy)
-    let f2 = sin_phi * cos_phi * omega * omega * ibxx_minus_ibyy;
+        - S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy;
+    // f2 = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
+    let f2 = omega * omega * sin_phi * cos_phi * ibxx_minus_ibyy;
     [f1, f2]
 }
 
@@ -83,11 +83,10 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Values.
-    // T = IBzz*alpha^2/2 + omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2
-    let energy = S::ratio(1, 2) * IBzz * alpha * alpha
-        + S::ratio(1, 2) * omega * omega
-            * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-                + IByy * cos_phi * cos_phi);
+    // T = omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*alpha^2/2
+    let energy = S::ratio(1, 2) * omega * omega
+        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi) + S::ratio(1, 2) * IBzz * alpha * alpha;
     energy
 }
 

@@ -46,11 +46,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) -> [S; 
     // IBxx - IByy; used 2 times
     let ibxx_minus_ibyy = IBxx - IByy;
     // Values.
-    // f1 = -g*sin(theta)*(mA*lA + mB*lB) - 2*sin(phi)*cos(phi)*theta'*phi'*(IBxx - IByy)
+    // f1 = -g*sin(theta)*(mA*lA + mB*lB) - 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy)
     let f1 = -g * sin_theta * (mA * lA + mB * lB)
-        - S::int(2) * sin_phi * cos_phi * theta_dot * phi_dot * ibxx_minus_ibyy;
-    // f2 = sin(phi)*cos(phi)*theta'^2*(IBxx - IByy)
-    let f2 = sin_phi * cos_phi * theta_dot * theta_dot * ibxx_minus_ibyy;
+        - S::int(2) * theta_dot * phi_dot * sin_phi * cos_phi * ibxx_minus_ibyy;
+    // f2 = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)
+    let f2 = theta_dot * theta_dot * sin_phi * cos_phi * ibxx_minus_ibyy;
     [f1, f2]
 }
 
@@ -83,11 +83,10 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) 
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Values.
-    // T = IBzz*phi'^2/2 + theta'^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2
-    let energy = S::ratio(1, 2) * IBzz * phi_dot * phi_dot
-        + S::ratio(1, 2) * theta_dot * theta_dot
-            * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-                + IByy * cos_phi * cos_phi);
+    // T = theta'^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*phi'^2/2
+    let energy = S::ratio(1, 2) * theta_dot * theta_dot
+        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi) + S::ratio(1, 2) * IBzz * phi_dot * phi_dot;
     energy
 }
 

@@ -74,16 +74,16 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     // 1 + 1/cos(q2)^2; used 2 times
     let f4_part = S::int(1) + S::int(1) / (c2 * c2);
     // Values.
-    // f1 = -M*R*(R*u2*(3*u2*tan(q2) + 2*u3) + 4*g*sin(q2))/4
+    // f1 = -M*R*(4*g*sin(q2) + R*u2*(3*u2*tan(q2) + 2*u3))/4
     let f1 = -S::ratio(1, 4) * M * R
-        * (R * u2 * (S::int(3) * u2 * t2 + S::int(2) * u3) + S::int(4) * g * s2);
+        * (S::int(4) * g * s2 + R * u2 * (S::int(3) * u2 * t2 + S::int(2) * u3));
     // f2 = M*R^2*u1*(u2*tan(q2)*(7 + 4*tan(q2)^2) + 2*u3)/4
     let f2 = S::ratio(1, 4) * M * R * R * u1
         * (u2 * t2 * (S::int(7) + S::int(4) * t2 * t2) + S::int(2) * u3);
-    // f4 = -M*R*(sin(q1)*u2^2*tan(q2)/cos(q2) + u1*(sin(q1)*sin(q2)*u1 + cos(q1)*u2*(1 + 1/cos(q2)^2)))
-    let f4 = -M * R * (s1 * u2 * u2 * t2 / c2 + u1 * (s1 * s2 * u1 + c1 * u2 * f4_part));
-    // f5 = -M*R*(u1*(sin(q1)*u2*(1 + 1/cos(q2)^2) - cos(q1)*sin(q2)*u1) - cos(q1)*u2^2*tan(q2)/cos(q2))
-    let f5 = -M * R * (u1 * (s1 * u2 * f4_part - c1 * s2 * u1) - c1 * u2 * u2 * t2 / c2);
+    // f4 = -M*R*(u2^2*sin(q1)*tan(q2)/cos(q2) + u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)))
+    let f4 = -M * R * (u2 * u2 * s1 * t2 / c2 + u1 * (u1 * s1 * s2 + u2 * c1 * f4_part));
+    // f5 = -M*R*(u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) - u2^2*cos(q1)*tan(q2)/cos(q2))
+    let f5 = -M * R * (u1 * (u2 * s1 * f4_part - u1 * c1 * s2) - u2 * u2 * c1 * t2 / c2);
     [f1, f2, zero, f4, f5]
 }
 
@@ -119,7 +119,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 36 operations, 2 sines and cosines.
+/// 54 operations, 2 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S {
     let Parameters { M, R, .. } = *p;
@@ -132,15 +132,15 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     // tan(q2)
     let t2 = s2 / c2;
     // Values.
-    // T = M*(R*(R*(u2^2*(1 + 4*tan(q2)^2) + 5*u1^2 + 2*u3^2) - 8*u2*tan(q2)*(sin(q1)*u5 + cos(q1)*u4) +
-    //   8*cos(q2)*u1*(sin(q1)*u4 - cos(q1)*u5)) + 4*u4^2 + 4*u5^2)/8
-    let energy = S::ratio(1, 8) * M
-        * (R
-            * (R
-                * (u2 * u2 * (S::int(1) + S::int(4) * t2 * t2) + S::int(5) * u1 * u1
-                    + S::int(2) * u3 * u3) - S::int(8) * u2 * t2 * (s1 * u5 + c1 * u4)
-                + S::int(8) * c2 * u1 * (s1 * u4 - c1 * u5)) + S::int(4) * u4 * u4
-            + S::int(4) * u5 * u5);
+    // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
+    //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
+    //   M*R*u2*u5*sin(q1)*tan(q2)
+    let energy = S::ratio(5, 8) * M * R * R * u1 * u1
+        + S::ratio(1, 8) * M * R * R * u2 * u2 * (S::int(1) + S::int(4) * t2 * t2)
+        + S::ratio(1, 4) * M * R * R * u3 * u3 + S::ratio(1, 2) * M * u4 * u4
+        + M * R * u1 * u4 * s1 * c2 - M * R * u2 * u4 * c1 * t2
+        + S::ratio(1, 2) * M * u5 * u5 - M * R * u1 * u5 * c1 * c2
+        - M * R * u2 * u5 * s1 * t2;
     energy
 }
 

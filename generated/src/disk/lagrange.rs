@@ -68,26 +68,26 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // sin(q2)*q1'; used 2 times
-    let q1_dot_s2 = s2 * q1_dot;
+    // q1'*sin(q2); used 2 times
+    let q1_dot_s2 = q1_dot * s2;
     // Values.
-    // f1 = -M*R^2*cos(q2)*q2'*(5*sin(q2)*q1' + q3')/2
-    let f1 = -S::ratio(1, 2) * M * R * R * c2 * q2_dot
+    // f1 = -M*R^2*q2'*cos(q2)*(5*q1'*sin(q2) + q3')/2
+    let f1 = -S::ratio(1, 2) * M * R * R * q2_dot * c2
         * (S::int(5) * q1_dot_s2 + q3_dot);
-    // f2 = M*R*(R*cos(q2)*q1'*(5*sin(q2)*q1' + 2*q3') + 4*g*sin(q2))/4
+    // f2 = M*R*(4*g*sin(q2) + R*q1'*cos(q2)*(5*q1'*sin(q2) + 2*q3'))/4
     let f2 = S::ratio(1, 4) * M * R
-        * (R * c2 * q1_dot * (S::int(5) * q1_dot_s2 + S::int(2) * q3_dot)
-            + S::int(4) * g * s2);
-    // f3 = -M*R^2*cos(q2)*q1'*q2'/2
-    let f3 = -S::ratio(1, 2) * M * R * R * c2 * q1_dot * q2_dot;
-    // f4 = -M*R*(sin(q1)*sin(q2)*q2'^2 + q1'*(sin(q1)*sin(q2)*q1' - 2*cos(q1)*cos(q2)*q2'))
+        * (S::int(4) * g * s2
+            + R * q1_dot * c2 * (S::int(5) * q1_dot_s2 + S::int(2) * q3_dot));
+    // f3 = -M*R^2*q1'*q2'*cos(q2)/2
+    let f3 = -S::ratio(1, 2) * M * R * R * q1_dot * q2_dot * c2;
+    // f4 = -M*R*(q2'^2*sin(q1)*sin(q2) + q1'*(q1'*sin(q1)*sin(q2) - 2*q2'*cos(q1)*cos(q2)))
     let f4 = -M * R
-        * (s1 * s2 * q2_dot * q2_dot
-            + q1_dot * (s1 * s2 * q1_dot - S::int(2) * c1 * c2 * q2_dot));
-    // f5 = M*R*(cos(q1)*sin(q2)*q2'^2 + q1'*(2*sin(q1)*cos(q2)*q2' + cos(q1)*sin(q2)*q1'))
+        * (q2_dot * q2_dot * s1 * s2
+            + q1_dot * (q1_dot * s1 * s2 - S::int(2) * q2_dot * c1 * c2));
+    // f5 = M*R*(q2'^2*cos(q1)*sin(q2) + q1'*(q1'*cos(q1)*sin(q2) + 2*q2'*sin(q1)*cos(q2)))
     let f5 = M * R
-        * (c1 * s2 * q2_dot * q2_dot
-            + q1_dot * (S::int(2) * s1 * c2 * q2_dot + c1 * s2 * q1_dot));
+        * (q2_dot * q2_dot * c1 * s2
+            + q1_dot * (q1_dot * c1 * s2 + S::int(2) * q2_dot * s1 * c2));
     [f1, f2, f3, f4, f5]
 }
 
@@ -117,7 +117,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 39 operations, 2 sines and cosines.
+/// 61 operations, 2 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> S {
     let Parameters { M, R, .. } = *p;
@@ -127,19 +127,16 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Values.
-    // T = M*(R*(R*(q1'*(4*sin(q2)*q3' + q1'*(6*sin(q2)^2 + cos(q2)^2)) + 5*q2'^2 + 2*q3'^2) -
-    //   8*sin(q2)*q1'*(sin(q1)*q5' + cos(q1)*q4') - 8*cos(q2)*q2'*(sin(q1)*q4' - cos(q1)*q5')) + 4*q4'^2 +
-    //   4*q5'^2)/8
-    let energy = S::ratio(1, 8) * M
-        * (R
-            * (R
-                * (q1_dot
-                    * (S::int(4) * s2 * q3_dot
-                        + q1_dot * (S::int(6) * s2 * s2 + c2 * c2))
-                    + S::int(5) * q2_dot * q2_dot + S::int(2) * q3_dot * q3_dot)
-                - S::int(8) * s2 * q1_dot * (s1 * q5_dot + c1 * q4_dot)
-                - S::int(8) * c2 * q2_dot * (s1 * q4_dot - c1 * q5_dot))
-            + S::int(4) * q4_dot * q4_dot + S::int(4) * q5_dot * q5_dot);
+    // T = M*R^2*q1'^2*(6*sin(q2)^2 + cos(q2)^2)/8 + 5*M*R^2*q2'^2/8 + M*R^2*q3'^2/4 +
+    //   M*R^2*q1'*q3'*sin(q2)/2 + M*q4'^2/2 - M*R*q1'*q4'*cos(q1)*sin(q2) - M*R*q2'*q4'*sin(q1)*cos(q2) +
+    //   M*q5'^2/2 - M*R*q1'*q5'*sin(q1)*sin(q2) + M*R*q2'*q5'*cos(q1)*cos(q2)
+    let energy = S::ratio(1, 8) * M * R * R * q1_dot * q1_dot
+        * (S::int(6) * s2 * s2 + c2 * c2) + S::ratio(5, 8) * M * R * R * q2_dot * q2_dot
+        + S::ratio(1, 4) * M * R * R * q3_dot * q3_dot
+        + S::ratio(1, 2) * M * R * R * q1_dot * q3_dot * s2
+        + S::ratio(1, 2) * M * q4_dot * q4_dot - M * R * q1_dot * q4_dot * c1 * s2
+        - M * R * q2_dot * q4_dot * s1 * c2 + S::ratio(1, 2) * M * q5_dot * q5_dot
+        - M * R * q1_dot * q5_dot * s1 * s2 + M * R * q2_dot * q5_dot * c1 * c2;
     energy
 }
 
@@ -174,10 +171,10 @@ pub fn generalized_speeds<S: Scalar>(
     // Values.
     // u1 = -q2'
     let u1_value = -q2_dot;
-    // u2 = cos(q2)*q1'
-    let u2_value = c2 * q1_dot;
-    // u3 = sin(q2)*q1' + q3'
-    let u3_value = s2 * q1_dot + q3_dot;
+    // u2 = q1'*cos(q2)
+    let u2_value = q1_dot * c2;
+    // u3 = q1'*sin(q2) + q3'
+    let u3_value = q1_dot * s2 + q3_dot;
     // u4 = q4'
     let u4_value = q4_dot;
     // u5 = q5'
@@ -203,10 +200,10 @@ pub fn generalized_speed_rates<S: Scalar>(
     // Values.
     // u1' = -q2''
     let u1_dot_value = -q2_ddot;
-    // u2' = cos(q2)*q1'' - sin(q2)*q1'*q2'
-    let u2_dot_value = c2 * q1_ddot - s2 * q1_dot * q2_dot;
-    // u3' = sin(q2)*q1'' + cos(q2)*q1'*q2' + q3''
-    let u3_dot_value = s2 * q1_ddot + c2 * q1_dot * q2_dot + q3_ddot;
+    // u2' = q1''*cos(q2) - q1'*q2'*sin(q2)
+    let u2_dot_value = q1_ddot * c2 - q1_dot * q2_dot * s2;
+    // u3' = q1'*q2'*cos(q2) + q1''*sin(q2) + q3''
+    let u3_dot_value = q1_dot * q2_dot * c2 + q1_ddot * s2 + q3_ddot;
     // u4' = q4''
     let u4_dot_value = q4_ddot;
     // u5' = q5''
