@@ -1,10 +1,10 @@
 //! One formulation of one model as a Rust file.
 
 use crate::function::{Arguments, Function, Returns, Value, Writer};
-use crate::program::input_name;
+use crate::identifiers::input_name;
 use crate::system;
 use crate::tokens::format;
-use quote::{format_ident, quote};
+use quote::quote;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::Derivation;
@@ -155,30 +155,4 @@ fn singular_text(arena: &Arena, e: &Equations) -> String {
     }
     let places: Vec<String> = e.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
     format!("The kinematic equations are singular where {}.", places.join(" and where "))
-}
-
-/// The unit struct of a formulation.
-#[must_use]
-pub fn type_name(formulation: Formulation) -> &'static str {
-    match formulation {
-        Formulation::Kane => "Kane",
-        Formulation::Lagrange => "Lagrange",
-        Formulation::NewtonEuler => "NewtonEuler",
-    }
-}
-
-/// The module of a formulation.
-#[must_use]
-pub fn module_name(formulation: Formulation) -> &'static str {
-    match formulation {
-        Formulation::Kane => "kane",
-        Formulation::Lagrange => "lagrange",
-        Formulation::NewtonEuler => "newton_euler",
-    }
-}
-
-/// A parameter as a struct field: its own name, with an underscore where it is a keyword.
-#[must_use]
-pub fn field_name(name: &str) -> proc_macro2::Ident {
-    if syn::parse_str::<syn::Ident>(name).is_ok() { format_ident!("{name}") } else { format_ident!("{name}_") }
 }

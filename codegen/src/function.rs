@@ -1,7 +1,7 @@
 //! One generated function: signature, body, cost.
 
-use crate::formulation::field_name;
-use crate::program::{Output, input_name, program};
+use crate::identifiers::{field_name, input_name};
+use crate::program::{Output, program};
 use crate::tokens::{Cost, section, statements};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};

@@ -6,6 +6,7 @@
 
 pub mod formulation;
 mod function;
+mod identifiers;
 mod module;
 pub mod program;
 mod system;

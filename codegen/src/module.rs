@@ -1,6 +1,6 @@
 //! The `mod.rs` of one model: its parameters, its names, its formulations.
 
-use crate::formulation::{field_name, module_name, type_name};
+use crate::identifiers::{field_name, module_name, type_name};
 use crate::tokens::format;
 use proc_macro2::Literal;
 use quote::{format_ident, quote};

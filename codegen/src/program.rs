@@ -1,6 +1,7 @@
 //! A straight-line program: sines and cosines, shared terms, outputs, each with a name that says what
 //! it holds.
 
+use crate::identifiers::input_name;
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::view::{View, view};
@@ -105,37 +106,6 @@ fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, 
         *uses.entry(operand).or_default() += 1;
     }
     uses
-}
-
-/// The variable that holds a symbol: `q1'` is `q1_dot`. Keywords and the function's own argument
-/// names get an underscore.
-#[must_use]
-pub fn input_name(symbol: &str) -> String {
-    let stem = symbol.trim_end_matches('\'');
-    let dots = ["", "_dot", "_ddot"][(symbol.len() - stem.len()).min(2)];
-    let name = format!("{stem}{dots}");
-    let taken = [
-        "p",
-        "q",
-        "u",
-        "q_dot",
-        "v_dot",
-        "out",
-        "zero",
-        "S",
-        "Parameters",
-        "Scalar",
-        "System",
-        "self",
-        "Self",
-        "super",
-        "crate",
-    ];
-    if taken.contains(&name.as_str()) || syn::parse_str::<syn::Ident>(&name).is_err() {
-        format!("{name}_")
-    } else {
-        name
-    }
 }
 
 /// `s1`, `c1` for the angle q1; `sin_theta` for others.

@@ -1,6 +1,6 @@
 //! The `System` that hands the simulator's slices to the generated functions.
 
-use crate::formulation::type_name;
+use crate::identifiers::type_name;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::{Equations, Formulation, Model};

@@ -1,6 +1,7 @@
 //! Formulas as Rust tokens, and formatted text with comments.
 
-use crate::program::{Program, Statement, input_name};
+use crate::identifiers::input_name;
+use crate::program::{Program, Statement};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use std::fmt::Write;

@@ -1,5 +1,6 @@
 //! All models of a workspace, and what stands in `generated/`.
 
+use crate::identifiers::module_name;
 use crate::tokens::format;
 use crate::{formulation, module};
 use quote::{format_ident, quote};
@@ -63,10 +64,7 @@ pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, D
     for f in Formulation::ALL {
         match derive(&model, f) {
             Ok(derivation) => {
-                files.push((
-                    format!("{}.rs", formulation::module_name(f)),
-                    formulation::file(&model, folder, &derivation),
-                ));
+                files.push((format!("{}.rs", module_name(f)), formulation::file(&model, folder, &derivation)));
                 supported.push(f);
             }
             Err(error) if error.is_unsupported() => {}

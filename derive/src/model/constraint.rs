@@ -1,8 +1,8 @@
 //! Holonomic constraints: each is solved for one configuration variable, which then leaves the model.
 
 use super::elements::Elements;
+use super::loading::Loading;
 use super::names::{CONFIGURATION, Kind};
-use super::read_model::Loading;
 use super::{Constraint, Coordinate};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;

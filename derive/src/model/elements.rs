@@ -1,7 +1,7 @@
 //! Frames, points and bodies, as the model file states them.
 
+use super::loading::Loading;
 use super::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
-use super::read_model::Loading;
 use super::tree::{Node, in_order};
 use super::units::Unit;
 use super::{Body, Force, Frame, Gravity, Inertia, Parameter, Point, Reaction, Torque, physics};

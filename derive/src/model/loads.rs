@@ -1,8 +1,8 @@
 //! Gravity, forces, torques and reactions, as the model file states them.
 
 use super::elements::{Elements, vector};
+use super::loading::Loading;
 use super::names::{CONFIGURATION, Kind, MOTION, PARAMETERS};
-use super::read_model::Loading;
 use super::units::Unit;
 use super::{Force, Gravity, Place, Reaction, ReactionKind, Torque};
 use crate::algebra::Expr;

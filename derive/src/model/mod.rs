@@ -2,6 +2,7 @@
 
 mod constraint;
 mod elements;
+mod loading;
 mod loads;
 mod names;
 mod physics;

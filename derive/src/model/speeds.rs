@@ -1,7 +1,7 @@
 //! Generalized speeds and the kinematic equations they give.
 
+use super::loading::Loading;
 use super::names::{Kind, VELOCITY};
-use super::read_model::Loading;
 use super::{Coordinate, KinematicEquations, Speed};
 use crate::algebra::Expr;
 use crate::algebra::calculus::Substitution;

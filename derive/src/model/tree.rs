@@ -1,7 +1,7 @@
 //! Frames and points, each placed from another, put in order: parents first.
 
+use super::loading::Loading;
 use super::names::Kind;
-use super::read_model::Loading;
 use crate::read::Located;
 use rustc_hash::FxHashMap;
 
