@@ -1,7 +1,7 @@
 //! One formulation of one model as a Rust file.
 
 use crate::function::{Arguments, Function, Returns, Value, Writer};
-use crate::identifiers::input_name;
+use crate::identifiers::{Variables, spelled};
 use crate::system;
 use crate::tokens::format;
 use quote::quote;
@@ -14,7 +14,7 @@ use tripos_derive::{Equations, Formulation, Model};
 #[must_use]
 pub fn file(model: &Model, folder: &str, derivation: &Derivation) -> String {
     let Derivation { arena, equations } = derivation;
-    let writer = Writer { model, arena, equations };
+    let writer = Writer { model, arena, equations, variables: Variables::new(arena) };
     let mut functions = linear_system(&writer);
     functions.extend(kinematics_and_energies(&writer));
     if equations.formulation == Formulation::Lagrange {
@@ -102,10 +102,7 @@ fn conversions(writer: &Writer<'_>) -> Vec<Function> {
 
 /// Outputs named after symbols: `q1'` is computed in `q1_dot_value`, distinct from an input `q1_dot`.
 fn named(symbols: impl Iterator<Item = String>, values: &[Expr]) -> Vec<Value> {
-    symbols
-        .zip(values)
-        .map(|(symbol, value)| (format!("{}_value", input_name(&symbol).trim_end_matches('_')), symbol, *value))
-        .collect()
+    symbols.zip(values).map(|(symbol, value)| (format!("{}_value", spelled(&symbol)), symbol, *value)).collect()
 }
 
 /// 1-based, set apart where one digit does not do.

@@ -1,6 +1,6 @@
 //! One generated function: signature, body, cost.
 
-use crate::identifiers::{field_name, input_name};
+use crate::identifiers::{Variables, fields};
 use crate::program::{Output, program};
 use crate::tokens::{Cost, section, statements};
 use proc_macro2::{Literal, TokenStream};
@@ -43,6 +43,8 @@ pub struct Writer<'a> {
     pub arena: &'a Arena,
     /// The equations.
     pub equations: &'a Equations,
+    /// The variable of each symbol.
+    pub variables: Variables,
 }
 
 /// A generated function.
@@ -73,7 +75,10 @@ impl Writer<'_> {
             .filter(|at| wanted(*at))
             .map(|at| Output { name: values[at].0.clone(), label: values[at].1.clone(), value: values[at].2 })
             .collect();
-        let program = program(self.arena, &outputs);
+        let program = program(self.arena, &self.variables, &outputs);
+        let mut computed = program.outputs.iter().map(|s| s.name.as_str());
+        let names: Vec<&str> =
+            (0..values.len()).map(|at| if wanted(at) { computed.next().unwrap_or("zero") } else { "zero" }).collect();
         let mut cost = Cost::default();
         let head = statements(&program, &mut cost);
         let heading = match returns {
@@ -84,7 +89,7 @@ impl Writer<'_> {
         let body = section(heading, &program.outputs, &mut cost);
         let entry = |at: usize| {
             let at = if mirrored(at) { (at % side) * side + at / side } else { at };
-            if values[at].2 == Expr::ZERO { format_ident!("zero") } else { format_ident!("{}", values[at].0) }
+            format_ident!("{}", names[at])
         };
         let has_zero = (0..values.len()).any(|at| values[at].2 == Expr::ZERO);
         let zero = if has_zero { quote!(let zero = S::int(0);) } else { TokenStream::new() };
@@ -131,7 +136,7 @@ impl Writer<'_> {
         let unpack_array = |symbols: &[Expr], argument: &str| {
             let patterns = symbols.iter().map(|s| {
                 if inputs.contains(s) {
-                    let name = format_ident!("{}", input_name(self.arena.symbol_name(*s).unwrap_or_default()));
+                    let name = format_ident!("{}", self.variables.of[s]);
                     quote!(#name)
                 } else {
                     quote!(_)
@@ -143,10 +148,11 @@ impl Writer<'_> {
             let count = Literal::usize_unsuffixed(symbols.len());
             (quote!(#argument_name: &[S; #count]), statement)
         };
-        let used: Vec<&str> =
-            self.model.parameters.iter().filter(|p| inputs.contains(&p.symbol)).map(|p| p.name.as_str()).collect();
-        let fields = used.iter().map(|name| {
-            let (field, variable) = (field_name(name), format_ident!("{}", input_name(name)));
+        let names = fields(self.model);
+        let used: Vec<_> =
+            self.model.parameters.iter().zip(&names).filter(|(p, _)| inputs.contains(&p.symbol)).collect();
+        let fields = used.iter().map(|(p, name)| {
+            let (field, variable) = (format_ident!("{name}"), format_ident!("{}", self.variables.of[&p.symbol]));
             if field == variable { quote!(#field) } else { quote!(#field: #variable) }
         });
         let rest = if used.len() < self.model.parameters.len() { quote!(, ..) } else { TokenStream::new() };

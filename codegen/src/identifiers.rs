@@ -1,37 +1,89 @@
 //! Names in generated code: of variables, fields, modules and types.
+//!
+//! Invariant: different symbols get different variables, and no variable is a keyword, an argument of the
+//! generated functions or a name that is in scope there.
 
-use quote::format_ident;
-use tripos_derive::Formulation;
+use rustc_hash::{FxHashMap, FxHashSet};
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::{Formulation, Model};
 
-/// The variable that holds a symbol: `q1'` is `q1_dot`. Keywords and the function's own argument
-/// names get an underscore.
+/// Names in scope of every generated function body.
+const IN_SCOPE: [&str; 14] = [
+    "p",
+    "q",
+    "u",
+    "q_dot",
+    "v_dot",
+    "out",
+    "zero",
+    "S",
+    "Parameters",
+    "Scalar",
+    "System",
+    "Kane",
+    "Lagrange",
+    "NewtonEuler",
+];
+
+/// Gives each name out once.
+#[derive(Clone)]
+pub struct Allocator {
+    taken: FxHashSet<String>,
+}
+
+impl Allocator {
+    /// With the names in scope already taken.
+    pub fn new() -> Self {
+        Self { taken: IN_SCOPE.iter().map(|name| (*name).to_owned()).collect() }
+    }
+
+    /// `wanted`, or with an underscore or a number behind it if that is a keyword or taken.
+    pub fn unique(&mut self, wanted: &str) -> String {
+        let usable = syn::parse_str::<syn::Ident>(wanted).is_ok() && wanted != "_";
+        let candidates = std::iter::once(wanted.to_owned()).filter(|_| usable);
+        let candidates = candidates.chain(std::iter::once(format!("{wanted}_")));
+        let candidates = candidates.chain((2..).map(|n| format!("{wanted}_{n}")));
+        let found = candidates.into_iter().find(|name| !self.taken.contains(name)).expect("numbers do not end");
+        self.taken.insert(found.clone());
+        found
+    }
+}
+
+/// The variable of each symbol: `q1'` is held in `q1_dot`.
+#[derive(Clone)]
+pub struct Variables {
+    /// By symbol.
+    pub of: FxHashMap<Expr, String>,
+    /// What is taken by them.
+    pub allocator: Allocator,
+}
+
+impl Variables {
+    /// Variables for all symbols of an arena, in order of declaration.
+    pub fn new(arena: &Arena) -> Self {
+        let mut allocator = Allocator::new();
+        let mut of = FxHashMap::default();
+        for name in arena.symbol_names() {
+            let Some(symbol) = arena.find_symbol(name) else { continue };
+            of.insert(symbol, allocator.unique(&spelled(name)));
+        }
+        Self { of, allocator }
+    }
+}
+
+/// A symbol's name in letters: dots for primes.
 #[must_use]
-pub fn input_name(symbol: &str) -> String {
+pub fn spelled(symbol: &str) -> String {
     let stem = symbol.trim_end_matches('\'');
     let dots = ["", "_dot", "_ddot"][(symbol.len() - stem.len()).min(2)];
-    let name = format!("{stem}{dots}");
-    let taken = [
-        "p",
-        "q",
-        "u",
-        "q_dot",
-        "v_dot",
-        "out",
-        "zero",
-        "S",
-        "Parameters",
-        "Scalar",
-        "System",
-        "self",
-        "Self",
-        "super",
-        "crate",
-    ];
-    if taken.contains(&name.as_str()) || syn::parse_str::<syn::Ident>(&name).is_err() {
-        format!("{name}_")
-    } else {
-        name
-    }
+    format!("{stem}{dots}")
+}
+
+/// The struct field of each parameter: its own name, escaped where it is a keyword.
+#[must_use]
+pub fn fields(model: &Model) -> Vec<String> {
+    let mut allocator = Allocator { taken: FxHashSet::default() };
+    model.parameters.iter().map(|p| allocator.unique(&p.name)).collect()
 }
 
 /// The unit struct of a formulation.
@@ -52,10 +104,4 @@ pub fn module_name(formulation: Formulation) -> &'static str {
         Formulation::Lagrange => "lagrange",
         Formulation::NewtonEuler => "newton_euler",
     }
-}
-
-/// A parameter as a struct field: its own name, with an underscore where it is a keyword.
-#[must_use]
-pub fn field_name(name: &str) -> proc_macro2::Ident {
-    if syn::parse_str::<syn::Ident>(name).is_ok() { format_ident!("{name}") } else { format_ident!("{name}_") }
 }

@@ -1,6 +1,6 @@
 //! The `mod.rs` of one model: its parameters, its names, its formulations.
 
-use crate::identifiers::{field_name, module_name, type_name};
+use crate::identifiers::{fields, module_name, type_name};
 use crate::tokens::format;
 use proc_macro2::Literal;
 use quote::{format_ident, quote};
@@ -19,23 +19,24 @@ pub fn file(model: &Model, folder: &str, formulations: &[Formulation]) -> String
         quote!(#[rustfmt::skip] pub mod #name;)
     });
     let count = model.parameters.len();
-    let fields = model.parameters.iter().map(|p| {
-        let name = field_name(&p.name);
+    let names = fields(model);
+    let fields = model.parameters.iter().zip(&names).map(|(p, name)| {
+        let name = format_ident!("{name}");
         let about = if p.about.is_empty() { "parameter" } else { &p.about };
         let text = format!(" {about}, {}", p.unit);
         quote!(#[doc = #text] pub #name: S)
     });
-    let from = model.parameters.iter().enumerate().map(|(at, p)| {
-        let (name, at) = (field_name(&p.name), Literal::usize_unsuffixed(at));
+    let from = names.iter().enumerate().map(|(at, name)| {
+        let (name, at) = (format_ident!("{name}"), Literal::usize_unsuffixed(at));
         quote!(#name: p[#at])
     });
-    let names = |list: Vec<&str>| {
+    let list_of = |list: Vec<&str>| {
         let count = Literal::usize_unsuffixed(list.len());
         (quote!([&str; #count]), quote!([#(#list),*]))
     };
-    let (parameter_type, parameters) = names(model.parameters.iter().map(|p| p.name.as_str()).collect());
-    let (coordinate_type, coordinates) = names(model.coordinates.iter().map(|c| c.name.as_str()).collect());
-    let (speed_type, speeds) = names(model.speeds.iter().map(|s| s.name.as_str()).collect());
+    let (parameter_type, parameters) = list_of(model.parameters.iter().map(|p| p.name.as_str()).collect());
+    let (coordinate_type, coordinates) = list_of(model.coordinates.iter().map(|c| c.name.as_str()).collect());
+    let (speed_type, speeds) = list_of(model.speeds.iter().map(|s| s.name.as_str()).collect());
     let systems = formulations.iter().map(|f| {
         let (module, name) = (format_ident!("{}", module_name(*f)), format_ident!("{}", type_name(*f)));
         let formulation = f.name();

@@ -1,7 +1,7 @@
 //! A straight-line program: sines and cosines, shared terms, outputs, each with a name that says what
 //! it holds.
 
-use crate::identifiers::input_name;
+use crate::identifiers::{Allocator, Variables, spelled};
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::view::{View, view};
@@ -21,15 +21,29 @@ pub struct Statement {
     pub comment: String,
 }
 
+/// One line of a program.
+#[derive(Clone, Debug)]
+pub enum Line {
+    /// Sine and cosine of an angle.
+    Circular {
+        /// The sine's variable.
+        sine: String,
+        /// The cosine's variable.
+        cosine: String,
+        /// The angle.
+        angle: View,
+    },
+    /// A shared term.
+    Let(Statement),
+}
+
 /// The body of one generated function.
 #[derive(Clone, Debug, Default)]
 pub struct Program {
     /// Symbols that the program reads.
     pub inputs: FxHashSet<Expr>,
-    /// Angles whose sine and cosine are needed: (sine's name, cosine's name, angle, angle as text).
-    pub angles: Vec<(String, String, View, String)>,
-    /// Shared terms, operands first.
-    pub shared: Vec<Statement>,
+    /// Sines, cosines and shared terms, each after what it needs.
+    pub lines: Vec<Line>,
     /// The outputs, in order.
     pub outputs: Vec<Statement>,
 }
@@ -37,7 +51,7 @@ pub struct Program {
 /// An output to be computed: its variable, its symbol in comments, its expression.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// The variable, unique among the outputs.
+    /// The variable that is wanted; another if an input has that name.
     pub name: String,
     /// How comments call it: `M12`, `f3`.
     pub label: String,
@@ -47,48 +61,85 @@ pub struct Output {
 
 /// Orders, shares and names everything that the outputs need.
 #[must_use]
-pub fn program(arena: &Arena, outputs: &[Output]) -> Program {
+pub fn program(arena: &Arena, variables: &Variables, outputs: &[Output]) -> Program {
     let roots: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
     let parts = arena.reachable(&roots);
-    let mut names = Names::new(outputs);
-    let inputs: FxHashSet<Expr> = parts.iter().copied().filter(|e| matches!(arena.node(*e), Node::Symbol(_))).collect();
     let uses = use_counts(arena, &parts, &roots);
-    let mut shared: FxHashMap<Expr, String> = FxHashMap::default();
-    let mut result = Program { inputs, ..Program::default() };
-    for &e in &parts {
-        if matches!(arena.node(e), Node::Symbol(_)) {
-            shared.insert(e, input_name(arena.symbol_name(e).unwrap_or_default()));
-        }
-    }
+    let mut names = Names { allocator: variables.allocator.clone(), circular: FxHashMap::default() };
+    let output_names: Vec<String> = outputs.iter().map(|o| names.allocator.unique(&o.name)).collect();
+    let mut shared = variables.of.clone();
+    let mut lines = Lines::default();
     for &e in &parts {
         match arena.node(e) {
-            Node::Apply(Function::Sin | Function::Cos, angle) => {
-                let sine = circular(arena, *angle, "s", &mut names);
-                let cosine = circular(arena, *angle, "c", &mut names);
-                let name = if matches!(arena.node(e), Node::Apply(Function::Sin, _)) { &sine } else { &cosine };
-                shared.insert(e, name.clone());
-                if !result.angles.iter().any(|(s, ..)| *s == sine) {
-                    result.angles.push((sine, cosine, operand(arena, *angle, &shared), text(arena, *angle)));
+            Node::Apply(f @ (Function::Sin | Function::Cos), angle) => {
+                let (sine, cosine) = names.circular(arena, *angle);
+                shared.insert(e, if *f == Function::Sin { sine.clone() } else { cosine.clone() });
+                if lines.known.insert(*angle) {
+                    let view = lines.resolve(arena, &mut names, operand(arena, *angle, &shared));
+                    lines.circular.push((view.clone(), *angle));
+                    lines.list.push(Line::Circular { sine, cosine, angle: view });
                 }
             }
             Node::Sum(..) | Node::Product(_) | Node::Apply(..) if uses.get(&e).copied().unwrap_or(0) > 1 => {
-                let name = names.descriptive(arena, e, outputs);
-                let value = view(arena, e, &shared, BUDGET);
+                let name = names.descriptive(arena, variables, e, outputs);
+                let value = lines.resolve(arena, &mut names, view(arena, e, &shared, BUDGET));
                 let comment = format!("{}; used {} times", text(arena, e), uses[&e]);
                 shared.insert(e, name.clone());
-                result.shared.push(Statement { name, value, comment });
+                lines.list.push(Line::Let(Statement { name, value, comment }));
             }
             _ => {}
         }
     }
-    for output in outputs {
-        // A root that is itself shared is already computed.
-        let value = operand(arena, output.value, &shared);
+    let mut result = Vec::new();
+    for (output, name) in outputs.iter().zip(output_names) {
+        let value = lines.resolve(arena, &mut names, operand(arena, output.value, &shared));
         let comment = format!("{} = {}", output.label, text(arena, output.value));
-        result.outputs.push(Statement { name: output.name.clone(), value, comment });
+        result.push(Statement { name, value, comment });
     }
-    name_tangents(&mut result, &mut names);
-    result
+    let inputs = parts.into_iter().filter(|e| matches!(arena.node(*e), Node::Symbol(_))).collect();
+    // Sines and cosines of inputs first: that is where a reader looks for them.
+    let needs_nothing = |line: &Line| match line {
+        Line::Circular { angle, .. } => matches!(angle, View::Shared(name) if variables.of.values().any(|v| v == name)),
+        Line::Let(_) => false,
+    };
+    let (mut first, rest): (Vec<Line>, Vec<Line>) = lines.list.into_iter().partition(needs_nothing);
+    first.extend(rest);
+    Program { inputs, lines: first, outputs: result }
+}
+
+/// Lines under construction, and the tangents among them.
+#[derive(Default)]
+struct Lines {
+    list: Vec<Line>,
+    known: FxHashSet<Expr>,
+    /// The angles whose sine and cosine are there.
+    circular: Vec<(View, Expr)>,
+    tangents: Vec<(View, String)>,
+}
+
+impl Lines {
+    /// Replaces every tangent by its variable, computed before it is first needed.
+    fn resolve(&mut self, arena: &Arena, names: &mut Names, mut value: View) -> View {
+        replace_tangents(&mut value, &mut |angle| {
+            if let Some((_, name)) = self.tangents.iter().find(|(a, _)| a == angle) {
+                return View::Shared(name.clone());
+            }
+            let found = self.circular.iter().find(|(a, _)| a == angle);
+            let (_, e) = *found.expect("a tangent is a quotient of a sine and a cosine");
+            let (sine, cosine) = names.circular(arena, e);
+            let stem = match sine.strip_prefix("sin") {
+                Some(rest) => format!("tan{rest}"),
+                None => sine.replacen('s', "t", 1),
+            };
+            let name = names.allocator.unique(&stem);
+            let value = View::Fraction(Box::new(View::Shared(sine)), Box::new(View::Shared(cosine)));
+            let comment = format!("tan({})", text(arena, e));
+            self.list.push(Line::Let(Statement { name: name.clone(), value, comment }));
+            self.tangents.push((angle.clone(), name.clone()));
+            View::Shared(name)
+        });
+        value
+    }
 }
 
 /// A term as it stands inside others: by its name, if it has one.
@@ -108,25 +159,6 @@ fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, 
     uses
 }
 
-/// `s1`, `c1` for the angle q1; `sin_theta` for others.
-fn circular(arena: &Arena, angle: Expr, kind: &str, names: &mut Names) -> String {
-    let key = format!("{kind} of {}", text(arena, angle));
-    if let Some(known) = names.known.get(&key) {
-        return known.clone();
-    }
-    let long = if kind == "s" { "sin" } else { "cos" };
-    let stem = match arena.symbol_name(angle) {
-        Some(name) if name.starts_with('q') && name[1..].bytes().all(|b| b.is_ascii_digit()) && name.len() > 1 => {
-            format!("{kind}{}", &name[1..])
-        }
-        Some(name) => format!("{long}_{}", input_name(name).trim_end_matches('_')),
-        None => format!("{long}_{}", identifier(&text(arena, angle), 24).unwrap_or_else(|| "angle".to_owned())),
-    };
-    let name = names.unique(&stem);
-    names.known.insert(key, name.clone());
-    name
-}
-
 /// Letters and digits of a formula as one word, if that is short enough.
 fn identifier(formula: &str, longest: usize) -> Option<String> {
     let spelled = formula.replace('-', "_minus_").replace('+', "_plus_").replace('/', "_by_");
@@ -138,29 +170,33 @@ fn identifier(formula: &str, longest: usize) -> Option<String> {
 
 /// Names given so far.
 struct Names {
-    taken: FxHashSet<String>,
-    known: FxHashMap<String, String>,
+    allocator: Allocator,
+    circular: FxHashMap<Expr, (String, String)>,
 }
 
 impl Names {
-    fn new(outputs: &[Output]) -> Self {
-        let mut taken: FxHashSet<String> = outputs.iter().map(|o| o.name.clone()).collect();
-        taken.extend(["p", "q", "u", "q_dot", "v_dot", "out", "zero"].map(str::to_owned));
-        Self { taken, known: FxHashMap::default() }
-    }
-
-    fn unique(&mut self, stem: &str) -> String {
-        let mut name = input_name(stem);
-        let mut count = 2;
-        while !self.taken.insert(name.clone()) {
-            name = format!("{stem}_{count}");
-            count += 1;
+    /// The variables of an angle's sine and cosine: `s1`, `c1` for q1, `sin_theta`, `cos_theta` for others.
+    fn circular(&mut self, arena: &Arena, angle: Expr) -> (String, String) {
+        if let Some(known) = self.circular.get(&angle) {
+            return known.clone();
         }
-        name
+        let digits = arena.symbol_name(angle).and_then(|name| name.strip_prefix('q'));
+        let digits = digits.filter(|d| !d.is_empty() && d.bytes().all(|b| b.is_ascii_digit()));
+        let mut name = |long: &str, short: &str| match (digits, arena.symbol_name(angle)) {
+            (Some(digits), _) => self.allocator.unique(&format!("{short}{digits}")),
+            (None, Some(symbol)) => self.allocator.unique(&format!("{long}_{}", spelled(symbol))),
+            (None, None) => {
+                let word = identifier(&text(arena, angle), 24).unwrap_or_else(|| "angle".to_owned());
+                self.allocator.unique(&format!("{long}_{word}"))
+            }
+        };
+        let pair = (name("sin", "s"), name("cos", "c"));
+        self.circular.insert(angle, pair.clone());
+        pair
     }
 
     /// A name after what the term holds, or after the output that needs it first.
-    fn descriptive(&mut self, arena: &Arena, e: Expr, outputs: &[Output]) -> String {
+    fn descriptive(&mut self, arena: &Arena, variables: &Variables, e: Expr, outputs: &[Output]) -> String {
         let factors: Vec<(Expr, i32)> = match arena.node(e) {
             Node::Product(factors) => factors.to_vec(),
             Node::Sum(constant, terms) if constant_free(constant) && terms.len() == 1 => match arena.node(terms[0].0) {
@@ -171,7 +207,7 @@ impl Names {
         };
         let mut words = Vec::new();
         for (base, n) in &factors {
-            let Some(word) = self.word(arena, *base) else {
+            let Some(word) = self.word(arena, variables, *base) else {
                 words.clear();
                 break;
             };
@@ -187,21 +223,21 @@ impl Names {
         let joined = words.join("_").to_lowercase();
         if !joined.is_empty() && joined.len() <= 20 {
             let scaled = matches!(arena.node(e), Node::Sum(..));
-            return self.unique(&if scaled { format!("{joined}_scaled") } else { joined });
+            return self.allocator.unique(&if scaled { format!("{joined}_scaled") } else { joined });
         }
         if let Some(word) = identifier(&text(arena, e), 16) {
-            return self.unique(&word);
+            return self.allocator.unique(&word);
         }
         let first = outputs.iter().find(|o| arena.reachable(&[o.value]).binary_search(&e).is_ok());
         let stem = first.map_or("shared".to_owned(), |o| o.name.clone());
-        self.unique(&format!("{stem}_part"))
+        self.allocator.unique(&format!("{stem}_part"))
     }
 
-    fn word(&mut self, arena: &Arena, base: Expr) -> Option<String> {
+    fn word(&mut self, arena: &Arena, variables: &Variables, base: Expr) -> Option<String> {
         match arena.node(base) {
-            Node::Symbol(_) => Some(input_name(arena.symbol_name(base)?)),
-            Node::Apply(Function::Sin, angle) => Some(circular(arena, *angle, "s", self)),
-            Node::Apply(Function::Cos, angle) => Some(circular(arena, *angle, "c", self)),
+            Node::Symbol(_) => variables.of.get(&base).cloned(),
+            Node::Apply(Function::Sin, angle) => Some(self.circular(arena, *angle).0),
+            Node::Apply(Function::Cos, angle) => Some(self.circular(arena, *angle).1),
             _ => None,
         }
     }
@@ -209,35 +245,6 @@ impl Names {
 
 fn constant_free(constant: &tripos_derive::algebra::Rational) -> bool {
     constant.is_zero()
-}
-
-/// Gives each tangent a variable of its own, right after the sines and cosines.
-fn name_tangents(program: &mut Program, names: &mut Names) {
-    let mut tangents: Vec<(View, String)> = Vec::new();
-    let mut statements = Vec::new();
-    let angles = program.angles.clone();
-    let all = program.shared.iter_mut().chain(&mut program.outputs).map(|s| &mut s.value);
-    for value in all {
-        replace_tangents(value, &mut |angle| {
-            if let Some((_, name)) = tangents.iter().find(|(a, _)| a == angle) {
-                return View::Shared(name.clone());
-            }
-            let (sine, cosine, _, spelled) =
-                angles.iter().find(|(_, _, a, _)| a == angle).expect("a tangent is a quotient of a sine and a cosine");
-            let stem = if let Some(digits) = sine.strip_prefix('s').filter(|d| d.bytes().all(|b| b.is_ascii_digit())) {
-                format!("t{digits}")
-            } else {
-                sine.replacen("sin", "tan", 1)
-            };
-            let name = names.unique(&stem);
-            let quotient = View::Fraction(Box::new(View::Shared(sine.clone())), Box::new(View::Shared(cosine.clone())));
-            statements.push(Statement { name: name.clone(), value: quotient, comment: format!("tan({spelled})") });
-            tangents.push((angle.clone(), name.clone()));
-            View::Shared(name)
-        });
-    }
-    statements.append(&mut program.shared);
-    program.shared = statements;
 }
 
 fn replace_tangents(view: &mut View, name: &mut impl FnMut(&View) -> View) {

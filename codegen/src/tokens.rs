@@ -1,10 +1,10 @@
 //! Formulas as Rust tokens, and formatted text with comments.
 
-use crate::identifiers::input_name;
-use crate::program::{Program, Statement};
+use crate::program::{Line, Program, Statement};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use std::fmt::Write;
+use tripos_derive::algebra::Rational;
 use tripos_derive::algebra::view::View;
 
 /// What a piece of generated code costs.
@@ -36,8 +36,7 @@ impl std::fmt::Display for Cost {
 pub fn expression(view: &View, cost: &mut Cost) -> TokenStream {
     match view {
         View::Number(text) => number(text, "1"),
-        View::Name(name) => ident(&input_name(name)),
-        View::Shared(name) => ident(name),
+        View::Name(name) | View::Shared(name) => ident(name),
         View::Pi => quote!(S::from_f64(core::f64::consts::PI)),
         View::Sum(terms) => sum(terms, cost),
         View::Product(factors) => product(factors, cost),
@@ -74,17 +73,14 @@ fn number(numerator: &str, denominator: &str) -> TokenStream {
             let (n, d) = (proc_macro2::Literal::i64_unsuffixed(n), proc_macro2::Literal::i64_unsuffixed(d));
             quote!(S::ratio(#n, #d))
         }
-        // Too large for a word: the decimal digits, correctly rounded by the compiler.
+        // Too large for a word: the nearest double.
         _ => {
-            let above: proc_macro2::Literal = literal(numerator);
-            let below: proc_macro2::Literal = literal(denominator);
-            quote!((S::from_f64(#above) / S::from_f64(#below)))
+            let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
+            let value = value.and_then(|(n, d)| Some(n.mul(&d.recip()?).to_f64())).unwrap_or(f64::NAN);
+            let value = proc_macro2::Literal::f64_unsuffixed(value);
+            quote!(S::from_f64(#value))
         }
     }
-}
-
-fn literal(digits: &str) -> proc_macro2::Literal {
-    format!("{digits}.0").parse().expect("digits make a literal")
 }
 
 fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
@@ -191,18 +187,31 @@ fn power(base: &View, n: i32, cost: &mut Cost) -> TokenStream {
     quote!(#tokens.powi(#n))
 }
 
-/// The statements of a program, with comments carried as marked doc attributes.
+/// The lines of a program, with comments carried as marked doc attributes.
 pub fn statements(program: &Program, cost: &mut Cost) -> TokenStream {
     let mut tokens = TokenStream::new();
-    for (at, (sine, cosine, angle, _)) in program.angles.iter().enumerate() {
-        cost.sincos += 1;
-        let angle = receiver(angle, cost);
-        let used = |name: &str| uses(program, name);
-        let (sine, cosine) = (pattern(sine, used(sine)), pattern(cosine, used(cosine)));
-        let comment = if at == 0 { comment("Sines and cosines.") } else { TokenStream::new() };
-        tokens.extend(quote!(#comment let (#sine, #cosine) = #angle.sin_cos();));
+    let mut heading = "";
+    for line in &program.lines {
+        let (wanted, statement) = match line {
+            Line::Circular { sine, cosine, angle } => {
+                cost.sincos += 1;
+                let angle = receiver(angle, cost);
+                let (sine, cosine) = (pattern(sine, uses(program, sine)), pattern(cosine, uses(program, cosine)));
+                ("Sines and cosines.", quote!(let (#sine, #cosine) = #angle.sin_cos();))
+            }
+            Line::Let(statement) => {
+                let name = format_ident!("{}", statement.name);
+                let value = expression(&statement.value, cost);
+                let equation = comment(&statement.comment);
+                ("Shared terms.", quote!(#equation let #name = #value;))
+            }
+        };
+        if wanted != heading {
+            tokens.extend(comment(wanted));
+            heading = wanted;
+        }
+        tokens.extend(statement);
     }
-    tokens.extend(section("Shared terms.", &program.shared, cost));
     tokens
 }
 
@@ -244,7 +253,11 @@ fn uses(program: &Program, name: &str) -> bool {
             View::Number(_) | View::Name(_) | View::Pi | View::Cut => false,
         }
     }
-    program.shared.iter().chain(&program.outputs).any(|s| occurs(&s.value, name))
+    let mut values = program.lines.iter().map(|line| match line {
+        Line::Circular { angle, .. } => angle,
+        Line::Let(statement) => &statement.value,
+    });
+    values.any(|v| occurs(v, name)) || program.outputs.iter().any(|s| occurs(&s.value, name))
 }
 
 /// Formats items and turns the marked attributes into comments.

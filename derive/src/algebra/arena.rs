@@ -140,8 +140,11 @@ fn hash_of(node: &Node) -> u64 {
 }
 
 impl Arena {
-    /// The largest exponent that a power may have.
-    pub const MAX_EXPONENT: i32 = 10_000;
+    /// The largest exponent that a power may have. What people write is held far below it
+    /// ([`Self::MAX_WRITTEN_EXPONENT`]), so that no derivation gets near.
+    pub const MAX_EXPONENT: i32 = 1_000_000;
+    /// The largest exponent that the parser lets a term have.
+    pub const MAX_WRITTEN_EXPONENT: i32 = 1000;
 
     /// An arena that holds 0, 1 and −1.
     #[must_use]

@@ -4,13 +4,13 @@
 use super::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// Rebuilds `node` with mapped operands.
-fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Expr {
-    match arena.node(e).clone() {
+/// Rebuilds `e` with mapped operands; `None` if a divisor became the literal 0.
+fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Expr> {
+    Some(match arena.node(e).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Pi => e,
         Node::Sum(constant, terms) => {
             if terms.iter().all(|(term, _)| map[term] == *term) {
-                return e;
+                return Some(e);
             }
             let constant = arena.number(constant);
             let mut new: Vec<_> = terms.iter().map(|(term, k)| (map[term], k.clone())).collect();
@@ -19,11 +19,10 @@ fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Expr {
         }
         Node::Product(factors) => {
             if factors.iter().all(|(base, _)| map[base] == *base) {
-                return e;
+                return Some(e);
             }
             let new: Vec<_> = factors.iter().map(|(base, n)| (map[base], *n)).collect();
-            // A divisor that became the literal 0: keep the undefined term visible as it was.
-            arena.try_product(&new).unwrap_or(e)
+            arena.try_product(&new).ok()?
         }
         Node::Apply(f, argument) => {
             if map[&argument] == argument {
@@ -32,7 +31,7 @@ fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Expr {
                 arena.apply(f, map[&argument])
             }
         }
-    }
+    })
 }
 
 /// Replaces symbols (or any other terms) by terms, everywhere at once.
@@ -41,16 +40,20 @@ fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Expr {
 #[derive(Clone, Default)]
 pub struct Substitution {
     map: FxHashMap<Expr, Expr>,
+    /// The first term, if any, that has no value after the replacement since its divisor became 0. It was
+    /// left as it was.
+    pub undefined: Option<Expr>,
 }
 
 impl Substitution {
     /// Replaces the first of each pair by the second.
     #[must_use]
     pub fn new(pairs: &[(Expr, Expr)]) -> Self {
-        Self { map: pairs.iter().copied().collect() }
+        Self { map: pairs.iter().copied().collect(), undefined: None }
     }
 
-    /// `e` rewritten. A quotient whose divisor becomes the literal 0 is left as it was.
+    /// `e` rewritten. A quotient whose divisor becomes the literal 0 is left as it was and noted in
+    /// [`Self::undefined`].
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if let Some(&done) = self.map.get(&e) {
             return done;
@@ -58,7 +61,10 @@ impl Substitution {
         for part in arena.reachable(&[e]) {
             if !self.map.contains_key(&part) {
                 let new = rebuild(arena, part, &self.map);
-                self.map.insert(part, new);
+                if new.is_none() {
+                    self.undefined = self.undefined.or(Some(part));
+                }
+                self.map.insert(part, new.unwrap_or(part));
             }
         }
         self.map[&e]

@@ -84,7 +84,7 @@ fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
         let value = arena.intern_apply(f, positive);
         return if flipped && f == Function::Sin { arena.neg(value) } else { value };
     };
-    let k = (k + i64::from(f == Function::Cos)).rem_euclid(4);
+    let k = (k.rem_euclid(4) + i64::from(f == Function::Cos)) % 4;
     let (positive, flipped) = with_positive_sign(arena, rest);
     let value = match (k % 2, positive == Expr::ZERO) {
         (0, true) => Expr::ZERO,
@@ -100,7 +100,7 @@ fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
 fn special_angle(arena: &mut Arena, f: Function, turns: &Rational) -> Option<Expr> {
     let twelfths = turns.mul(&Rational::integer(12)).to_i64()?;
     let shift = if f == Function::Cos { 6 } else { 0 };
-    let k = (twelfths + shift).rem_euclid(24);
+    let k = (twelfths.rem_euclid(24) + shift) % 24;
     let (quadrant_sign, k) = if k >= 12 { (-1, k - 12) } else { (1, k) };
     // sin is symmetric about π/2.
     let squared = match k.min(12 - k) {

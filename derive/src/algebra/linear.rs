@@ -10,7 +10,7 @@ use super::{Arena, Expr};
 pub struct NotLinear {
     /// The symbol in which it is not linear.
     pub symbol: Expr,
-    /// The derivative, which should not depend on the symbols and does.
+    /// The derivative, which should not depend on the symbols and does; or the whole expression.
     pub coefficient: Expr,
 }
 
@@ -38,6 +38,10 @@ impl LinearForm {
     /// # Errors
     /// [`NotLinear`] if a coefficient depends on one of the symbols by meaning.
     pub fn coefficients(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
+        let parts = arena.reachable(&[e]);
+        if !self.symbols.iter().any(|s| parts.binary_search(s).is_ok()) {
+            return Ok((vec![Expr::ZERO; self.symbols.len()], e));
+        }
         let mut coefficients = Vec::with_capacity(self.symbols.len());
         for at in 0..self.symbols.len() {
             let slope = self.partials[at].apply(arena, e);
@@ -55,7 +59,19 @@ impl LinearForm {
             }
             coefficients.push(at_zero);
         }
-        Ok((coefficients, self.at_zero.apply(arena, e)))
+        let rest = self.at_zero.apply(arena, e);
+        // The decisive question: does the linear form mean the same? Jumps such as sign(u) have no slope.
+        let mut terms: Vec<Expr> = coefficients.iter().zip(&self.symbols).map(|(c, s)| arena.mul(*c, *s)).collect();
+        terms.push(rest);
+        let form = arena.sum(&terms);
+        let difference = arena.sub(e, form);
+        let left = arena.reachable(&[&coefficients[..], &[rest]].concat());
+        let mentioned = self.symbols.iter().find(|s| left.binary_search(s).is_ok());
+        if mentioned.is_some() || zero_test(arena, difference) != ZeroTest::Zero {
+            let symbol = mentioned.copied().unwrap_or(self.symbols[0]);
+            return Err(NotLinear { symbol, coefficient: e });
+        }
+        Ok((coefficients, rest))
     }
 }
 

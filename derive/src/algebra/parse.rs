@@ -201,7 +201,7 @@ impl Parser<'_, '_> {
         if factors.len() == 1 {
             return Ok(factors[0].0);
         }
-        let product = self.arena.try_product(&factors);
+        let product = self.arena.try_product(&factors).and_then(|e| self.within_limits(e));
         product.map_err(|e| self.power_error(start, e))
     }
 
@@ -210,9 +210,24 @@ impl Parser<'_, '_> {
         match kind {
             PowerError::DivisionByZero => error(span, "division by zero", Some("this divisor is zero")),
             PowerError::TooLarge => {
-                let limit = format!("exponents reach to ±{}, numbers to about 30 000 digits", Arena::MAX_EXPONENT);
+                let limit =
+                    format!("exponents reach to ±{}, numbers to about 30 000 digits", Arena::MAX_WRITTEN_EXPONENT);
                 error(span, "this power is too large", Some(&limit))
             }
+        }
+    }
+
+    /// Refuses a product with an exponent beyond what may be written.
+    fn within_limits(&self, e: Expr) -> Result<Expr, PowerError> {
+        let product = match self.arena.node(e) {
+            Node::Sum(_, terms) if terms.len() == 1 => terms[0].0,
+            _ => e,
+        };
+        match self.arena.node(product) {
+            Node::Product(factors) if factors.iter().any(|(_, n)| n.abs() > Arena::MAX_WRITTEN_EXPONENT) => {
+                Err(PowerError::TooLarge)
+            }
+            _ => Ok(e),
         }
     }
 
@@ -257,7 +272,7 @@ impl Parser<'_, '_> {
         if n == 0 {
             return Ok(Expr::ONE);
         }
-        self.arena.pow(base, n).map_err(|e| self.power_error(start, e))
+        self.arena.pow(base, n).and_then(|e| self.within_limits(e)).map_err(|e| self.power_error(start, e))
     }
 
     fn enter(&mut self, start: usize) -> Result<(), ParseError> {

@@ -174,7 +174,7 @@ impl Rational {
     #[must_use]
     pub fn pow(&self, n: i32) -> Option<Self> {
         let bits = self.to_big().numer().bits().max(self.to_big().denom().bits());
-        if bits > 1 && bits.saturating_mul(u64::from(n.unsigned_abs())) > Self::MAX_BITS {
+        if n.unsigned_abs() > 1 && bits > 1 && bits.saturating_mul(u64::from(n.unsigned_abs())) > Self::MAX_BITS {
             return None;
         }
         if self.is_zero() {

@@ -45,7 +45,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         generalized_speed_rates: rates,
         motion_variables: model.u(),
         kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),
-        potential_energy: kinematics.potential_energy(model),
+        potential_energy: kinematics.potential_energy(model)?,
         divisors: model.kinematic_equations.divisors.clone(),
         steps: Vec::new(),
     };

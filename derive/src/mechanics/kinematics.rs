@@ -135,8 +135,11 @@ impl Kinematics {
     }
 
     /// V = −Σ m g·p, zero where the model puts its zero.
-    pub fn potential_energy(&mut self, model: &Model) -> Expr {
-        let Some(gravity) = &model.gravity else { return Expr::ZERO };
+    ///
+    /// # Errors
+    /// [`DeriveError::NoZeroOfPotential`] if V has no value there.
+    pub fn potential_energy(&mut self, model: &Model) -> Result<Expr, DeriveError> {
+        let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
         let g = Vector::in_frame(gravity.frame, gravity.acceleration);
         let mut terms = Vec::new();
         for body in &model.bodies {
@@ -146,16 +149,20 @@ impl Kinematics {
         }
         let energy = self.arena.sum(&terms);
         if gravity.zero_at.is_empty() {
-            return self.simplifier.simplify(&mut self.arena, energy);
+            return Ok(self.simplifier.simplify(&mut self.arena, energy));
         }
         let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
         for (symbol, value) in &gravity.zero_at {
             values.retain(|(s, _)| s != symbol);
             values.push((*symbol, *value));
         }
-        let at_zero = Substitution::new(&values).apply(&mut self.arena, energy);
+        let mut to_zero = Substitution::new(&values);
+        let at_zero = to_zero.apply(&mut self.arena, energy);
+        if let Some(term) = to_zero.undefined {
+            return Err(DeriveError::NoZeroOfPotential { term: crate::algebra::print::text(&self.arena, term) });
+        }
         let difference = self.arena.sub(energy, at_zero);
-        self.simplifier.simplify(&mut self.arena, difference)
+        Ok(self.simplifier.simplify(&mut self.arena, difference))
     }
 
     /// The applied loads as pairs (velocity of what they act on, load): F_r = Σ ∂velocity/∂u_r · load.
@@ -222,6 +229,12 @@ impl Kinematics {
         let velocities = self.in_rates.clone();
         for reaction in &model.reactions {
             let direction = Vector::in_frame(reaction.frame, reaction.direction);
+            let square = self.frames.dot(&mut self.arena, &direction, &direction);
+            let excess = self.arena.sub(square, Expr::ONE);
+            if zero_test(&self.arena, excess) != ZeroTest::Zero {
+                let length = crate::algebra::print::text(&self.arena, square);
+                return Err(DeriveError::DirectionNotUnit { reaction: reaction.name.clone(), square: length });
+            }
             let velocity = match reaction.kind {
                 ReactionKind::Force { on, against } => {
                     let v = self.place_velocity(model, &velocities, on);

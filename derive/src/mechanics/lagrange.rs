@@ -14,7 +14,7 @@ use crate::model::Model;
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, DeriveError> {
     let velocities = kinematics.in_rates.clone();
     let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());
-    let v = kinematics.potential_energy(model);
+    let v = kinematics.potential_energy(model)?;
     let q_forces = generalized_forces(model, kinematics);
     let arena = &mut kinematics.arena;
     let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();

@@ -115,6 +115,18 @@ pub enum DeriveError {
         /// The power for each unit of that coordinate's rate.
         rate: String,
     },
+    /// The direction of a reaction has another length than 1, so its value would not be the force.
+    DirectionNotUnit {
+        /// The reaction.
+        reaction: String,
+        /// The square of the length.
+        square: String,
+    },
+    /// The potential energy has no value where the model puts its zero.
+    NoZeroOfPotential {
+        /// The term that divides by zero.
+        term: String,
+    },
     /// A speed moves no mass: the mass matrix has a zero row.
     NoInertia {
         /// The speed.
@@ -158,6 +170,12 @@ impl DeriveError {
                 Some(reaction),
                 "a reaction acts where and along what its constraint forbids; a force that works is an applied force",
             ),
+            Self::DirectionNotUnit { reaction, .. } => {
+                (Some(reaction), "divide the direction by its length, as in [\"sqrt(1/2)\", \"sqrt(1/2)\", 0]")
+            }
+            Self::NoZeroOfPotential { .. } => {
+                (None, "give every coordinate that divides a value in `zero_at`, or leave `zero_at` out")
+            }
             Self::NoInertia { speed } => {
                 (Some(speed.trim_end_matches('\'')), "give mass to what moves with it, or leave the coordinate out")
             }
@@ -184,6 +202,15 @@ impl fmt::Display for DeriveError {
                 write!(
                     f,
                     "the reaction `{reaction}` works along `{coordinate}`: power {rate} for each unit of {coordinate}'"
+                )
+            }
+            Self::DirectionNotUnit { reaction, square } => {
+                write!(f, "the direction of `{reaction}` is no unit vector: the square of its length is {square}")
+            }
+            Self::NoZeroOfPotential { term } => {
+                write!(
+                    f,
+                    "the potential energy has no value where `zero_at` puts its zero: {term} divides by zero there"
                 )
             }
             Self::NoInertia { speed } => {

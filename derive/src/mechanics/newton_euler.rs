@@ -63,7 +63,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         generalized_speed_rates: model.speeds.iter().map(|s| s.rate).collect(),
         motion_variables: model.u(),
         kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),
-        potential_energy: kinematics.potential_energy(model),
+        potential_energy: kinematics.potential_energy(model)?,
         divisors: model.kinematic_equations.divisors.clone(),
         steps: Vec::new(),
     };

@@ -108,12 +108,6 @@ impl Frames {
         Self { frames: frames.to_vec(), rotations: FxHashMap::default() }
     }
 
-    /// The frames of the model.
-    #[must_use]
-    pub fn list(&self) -> &[Frame] {
-        &self.frames
-    }
-
     /// From `frame` up to the inertial frame, itself first.
     fn ancestors(&self, frame: usize) -> Vec<usize> {
         let mut path = vec![frame];

@@ -99,6 +99,11 @@ impl<'a> Loading<'a> {
         elements.check(self, &parameters);
         let domain =
             domain.into_iter().map(|c| Condition { positive: fixed.apply(&mut self.arena, c.positive), ..c }).collect();
+        if let Some(term) = fixed.undefined {
+            let term = crate::algebra::print::text(&self.arena, term);
+            let message = format!("`{term}` divides by zero wherever the constraints hold");
+            self.reader.errors.push(Diagnostic::of_file(message, "a constrained variable must not divide"));
+        }
         if !self.reader.errors.is_empty() {
             return None;
         }

@@ -23,14 +23,15 @@ pub fn mass_matrix<S: Scalar>(
     let (_, c1) = q1.sin_cos();
     let (_, c2) = q2.sin_cos();
     let (_, c3) = q3.sin_cos();
-    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
-    let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
-    let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
     // Shared terms.
     // m1 + m2 + m3; used 2 times
     let m12_part = m1 + m2 + m3;
     // m2 + m3; used 3 times
     let m2_plus_m3 = m2 + m3;
+    // Sines and cosines.
+    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
+    let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
+    let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
     // Entries that are not zero; upper triangle.
     // M11 = m0 + m1 + m2 + m3
     let m11 = m0 + m1 + m2 + m3;
@@ -143,14 +144,15 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     let (_, c1) = q1.sin_cos();
     let (_, c2) = q2.sin_cos();
     let (_, c3) = q3.sin_cos();
-    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
-    let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
-    let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
     // Shared terms.
     // m1 + m2 + m3; used 2 times
     let energy_part = m1 + m2 + m3;
     // m2 + m3; used 3 times
     let m2_plus_m3 = m2 + m3;
+    // Sines and cosines.
+    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
+    let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
+    let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
     // Values.
     // T = u0^2*(m0 + m1 + m2 + m3)/2 + l0^2*u1^2*(m1 + m2 + m3)/2 - l0*u0*u1*cos(q1)*(m1 + m2 + m3) +
     //   l1^2*u2^2*(m2 + m3)/2 - l1*u0*u2*cos(q2)*(m2 + m3) + l0*l1*u1*u2*cos(q1 - q2)*(m2 + m3) +

@@ -22,8 +22,8 @@ pub fn mass_matrix<S: Scalar>(
     // Sines and cosines.
     let (_, c1) = q1.sin_cos();
     let (_, c2) = q2.sin_cos();
-    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
     let (_, c3) = q3.sin_cos();
+    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
     let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
     let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
     // Shared terms.
@@ -71,8 +71,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
     // Sines and cosines.
     let (s1, _) = q1.sin_cos();
     let (s2, _) = q2.sin_cos();
-    let (sin_q1_minus_q2, _) = (q1 - q2).sin_cos();
     let (s3, _) = q3.sin_cos();
+    let (sin_q1_minus_q2, _) = (q1 - q2).sin_cos();
     let (sin_q1_minus_q3, _) = (q1 - q3).sin_cos();
     let (sin_q2_minus_q3, _) = (q2 - q3).sin_cos();
     // Shared terms.
@@ -138,8 +138,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) 
     // Sines and cosines.
     let (_, c1) = q1.sin_cos();
     let (_, c2) = q2.sin_cos();
-    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
     let (_, c3) = q3.sin_cos();
+    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
     let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
     let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
     // Shared terms.

@@ -24,10 +24,10 @@ pub fn mass_matrix<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
     // M*R^2; used 2 times
     let m_r_sq = M * R * R;
+    // tan(q2)
+    let t2 = s2 / c2;
     // Entries that are not zero; upper triangle.
     // M11 = 5*M*R^2/4
     let m11 = S::ratio(5, 4) * m_r_sq;
@@ -69,10 +69,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
     // 1 + 1/cos(q2)^2; used 2 times
     let f4_part = S::int(1) + S::int(1) / (c2 * c2);
+    // tan(q2)
+    let t2 = s2 / c2;
     // Values.
     // f1 = -M*R*(4*g*sin(q2) + R*u2*(3*u2*tan(q2) + 2*u3))/4
     let f1 = -S::ratio(1, 4) * M * R

@@ -24,12 +24,12 @@ pub fn mass_matrix<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
     // M*R^2; used 2 times
     let m_r_sq = M * R * R;
     // M*R^2/4; used 2 times
     let m_r_sq_scaled = S::ratio(1, 4) * m_r_sq;
+    // tan(q2)
+    let t2 = s2 / c2;
     // Entries that are not zero.
     // M12 = -M*R*tan(q2)
     let m12 = -M * R * t2;
