@@ -65,6 +65,17 @@ impl From<Diagnostics> for Failure {
     }
 }
 
+/// A warning on standard error; one that cannot be written is lost, as nothing is left to say so on.
+pub fn warn(text: &str) {
+    say(&format!("warning: {text}"));
+}
+
+/// A line on standard error, for people.
+pub fn say(text: &str) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stderr().lock(), "{text}");
+}
+
 /// Writes to standard output; a closed pipe is not an error of ours.
 pub fn print(text: &str) -> Result<(), Failure> {
     use std::io::Write;

@@ -9,7 +9,7 @@ mod plot;
 mod run;
 
 use clap::{Parser, Subcommand, ValueEnum};
-use failure::Failure;
+use failure::{Failure, say};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -88,8 +88,8 @@ struct Simulate {
     /// Absolute tolerance
     #[arg(long)]
     atol: Option<f64>,
-    /// The last instant, s
-    #[arg(long)]
+    /// The last instant, s; before the first, the run goes backward
+    #[arg(long, allow_negative_numbers = true)]
     until: Option<f64>,
     /// Write the samples to this file
     #[arg(long, value_name = "FILE")]
@@ -125,7 +125,7 @@ fn main() -> ExitCode {
         Ok(status) => ExitCode::from(status),
         Err(failure) => {
             if !matches!(failure, Failure::Hangup) {
-                eprintln!("{failure}");
+                say(&failure.to_string());
             }
             ExitCode::from(failure.status())
         }

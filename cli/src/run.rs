@@ -61,6 +61,14 @@ pub fn run(model: &Model, scene: &Scene, formulation: Formulation) -> Result<Run
     let mut dynamics = Dynamics::new(system, &scene.parameters).map_err(request)?.labelled(label);
     let mut v = vec![0.0; system.speeds()];
     system.motion_variables(&scene.parameters, &scene.q, &scene.u, &mut v);
+    if let Some(at) = v.iter().position(|x| !x.is_finite()) {
+        return Err(Failure::Stopped(format!(
+            "the run cannot start: motion variable {} of {} is {} there, since the generalized speeds do not determine q'",
+            at + 1,
+            formulation.name(),
+            v[at]
+        )));
+    }
     let y0 = dynamics.state(&scene.q, &v).map_err(request)?;
     let mut events = events(model, scene, system, &balance)?;
     let options = Options {
@@ -139,7 +147,8 @@ fn drift_warning(model: &Model, scene: &Scene, energies: &[(f64, f64)], drift: f
     }
     let scale = energies.iter().fold(0.0_f64, |m, (kinetic, potential)| m.max(kinetic.abs()).max(potential.abs()));
     let allowed = scene.atol + scene.rtol * scale;
-    (drift > ALLOWED_DRIFT * allowed || drift.is_nan()).then(|| {
+    // A run that ended where energy has no value says so by its stop.
+    (drift > ALLOWED_DRIFT * allowed).then(|| {
         format!(
             "total energy, constant in this motion, changed by {drift:.3e} J, {:.0} times what the tolerances allow: do not trust this run",
             drift / allowed

@@ -6,7 +6,7 @@ use crate::{formulation, module};
 use quote::{format_ident, quote};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::{Formulation, Model, derive};
 
 /// What the models of a workspace generate.
@@ -37,7 +37,7 @@ pub fn generate(models: &Path) -> std::io::Result<Generated> {
     folders.sort();
     let mut generated = Generated::default();
     for folder in folders {
-        match model_files(&models.join(&folder).join("model.toml"), &folder) {
+        match guarded(&models.join(&folder).join("model.toml"), &folder) {
             Ok(files) => {
                 generated.files.extend(files.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text)));
                 generated.models.push(folder);
@@ -46,6 +46,16 @@ pub fn generate(models: &Path) -> std::io::Result<Generated> {
         }
     }
     Ok(generated)
+}
+
+/// [`model_files`], with a defect of this program reported as an error of the one model that shows it.
+fn guarded(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnostics> {
+    std::panic::catch_unwind(|| model_files(path, folder)).unwrap_or_else(|_| {
+        let source = Source { path: path.to_owned(), text: String::new() };
+        let help = "this is a defect of the program, not of the model: please report it with the model file";
+        let diagnostic = Diagnostic::of_file("the derivation of this model failed unexpectedly", help);
+        Err(Diagnostics::new(source, vec![diagnostic]))
+    })
 }
 
 /// The files of one model, by name.
@@ -57,7 +67,7 @@ pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, D
     if syn::parse_str::<syn::Ident>(folder).is_err() {
         let message = format!("the folder's name `{folder}` cannot be a Rust module");
         let help = "rename the folder: a letter, then letters, digits and `_`";
-        let diagnostic = tripos_derive::diagnostic::Diagnostic::of_file(message, help);
+        let diagnostic = Diagnostic::of_file(message, help);
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
     let (mut files, mut supported) = (Vec::new(), Vec::new());

@@ -61,7 +61,7 @@ impl Workspace {
         self.cargo(&[&["run", "--quiet", "--offline", "--"], arguments].concat())
     }
 
-    fn final_energy(&self) -> f64 {
+    fn final_lean(&self) -> f64 {
         let output = self.tripos(&["simulate", "models/disk/scenes/report.toml", "--json", "--rtol", "1e-9"]);
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let run: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
@@ -73,12 +73,12 @@ impl Workspace {
 #[test]
 fn an_edited_model_runs_at_once_and_is_stale_until_regenerated() {
     let workspace = Workspace::new();
-    let before = workspace.final_energy();
+    let before = workspace.final_lean();
 
     // A ring instead of a disk: another inertia, another motion, on the next run.
     let (disk, ring) = ("[\"M*R^2/4\", \"M*R^2/4\", \"M*R^2/2\"]", "[\"M*R^2/2\", \"M*R^2/2\", \"M*R^2\"]");
     workspace.edit("models/disk/model.toml", disk, ring);
-    let after = workspace.final_energy();
+    let after = workspace.final_lean();
     assert!((after - before).abs() > 0.01, "the edit changed the motion: {before} and {after}");
 
     let check = workspace.tripos(&["regenerate", "--check"]);
@@ -89,11 +89,11 @@ fn an_edited_model_runs_at_once_and_is_stale_until_regenerated() {
     let regenerate = workspace.tripos(&["regenerate"]);
     assert!(regenerate.status.success());
     assert_eq!(workspace.tripos(&["regenerate", "--check"]).status.code(), Some(0));
-    assert_eq!(workspace.final_energy(), after, "the same equations, now committed");
+    assert_eq!(workspace.final_lean(), after, "the same equations, now committed");
 
     // A broken model breaks neither the build nor the other models.
     workspace.edit("models/chaotic_pendulum/model.toml", "omega = \"theta'\"", "omega = \"thetta'\"");
-    assert_eq!(workspace.final_energy(), after);
+    assert_eq!(workspace.final_lean(), after);
     let broken = workspace.tripos(&["derive", "models/chaotic_pendulum"]);
     assert_eq!(broken.status.code(), Some(2));
     let message = String::from_utf8(broken.stderr).unwrap();
@@ -105,4 +105,25 @@ fn an_edited_model_runs_at_once_and_is_stale_until_regenerated() {
     let run = workspace.tripos(&["simulate", "models/second_cart/scenes/fall.toml", "--json"]);
     let run: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     assert_eq!(run["compiled"], true);
+
+    // Names, angles and constants that a generator gets wrong first: compiled as interpreted.
+    copy(&root().join("tests/data/awkward"), &workspace.path("models/awkward"));
+    let scene = workspace.path("models/awkward/scenes/run.toml");
+    let outside = tempfile::tempdir().unwrap();
+    copy(&workspace.path("models/awkward"), outside.path());
+    let text = std::fs::read_to_string(outside.path().join("model.toml")).unwrap();
+    std::fs::write(outside.path().join("model.toml"), format!("# another text\n{text}")).unwrap();
+    for by in ["kane", "lagrange"] {
+        let run = |scene: &Path| {
+            let output = workspace.tripos(&["simulate", scene.to_str().unwrap(), "--by", by, "--json"]);
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+            serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
+        };
+        let (compiled, interpreted) = (run(&scene), run(&outside.path().join("scenes/run.toml")));
+        assert_eq!((&compiled["compiled"], &interpreted["compiled"]), (&true.into(), &false.into()));
+        for (name, value) in compiled["state"].as_object().unwrap() {
+            let difference = value.as_f64().unwrap() - interpreted["state"][name].as_f64().unwrap();
+            assert!(difference.abs() < 1e-9, "{by}: {name} differs by {difference:e}");
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::Format;
 use crate::catalogue::{formulation, read_model, short_name};
-use crate::failure::{Failure, print};
+use crate::failure::{Failure, print, say};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -40,7 +40,7 @@ fn derivations(model: &Model, by: Option<&str>) -> Result<Vec<Derivation>, Failu
     for f in Formulation::ALL {
         match tripos_derive::derive(model, f) {
             Ok(derivation) => list.push(derivation),
-            Err(error) if error.is_unsupported() => eprintln!("not shown: {error}"),
+            Err(error) if error.is_unsupported() => say(&format!("not shown: {error}")),
             Err(error) => return Err(model.diagnose(&error).into()),
         }
     }

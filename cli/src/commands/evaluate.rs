@@ -1,14 +1,17 @@
 //! `tripos evaluate`: everything at one state, by interpretation.
 
 use crate::catalogue::{formulation, read_model, short_name};
-use crate::failure::{Failure, print};
+use crate::failure::{Failure, print, warn};
 use crate::interpreted::Interpreted;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::print::text;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::Derivation;
+use tripos_derive::mechanics::{Derivation, rates_to_speeds};
 use tripos_derive::scene::{State, load_state};
 use tripos_sim::Dynamics;
 use tripos_traits::System;
@@ -65,12 +68,26 @@ fn values(model: &Model, derivation: &Derivation, state: &State) -> Result<Value
     let stopped = |why: String| Failure::Stopped(format!("no accelerations at this state: {why}"));
     let mut dynamics = Dynamics::new(&system, p).map_err(|error| stopped(error.to_string()))?;
     let x = dynamics.unknowns(q, &v).map_err(|failure| stopped(failure.message))?.to_vec();
+    let rcond = dynamics.reciprocal_condition(q, &v);
+    if rcond.is_nan() || rcond < f64::EPSILON {
+        let what = "the matrix is singular to rounding";
+        return Err(stopped(format!("{what}: equilibrated rcond {rcond:.1e}{}", near_divisors(model, state))));
+    }
+    if rcond < LOSSY {
+        let lost = (-rcond.log10()).floor();
+        warn(&format!("equilibrated rcond is {rcond:.1e}: about {lost} of 16 digits of the accelerations are lost"));
+    }
     let (v_dot, reactions) = x.split_at(system.speeds());
     let mut u_dot = vec![0.0; model.speeds.len()];
     system.generalized_speed_rates(p, q, &v, v_dot, &mut u_dot);
     if let Some(at) = u_dot.iter().position(|a| !a.is_finite()) {
         return Err(stopped(format!("{}' is not finite", model.speeds[at].name)));
     }
+    let energies = [system.kinetic_energy(p, q, &v), system.potential_energy(p, q)];
+    if energies.iter().any(|e| !e.is_finite()) {
+        return Err(stopped("an energy is too large for a number".to_owned()));
+    }
+    warn_outside_domain(model, state, reactions);
     let unknowns = &derivation.equations.unknowns;
     Ok(Values {
         unknowns: unknowns.iter().filter_map(|e| derivation.arena.symbol_name(*e)).map(str::to_owned).collect(),
@@ -78,9 +95,41 @@ fn values(model: &Model, derivation: &Derivation, state: &State) -> Result<Value
         forcing,
         accelerations: model.speeds.iter().zip(&u_dot).map(|(s, a)| (format!("{}'", s.name), *a)).collect(),
         reactions: model.reactions.iter().zip(reactions).map(|(r, x)| (r.name.clone(), *x)).collect(),
-        kinetic_energy: system.kinetic_energy(p, q, &v),
-        potential_energy: system.potential_energy(p, q),
+        kinetic_energy: energies[0],
+        potential_energy: energies[1],
     })
+}
+
+/// Below this reciprocal condition number more than half of the digits are lost, and it is said.
+const LOSSY: f64 = 1e-8;
+
+/// Says which conditions of the domain do not hold; those of reactions only where reactions are known.
+fn warn_outside_domain(model: &Model, state: &State, reactions: &[f64]) {
+    let known: Vec<Expr> = model.reactions.iter().take(reactions.len()).map(|r| r.symbol).collect();
+    let inputs = [model.p(), model.q(), model.u(), known].concat();
+    let values = [state.parameters.as_slice(), &state.q, &state.u, reactions].concat();
+    for condition in &model.domain {
+        let mut in_speeds = rates_to_speeds(model);
+        let mut arena = model.arena.clone();
+        let positive = in_speeds.apply(&mut arena, condition.positive);
+        let Ok(tape) = Tape::new(&arena, &inputs, &[positive]) else { continue };
+        if tape.evaluate(&values)[0] <= 0.0 {
+            warn(&format!(
+                "this state is outside the model's domain: `{}` ({}) does not hold",
+                condition.name, condition.text
+            ));
+        }
+    }
+}
+
+/// The divisors of the kinematic equations that are next to zero at a state.
+fn near_divisors(model: &Model, state: &State) -> String {
+    let divisors = &model.kinematic_equations.divisors;
+    let inputs = [model.p(), model.q()].concat();
+    let Ok(tape) = Tape::new(&model.arena, &inputs, divisors) else { return String::new() };
+    let values = tape.evaluate(&[state.parameters.as_slice(), &state.q].concat());
+    let near = divisors.iter().zip(values).filter(|(_, value)| value.abs() < 1e-6);
+    near.fold(String::new(), |all, (e, value)| all + &format!("; {} = {value:.1e}", text(&model.arena, *e)))
 }
 
 fn as_text(model: &Model, title: &str, values: &Values) -> String {

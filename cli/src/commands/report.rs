@@ -1,13 +1,13 @@
 //! `tripos report`: the main job. Derive, run every scene by every formulation, write one page.
 
 use crate::catalogue::{model_file, read_model};
-use crate::failure::Failure;
+use crate::failure::{Failure, say, status, warn};
 use crate::page::{self, Figure, Page, RunRow, SceneSection};
 use crate::plot::{self, Panel, Series};
 use crate::run::{Run, run, state_names};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
-use tripos_derive::diagnostic::Source;
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::Derivation;
 use tripos_derive::scene::{FigureKind, Scene, load, model_path};
 use tripos_derive::{Formulation, Model, derive};
@@ -22,7 +22,7 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
     let derivations = derivations(&model, &bar)?;
     let supported: Vec<Formulation> =
         derivations.iter().filter(|(_, result)| result.is_ok()).map(|(f, _)| *f).collect();
-    let mut doubts = Vec::new();
+    let (mut doubts, mut stopped) = (Vec::new(), false);
     let mut sections = Vec::new();
     for scene in &scenes {
         let mut runs = Vec::new();
@@ -31,6 +31,7 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
             let run = run(&model, scene, *f)?;
             let objections = run.objections();
             let place = format!("{} by {}", scene.source.path.display(), f.name());
+            stopped |= run.solution.stop.is_failure();
             doubts.extend(objections.into_iter().map(|objection| format!("{place}: {objection}")));
             runs.push(run);
             bar.inc(1);
@@ -42,17 +43,17 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
     let path = write(out, &html)?;
     bar.finish_and_clear();
     for line in &doubts {
-        eprintln!("warning: {line}");
+        warn(line);
     }
-    eprintln!("{}", path.display());
-    if broken.is_empty() { Ok(0) } else { Err(Failure::Inputs(broken)) }
+    say(&path.display().to_string());
+    if !broken.is_empty() {
+        return Err(Failure::Inputs(broken));
+    }
+    Ok(if stopped { status::STOPPED } else { 0 })
 }
 
 /// The scenes beside a model file, by name; those with errors apart.
-fn scenes(
-    model_file: &Path,
-    model: &mut Model,
-) -> Result<(Vec<Scene>, Vec<tripos_derive::diagnostic::Diagnostics>), Failure> {
+fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagnostics>), Failure> {
     let folder = model_file.parent().unwrap_or(Path::new(".")).join("scenes");
     let mut files: Vec<PathBuf> = match std::fs::read_dir(&folder) {
         Ok(entries) => entries.filter_map(|e| e.ok().map(|e| e.path())).collect(),
@@ -64,7 +65,11 @@ fn scenes(
     let (mut scenes, mut broken) = (Vec::new(), Vec::new());
     for file in files {
         let scene = Source::read(&file).and_then(|source| {
-            model_path(&source)?;
+            if !same_file(&model_path(&source)?, model_file) {
+                let message = format!("this scene is of another model than {}", model_file.display());
+                let help = "move it to the scenes of its own model, or leave its `model` out";
+                return Err(Diagnostics::new(source, vec![Diagnostic::of_file(message, help)]));
+            }
             load(&source, model)
         });
         match scene {
@@ -76,6 +81,13 @@ fn scenes(
         return Err(Failure::Inputs(broken));
     }
     Ok((scenes, broken))
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => false,
+    }
 }
 
 type Derivations = Vec<(Formulation, Result<Derivation, String>)>;

@@ -2,7 +2,7 @@
 
 use crate::Simulate;
 use crate::catalogue::{formulation, read_model, short_name};
-use crate::failure::{Failure, print, status};
+use crate::failure::{Failure, print, say, status, warn};
 use crate::run::{Run, method, run, state_names};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -20,19 +20,20 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
         None => Formulation::ALL.into_iter().find(|f| derive(&model, *f).is_ok()).unwrap_or(Formulation::Kane),
     };
     let run = run(&model, &scene, by)?;
-    if let Some(path) = &request.csv {
-        write_csv(path, &model, &run)?;
-    }
     for warning in &run.warnings {
-        eprintln!("warning: {warning}");
+        warn(warning);
     }
     if request.json {
         print(&format!("{:#}\n", as_json(&model, &scene, &run)))?;
         if run.solution.stop.is_failure() {
-            eprintln!("{}", run.solution);
+            say(&run.solution.to_string());
         }
     } else {
         print(&as_text(&model, &scene, &run))?;
+    }
+    // Last, so that a file that cannot be written does not cost the answer.
+    if let Some(path) = &request.csv {
+        write_csv(path, &model, &run)?;
     }
     Ok(if run.solution.stop.is_failure() { status::STOPPED } else { 0 })
 }

@@ -1,6 +1,7 @@
 //! Exact computer algebra. It knows no mechanics.
 
 pub mod arena;
+pub mod blocks;
 pub mod calculus;
 mod construct;
 mod elementary;

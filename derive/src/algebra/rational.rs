@@ -88,7 +88,16 @@ impl Rational {
         match &self.0 {
             // Both below 2^53: one correctly rounded division.
             Repr::Small(n, d) if n.unsigned_abs() < 1 << 53 && *d < 1 << 53 => *n as f64 / *d as f64,
-            _ => self.to_big().to_f64().unwrap_or(f64::NAN),
+            _ => {
+                let big = self.to_big();
+                match big.to_f64() {
+                    Some(value) if !value.is_nan() => value,
+                    // Beyond the range of a double on either side.
+                    _ if big.numer().bits() < big.denom().bits() => 0.0,
+                    _ if big.is_negative() => f64::NEG_INFINITY,
+                    _ => f64::INFINITY,
+                }
+            }
         }
     }
 
@@ -300,6 +309,14 @@ mod tests {
         let backward = (1..=1000).rev().fold(Rational::ZERO, |s, k| s.add(&Rational::fraction(1, k).unwrap()));
         assert_eq!(forward, backward);
         assert!((forward.to_f64() - 7.485_470_860_550_345).abs() < 1e-14);
+    }
+
+    #[test]
+    fn what_no_double_can_hold_is_zero_or_infinite() {
+        let tiny = Rational::integer(10).pow(-400).unwrap();
+        assert_eq!(tiny.to_f64().to_bits(), 0.0_f64.to_bits());
+        assert!(tiny.recip().unwrap().to_f64().is_infinite());
+        assert!((Rational::integer(10).pow(300).unwrap().to_f64() / 1e300 - 1.0).abs() < 1e-15);
     }
 
     #[test]

@@ -286,6 +286,7 @@ impl Kinematics {
 }
 
 /// q̇ → W u + w.
+#[must_use]
 pub fn rates_to_speeds(model: &Model) -> Substitution {
     let rates = model.q_dot();
     let pairs: Vec<_> = rates.into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();

@@ -6,7 +6,7 @@ mod lagrange;
 mod newton_euler;
 mod vector;
 
-pub use kinematics::{Kinematics, Velocities};
+pub use kinematics::{Kinematics, Velocities, rates_to_speeds};
 pub use vector::{Frames, Vector};
 
 use crate::algebra::{Arena, Expr};

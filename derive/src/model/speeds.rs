@@ -3,10 +3,11 @@
 use super::loading::Loading;
 use super::names::{Kind, VELOCITY};
 use super::{Coordinate, KinematicEquations, Speed};
-use crate::algebra::Expr;
+use crate::algebra::blocks::solve_blocks;
 use crate::algebra::calculus::Substitution;
-use crate::algebra::linear::{LinearForm, solve};
+use crate::algebra::linear::LinearForm;
 use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Expr, Node};
 use crate::diagnostic::shown;
 use crate::read::{Located, Reader};
 use std::ops::Range;
@@ -78,7 +79,7 @@ impl<'a> Loading<'a> {
             match form.coefficients(&mut self.arena, speed.definition) {
                 Ok((row, rest)) => {
                     matrix.push(row);
-                    right.push(vec![self.arena.sub(speed.symbol, rest)]);
+                    right.push(self.arena.sub(speed.symbol, rest));
                 }
                 Err(not_linear) => {
                     let names: Vec<String> = coordinates.iter().map(|c| format!("{}'", c.name)).collect();
@@ -96,10 +97,10 @@ impl<'a> Loading<'a> {
         if self.reader.errors.len() > before {
             return None;
         }
-        match solve(&mut self.arena, &mut Simplifier::default(), &matrix, &right) {
-            Ok((solution, pivots)) => {
-                let divisors = pivots.into_iter().filter(|p| self.arena.as_number(*p).is_none()).collect();
-                Some(KinematicEquations { rates: solution.into_iter().map(|row| row[0]).collect(), divisors })
+        match solve_blocks(&mut self.arena, &mut Simplifier::default(), &matrix, &right) {
+            Ok((rates, divisors)) => {
+                let divisors = self.moving_factors(&divisors, coordinates);
+                Some(KinematicEquations { rates, divisors })
             }
             Err(singular) => {
                 let (speed, span) = &speeds[singular.row];
@@ -114,6 +115,29 @@ impl<'a> Loading<'a> {
             }
         }
     }
+
+    /// The factors of divisors that depend on coordinates, each once: a length that divides does not vanish
+    /// on the way.
+    fn moving_factors(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
+        let mut factors = Vec::new();
+        for divisor in divisors {
+            let inner = match self.arena.node(*divisor) {
+                Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+                _ => *divisor,
+            };
+            let bases: Vec<Expr> = match self.arena.node(inner) {
+                Node::Product(list) => list.iter().filter(|(_, n)| *n > 0).map(|(base, _)| *base).collect(),
+                _ => vec![inner],
+            };
+            for base in bases {
+                if coordinates.iter().any(|c| self.arena.mentions(base, c.symbol)) && !factors.contains(&base) {
+                    factors.push(base);
+                }
+            }
+        }
+        factors
+    }
+
     fn report_count(&mut self, table: &DeTable<'_>, coordinates: &[Coordinate], speeds: &[(Speed, Range<usize>)]) {
         let (n, m) = (speeds.len(), coordinates.len());
         let plural = |n: usize| if n == 1 { "" } else { "s" };

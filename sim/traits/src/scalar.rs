@@ -26,7 +26,8 @@ pub trait Scalar:
     fn int(n: i64) -> Self {
         Self::ratio(n, 1)
     }
-    /// The exact fraction `numerator / denominator`, rounded once in this type.
+    /// `numerator / denominator`, correctly rounded where both are exact in this type, as whole numbers up
+    /// to 2⁵³ are in `f64`.
     #[must_use]
     fn ratio(numerator: i64, denominator: i64) -> Self;
     /// (sin x, cos x), which cost less together than apart.
