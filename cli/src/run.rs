@@ -145,7 +145,9 @@ fn drift_warning(model: &Model, scene: &Scene, energies: &[(f64, f64)], drift: f
     if !(model.forces.is_empty() && model.torques.is_empty()) {
         return None;
     }
-    let scale = energies.iter().fold(0.0_f64, |m, (kinetic, potential)| m.max(kinetic.abs()).max(potential.abs()));
+    // What kinetic energy can honestly reach: a run that blows up must not raise its own allowance.
+    let start = energies.first().map_or(0.0, |(kinetic, potential)| (kinetic + potential).abs());
+    let scale = energies.iter().fold(start, |m, (_, potential)| m.max(start + potential.abs()));
     let allowed = scene.atol + scene.rtol * scale;
     // A run that ended where energy has no value says so by its stop.
     (drift > ALLOWED_DRIFT * allowed).then(|| {

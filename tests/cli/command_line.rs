@@ -290,3 +290,14 @@ fn the_report_page_is_one_file_with_equations_and_figures() {
         assert!(page.contains("<math") && !page.contains("src=\"http") && !page.contains("NaN"), "{model}");
     }
 }
+
+/// A run whose conserved energy blows up says so, however loose its tolerances; a tight one has nothing to say.
+#[test]
+fn a_run_that_cannot_be_trusted_says_so() {
+    let scene = "models/disk/scenes/report-10s.toml";
+    for (rtol, warned) in [("1e-1", true), ("1e-3", true), ("1e-9", false)] {
+        let run = json(&tripos(&["simulate", scene, "--rtol", rtol, "--atol", "1e-11", "--json"]));
+        let warnings = run["warnings"].as_array().unwrap();
+        assert_eq!(!warnings.is_empty(), warned, "rtol {rtol}: {warnings:?}, drift {}", run["drift"]);
+    }
+}
