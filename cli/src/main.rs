@@ -47,6 +47,24 @@ enum Command {
         #[arg(long, value_enum, default_value_t = Format::Text)]
         format: Format,
     },
+    /// Prove the formulations equivalent and find what the motion conserves; exit status 1 if they are not
+    Prove {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Compare a model with a published derivation, equation by equation; exit status 1 if anything differs
+    Diff {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// A report file (docs/report.md)
+        report: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Write generated/ anew from models/
     Regenerate {
         /// Only say what would change; exit status 1 if anything would
@@ -116,6 +134,8 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Report { model, out } => commands::report::report(&model, &out),
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
+        Command::Diff { model, report, json } => commands::diff::diff(&model, &report, json),
+        Command::Prove { model, json } => commands::prove::prove(&model, json),
         Command::Regenerate { check: true } => commands::regenerate::check(),
         Command::Regenerate { check: false } => commands::regenerate::regenerate(),
         Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),

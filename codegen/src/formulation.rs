@@ -1,26 +1,24 @@
 //! One formulation of one model as a Rust file.
 
 use crate::function::{Arguments, Function, Returns, Value, Writer};
-use crate::identifiers::{Variables, spelled};
+use crate::identifiers::{Variables, spelled, type_name};
 use crate::system;
 use crate::tokens::format;
 use quote::quote;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::Derivation;
 use tripos_derive::{Equations, Formulation, Model};
 
-/// Emits the file `kane.rs`, `lagrange.rs` or `newton_euler.rs`.
+/// Emits the file of one formulation, such as `kane.rs`, from a source such as `models/disk/model.toml`.
 #[must_use]
-pub fn file(model: &Model, folder: &str, derivation: &Derivation) -> String {
-    let Derivation { arena, equations } = derivation;
-    let writer = Writer { model, arena, equations, variables: Variables::new(arena) };
+pub fn file(model: &Model, source: &str, arena: &Arena, equations: &Equations) -> String {
+    let writer = Writer { model, arena, equations, variables: Variables::new(arena, &type_name(&equations.name)) };
     let mut functions = linear_system(&writer);
     functions.extend(kinematics_and_energies(&writer));
     if equations.formulation == Formulation::Lagrange {
         functions.extend(conversions(&writer));
     }
-    let header = header(&writer, folder, &functions);
+    let header = header(&writer, source, &functions);
     let functions = functions.into_iter().map(|f| f.tokens);
     let system = system::system(model, equations);
     format(
@@ -123,7 +121,7 @@ fn equation_text(formulation: Formulation) -> &'static str {
     }
 }
 
-fn header(writer: &Writer<'_>, folder: &str, functions: &[Function]) -> Vec<String> {
+fn header(writer: &Writer<'_>, source: &str, functions: &[Function]) -> Vec<String> {
     let (e, model) = (writer.equations, writer.model);
     let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
     let mut counts = vec![
@@ -137,9 +135,9 @@ fn header(writer: &Writer<'_>, folder: &str, functions: &[Function]) -> Vec<Stri
     }
     let costs: Vec<String> = functions.iter().take(2).map(|f| format!("{} {}", f.name, f.cost)).collect();
     vec![
-        format!("{}: {}, {}.", model.title, e.formulation.title(), equation_text(e.formulation)),
+        format!("{}: {}, {}.", model.title, e.title, equation_text(e.formulation)),
         String::new(),
-        format!("Generated from `models/{folder}/model.toml`. Do not edit; run `tripos regenerate`."),
+        format!("Generated from `{source}`. Do not edit; run `tripos regenerate`."),
         format!("{}. Unknowns: {}.", counts.join(", "), vector_text(writer.arena, &e.unknowns)),
         format!("Cost: {}.", costs.join("; ")),
         singular_text(writer.arena, e),

@@ -4,26 +4,11 @@
 //! generated functions or a name that is in scope there.
 
 use rustc_hash::{FxHashMap, FxHashSet};
+use tripos_derive::Model;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::{Formulation, Model};
 
 /// Names in scope of every generated function body.
-const IN_SCOPE: [&str; 14] = [
-    "p",
-    "q",
-    "u",
-    "q_dot",
-    "v_dot",
-    "out",
-    "zero",
-    "S",
-    "Parameters",
-    "Scalar",
-    "System",
-    "Kane",
-    "Lagrange",
-    "NewtonEuler",
-];
+const IN_SCOPE: [&str; 11] = ["p", "q", "u", "q_dot", "v_dot", "out", "zero", "S", "Parameters", "Scalar", "System"];
 
 /// Gives each name out once.
 #[derive(Clone)]
@@ -32,9 +17,9 @@ pub struct Allocator {
 }
 
 impl Allocator {
-    /// With the names in scope already taken.
-    pub fn new() -> Self {
-        Self { taken: IN_SCOPE.iter().map(|name| (*name).to_owned()).collect() }
+    /// With the names in scope already taken, that of the equations' own type among them.
+    pub fn new(type_name: &str) -> Self {
+        Self { taken: IN_SCOPE.iter().copied().chain([type_name]).map(str::to_owned).collect() }
     }
 
     /// `wanted`, or with an underscore or a number behind it if that is a keyword or taken.
@@ -59,9 +44,9 @@ pub struct Variables {
 }
 
 impl Variables {
-    /// Variables for all symbols of an arena, in order of declaration.
-    pub fn new(arena: &Arena) -> Self {
-        let mut allocator = Allocator::new();
+    /// Variables for all symbols of an arena, in order of declaration, beside a type of this name.
+    pub fn new(arena: &Arena, type_name: &str) -> Self {
+        let mut allocator = Allocator::new(type_name);
         let mut of = FxHashMap::default();
         for name in arena.symbol_names() {
             let Some(symbol) = arena.find_symbol(name) else { continue };
@@ -86,22 +71,17 @@ pub fn fields(model: &Model) -> Vec<String> {
     model.parameters.iter().map(|p| allocator.unique(&p.name)).collect()
 }
 
-/// The unit struct of a formulation.
+/// The unit struct of equations of this name: `NewtonEuler` for `newton-euler`, `PrintedKaneFinal` for
+/// `printed:kane-final`.
 #[must_use]
-pub fn type_name(formulation: Formulation) -> &'static str {
-    match formulation {
-        Formulation::Kane => "Kane",
-        Formulation::Lagrange => "Lagrange",
-        Formulation::NewtonEuler => "NewtonEuler",
-    }
+pub fn type_name(name: &str) -> String {
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(|word| word[..1].to_ascii_uppercase() + &word[1..]).collect()
 }
 
-/// The module of a formulation.
+/// The module of equations of this name: `newton_euler` for `newton-euler`.
 #[must_use]
-pub fn module_name(formulation: Formulation) -> &'static str {
-    match formulation {
-        Formulation::Kane => "kane",
-        Formulation::Lagrange => "lagrange",
-        Formulation::NewtonEuler => "newton_euler",
-    }
+pub fn module_name(name: &str) -> String {
+    let words: Vec<&str> = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    words.join("_").to_ascii_lowercase()
 }

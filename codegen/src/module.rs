@@ -4,18 +4,18 @@ use crate::identifiers::{fields, module_name, type_name};
 use crate::tokens::format;
 use proc_macro2::Literal;
 use quote::{format_ident, quote};
-use tripos_derive::{Formulation, Model};
+use tripos_derive::Model;
 
-/// Emits `mod.rs`.
-pub fn file(model: &Model, folder: &str, formulations: &[Formulation]) -> String {
+/// Emits `mod.rs` for equations of these names.
+pub fn file(model: &Model, folder: &str, report_hash: &str, equations: &[String]) -> String {
     let header = vec![
         format!("{}.", model.title),
         String::new(),
         format!("Generated from `models/{folder}/model.toml`. Do not edit; run `tripos regenerate`."),
         format!("{}.", model.count()),
     ];
-    let modules = formulations.iter().map(|f| {
-        let name = format_ident!("{}", module_name(*f));
+    let modules = equations.iter().map(|name| {
+        let name = format_ident!("{}", module_name(name));
         quote!(#[rustfmt::skip] pub mod #name;)
     });
     let count = model.parameters.len();
@@ -37,10 +37,9 @@ pub fn file(model: &Model, folder: &str, formulations: &[Formulation]) -> String
     let (parameter_type, parameters) = list_of(model.parameters.iter().map(|p| p.name.as_str()).collect());
     let (coordinate_type, coordinates) = list_of(model.coordinates.iter().map(|c| c.name.as_str()).collect());
     let (speed_type, speeds) = list_of(model.speeds.iter().map(|s| s.name.as_str()).collect());
-    let systems = formulations.iter().map(|f| {
-        let (module, name) = (format_ident!("{}", module_name(*f)), format_ident!("{}", type_name(*f)));
-        let formulation = f.name();
-        quote!((#formulation, &#module::#name))
+    let systems = equations.iter().map(|name| {
+        let (module, unit) = (format_ident!("{}", module_name(name)), format_ident!("{}", type_name(name)));
+        quote!((#name, &#module::#unit))
     });
     let hash = model.text_hash();
     let unused = if count == 0 { quote!(_p) } else { quote!(p) };
@@ -84,6 +83,7 @@ pub fn file(model: &Model, folder: &str, formulations: &[Formulation]) -> String
         pub const MODEL: CompiledModel = CompiledModel {
             name: #folder,
             text_hash: #hash,
+            report_hash: #report_hash,
             systems: &[#(#systems),*],
         };
     };

@@ -7,8 +7,8 @@ use tripos_derive::{Equations, Formulation, Model};
 
 /// The `System` that hands slices to the functions above.
 pub fn system(model: &Model, e: &Equations) -> TokenStream {
-    let name = format_ident!("{}", type_name(e.formulation));
-    let about = format!(" {} of this model as a [`System`].", e.formulation.title());
+    let name = format_ident!("{}", type_name(&e.name));
+    let about = format!(" {} of this model as a [`System`].", e.title);
     let symmetric = e.symmetric;
     let [parameters, n, m, reactions] =
         [model.parameters.len(), model.coordinates.len(), e.variables.len(), e.unknowns.len() - e.variables.len()]

@@ -7,6 +7,10 @@ use quote::{format_ident, quote};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
+use tripos_derive::diff::printed_equations;
+use tripos_derive::mechanics::{Derivation, derive_all};
+use tripos_derive::model::text_hash;
+use tripos_derive::report::Report;
 use tripos_derive::{Formulation, Model, derive};
 
 /// What the models of a workspace generate.
@@ -64,25 +68,58 @@ fn guarded(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnosti
 /// [`Diagnostics`] of the model file.
 pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnostics> {
     let model = Model::read(path)?;
+    // The report's symbols go to a store of their own: derived equations do not change with a report.
+    let mut with_report = model.clone();
     if syn::parse_str::<syn::Ident>(folder).is_err() {
         let message = format!("the folder's name `{folder}` cannot be a Rust module");
         let help = "rename the folder: a letter, then letters, digits and `_`";
         let diagnostic = Diagnostic::of_file(message, help);
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
-    let (mut files, mut supported) = (Vec::new(), Vec::new());
+    let report = report_beside(path, &mut with_report)?;
+    let (mut files, mut names) = (Vec::new(), Vec::new());
+    let source = format!("models/{folder}/model.toml");
     for f in Formulation::ALL {
+        // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
         match derive(&model, f) {
-            Ok(derivation) => {
-                files.push((format!("{}.rs", module_name(f)), formulation::file(&model, folder, &derivation)));
-                supported.push(f);
+            Ok(Derivation { arena, equations }) => {
+                let text = formulation::file(&model, &source, &arena, &equations);
+                files.push((format!("{}.rs", module_name(&equations.name)), text));
+                names.push(equations.name);
             }
             Err(error) if error.is_unsupported() => {}
             Err(error) => return Err(model.diagnose(&error)),
         }
     }
-    files.push(("mod.rs".to_owned(), module::file(&model, folder, &supported)));
+    if let Some(report) = &report {
+        let mut derivations = derive_all(&with_report).map_err(|error| model.diagnose(&error))?;
+        let source = format!("models/{folder}/report.toml");
+        for equations in printed_equations(&with_report, &mut derivations, report) {
+            let file = format!("{}.rs", module_name(&equations.name));
+            if files.iter().any(|(known, _)| *known == file) {
+                let message = format!("another entry than `{}` gives the same file {file}", equations.name);
+                let diagnostic = Diagnostic::of_file(message, "let ids differ in more than signs");
+                return Err(Diagnostics::new(report.source.clone(), vec![diagnostic]));
+            }
+            files.push((file, formulation::file(&with_report, &source, &derivations.kinematics.arena, &equations)));
+            names.push(equations.name);
+        }
+    }
+    let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();
+    files.push(("mod.rs".to_owned(), module::file(&model, folder, &report_hash, &names)));
     Ok(files)
+}
+
+/// The report file beside a model file, if there is one.
+///
+/// # Errors
+/// [`Diagnostics`] of the report file.
+pub fn report_beside(path: &Path, model: &mut Model) -> Result<Option<Report>, Diagnostics> {
+    let path = path.with_file_name("report.toml");
+    if !path.exists() {
+        return Ok(None);
+    }
+    tripos_derive::report::load(&Source::read(&path)?, model).map(Some)
 }
 
 /// `lib.rs` for these models: the committed modules, or fresh ones from the build directory.

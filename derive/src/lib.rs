@@ -41,9 +41,12 @@
 
 pub mod algebra;
 pub mod diagnostic;
+pub mod diff;
 pub mod mechanics;
 pub mod model;
+pub mod prove;
 mod read;
+pub mod report;
 pub mod scene;
 
 pub use mechanics::{Equations, Formulation, derive};

@@ -47,7 +47,7 @@ fn disk_by_kane() {
             f2 = M*R^2*u1*(u2*tan(q2)*(7 + 4*tan(q2)^2) + 2*u3)/4
             f3 = 0
             f4 = -M*R*(u2^2*sin(q1)*tan(q2)/cos(q2) + u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)))
-            f5 = -M*R*(u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) - u2^2*cos(q1)*tan(q2)/cos(q2))
+            f5 = M*R*(u2^2*cos(q1)*tan(q2)/cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)))
         "]],
     );
 }
@@ -58,7 +58,7 @@ fn disk_by_lagrange() {
         "disk",
         Formulation::Lagrange,
         expect![[r"
-            M11 = M*R^2*(6*sin(q2)^2 + cos(q2)^2)/4
+            M11 = M*R^2*(6 - 5*cos(q2)^2)/4
             M13 = M*R^2*sin(q2)/2
             M14 = -M*R*cos(q1)*sin(q2)
             M15 = -M*R*sin(q1)*sin(q2)
@@ -83,27 +83,27 @@ fn disk_by_newton_euler() {
         "disk",
         Formulation::NewtonEuler,
         expect![[r"
-        M12 = -M*R*tan(q2)
-        M14 = M*cos(q1)
-        M15 = M*sin(q1)
-        M24 = -M*sin(q1)*sin(q2)
-        M25 = M*cos(q1)*sin(q2)
-        M26 = -cos(q2)
-        M31 = M*R
-        M34 = M*sin(q1)*cos(q2)
-        M35 = -M*cos(q1)*cos(q2)
-        M36 = -sin(q2)
-        M41 = M*R^2/4
-        M46 = R*sin(q2)
-        M52 = M*R^2/4
-        M63 = M*R^2/2
-        f1 = -M*R*u1*u2*(2 + tan(q2)^2)
-        f2 = M*(R*(u1^2 + u2^2*tan(q2)^2) - g*cos(q2))
-        f3 = -M*sin(q2)*(g + R*u2^2/cos(q2))
-        f4 = -M*R^2*u2*(2*u3 - u2*tan(q2))/4
-        f5 = M*R^2*u1*(2*u3 - u2*tan(q2))/4
-        f6 = 0
-    "]],
+            M12 = -M*R*tan(q2)
+            M14 = M*cos(q1)
+            M15 = M*sin(q1)
+            M24 = -M*sin(q1)*sin(q2)
+            M25 = M*cos(q1)*sin(q2)
+            M26 = -cos(q2)
+            M31 = M*R
+            M34 = M*sin(q1)*cos(q2)
+            M35 = -M*cos(q1)*cos(q2)
+            M36 = -sin(q2)
+            M41 = M*R^2/4
+            M46 = R*sin(q2)
+            M52 = M*R^2/4
+            M63 = M*R^2/2
+            f1 = -M*R*u1*u2*(2 + tan(q2)^2)
+            f2 = M*(R*(u1^2 + u2^2*tan(q2)^2) - g*cos(q2))
+            f3 = -M*sin(q2)*(g + R*u2^2/cos(q2))
+            f4 = M*R^2*u2*(u2*tan(q2) - 2*u3)/4
+            f5 = M*R^2*u1*(2*u3 - u2*tan(q2))/4
+            f6 = 0
+        "]],
     );
 }
 
@@ -115,7 +115,7 @@ fn chaotic_pendulum_by_lagrange() {
         expect![[r"
             M11 = mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2
             M22 = IBzz
-            f1 = -g*sin(theta)*(mA*lA + mB*lB) - 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy)
+            f1 = 2*theta'*phi'*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
             f2 = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)
         "]],
     );

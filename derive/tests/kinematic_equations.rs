@@ -19,7 +19,7 @@ fn a_body_in_body_axis_velocities_has_the_textbook_equations() {
     let (arena, e) = (&kane.arena, &kane.equations);
     let rows: Vec<String> =
         (0..3).map(|i| format!("{} | {}", text(arena, e.matrix[i][i]), text(arena, e.forcing[i]))).collect();
-    assert_eq!(rows, ["m | m*(V*r - W*q)", "m | -m*(U*r - W*p)", "m | m*(U*q - V*p)"]);
+    assert_eq!(rows, ["m | m*(V*r - W*q)", "m | m*(W*p - U*r)", "m | m*(U*q - V*p)"]);
 }
 
 /// A top in body-fixed speeds: singular at sin q2 = 0 only, whatever q3; a length that divides is no place.

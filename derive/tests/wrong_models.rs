@@ -18,14 +18,14 @@ fn check(text: &str, expected: &Expect) {
 fn a_misspelt_section_is_not_ignored() {
     check(
         &edited(&[("[gravity]", "[gravtiy]")], ""),
-        &expect![[r#"
+        &expect![[r"
         error: unknown key `gravtiy` in a model file
           --> model.toml:37:2
            |
         37 | [gravtiy]
            |  ^^^^^^^
            |
-           = help: did you mean `gravity`?"#]],
+           = help: did you mean `gravity`?"]],
     );
 }
 
@@ -171,7 +171,7 @@ fn a_key_stated_twice_shows_both_places() {
 fn a_section_stated_twice_is_one_error() {
     check(
         &edited(&[], "[gravity]\nframe = \"N\"\n"),
-        &expect![[r#"
+        &expect![[r"
         error: `gravity` is stated twice
           --> model.toml:40:2
            |
@@ -183,7 +183,7 @@ fn a_section_stated_twice_is_one_error() {
         37 | [gravity]
            |  ------- first stated here
            |
-           = help: remove or rename one of the two"#]],
+           = help: remove or rename one of the two"]],
     );
 }
 
@@ -206,10 +206,10 @@ fn a_reserved_name_is_refused() {
 fn an_empty_file_says_so() {
     check(
         "",
-        &expect![[r#"
+        &expect![[r"
         error: the model file is empty
         --> model.toml
-         = help: docs/model.md describes the format"#]],
+         = help: docs/model.md describes the format"]],
     );
 }
 
@@ -217,10 +217,10 @@ fn an_empty_file_says_so() {
 fn a_file_of_comments_says_so() {
     check(
         "# nothing yet\n",
-        &expect![[r#"
+        &expect![[r"
         error: the model file holds nothing but comments
         --> model.toml
-         = help: docs/model.md describes the format"#]],
+         = help: docs/model.md describes the format"]],
     );
 }
 
@@ -247,14 +247,14 @@ fn a_file_without_sections_lists_what_is_missing() {
 fn a_missing_quote_is_an_error_of_toml() {
     check(
         &edited(&[("\"q'\"", "q'")], ""),
-        &expect![[r#"
+        &expect![[r"
         error: missing opening quote, expected `'`
           --> model.toml:15:6
            |
         15 | u2 = q'
            |      ^
            |
-           = help: the file must be valid TOML: `key = value`, with text and formulas in quotes"#]],
+           = help: the file must be valid TOML: `key = value`, with text and formulas in quotes"]],
     );
 }
 

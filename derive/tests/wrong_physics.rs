@@ -63,14 +63,14 @@ fn an_absolute_value_is_not_linear() {
 fn too_few_speeds_point_at_the_section() {
     check(
         &edited(&[("u2 = \"q'\"\n", "")], ""),
-        &expect![[r#"
+        &expect![[r"
         error: 1 speed for 2 generalized coordinates: the numbers must agree
           --> model.toml:13:2
            |
         13 | [speeds]
            |  ^^^^^^
            |
-           = help: define one speed for each coordinate that no constraint fixes (x, q); nonholonomic constraints are not supported yet"#]],
+           = help: define one speed for each coordinate that no constraint fixes (x, q); nonholonomic constraints are not supported yet"]],
     );
 }
 
@@ -188,14 +188,14 @@ fn a_negative_mass_is_refused() {
 fn an_impossible_inertia_is_refused() {
     check(
         &edited(&[("[\"I\", 0, \"I\"]", "[\"I\", \"I\", \"3*I\"]")], ""),
-        &expect![[r#"
+        &expect![[r"
         error: no body has the central inertia of `rod`: moments 0.1, 0.1, 0.3 break the triangle inequality
           --> model.toml:31:9
            |
         31 | [bodies.rod]
            |         ^^^
            |
-           = help: each principal moment is at most the sum of the other two (equal for a thin plate)"#]],
+           = help: each principal moment is at most the sum of the other two (equal for a thin plate)"]],
     );
 }
 
@@ -203,14 +203,14 @@ fn an_impossible_inertia_is_refused() {
 fn an_inertia_about_the_hinge_smaller_than_m_d_squared_is_refused() {
     check(
         &edited(&[("[\"I\", 0, \"I\"]", "[\"I\", 0, \"I\"], about_point = \"P\"")], ""),
-        &expect![[r#"
+        &expect![[r"
         error: the central moments of inertia of `rod` are -0.4, 0, -0.4
           --> model.toml:31:9
            |
         31 | [bodies.rod]
            |         ^^^
            |
-           = help: a moment of inertia is not negative; one stated about another point must be at least m d^2"#]],
+           = help: a moment of inertia is not negative; one stated about another point must be at least m d^2"]],
     );
 }
 
@@ -267,14 +267,14 @@ fn a_constraint_that_is_always_or_never_fulfilled_is_refused() {
 fn a_reaction_that_works_is_refused() {
     check(
         &edited(&[], "[reactions.rail]\non = \"cart\"\nframe = \"N\"\ndirection = [1, 0, 0]\n"),
-        &expect![[r#"
+        &expect![[r"
         error: the reaction `rail` works along `x`: power 1 for each unit of x'
           --> model.toml:40:12
            |
         40 | [reactions.rail]
            |            ^^^^
            |
-           = help: a reaction acts where and along what its constraint forbids; a force that works is an applied force"#]],
+           = help: a reaction acts where and along what its constraint forbids; a force that works is an applied force"]],
     );
 }
 

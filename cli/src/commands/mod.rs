@@ -1,7 +1,9 @@
 //! One file a command.
 
 pub mod derive;
+pub mod diff;
 pub mod evaluate;
+pub mod prove;
 pub mod regenerate;
 pub mod report;
 pub mod simulate;

@@ -12,7 +12,7 @@
 
 use super::Rational;
 use hashbrown::HashTable;
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 
 /// A term of an [`Arena`]: a copyable handle.
@@ -125,6 +125,7 @@ pub struct Arena {
     table: HashTable<u32>,
     symbols: Vec<String>,
     symbol_index: FxHashMap<String, Expr>,
+    positive: FxHashSet<Expr>,
 }
 
 impl Default for Arena {
@@ -154,6 +155,7 @@ impl Arena {
             table: HashTable::new(),
             symbols: Vec::new(),
             symbol_index: FxHashMap::default(),
+            positive: FxHashSet::default(),
         };
         for n in [0, 1, -1] {
             arena.intern(Node::Number(Rational::integer(n)));
@@ -226,6 +228,17 @@ impl Arena {
         }
     }
 
+    /// Takes a symbol to be positive from now on, so that √(x²) = x. State it before the symbol is used.
+    pub fn assume_positive(&mut self, symbol: Expr) {
+        self.positive.insert(symbol);
+    }
+
+    /// Whether a symbol was stated to be positive.
+    #[must_use]
+    pub fn is_positive(&self, symbol: Expr) -> bool {
+        self.positive.contains(&symbol)
+    }
+
     /// An exact number.
     pub fn number(&mut self, value: Rational) -> Expr {
         self.intern(Node::Number(value))
@@ -293,7 +306,7 @@ impl Arena {
     /// Everything that `roots` are built from, themselves included, operands first.
     #[must_use]
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
-        let mut seen = rustc_hash::FxHashSet::default();
+        let mut seen = FxHashSet::default();
         let mut stack: Vec<Expr> = roots.to_vec();
         while let Some(e) = stack.pop() {
             if seen.insert(e) {

@@ -120,7 +120,28 @@ fn square_root(arena: &mut Arena, argument: Expr) -> Expr {
     {
         return arena.number(root);
     }
-    arena.intern_apply(Function::Sqrt, argument)
+    // Squares of what is stated to be positive come out: √(M² x) = M √x.
+    let (content, factors) = match arena.node(argument) {
+        Node::Product(factors) => (Rational::ONE, factors.to_vec()),
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => match arena.node(terms[0].0) {
+            Node::Product(factors) => (terms[0].1.clone(), factors.to_vec()),
+            _ => (terms[0].1.clone(), vec![(terms[0].0, 1)]),
+        },
+        _ => return arena.intern_apply(Function::Sqrt, argument),
+    };
+    let halved = |(base, n): &(Expr, i32)| (*base, if arena.is_positive(*base) { n.div_euclid(2) } else { 0 });
+    let mut outside: Vec<(Expr, i32)> = factors.iter().map(halved).filter(|(_, n)| *n != 0).collect();
+    let mut inside: Vec<(Expr, i32)> = outside.iter().map(|(base, n)| (*base, -2 * n)).collect();
+    if let Some(root) = exact_root(&content) {
+        let root = arena.number(root);
+        outside.push((root, 1));
+        inside.push((root, -2));
+    }
+    inside.push((argument, 1));
+    let inside = arena.try_product(&inside).expect("positive symbols and numbers are not zero");
+    let root = if inside == Expr::ONE { Expr::ONE } else { arena.intern_apply(Function::Sqrt, inside) };
+    outside.push((root, 1));
+    arena.try_product(&outside).expect("positive symbols and numbers are not zero")
 }
 
 /// √value if value is the square of a rational.

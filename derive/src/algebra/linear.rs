@@ -134,6 +134,47 @@ pub fn solve(
     Ok((x, pivots))
 }
 
+/// The determinant of a square matrix, simplified; 0 if it is singular identically.
+///
+/// Elimination with simple pivots, as in [`solve`]; what they divide by cancels again.
+pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>]) -> Expr {
+    let n = a.len();
+    let mut rows = a.to_vec();
+    let (mut used, mut order, mut product) = (vec![false; n], Vec::new(), Expr::ONE);
+    for _ in 0..n {
+        let Some((row, column)) = best_pivot(arena, &rows, &used, &order, n) else { return Expr::ZERO };
+        used[row] = true;
+        order.push((row, column));
+        let pivot = rows[row].clone();
+        product = arena.mul(product, pivot[column]);
+        for (at, target) in rows.iter_mut().enumerate().filter(|(at, _)| !used[*at]) {
+            debug_assert_ne!(at, row, "the pivot row is used");
+            let factor = target[column];
+            if factor == Expr::ZERO {
+                continue;
+            }
+            let factor = arena.div(factor, pivot[column]).expect("a pivot is not zero");
+            for (entry, &p) in target.iter_mut().zip(&pivot) {
+                let share = arena.mul(factor, p);
+                let difference = arena.sub(*entry, share);
+                *entry = simplifier.simplify(arena, difference);
+            }
+        }
+    }
+    let product = simplifier.simplify(arena, product);
+    if is_odd(&order) { arena.neg(product) } else { product }
+}
+
+/// Whether (row, column) pairs make an odd permutation.
+fn is_odd(order: &[(usize, usize)]) -> bool {
+    let inversions = |list: Vec<usize>| {
+        (0..list.len()).map(|i| list[i + 1..].iter().filter(|later| **later < list[i]).count()).sum::<usize>()
+    };
+    let rows = inversions(order.iter().map(|(r, _)| *r).collect());
+    let columns = inversions(order.iter().map(|(_, c)| *c).collect());
+    (rows + columns) % 2 == 1
+}
+
 /// The (row, column) of the simplest entry that is proved not to be zero.
 fn best_pivot(
     arena: &Arena,

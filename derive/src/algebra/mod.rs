@@ -2,16 +2,23 @@
 
 pub mod arena;
 pub mod blocks;
+mod bound;
 pub mod calculus;
+pub mod compare;
 mod construct;
 mod elementary;
 pub mod evaluate;
+mod field;
+mod fraction;
 pub mod linear;
 pub mod modular;
+pub mod normal;
 pub mod parse;
 pub mod polynomial;
 pub mod print;
 mod rational;
+pub mod relations;
+mod ring;
 pub mod simplify;
 pub mod view;
 

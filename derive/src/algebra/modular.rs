@@ -1,27 +1,27 @@
 //! Is this expression zero by meaning? Exact evaluation modulo random primes.
 //!
-//! Symbols get random residues, each angle a random point of the unit circle
-//! (s = 2t/(1+t²), c = (1−t²)/(1+t²)), square roots the residue that is itself a square, so that
-//! √a·√b = √(ab). All of it is arithmetic modulo a 61-bit prime: no rounding. Primes and points come
-//! from a generator seeded with the expression's own text, so builds repeat and no fixed prime can
-//! be aimed at.
+//! Symbols get random residues (squares where the symbol is known to be positive), each angle a random
+//! point of the unit circle (s = 2t/(1+t²), c = (1−t²)/(1+t²)), multiples of π/12 their exact values, square
+//! roots the residue that is itself a square, so that √a·√b = √(ab). All of it is arithmetic modulo a
+//! 61-bit prime: no rounding. Primes and points come from a generator seeded with the terms compared, names included,
+//! so builds repeat and no fixed prime can be aimed at.
 //!
 //! A non-zero residue proves that an expression of these atoms is not zero. Zero residues at every
-//! point leave an error bound of (degree/p) per point; where square roots occur, 2⁻⁶⁴ in all, since a wrong
+//! point leave an error bound, [`error_exponent`]; where square roots occur it is 2⁻⁶⁴ at best, since a wrong
 //! sign shows at half of the points. Functions other than sine, cosine and square
 //! root are taken as independent atoms: with them a non-zero residue proves nothing, and the answer
 //! is [`ZeroTest::Undecided`].
 
+use super::bound::error_exponent;
 use super::elementary::angle_atoms;
+use super::field::{Field, Generator};
 use super::{Arena, Expr, Function, Node, Rational};
-use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::ToPrimitive;
 use rustc_hash::{FxHashMap, FxHasher};
 use std::hash::{Hash, Hasher};
 
 /// Random points, half of them in each field, at which zeros must be seen.
-const POINTS: usize = 4;
+pub const POINTS: usize = 4;
 /// The same where square roots occur, whose signs are seen with probability 1/2 a point.
 const POINTS_WITH_ROOTS: usize = 64;
 
@@ -34,105 +34,6 @@ pub enum ZeroTest {
     NonZero,
     /// Not decided: a function that this engine cannot reason about, or no point where it is defined.
     Undecided,
-}
-
-/// A small deterministic generator (`SplitMix64`, Steele, Lea and Flood 2014).
-struct Generator(u64);
-
-impl Generator {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-}
-
-/// Arithmetic modulo a prime below 2^61 that is 3 modulo 4.
-#[derive(Clone, Copy)]
-struct Field(u64);
-
-impl Field {
-    fn random(generator: &mut Generator) -> Self {
-        loop {
-            let candidate = (1 << 60) | (generator.next() >> 4) | 3;
-            if is_prime(candidate) {
-                return Self(candidate);
-            }
-        }
-    }
-
-    fn add(self, a: u64, b: u64) -> u64 {
-        (a + b) % self.0
-    }
-
-    fn sub(self, a: u64, b: u64) -> u64 {
-        (a + self.0 - b) % self.0
-    }
-
-    fn mul(self, a: u64, b: u64) -> u64 {
-        mul_mod(a, b, self.0)
-    }
-
-    fn pow(self, a: u64, n: u64) -> u64 {
-        pow_mod(a, n, self.0)
-    }
-
-    fn inverse(self, a: u64) -> Option<u64> {
-        (a != 0).then(|| self.pow(a, self.0 - 2))
-    }
-
-    fn power(self, a: u64, n: i32) -> Option<u64> {
-        let base = if n < 0 { self.inverse(a)? } else { a };
-        Some(self.pow(base, u64::from(n.unsigned_abs())))
-    }
-
-    /// The square root that is itself a square; `None` for a non-residue.
-    fn root(self, a: u64) -> Option<u64> {
-        let root = self.pow(a, self.0.div_ceil(4));
-        (self.mul(root, root) == a).then_some(root)
-    }
-
-    fn rational(self, value: &Rational) -> Option<u64> {
-        let residue = |n: &BigInt| n.mod_floor(&BigInt::from(self.0)).to_u64();
-        let big = value.to_big();
-        Some(self.mul(residue(big.numer())?, self.inverse(residue(big.denom())?)?))
-    }
-}
-
-fn mul_mod(a: u64, b: u64, p: u64) -> u64 {
-    u64::try_from(u128::from(a) * u128::from(b) % u128::from(p)).expect("below p")
-}
-
-fn pow_mod(mut a: u64, mut n: u64, p: u64) -> u64 {
-    let mut result = 1;
-    a %= p;
-    while n > 0 {
-        if n & 1 == 1 {
-            result = mul_mod(result, a, p);
-        }
-        a = mul_mod(a, a, p);
-        n >>= 1;
-    }
-    result
-}
-
-/// Miller–Rabin with the twelve bases that decide every 64-bit number (Sorenson and Webster 2015).
-fn is_prime(n: u64) -> bool {
-    let bases = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
-    if bases.iter().any(|b| n.is_multiple_of(*b)) {
-        return bases.contains(&n);
-    }
-    let twos = (n - 1).trailing_zeros();
-    bases.iter().all(|&base| {
-        let mut x = pow_mod(base, (n - 1) >> twos, n);
-        (x == 1 || x == n - 1)
-            || (1..twos).any(|_| {
-                x = mul_mod(x, x, n);
-                x == n - 1
-            })
-    })
 }
 
 /// One random point in one field.
@@ -149,13 +50,26 @@ impl Point {
         Generator(hasher.finish() ^ self.seed).next() % self.field.0
     }
 
-    /// (sin, cos) of k times the base angle named by `key`.
-    fn circle(&self, key: u64, k: i64) -> Option<(u64, u64)> {
+    /// (sin, cos) of the base angle named by `key`.
+    fn base(&self, key: u64) -> Option<(u64, u64)> {
         let f = self.field;
         let t = self.residue(("angle", key));
         let t2 = f.mul(t, t);
         let inverse = f.inverse(f.add(1, t2))?;
-        let unit = (f.mul(f.add(t, t), inverse), f.mul(f.sub(1, t2), inverse));
+        Some((f.mul(f.add(t, t), inverse), f.mul(f.sub(1, t2), inverse)))
+    }
+
+    /// (sin, cos) of π/12: (√6 − √2)/4 and (√6 + √2)/4.
+    fn twelfth(&self) -> Option<(u64, u64)> {
+        let f = self.field;
+        let (two, three) = (f.root(2)?, f.root(3)?);
+        let (six, quarter) = (f.mul(two, three), f.inverse(4)?);
+        Some((f.mul(f.sub(six, two), quarter), f.mul(f.add(six, two), quarter)))
+    }
+
+    /// (sin, cos) of k times an angle.
+    fn multiple(&self, unit: (u64, u64), k: i64) -> (u64, u64) {
+        let f = self.field;
         let (mut result, mut power, mut left) = ((0, 1), unit, k.unsigned_abs());
         while left > 0 {
             if left & 1 == 1 {
@@ -164,7 +78,7 @@ impl Point {
             power = self.turn(power, power);
             left >>= 1;
         }
-        Some(if k < 0 { (f.sub(0, result.0), result.1) } else { result })
+        if k < 0 { (f.sub(0, result.0), result.1) } else { result }
     }
 
     /// (sin, cos) of the sum of two angles.
@@ -183,18 +97,13 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
         _ => {}
     }
     let parts = arena.reachable(&[e]);
-    let opaque = parts.iter().any(|p| match arena.node(*p) {
-        Node::Apply(f, _) => !matches!(f, Function::Sin | Function::Cos | Function::Sqrt),
-        Node::Pi => true,
-        _ => false,
-    });
+    let opaque = !independent(arena, &parts);
     let denominators = angle_denominators(arena, &parts);
     let mut generator = seeded(arena, &parts);
     let fields = [Field::random(&mut generator), Field::random(&mut generator)];
     let mut evaluated = 0;
     // √x² is x or −x, evenly: each point sees a wrong sign with probability 1/2 only.
-    let roots = parts.iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Sqrt, _)));
-    let wanted = if roots { POINTS_WITH_ROOTS } else { POINTS };
+    let wanted = if has_roots(arena, &parts) { POINTS_WITH_ROOTS } else { POINTS };
     // A point where a root or an inverse does not exist is drawn again.
     for attempt in 0..200 * wanted {
         let point = Point { field: fields[attempt % 2], seed: generator.next() };
@@ -208,6 +117,69 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
         }
     }
     ZeroTest::Undecided
+}
+
+/// [`zero_test`], and for a zero the k for which it is wrong with a probability below 2^−k.
+#[must_use]
+pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
+    let parts = arena.reachable(&[e]);
+    let exponent = error_exponent(arena, &parts, e);
+    let exponent = if has_roots(arena, &parts) { exponent.min(64.0) } else { exponent };
+    match zero_test(arena, e) {
+        // A bound that bounds nothing is no answer.
+        ZeroTest::Zero if exponent < 32.0 => (ZeroTest::Undecided, exponent),
+        answer => (answer, exponent),
+    }
+}
+
+/// Whether square roots or absolute values occur among these terms.
+#[must_use]
+pub fn has_roots(arena: &Arena, parts: &[Expr]) -> bool {
+    let root = |p: &Expr| matches!(arena.node(*p), Node::Apply(Function::Sqrt | Function::Abs | Function::Sign, _));
+    parts.iter().any(root)
+}
+
+/// Whether no relation between the atoms is unknown here, so that a non-zero residue proves something.
+///
+/// Symbols are independent of one another, of π and of any one transcendental number; sines of base angles are
+/// too, as long as the angles are polynomials (Ax 1971). Square roots are no atoms but evaluated. Other functions may be
+/// anything, and so may sines of numbers beside π, or of multiples of π that have no roots for values.
+#[must_use]
+pub fn independent(arena: &Arena, parts: &[Expr]) -> bool {
+    let (mut pi_outside, mut numbers_inside) = (false, false);
+    let mut inside_only: rustc_hash::FxHashSet<Expr> = rustc_hash::FxHashSet::default();
+    for part in parts {
+        match arena.node(*part) {
+            Node::Apply(Function::Sin | Function::Cos, argument) => {
+                for (atom, k) in angle_atoms(arena, *argument) {
+                    match arena.node(atom) {
+                        Node::Symbol(_) => {}
+                        Node::Number(_) => numbers_inside = true,
+                        Node::Pi if k.small().is_some_and(|(_, d)| 12 % d == 0) => {
+                            inside_only.insert(*argument);
+                        }
+                        Node::Product(factors)
+                            if factors.iter().all(|(base, n)| *n > 0 && arena.symbol_name(*base).is_some()) => {}
+                        _ => return false,
+                    }
+                }
+            }
+            Node::Apply(Function::Sqrt | Function::Abs | Function::Sign, _) => {}
+            Node::Apply(..) => return false,
+            Node::Sum(_, terms) => {
+                let has_pi = terms.iter().any(|(term, _)| *arena.node(*term) == Node::Pi);
+                pi_outside |= has_pi && !inside_only.contains(part) && !is_angle(arena, parts, *part);
+            }
+            Node::Product(factors) => pi_outside |= factors.iter().any(|(base, _)| *arena.node(*base) == Node::Pi),
+            _ => {}
+        }
+    }
+    !(pi_outside && numbers_inside)
+}
+
+/// Whether a term stands inside a sine or cosine among these.
+fn is_angle(arena: &Arena, parts: &[Expr], e: Expr) -> bool {
+    parts.iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Sin | Function::Cos, inner) if *inner == e))
 }
 
 /// For each atom inside the angles: the least common denominator of its coefficients.
@@ -243,7 +215,10 @@ fn values_at(
     for &e in parts {
         let value = match arena.node(e) {
             Node::Number(value) => f.rational(value)?,
-            Node::Symbol(id) => point.residue(("symbol", *id)),
+            Node::Symbol(id) => {
+                let residue = point.residue(("symbol", *id));
+                if arena.is_positive(e) { f.mul(residue, residue) } else { residue }
+            }
             Node::Pi => point.residue("pi"),
             Node::Sum(constant, terms) => {
                 let mut sum = f.rational(constant)?;
@@ -260,6 +235,12 @@ fn values_at(
                 product
             }
             Node::Apply(Function::Sqrt, argument) => f.root(values[argument])?,
+            // |x| = √x²: x or −x, whichever is a square. So |a| |b| = |a b|.
+            Node::Apply(Function::Abs, argument) => f.root(f.mul(values[argument], values[argument]))?,
+            Node::Apply(Function::Sign, argument) => {
+                let x = values[argument];
+                f.mul(f.root(f.mul(x, x))?, f.inverse(x)?)
+            }
             Node::Apply(function @ (Function::Sin | Function::Cos), argument) => {
                 let mut angle = (0, 1);
                 for (atom, k) in angle_atoms(arena, *argument) {
@@ -267,10 +248,15 @@ fn values_at(
                     if denominator == 0 {
                         return None;
                     }
-                    let multiple = k.mul(&Rational::integer(denominator)).to_i64()?;
-                    // The base angle atom/denominator is named by its residue: equal by meaning, equal here.
-                    let base = f.mul(values[&atom], f.inverse(u64::try_from(denominator).ok()?)?);
-                    angle = point.turn(angle, point.circle(base, multiple)?);
+                    let (base, parts) = if *arena.node(atom) == Node::Pi && 12 % denominator == 0 {
+                        (point.twelfth()?, 12)
+                    } else {
+                        // The base angle atom/denominator is named by its residue: equal by meaning, equal here.
+                        let name = f.mul(values[&atom], f.inverse(u64::try_from(denominator).ok()?)?);
+                        (point.base(name)?, denominator)
+                    };
+                    let multiple = k.mul(&Rational::integer(parts)).to_i64()?;
+                    angle = point.turn(angle, point.multiple(base, multiple));
                 }
                 if *function == Function::Sin { angle.0 } else { angle.1 }
             }
@@ -287,23 +273,48 @@ fn values_at(
 /// zero: the largest of several points is returned. `None` if no point could be evaluated.
 #[must_use]
 pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
+    let ranks = at_random_points(arena, matrix).into_iter().map(|(field, rows)| {
+        let (basis, dependent) = eliminate(field, rows);
+        Rank { rank: basis.len(), dependent }
+    });
+    ranks.max()
+}
+
+/// Independent rows of a matrix, as many as there are, the first that will do; with the column of each row's pivot.
+/// `None` if no point could be evaluated.
+#[must_use]
+pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
+    let mut best: Option<Basis> = None;
+    for (field, rows) in at_random_points(arena, matrix) {
+        let (basis, _) = eliminate(field, rows);
+        if best.as_ref().is_none_or(|known| known.len() < basis.len()) {
+            best = Some(basis);
+        }
+    }
+    best.map(|basis| basis.into_iter().map(|(row, column, _)| (row, column)).unzip())
+}
+
+/// Independent rows of a matrix, as many as there are, the first that will do.
+#[must_use]
+pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
+    echelon(arena, matrix).map(|(rows, _)| rows)
+}
+
+/// A matrix at four random points, each modulo another prime.
+fn at_random_points(arena: &Arena, matrix: &[Vec<Expr>]) -> Vec<(Field, Vec<Vec<u64>>)> {
     let parts = arena.reachable(&matrix.concat());
     let denominators = angle_denominators(arena, &parts);
     let mut generator = seeded(arena, &parts);
-    let mut best: Option<Rank> = None;
-    let mut evaluated = 0;
+    let mut found = Vec::new();
     for _ in 0..400 {
         let point = Point { field: Field::random(&mut generator), seed: generator.next() };
         let Some(values) = values_at(arena, &parts, &denominators, &point) else { continue };
-        let rows = matrix.iter().map(|row| row.iter().map(|e| values[e]).collect()).collect();
-        let found = eliminate(point.field, rows);
-        best = best.max(Some(found));
-        evaluated += 1;
-        if evaluated == 4 {
+        found.push((point.field, matrix.iter().map(|row| row.iter().map(|e| values[e]).collect()).collect()));
+        if found.len() == 4 {
             break;
         }
     }
-    best
+    found
 }
 
 /// How many rows of a matrix are independent, and the first that depends on those before it.
@@ -315,13 +326,20 @@ pub struct Rank {
     pub dependent: Option<usize>,
 }
 
-/// Gaussian elimination row by row: each row is reduced by those before it.
-fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> Rank {
-    let mut basis: Vec<(usize, Vec<u64>)> = Vec::new();
+/// (row, pivot column, reduced row)
+type Basis = Vec<(usize, usize, Vec<u64>)>;
+
+/// Gaussian elimination row by row: each row is reduced by those before it. Returns the independent rows and the
+/// first that depends on those before it.
+fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> (Basis, Option<usize>) {
+    let mut basis: Basis = Vec::new();
     let mut dependent = None;
     for (at, mut row) in rows.into_iter().enumerate() {
-        for (column, pivot) in &basis {
+        for (_, column, pivot) in &basis {
             let factor = row[*column];
+            if factor == 0 {
+                continue;
+            }
             for (entry, p) in row.iter_mut().zip(pivot) {
                 *entry = f.sub(*entry, f.mul(factor, *p));
             }
@@ -332,20 +350,35 @@ fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> Rank {
                 for x in &mut row {
                     *x = f.mul(*x, inverse);
                 }
-                basis.push((column, row));
+                basis.push((at, column, row));
             }
             None => dependent = dependent.or(Some(at)),
         }
     }
-    Rank { rank: basis.len(), dependent }
+    (basis, dependent)
 }
 
+/// A generator seeded with the terms, by the names of their symbols and not by their handles.
 fn seeded(arena: &Arena, parts: &[Expr]) -> Generator {
-    let mut hasher = FxHasher::default();
+    let mut hashes: FxHashMap<Expr, u64> = FxHashMap::default();
+    let mut last = 0;
     for part in parts {
-        arena.node(*part).hash(&mut hasher);
+        let mut hasher = FxHasher::default();
+        match arena.node(*part) {
+            Node::Number(value) => ("number", value).hash(&mut hasher),
+            Node::Symbol(id) => ("symbol", &arena.symbol_names()[*id as usize]).hash(&mut hasher),
+            Node::Pi => "pi".hash(&mut hasher),
+            Node::Sum(constant, terms) => {
+                ("sum", constant).hash(&mut hasher);
+                terms.iter().for_each(|(term, k)| (hashes[term], k).hash(&mut hasher));
+            }
+            Node::Product(factors) => factors.iter().for_each(|(base, n)| (hashes[base], n).hash(&mut hasher)),
+            Node::Apply(f, argument) => (*f, hashes[argument]).hash(&mut hasher),
+        }
+        last = Generator(hasher.finish() ^ last).next();
+        hashes.insert(*part, last);
     }
-    Generator(hasher.finish())
+    Generator(last)
 }
 
 #[cfg(test)]
@@ -371,8 +404,14 @@ mod tests {
             "(a + b)^5 - a^5 - 5*a^4*b - 10*a^3*b^2 - 10*a^2*b^3 - 5*a*b^4 - b^5",
             "1/(a - b) - 1/(a + b) - 2*b/(a^2 - b^2)",
             "exp(a + b) - exp(b + a)",
+            "abs(a)*abs(b) - abs(a*b)",
+            "abs(a)^2 - a^2",
+            "sign(a)*a - abs(a)",
             "sin(q + 1/2)^2 + cos(q + 1/2)^2 - 1",
             "sin(q + 1/2) - sin(q)*cos(1/2) - cos(q)*sin(1/2)",
+            "sin(q + pi/4) - sqrt(1/2)*(sin(q) + cos(q))",
+            "cos(q - 5*pi/6) + sqrt(3)/2*cos(q) - sin(q)/2",
+            "sin(pi/12) - (sqrt(6) - sqrt(2))/4",
         ] {
             assert_eq!(test(text), ZeroTest::Zero, "{text}");
         }
@@ -385,10 +424,14 @@ mod tests {
             "sin(2*q) - 2*sin(q)",
             "sqrt(a^2) - a",
             "sqrt(b^2) - b",
+            "abs(a) - a",
+            "abs(a + b) - abs(a) - abs(b)",
             "sqrt(cos(q)^2) - cos(q)",
             "sin(q) - q + q^3/6",
             "2305843009213693951*a",
             "a - 9223372036854775808*a",
+            "a*(b - pi/2) - a*(b - pi/3)",
+            "sin(q + pi/4) - sin(q)",
         ] {
             assert_eq!(test(text), ZeroTest::NonZero, "{text}");
         }

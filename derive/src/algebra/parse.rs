@@ -37,7 +37,20 @@ pub type Resolve<'a> = dyn FnMut(&mut Arena, &str) -> Result<Expr, (String, Opti
 /// # Errors
 /// The first [`ParseError`] in the text.
 pub fn parse(arena: &mut Arena, text: &str, resolve: &mut Resolve<'_>) -> Result<Expr, ParseError> {
-    let mut parser = Parser { arena, text, at: 0, depth: 0, work: 0, resolve };
+    parse_primed(arena, text, 1, resolve)
+}
+
+/// The same where names may end in up to `primes` primes: a published equation has second derivatives, `q1''`.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse_primed(
+    arena: &mut Arena,
+    text: &str,
+    primes: usize,
+    resolve: &mut Resolve<'_>,
+) -> Result<Expr, ParseError> {
+    let mut parser = Parser { arena, text, at: 0, depth: 0, work: 0, primes, resolve };
     parser.skip_space();
     if parser.at == text.len() {
         return Err(error(0..text.len(), "the expression is empty", Some("write 0 if nothing is meant")));
@@ -73,6 +86,8 @@ struct Parser<'a, 'b> {
     at: usize,
     depth: usize,
     work: u64,
+    /// The most primes that a name may end in.
+    primes: usize,
     resolve: &'a mut Resolve<'b>,
 }
 
@@ -112,6 +127,7 @@ impl Parser<'_, '_> {
             return error(span, "an operator is missing here", Some("write products with `*`, as in `2*q1`"));
         }
         let help = match found {
+            '\'' if self.primes > 1 => "a prime stands right after a name, as in q1' and q1''",
             '\'' => "one prime only, as in q1', and only after a coordinate; second derivatives are derived",
             '.' => "a time derivative is written with a prime: q1'",
             '*' if before.ends_with('*') => "powers are written with `^`",
@@ -365,7 +381,11 @@ impl Parser<'_, '_> {
             let help = format!("write `{name}` alone if it depends on time, `{name}*(…)` for a product");
             return Err(error(start..end, format!("`{name}` is not a function"), Some(&help)));
         }
-        if primes > 1 {
+        if primes > self.primes && self.primes > 1 {
+            let message = format!("this name has more than {} primes", self.primes);
+            return Err(error(start..end, message, Some("q1'' is the second derivative; there is no third here")));
+        }
+        if primes > self.primes {
             let help = "one prime only: second derivatives are derived, not stated";
             return Err(error(start..end, format!("`{name}` has more than one prime"), Some(help)));
         }

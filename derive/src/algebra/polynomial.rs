@@ -119,6 +119,12 @@ impl Polynomial {
         Some(result)
     }
 
+    /// Whether one of these atoms stands with a negative exponent.
+    #[must_use]
+    pub fn divides_by(&self, a: Expr, b: Expr) -> bool {
+        self.terms.keys().flatten().any(|(e, n)| (*e == a || *e == b) && *n < 0)
+    }
+
     /// The angles whose sine or cosine is among the atoms.
     #[must_use]
     pub fn angles(&self, arena: &Arena) -> Vec<Expr> {

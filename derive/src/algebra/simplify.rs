@@ -2,10 +2,11 @@
 //!
 //! An expression is expanded to a Laurent polynomial in its atoms, squares of sines or cosines are
 //! traded by sin² + cos² = 1 where that leaves fewer terms, and the result is factored again,
-//! Horner-fashion. The shortest of the candidates wins and a tie keeps the input, so the result is
+//! Horner-fashion. Where it divides by sums, the normal form over one denominator is a candidate too. The shortest of the candidates wins and a tie keeps the input, so the result is
 //! never longer. What would expand beyond [`Simplifier::LIMIT`] terms, or has more than
 //! [`Simplifier::PARTS`] to begin with, is returned as it was.
 
+use super::normal::Normalizer;
 use super::polynomial::{Monomial, Polynomial, monomial_expr};
 use super::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
@@ -20,6 +21,8 @@ pub struct Simplifier {
 impl Simplifier {
     /// Terms in an expanded polynomial above which an expression is left alone.
     pub const LIMIT: usize = 600;
+    /// Multiplications of terms that bringing an expression over one denominator may cost.
+    pub const FRACTION_BUDGET: u64 = 50_000;
     /// Different terms in an expression above which it is not even looked at.
     pub const PARTS: usize = 5000;
 
@@ -40,6 +43,7 @@ impl Simplifier {
         if reduced.terms.is_empty() {
             return Expr::ZERO;
         }
+        let fraction = if divides_by_sums(arena, &reduced) { as_fraction(arena, e) } else { None };
         let mut best = (cost(arena, e), e);
         for polynomial in [&reduced, &expanded] {
             for candidate in [factor(arena, &polynomial.terms), common_factor_only(arena, polynomial)] {
@@ -49,7 +53,10 @@ impl Simplifier {
                 }
             }
         }
-        best.1
+        match fraction {
+            Some(fraction) if fraction == Expr::ZERO || cost(arena, fraction) < best.0 => fraction,
+            _ => best.1,
+        }
     }
 
     /// `e` as a Laurent polynomial in symbols, function values and inverse sums; `None` beyond the limit.
@@ -117,6 +124,28 @@ impl Simplifier {
     }
 }
 
+/// Whether a sum stands below a fraction bar in a sum of several terms: then one bar may do for all.
+fn divides_by_sums(arena: &Arena, polynomial: &Polynomial) -> bool {
+    let inverse_sum = |(e, n): &(Expr, i32)| *n < 0 && matches!(arena.node(*e), Node::Sum(..));
+    polynomial.terms.len() > 1 && polynomial.terms.keys().flatten().any(inverse_sum)
+}
+
+/// The normal form, its numerator and the factors of its denominator each in short form.
+fn as_fraction(arena: &mut Arena, e: Expr) -> Option<Expr> {
+    let mut normalizer = Normalizer::new(Simplifier::FRACTION_BUDGET);
+    let form = normalizer.fraction(arena, e)?;
+    let short = |arena: &mut Arena, p: &Polynomial| {
+        let reduced = reduce(arena, p);
+        factor(arena, &reduced.terms)
+    };
+    let mut factors = vec![(short(arena, &normalizer.polynomial(&form.numerator)), 1)];
+    for (below, n) in &form.denominator {
+        let below = short(arena, &normalizer.polynomial(below));
+        factors.push((below, -i32::try_from(*n).ok()?));
+    }
+    arena.try_product(&factors).ok()
+}
+
 /// Reads an expression as a sum of monomials in whatever its factors are, without expanding.
 fn as_monomials(arena: &Arena, e: Expr) -> Polynomial {
     let monomial = |e: Expr| match arena.node(e) {
@@ -145,7 +174,8 @@ fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
         let (sine, cosine) = (arena.apply(Function::Sin, angle), arena.apply(Function::Cos, angle));
         for (from, to) in [(sine, cosine), (cosine, sine)] {
             if let Some(traded) = best.pythagoras(from, to, Simplifier::LIMIT)
-                && traded.terms.len() < best.terms.len()
+                && size(arena, &traded) < size(arena, &best)
+                && (traded.terms.len() < best.terms.len() || !best.divides_by(from, to))
             {
                 best = traded;
             }
@@ -155,6 +185,14 @@ fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
         }
     }
     if canonical.terms.len() < best.terms.len() { canonical } else { best }
+}
+
+/// Terms, then sines and cosines: what trading squares should lessen.
+fn size(arena: &Arena, polynomial: &Polynomial) -> (usize, usize) {
+    let is_circular = |e: &Expr| matches!(arena.node(*e), Node::Apply(Function::Sin | Function::Cos, _));
+    let circular: std::collections::BTreeSet<Expr> =
+        polynomial.terms.keys().flatten().map(|(e, _)| *e).filter(is_circular).collect();
+    (polynomial.terms.len(), circular.len())
 }
 
 /// Factors a sum of monomials: common factors out, then the atom that most terms share, again and again.
@@ -275,6 +313,9 @@ mod tests {
             ("1/cos(q1)^2 - tan(q1)^2", "1"),
             ("(u1 + u2)^2 - u1^2 - u2^2 - 2*u1*u2", "0"),
             ("u1/(u1 + u2) + u2/(u1 + u2)", "1"),
+            ("1/(u1 - u2) - 1/(u1 + u2) - 2*u2/(u1^2 - u2^2)", "0"),
+            ("(u1^2 - u2^2)/(u1 - u2) + u2", "u1 + 2*u2"),
+            ("u1/(1 + tan(q1)^2) - u1*cos(q1)^2", "0"),
         ] {
             assert_eq!(simplified(input), expected, "{input}");
         }

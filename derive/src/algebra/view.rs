@@ -108,13 +108,7 @@ impl Viewer<'_> {
                 if parts.len() == 1 && !parts[0].0 {
                     return parts.remove(0).1;
                 }
-                // A sum that begins with a minus is harder to read.
-                if let Some(at) = parts.iter().position(|(negative, _)| !negative)
-                    && parts[0].0
-                {
-                    let first = parts.remove(at);
-                    parts.insert(0, first);
-                }
+                positive_first(&mut parts);
                 View::Sum(parts)
             }
         }
@@ -151,6 +145,7 @@ impl Viewer<'_> {
             None => (magnitude.to_string(), "1".to_owned()),
         };
         let (mut above, mut below) = (Vec::new(), Vec::new());
+        let mut negative = k.is_negative();
         let tangents = self.take_tangents(&mut factors);
         // Symbols first, then functions, then sums: `u4 sin q1` cannot be misread, `sin q1 u4` can.
         let class = |e: Expr| match self.arena.node(e) {
@@ -163,7 +158,19 @@ impl Viewer<'_> {
         ordered.extend(tangents.into_iter().map(|(angle, n)| (1, angle, n, true)));
         ordered.sort_by_key(|(class, ..)| *class);
         for (_, base, n, tangent) in ordered {
-            let view = self.view(base);
+            let mut view = self.view(base);
+            // −a (5 c − 6) is a (6 − 5 c).
+            if let View::Sum(parts) = &mut view
+                && negative
+                && n % 2 != 0
+                && parts.iter().any(|(subtracted, _)| *subtracted)
+            {
+                for (subtracted, _) in parts.iter_mut() {
+                    *subtracted = !*subtracted;
+                }
+                positive_first(parts);
+                negative = false;
+            }
             let view = if tangent { View::Call("tan", Box::new(view)) } else { view };
             let side = if n > 0 { &mut above } else { &mut below };
             side.push(if n.abs() == 1 { view } else { View::Power(Box::new(view), n.abs()) });
@@ -177,7 +184,7 @@ impl Viewer<'_> {
         let one = |mut views: Vec<View>| if views.len() == 1 { views.remove(0) } else { View::Product(views) };
         let view =
             if below.is_empty() { one(above) } else { View::Fraction(Box::new(one(above)), Box::new(one(below))) };
-        (k.is_negative(), view)
+        (negative, view)
     }
 
     /// Takes sin^n·cos^−n out of the factors, as (angle, n).
@@ -200,5 +207,15 @@ impl Viewer<'_> {
         }
         factors.retain(|(_, n)| *n != 0);
         tangents
+    }
+}
+
+/// A sum that begins with a minus is harder to read.
+fn positive_first(parts: &mut Vec<(bool, View)>) {
+    if let Some(at) = parts.iter().position(|(negative, _)| !negative)
+        && parts[0].0
+    {
+        let first = parts.remove(at);
+        parts.insert(0, first);
     }
 }

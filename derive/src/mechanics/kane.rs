@@ -33,6 +33,8 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         forcing.push(arena.add(*f, rest));
     }
     let mut equations = Equations {
+        name: Formulation::Kane.name().to_owned(),
+        title: Formulation::Kane.title().to_owned(),
         formulation: Formulation::Kane,
         variables: model.u(),
         unknowns: rates.clone(),
@@ -63,7 +65,11 @@ fn partials(model: &Model, kinematics: &mut Kinematics, v: &Vector) -> Vec<Vecto
 /// F_r = Σ_P (∂v_P/∂u_r)·R_P + Σ_B (∂ω_B/∂u_r)·T_B, weights among the forces; reactions do not contribute.
 ///
 /// Entry r has the unit of power over u_r.
-fn generalized_active_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Expr> {
+pub(super) fn generalized_active_forces(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+) -> Vec<Expr> {
     let mut to_speeds = rates_to_speeds(model);
     let mut forces = vec![Expr::ZERO; model.speeds.len()];
     for (velocity, load) in kinematics.loads(model, velocities, true) {
@@ -77,7 +83,11 @@ fn generalized_active_forces(model: &Model, kinematics: &mut Kinematics, velocit
 }
 
 /// F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt], linear in u̇.
-fn generalized_inertia_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Expr> {
+pub(super) fn generalized_inertia_forces(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+) -> Vec<Expr> {
     let mut rates = motion_rates(model);
     let mut forces = vec![Vec::new(); model.speeds.len()];
     for body in &model.bodies {

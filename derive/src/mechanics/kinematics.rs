@@ -294,12 +294,14 @@ pub fn rates_to_speeds(model: &Model) -> Substitution {
 }
 
 /// u → J q̇ + d.
+#[must_use]
 pub fn speeds_to_rates(model: &Model) -> Substitution {
     let pairs: Vec<_> = model.speeds.iter().map(|s| (s.symbol, s.definition)).collect();
     Substitution::new(&pairs)
 }
 
 /// d/dt along the motion: q → W u + w, u → u̇.
+#[must_use]
 pub fn motion_rates(model: &Model) -> Differential {
     let mut rates: Vec<_> = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
     rates.extend(model.speeds.iter().map(|s| (s.symbol, s.rate)));

@@ -47,6 +47,8 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         Step { title: "Generalized forces other than gravity".to_owned(), lines: lines.collect() },
     ];
     let mut equations = Equations {
+        name: Formulation::Lagrange.name().to_owned(),
+        title: Formulation::Lagrange.title().to_owned(),
         formulation: Formulation::Lagrange,
         variables: model.q_dot(),
         unknowns,
@@ -68,7 +70,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
 }
 
 /// Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of everything but gravity, which is in V.
-fn generalized_forces(model: &Model, kinematics: &mut Kinematics) -> Vec<Expr> {
+pub fn generalized_forces(model: &Model, kinematics: &mut Kinematics) -> Vec<Expr> {
     let velocities = kinematics.in_rates.clone();
     let mut to_rates = speeds_to_rates(model);
     let mut forces = vec![Expr::ZERO; model.coordinates.len()];

@@ -4,9 +4,13 @@ mod kane;
 mod kinematics;
 mod lagrange;
 mod newton_euler;
+mod quantities;
 mod vector;
 
-pub use kinematics::{Kinematics, Velocities, rates_to_speeds};
+pub use kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds, speeds_to_rates};
+pub use lagrange::generalized_forces;
+pub use newton_euler::{Balance, balances};
+pub use quantities::{Energy, Owner, Quantities, Quantity, QuantityError, QuantityKind, Row, VectorName};
 pub use vector::{Frames, Vector};
 
 use crate::algebra::{Arena, Expr};
@@ -62,7 +66,11 @@ pub struct Step {
 /// Equations of motion  matrix · unknowns = forcing,  q̇ = `coordinate_rates`.
 #[derive(Clone, Debug)]
 pub struct Equations {
-    /// The method they come from.
+    /// What they are called on the command line and in files: `kane`, or `printed:ID` for printed ones.
+    pub name: String,
+    /// What they are called in a heading.
+    pub title: String,
+    /// The method they come from; it tells what the motion variables are.
     pub formulation: Formulation,
     /// The motion variables v that are integrated beside q: u, or q̇ for Lagrange.
     pub variables: Vec<Expr>,
@@ -259,22 +267,59 @@ pub struct Derivation {
     pub equations: Equations,
 }
 
+/// All formulations of a model over one store of terms, so that they can be compared.
+pub struct Derivations {
+    /// The kinematics that they share, with the store of all terms.
+    pub kinematics: Kinematics,
+    /// Each formulation, or why this one cannot be had.
+    pub list: Vec<(Formulation, Result<Equations, DeriveError>)>,
+}
+
+impl Derivations {
+    /// The equations by one method, if it is possible.
+    #[must_use]
+    pub fn get(&self, formulation: Formulation) -> Option<&Equations> {
+        self.list.iter().find(|(f, _)| *f == formulation).and_then(|(_, equations)| equations.as_ref().ok())
+    }
+}
+
 /// Derives the equations of motion of a model.
 ///
 /// # Errors
 /// [`DeriveError`]; ask [`DeriveError::is_unsupported`] whether another formulation may succeed.
 pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
+    let equations = derive_with(model, &mut kinematics, formulation)?;
+    Ok(Derivation { arena: kinematics.arena, equations })
+}
+
+/// Derives the equations of motion of a model by every method.
+///
+/// # Errors
+/// [`DeriveError`] if the model is wrong; a formulation that this model does not support is listed with its reason.
+pub fn derive_all(model: &Model) -> Result<Derivations, DeriveError> {
+    let mut kinematics = Kinematics::new(model)?;
+    let mut list = Vec::new();
+    for f in Formulation::ALL {
+        match derive_with(model, &mut kinematics, f) {
+            Err(error) if !error.is_unsupported() => return Err(error),
+            result => list.push((f, result)),
+        }
+    }
+    Ok(Derivations { kinematics, list })
+}
+
+fn derive_with(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Result<Equations, DeriveError> {
     let equations = match formulation {
-        Formulation::Kane => kane::derive(model, &mut kinematics),
-        Formulation::Lagrange => lagrange::derive(model, &mut kinematics),
-        Formulation::NewtonEuler => newton_euler::derive(model, &mut kinematics),
+        Formulation::Kane => kane::derive(model, kinematics),
+        Formulation::Lagrange => lagrange::derive(model, kinematics),
+        Formulation::NewtonEuler => newton_euler::derive(model, kinematics),
     }?;
     let rank = crate::algebra::modular::rank(&kinematics.arena, &equations.matrix);
-    if let Some(row) = rank.and_then(|r| r.dependent) {
-        return Err(singular(model, formulation, row));
+    match rank.and_then(|r| r.dependent) {
+        Some(row) => Err(singular(model, formulation, row)),
+        None => Ok(equations),
     }
-    Ok(Derivation { arena: kinematics.arena, equations })
 }
 
 /// The matrix is singular in every configuration: a row follows from those before it.

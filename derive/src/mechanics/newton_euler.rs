@@ -25,23 +25,18 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
     unknowns.extend(model.reactions.iter().map(|r| r.symbol));
     let mut form = LinearForm::new(&unknowns);
     let (mut rows, mut matrix, mut forcing) = (Vec::new(), Vec::new(), Vec::new());
-    for (at, body) in model.bodies.iter().enumerate() {
-        for (label, balance, frame) in balances(model, kinematics, &velocities, at, body) {
-            let components = kinematics.frames.express(&mut kinematics.arena, &balance, frame);
-            for (axis, residual) in components.into_iter().enumerate() {
-                let Kinematics { arena, simplifier, .. } = kinematics;
-                let (row, rest) = form.coefficients(arena, residual).map_err(|_| DeriveError::NotLinear)?;
-                let row: Vec<Expr> = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
-                let right = arena.neg(rest);
-                let right = simplifier.simplify(arena, right);
-                if row.iter().all(|e| *e == Expr::ZERO) && right == Expr::ZERO {
-                    continue;
-                }
-                rows.push(format!("{} {label} {}{}", body.name, model.frames[frame].name.to_lowercase(), axis + 1));
-                matrix.push(row);
-                forcing.push(right);
-            }
+    for balance in balances(model, kinematics, &velocities, None) {
+        let Kinematics { arena, simplifier, .. } = kinematics;
+        let (row, rest) = form.coefficients(arena, balance.residual).map_err(|_| DeriveError::NotLinear)?;
+        let row: Vec<Expr> = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
+        let right = arena.neg(rest);
+        let right = simplifier.simplify(arena, right);
+        if row.iter().all(|e| *e == Expr::ZERO) && right == Expr::ZERO {
+            continue;
         }
+        rows.push(balance.label(model));
+        matrix.push(row);
+        forcing.push(right);
     }
     if matrix.len() != unknowns.len() {
         return Err(DeriveError::ReactionCount {
@@ -51,6 +46,8 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         });
     }
     let mut equations = Equations {
+        name: Formulation::NewtonEuler.name().to_owned(),
+        title: Formulation::NewtonEuler.title().to_owned(),
         formulation: Formulation::NewtonEuler,
         variables: model.u(),
         unknowns,
@@ -72,14 +69,60 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
     Ok(equations)
 }
 
-/// The force balance and, for a rigid body, the moment balance: (what, m a − ΣF or dH/dt − ΣM, frame).
-fn balances(
+/// One component of Newton's or Euler's equation of one body.
+#[derive(Clone, Debug)]
+pub struct Balance {
+    /// The body.
+    pub body: usize,
+    /// Whether it is of moments about the mass centre, and not of forces.
+    pub moments: bool,
+    /// The frame of the component.
+    pub frame: usize,
+    /// The axis of the component: 0, 1 or 2.
+    pub axis: usize,
+    /// m a − ΣF or dH/dt − ΣM, in q, u, u̇ and reactions.
+    pub residual: Expr,
+}
+
+impl Balance {
+    /// What the row balances, in words.
+    #[must_use]
+    pub fn label(&self, model: &Model) -> String {
+        let what = if self.moments { "moment" } else { "force" };
+        let axis = model.frames[self.frame].name.to_lowercase();
+        format!("{} {what} {axis}{}", model.bodies[self.body].name, self.axis + 1)
+    }
+}
+
+/// Newton's and Euler's equations of every body, component by component, in `frame` or each in the frame of
+/// its body's inertia.
+pub fn balances(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+    frame: Option<usize>,
+) -> Vec<Balance> {
+    let mut list = Vec::new();
+    for (at, body) in model.bodies.iter().enumerate() {
+        let frame = frame.or(body.rigid.as_ref().map(|(_, inertia)| inertia.frame)).unwrap_or(0);
+        let (force, moment) = balance(model, kinematics, velocities, at, body);
+        for (moments, vector) in [Some((false, force)), moment.map(|m| (true, m))].into_iter().flatten() {
+            let components = kinematics.frames.express(&mut kinematics.arena, &vector, frame);
+            let entries = components.into_iter().enumerate();
+            list.extend(entries.map(|(axis, residual)| Balance { body: at, moments, frame, axis, residual }));
+        }
+    }
+    list
+}
+
+/// m a − ΣF and, for a rigid body, dH/dt − ΣM.
+fn balance(
     model: &Model,
     kinematics: &mut Kinematics,
     velocities: &Velocities,
     at: usize,
     body: &Body,
-) -> Vec<(&'static str, Vector, usize)> {
+) -> (Vector, Option<Vector>) {
     let mut rates = motion_rates(model);
     let Kinematics { arena, frames, .. } = kinematics;
     let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
@@ -102,14 +145,11 @@ fn balances(
         let back = load.neg(&mut kinematics.arena);
         moment = moment.add(&mut kinematics.arena, &back);
     }
-    match &body.rigid {
-        Some((_, inertia)) => vec![("force", force, inertia.frame), ("moment", moment, inertia.frame)],
-        None => vec![("force", force, 0)],
-    }
+    (force, body.rigid.is_some().then_some(moment))
 }
 
 /// Applied forces and reactions on one body, with their points; weights are not among them.
-fn forces_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<(usize, Vector)> {
+pub(super) fn forces_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<(usize, Vector)> {
     let mut to_speeds = rates_to_speeds(model);
     let mut loads: Vec<(Place, Vector)> = Vec::new();
     let arena = &mut kinematics.arena;
@@ -129,7 +169,7 @@ fn forces_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<(us
 }
 
 /// Applied and reaction torques on one body.
-fn torques_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<Vector> {
+pub(super) fn torques_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<Vector> {
     let mut to_speeds = rates_to_speeds(model);
     let mut loads: Vec<(Option<usize>, Vector)> = Vec::new();
     let arena = &mut kinematics.arena;

@@ -167,6 +167,9 @@ impl<'a> Loading<'a> {
             self.units.extend(unit.clone().map(|unit| (symbol, unit)));
             let positive = self.reader.get(entry, "positive");
             let positive = positive.and_then(|v| self.reader.boolean(v, "`positive`")).unwrap_or(false);
+            if positive {
+                self.arena.assume_positive(symbol);
+            }
             let value = self.reader.get(entry, "value").and_then(|v| {
                 let formula = self.reader.formula(v, "`value`")?;
                 let number = self.constant(&formula)?;

@@ -94,11 +94,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     //   l1*u2^2*sin(q2) + l2*u3^2*sin(q3))
     let f1 = F - m1 * l0 * u1 * u1 * s1 - m2 * (l0_u1_sq_s1 + l1_u2_sq_s2)
         - m3 * (l0_u1_sq_s1 + l1_u2_sq_s2 + l2 * u3 * u3 * s3);
-    // f2 = l0*(m1*g*sin(q1) - m2*(l1*u2^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*u2^2*sin(q1 - q2) - g*sin(q1)
-    //   + l2*u3^2*sin(q1 - q3)))
+    // f2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
+    //   - l2*u3^2*sin(q1 - q3)))
     let f2 = l0
-        * (m1 * g * s1 - m2 * (f2_part - g_s1)
-            - m3 * (f2_part - g_s1 + l2 * u3 * u3 * sin_q1_minus_q3));
+        * (m1 * g * s1 + m2 * (g_s1 - f2_part)
+            + m3 * (g_s1 - f2_part - l2 * u3 * u3 * sin_q1_minus_q3));
     // f3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
     //   l2*u3^2*sin(q2 - q3)))
     let f3 = l1

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
 //! 4 coordinates, 4 speeds, 9 parameters. Unknowns: (q0'', q1'', q2'', q3'').
-//! Cost: mass_matrix 33 operations, 6 sines and cosines; forcing 64 operations, 6 sines and cosines.
+//! Cost: mass_matrix 33 operations, 6 sines and cosines; forcing 63 operations, 6 sines and cosines.
 //! The kinematic equations are singular nowhere.
 
 use super::Parameters;
@@ -62,7 +62,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (q0'', q1'', q2'', q3'').
 ///
-/// 64 operations, 6 sines and cosines.
+/// 63 operations, 6 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 4] {
     let Parameters { m1, m2, m3, l0, l1, l2, g, F, .. } = *p;
@@ -88,11 +88,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
     // f1 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*q3'^2*sin(q3)
     let f1 = F - l0 * q1_dot * q1_dot * s1 * (m1 + m2 + m3)
         - l1 * q2_dot * q2_dot * s2 * (m2 + m3) - m3 * l2 * q3_dot * q3_dot * s3;
-    // f2 = -l0*(m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m1*g*sin(q1) + m3*(l1*q2'^2*sin(q1 - q2) -
+    // f2 = l0*(m1*g*sin(q1) - m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*q2'^2*sin(q1 - q2) -
     //   g*sin(q1) + l2*q3'^2*sin(q1 - q3)))
-    let f2 = -l0
-        * (m2 * (f2_part - g_s1) - m1 * g * s1
-            + m3 * (f2_part - g_s1 + l2 * q3_dot * q3_dot * sin_q1_minus_q3));
+    let f2 = l0
+        * (m1 * g * s1 - m2 * (f2_part - g_s1)
+            - m3 * (f2_part - g_s1 + l2 * q3_dot * q3_dot * sin_q1_minus_q3));
     // f3 = l1*(m2*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) -
     //   l2*q3'^2*sin(q2 - q3)))
     let f3 = l1

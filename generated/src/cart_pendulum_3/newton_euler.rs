@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
 //! 4 coordinates, 4 speeds, 9 parameters, 4 reactions. Unknowns: (u0', u1', u2', u3', rail, T1, T2, T3).
-//! Cost: mass_matrix 43 operations, 3 sines and cosines; forcing 44 operations, 3 sines and cosines.
+//! Cost: mass_matrix 43 operations, 3 sines and cosines; forcing 41 operations, 3 sines and cosines.
 //! The kinematic equations are singular nowhere.
 
 use super::Parameters;
@@ -97,7 +97,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u0', u1', u2', u3', rail, T1, T2, T3).
 ///
-/// 44 operations, 3 sines and cosines.
+/// 41 operations, 3 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
@@ -123,16 +123,16 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
     let f2 = -m0 * g;
     // f3 = -m1*l0*u1^2*sin(q1)
     let f3 = -m1 * l0 * u1 * u1 * s1;
-    // f4 = -m1*(g - l0*u1^2*cos(q1))
-    let f4 = -m1 * (g - l0_u1_sq_c1);
+    // f4 = m1*(l0*u1^2*cos(q1) - g)
+    let f4 = m1 * (l0_u1_sq_c1 - g);
     // f5 = -m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2))
     let f5 = -m2 * (l0_u1_sq_s1 + l1_u2_sq_s2);
-    // f6 = -m2*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2))
-    let f6 = -m2 * (g - l0_u1_sq_c1 - l1_u2_sq_c2);
+    // f6 = m2*(l0*u1^2*cos(q1) - g + l1*u2^2*cos(q2))
+    let f6 = m2 * (l0_u1_sq_c1 - g + l1_u2_sq_c2);
     // f7 = -m3*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2) + l2*u3^2*sin(q3))
     let f7 = -m3 * (l0_u1_sq_s1 + l1_u2_sq_s2 + l2 * u3 * u3 * s3);
-    // f8 = -m3*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2) - l2*u3^2*cos(q3))
-    let f8 = -m3 * (g - l0_u1_sq_c1 - l1_u2_sq_c2 - l2 * u3 * u3 * c3);
+    // f8 = m3*(l0*u1^2*cos(q1) - g + l1*u2^2*cos(q2) + l2*u3^2*cos(q3))
+    let f8 = m3 * (l0_u1_sq_c1 - g + l1_u2_sq_c2 + l2 * u3 * u3 * c3);
     [f1, f2, f3, f4, f5, f6, f7, f8]
 }
 

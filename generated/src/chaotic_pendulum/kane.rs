@@ -40,13 +40,13 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
     // Sines and cosines.
-    let (sin_theta, _) = theta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
     // IBxx - IByy; used 2 times
     let ibxx_minus_ibyy = IBxx - IByy;
     // Values.
-    // f1 = -g*sin(theta)*(mA*lA + mB*lB) - 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy)
+    // f1 = 2*omega*alpha*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
     let f1 = -g * sin_theta * (mA * lA + mB * lB)
         - S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy;
     // f2 = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)

@@ -46,7 +46,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) -> [S; 
     // IBxx - IByy; used 2 times
     let ibxx_minus_ibyy = IBxx - IByy;
     // Values.
-    // f1 = -g*sin(theta)*(mA*lA + mB*lB) - 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy)
+    // f1 = 2*theta'*phi'*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
     let f1 = -g * sin_theta * (mA * lA + mB * lB)
         - S::int(2) * theta_dot * phi_dot * sin_phi * cos_phi * ibxx_minus_ibyy;
     // f2 = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)

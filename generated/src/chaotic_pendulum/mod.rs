@@ -7,6 +7,8 @@
 pub mod kane;
 #[rustfmt::skip]
 pub mod lagrange;
+#[rustfmt::skip]
+pub mod newton_euler;
 use tripos_traits::{CompiledModel, Scalar};
 
 /// The parameters, in the order of the model file.
@@ -75,6 +77,11 @@ pub const SPEEDS: [&str; 2] = ["omega", "alpha"];
 /// What a program needs to find these equations and to trust them.
 pub const MODEL: CompiledModel = CompiledModel {
     name: "chaotic_pendulum",
-    text_hash: "44a236d0a518fd3b",
-    systems: &[("kane", &kane::Kane), ("lagrange", &lagrange::Lagrange)],
+    text_hash: "a123c9848e86dc99",
+    report_hash: "",
+    systems: &[
+        ("kane", &kane::Kane),
+        ("lagrange", &lagrange::Lagrange),
+        ("newton-euler", &newton_euler::NewtonEuler),
+    ],
 };

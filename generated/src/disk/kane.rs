@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
 //! 5 coordinates, 5 speeds, 3 parameters. Unknowns: (u1', u2', u3', u4', u5').
-//! Cost: mass_matrix 27 operations, 2 sines and cosines; forcing 57 operations, 2 sines and cosines.
+//! Cost: mass_matrix 27 operations, 2 sines and cosines; forcing 56 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
 
 use super::Parameters;
@@ -58,7 +58,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3', u4', u5').
 ///
-/// 57 operations, 2 sines and cosines.
+/// 56 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { M, R, g } = *p;
@@ -82,8 +82,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
         * (u2 * t2 * (S::int(7) + S::int(4) * t2 * t2) + S::int(2) * u3);
     // f4 = -M*R*(u2^2*sin(q1)*tan(q2)/cos(q2) + u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)))
     let f4 = -M * R * (u2 * u2 * s1 * t2 / c2 + u1 * (u1 * s1 * s2 + u2 * c1 * f4_part));
-    // f5 = -M*R*(u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) - u2^2*cos(q1)*tan(q2)/cos(q2))
-    let f5 = -M * R * (u1 * (u2 * s1 * f4_part - u1 * c1 * s2) - u2 * u2 * c1 * t2 / c2);
+    // f5 = M*R*(u2^2*cos(q1)*tan(q2)/cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)))
+    let f5 = M * R * (u2 * u2 * c1 * t2 / c2 - u1 * (u2 * s1 * f4_part - u1 * c1 * s2));
     [f1, f2, zero, f4, f5]
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
 //! 5 coordinates, 5 speeds, 3 parameters. Unknowns: (q1'', q2'', q3'', q4'', q5'').
-//! Cost: mass_matrix 31 operations, 2 sines and cosines; forcing 56 operations, 2 sines and cosines.
+//! Cost: mass_matrix 30 operations, 2 sines and cosines; forcing 56 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
 
 use super::Parameters;
@@ -10,7 +10,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3, q4, q5.
 ///
-/// 31 operations, 2 sines and cosines.
+/// 30 operations, 2 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -27,8 +27,8 @@ pub fn mass_matrix<S: Scalar>(
     // M*R^2; used 2 times
     let m_r_sq = M * R * R;
     // Entries that are not zero; upper triangle.
-    // M11 = M*R^2*(6*sin(q2)^2 + cos(q2)^2)/4
-    let m11 = S::ratio(1, 4) * M * R * R * (S::int(6) * s2 * s2 + c2 * c2);
+    // M11 = M*R^2*(6 - 5*cos(q2)^2)/4
+    let m11 = S::ratio(1, 4) * M * R * R * (S::int(6) - S::int(5) * c2 * c2);
     // M13 = M*R^2*sin(q2)/2
     let m13 = S::ratio(1, 2) * M * R * R * s2;
     // M14 = -M*R*cos(q1)*sin(q2)
@@ -117,7 +117,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 61 operations, 2 sines and cosines.
+/// 60 operations, 2 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> S {
     let Parameters { M, R, .. } = *p;
@@ -127,11 +127,12 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Values.
-    // T = M*R^2*q1'^2*(6*sin(q2)^2 + cos(q2)^2)/8 + 5*M*R^2*q2'^2/8 + M*R^2*q3'^2/4 +
-    //   M*R^2*q1'*q3'*sin(q2)/2 + M*q4'^2/2 - M*R*q1'*q4'*cos(q1)*sin(q2) - M*R*q2'*q4'*sin(q1)*cos(q2) +
-    //   M*q5'^2/2 - M*R*q1'*q5'*sin(q1)*sin(q2) + M*R*q2'*q5'*cos(q1)*cos(q2)
+    // T = M*R^2*q1'^2*(6 - 5*cos(q2)^2)/8 + 5*M*R^2*q2'^2/8 + M*R^2*q3'^2/4 + M*R^2*q1'*q3'*sin(q2)/2 +
+    //   M*q4'^2/2 - M*R*q1'*q4'*cos(q1)*sin(q2) - M*R*q2'*q4'*sin(q1)*cos(q2) + M*q5'^2/2 -
+    //   M*R*q1'*q5'*sin(q1)*sin(q2) + M*R*q2'*q5'*cos(q1)*cos(q2)
     let energy = S::ratio(1, 8) * M * R * R * q1_dot * q1_dot
-        * (S::int(6) * s2 * s2 + c2 * c2) + S::ratio(5, 8) * M * R * R * q2_dot * q2_dot
+        * (S::int(6) - S::int(5) * c2 * c2)
+        + S::ratio(5, 8) * M * R * R * q2_dot * q2_dot
         + S::ratio(1, 4) * M * R * R * q3_dot * q3_dot
         + S::ratio(1, 2) * M * R * R * q1_dot * q3_dot * s2
         + S::ratio(1, 2) * M * q4_dot * q4_dot - M * R * q1_dot * q4_dot * c1 * s2

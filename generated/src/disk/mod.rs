@@ -9,6 +9,18 @@ pub mod kane;
 pub mod lagrange;
 #[rustfmt::skip]
 pub mod newton_euler;
+#[rustfmt::skip]
+pub mod printed_kane_final;
+#[rustfmt::skip]
+pub mod printed_lagrange_final;
+#[rustfmt::skip]
+pub mod printed_newton_euler_final;
+#[rustfmt::skip]
+pub mod printed_listing_5_4;
+#[rustfmt::skip]
+pub mod printed_listing_5_5;
+#[rustfmt::skip]
+pub mod printed_listing_5_6;
 use tripos_traits::{CompiledModel, Scalar};
 
 /// The parameters, in the order of the model file.
@@ -46,9 +58,19 @@ pub const SPEEDS: [&str; 5] = ["u1", "u2", "u3", "u4", "u5"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "disk",
     text_hash: "54a1cd4035aa304c",
+    report_hash: "e3e31532fb92edb5",
     systems: &[
         ("kane", &kane::Kane),
         ("lagrange", &lagrange::Lagrange),
         ("newton-euler", &newton_euler::NewtonEuler),
+        ("printed:kane-final", &printed_kane_final::PrintedKaneFinal),
+        ("printed:lagrange-final", &printed_lagrange_final::PrintedLagrangeFinal),
+        (
+            "printed:newton-euler-final",
+            &printed_newton_euler_final::PrintedNewtonEulerFinal,
+        ),
+        ("printed:listing-5.4", &printed_listing_5_4::PrintedListing54),
+        ("printed:listing-5.5", &printed_listing_5_5::PrintedListing55),
+        ("printed:listing-5.6", &printed_listing_5_6::PrintedListing56),
     ],
 };

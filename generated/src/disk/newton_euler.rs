@@ -92,7 +92,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let f2 = M * (R * (u1 * u1 + u2 * u2 * t2 * t2) - g * c2);
     // f3 = -M*sin(q2)*(g + R*u2^2/cos(q2))
     let f3 = -M * s2 * (g + R * u2 * u2 / c2);
-    // f4 = -M*R^2*u2*(2*u3 - u2*tan(q2))/4
+    // f4 = M*R^2*u2*(u2*tan(q2) - 2*u3)/4
     let f4 = -S::ratio(1, 4) * M * R * R * u2 * f4_part;
     // f5 = M*R^2*u1*(2*u3 - u2*tan(q2))/4
     let f5 = S::ratio(1, 4) * M * R * R * u1 * f4_part;

@@ -51,6 +51,9 @@ pub struct CompiledModel {
     pub name: &'static str,
     /// Hash of the model text the equations were derived from, as the deriving crate computes it.
     pub text_hash: &'static str,
-    /// Each supported formulation by name: `kane`, `lagrange`, `newton-euler`.
+    /// Hash of the text of the report whose printed equations are compiled in; empty if there is none.
+    pub report_hash: &'static str,
+    /// Equations by name: each supported formulation (`kane`, `lagrange`, `newton-euler`), then those of the
+    /// report (`printed:ID`).
     pub systems: &'static [(&'static str, &'static (dyn System<f64> + Sync))],
 }

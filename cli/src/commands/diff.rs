@@ -1,0 +1,203 @@
+//! `tripos diff`: a published derivation, or an older model, against what is derived.
+
+use crate::catalogue::{model_file, read_model, short_name};
+use crate::commands::prove::{witness, word};
+use crate::failure::{Failure, print, status};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos_derive::Model;
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::print::text;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::diff::{Difference, Finding, Judgement, diff as judge};
+use tripos_derive::mechanics::derive_all;
+use tripos_derive::prove::prove;
+
+/// Compares a model with a report file, or with another model; exit status 1 if anything differs.
+pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
+    let mut model = read_model(model)?;
+    let source = Source::read(&model_file(other))?;
+    let report = tripos_derive::report::load(&source, &mut model)?;
+    let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
+    let proof = prove(&model, &mut derivations);
+    let difference = judge(&model, &mut derivations, &report, &proof);
+    let arena = &derivations.kinematics.arena;
+    if as_json {
+        print(&format!("{:#}\n", json_of(&model, arena, &difference)))?;
+    } else {
+        print(&text_of(&model, &report.title, arena, &difference))?;
+    }
+    Ok(if difference.is_clean() { 0 } else { status::NO })
+}
+
+/// Everything that was judged, as JSON.
+pub fn json_of(model: &Model, arena: &Arena, difference: &Difference) -> Value {
+    let shown = |e: Option<tripos_derive::algebra::Expr>| e.map(|e| text(arena, e));
+    let equations: Vec<Value> = difference
+        .findings
+        .iter()
+        .map(|f| {
+            let mut value = json!({
+                "id": f.id,
+                "section": f.section,
+                "verdict": f.judgement.word(),
+                "factor": shown(f.factor),
+                "printed": f.printed,
+                "derived": shown(f.derived),
+                "difference": shown(f.difference),
+                "witness": f.witness.as_ref().map(witness),
+                "remarks": f.remarks,
+            });
+            if let Judgement::Undecided(why) = &f.judgement {
+                value["why"] = json!(why);
+            }
+            value
+        })
+        .collect();
+    let mut consequences = Vec::new();
+    let mut systems = Vec::new();
+    for system in &difference.consequences {
+        for rate in &system.rates {
+            consequences.push(json!({
+                "system": system.system,
+                "integral": rate.integral,
+                "rate": text(arena, rate.rate),
+                "conserved": rate.verdict.is_equal(),
+            }));
+        }
+        systems.push(json!({
+            "system": system.system,
+            "accelerations": word(&system.accelerations),
+            "determinant": system.determinant.as_ref().map(|(printed, derived, verdict)| json!({
+                "printed": text(arena, *printed),
+                "derived": text(arena, *derived),
+                "verdict": word(verdict),
+            })),
+        }));
+    }
+    let agreements: Vec<Value> = difference
+        .agreements
+        .iter()
+        .map(|a| json!({ "left": a.left, "right": a.right, "verdict": word(&a.verdict) }))
+        .collect();
+    json!({
+        "model": short_name(model),
+        "equations": equations,
+        "consequences": consequences,
+        "systems": systems,
+        "agreements": agreements,
+        "summary": summary(difference),
+    })
+}
+
+fn summary(difference: &Difference) -> Value {
+    let words = ["equal", "scaled", "different", "undecided", "stated"];
+    let mut counts: serde_json::Map<String, Value> =
+        words.iter().map(|w| ((*w).to_owned(), json!(difference.count(w)))).collect();
+    counts.insert("entries".to_owned(), json!(difference.findings.len()));
+    Value::Object(counts)
+}
+
+fn text_of(model: &Model, title: &str, arena: &Arena, difference: &Difference) -> String {
+    let mut out = format!("{title}\nagainst {}\n", model.title);
+    let mut section = "";
+    for finding in &difference.findings {
+        if finding.section != section {
+            section = &finding.section;
+            let _ = writeln!(out, "\nSection {section}");
+        }
+        describe(&mut out, arena, finding);
+    }
+    for system in &difference.consequences {
+        let _ = writeln!(out, "\nWhat {} makes of the motion", system.system);
+        let verdict = match word(&system.accelerations) {
+            "equal" => "are the derived ones",
+            "different" => "are not the derived ones",
+            _ => "could not be compared",
+        };
+        let _ = writeln!(out, "  accelerations {verdict}");
+        if let Some((printed, expected, verdict)) = &system.determinant {
+            let relation = if verdict.is_equal() { "as derived" } else { "DIFFERENT" };
+            let _ = writeln!(out, "  determinant {relation}: {}", text(arena, *printed));
+            if !verdict.is_equal() {
+                let _ = writeln!(out, "    derived: {}", text(arena, *expected));
+            }
+        }
+        for rate in &system.rates {
+            if rate.verdict.is_equal() {
+                let _ = writeln!(out, "  conserves {}", rate.integral);
+            } else {
+                let _ = writeln!(out, "  BREAKS {}\n    d/dt = {}", rate.integral, shortened(&text(arena, rate.rate)));
+            }
+        }
+    }
+    if !difference.agreements.is_empty() {
+        out.push_str("\nDo the printed systems give the same motion?\n");
+    }
+    for a in &difference.agreements {
+        let answer = match word(&a.verdict) {
+            "equal" => "yes",
+            "different" => "no",
+            _ => "undecided",
+        };
+        let _ = writeln!(out, "  {} and {}: {answer}", a.left, a.right);
+    }
+    let count = |word| difference.count(word);
+    let _ = writeln!(
+        out,
+        "\n{} entries: {} equal, {} scaled, {} different, {} undecided, {} stated",
+        difference.findings.len(),
+        count("equal"),
+        count("scaled"),
+        count("different"),
+        count("undecided"),
+        count("stated")
+    );
+    out
+}
+
+/// Formulas that nobody reads to their end are cut; --json has them whole.
+fn shortened(formula: &str) -> String {
+    const MOST: usize = 400;
+    match formula.char_indices().nth(MOST) {
+        Some((at, _)) => format!("{} … ({} characters, see --json)", &formula[..at], formula.chars().count()),
+        None => formula.to_owned(),
+    }
+}
+
+/// One finding in a line, those that are not right with their reasons.
+fn describe(out: &mut String, arena: &Arena, f: &Finding) {
+    match &f.judgement {
+        Judgement::Equal | Judgement::Stated => {
+            let _ = writeln!(out, "  {:9} {}", f.judgement.word(), f.id);
+        }
+        Judgement::Scaled => {
+            let by = f.factor.map_or_else(|| f.remarks.join("; "), |factor| text(arena, factor));
+            let _ = writeln!(out, "  scaled    {}  by {by}", f.id);
+        }
+        Judgement::Undecided(why) => {
+            let _ = writeln!(out, "  UNDECIDED {}: {why}", f.id);
+        }
+        Judgement::Different => {
+            let _ = writeln!(out, "  DIFFERENT {}\n    printed     {}", f.id, f.printed);
+            if let Some(derived) = f.derived {
+                let _ = writeln!(out, "    derived     {}", text(arena, derived));
+            }
+            if let Some(difference) = f.difference {
+                let _ = writeln!(out, "    difference  {}", text(arena, difference));
+            }
+            if let Some(factor) = f.factor {
+                let _ = writeln!(out, "    factor      {}", text(arena, factor));
+            }
+            if let Some(w) = &f.witness {
+                let at: Vec<String> = w.at.iter().map(|(name, x)| format!("{name} = {x}")).collect();
+                let place = if at.is_empty() { String::new() } else { format!(" at {}", at.join(", ")) };
+                let _ = writeln!(out, "    witness     {} against {}{place}", w.left, w.right);
+            }
+            for remark in &f.remarks {
+                let _ = writeln!(out, "    {remark}");
+            }
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! `tripos prove`: the formulations are equivalent, and what the motion conserves.
+
+use crate::catalogue::{read_model, short_name};
+use crate::failure::{Failure, print, status};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos_derive::Model;
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::compare::{Engine, Verdict, Witness};
+use tripos_derive::algebra::print::text;
+use tripos_derive::mechanics::derive_all;
+use tripos_derive::prove::{Proof, prove as prove_model};
+
+/// Proves what can be proved of a model; exit status 1 if a pair of formulations is not proved equivalent.
+pub fn prove(model: &Path, as_json: bool) -> Result<u8, Failure> {
+    let model = read_model(model)?;
+    let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
+    let proof = prove_model(&model, &mut derivations);
+    let arena = &derivations.kinematics.arena;
+    if as_json {
+        print(&format!("{:#}\n", json_of(&model, arena, &proof)))?;
+    } else {
+        print(&text_of(&model, arena, &proof))?;
+    }
+    Ok(if proof.is_equivalent() { 0 } else { status::NO })
+}
+
+/// The word for a verdict in tables and JSON.
+pub fn word(verdict: &Verdict) -> &'static str {
+    match verdict {
+        Verdict::Equal(_) => "equal",
+        Verdict::Different(_) => "different",
+        Verdict::Undecided(_) => "undecided",
+    }
+}
+
+/// What decided, for JSON.
+pub fn engine(verdict: &Verdict) -> Value {
+    match verdict {
+        Verdict::Equal(Engine::NormalForm) => json!("normal-form"),
+        Verdict::Equal(engine @ Engine::Modular { .. }) => json!(engine.to_string()),
+        Verdict::Different(_) | Verdict::Undecided(_) => Value::Null,
+    }
+}
+
+/// A witness as JSON.
+pub fn witness(witness: &Witness) -> Value {
+    let at: serde_json::Map<String, Value> = witness.at.iter().map(|(name, x)| (name.clone(), json!(x))).collect();
+    json!({ "at": at, "left": witness.left, "right": witness.right, "difference": witness.difference })
+}
+
+/// Everything that was proved, as JSON.
+pub fn json_of(model: &Model, arena: &Arena, proof: &Proof) -> Value {
+    let pairs: Vec<Value> = proof
+        .pairs
+        .iter()
+        .map(|pair| {
+            let mut value = json!({
+                "left": pair.left.name(),
+                "right": pair.right.name(),
+                "verdict": word(&pair.verdict),
+                "engine": engine(&pair.verdict),
+                "map": pair.map,
+            });
+            match &pair.verdict {
+                Verdict::Different(found) => value["witness"] = witness(found),
+                Verdict::Undecided(why) => value["why"] = json!(why),
+                Verdict::Equal(_) => {}
+            }
+            value
+        })
+        .collect();
+    let integrals: Vec<Value> = proof
+        .integrals
+        .iter()
+        .map(|integral| {
+            json!({
+                "name": integral.name,
+                "expression": text(arena, integral.expression),
+                "verdict": if integral.verdict.is_equal() { "proved" } else { word(&integral.verdict) },
+                "engine": engine(&integral.verdict),
+            })
+        })
+        .collect();
+    let reactions: Vec<Value> =
+        proof.reactions.iter().map(|r| json!({ "name": r.name, "value": text(arena, r.value) })).collect();
+    let missing: Vec<Value> =
+        proof.missing.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why.to_string() })).collect();
+    json!({
+        "model": short_name(model),
+        "equivalent": proof.is_equivalent(),
+        "pairs": pairs,
+        "missing": missing,
+        "reactions": reactions,
+        "integrals": integrals,
+        "search": proof.search,
+        "singular_where": proof.singular_where.iter().map(|e| text(arena, *e)).collect::<Vec<_>>(),
+    })
+}
+
+fn text_of(model: &Model, arena: &Arena, proof: &Proof) -> String {
+    let mut out = format!("{}\n{}\n\nEquivalence\n", model.title, model.count());
+    for pair in &proof.pairs {
+        let verdict = match &pair.verdict {
+            Verdict::Equal(engine) => format!("proved ({engine})"),
+            Verdict::Different(found) => format!("DIFFERENT: {} against {}", found.left, found.right),
+            Verdict::Undecided(why) => format!("undecided: {why}"),
+        };
+        let _ = writeln!(out, "  {} <=> {}: {verdict}\n    {}", pair.left.name(), pair.right.name(), pair.map);
+    }
+    for (formulation, why) in &proof.missing {
+        let _ = writeln!(out, "  {}: not derived: {why}", formulation.name());
+    }
+    if proof.singular_where.is_empty() {
+        out.push_str("  valid everywhere: the kinematic equations divide by nothing\n");
+    } else {
+        let list: Vec<String> = proof.singular_where.iter().map(|e| format!("{} = 0", text(arena, *e))).collect();
+        let _ = writeln!(out, "  valid except where {}", list.join(", "));
+    }
+    if !proof.reactions.is_empty() {
+        out.push_str("\nReactions, from the equations that Kane's method leaves over\n");
+    }
+    for reaction in &proof.reactions {
+        let _ = writeln!(out, "  {} = {}", reaction.name, text(arena, reaction.value));
+    }
+    out.push_str("\nFirst integrals\n");
+    for integral in &proof.integrals {
+        let verdict = match &integral.verdict {
+            Verdict::Equal(engine) => format!("proved ({engine})"),
+            Verdict::Different(_) => "NOT conserved".to_owned(),
+            Verdict::Undecided(why) => format!("undecided: {why}"),
+        };
+        let _ = writeln!(out, "  {}: {verdict}\n    {}", integral.name, text(arena, integral.expression));
+    }
+    if proof.integrals.is_empty() {
+        out.push_str("  none found\n");
+    }
+    let _ = writeln!(out, "  ({})", proof.search);
+    out
+}

@@ -1,0 +1,125 @@
+//! Printed values of named quantities.
+
+use super::{Finding, Judgement};
+use crate::algebra::Expr;
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::compare::Comparer;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::mechanics::{Quantities, Quantity};
+use crate::report::Report;
+
+/// Symbols of the text with the derived values that they stand for; those that cannot be had, with the reason.
+pub struct Names {
+    /// (symbol, value in q and u)
+    values: Vec<(Expr, Expr)>,
+    /// (symbol, reason)
+    missing: Vec<(Expr, String)>,
+}
+
+/// The derived values of a report's `[names]`.
+pub fn names(report: &Report, quantities: &mut Quantities<'_>) -> Names {
+    let (mut values, mut missing) = (Vec::new(), Vec::new());
+    for (_, quantity, symbol) in &report.names {
+        match quantities.value(quantity) {
+            Ok(value) => values.push((*symbol, value)),
+            Err(why) => missing.push((*symbol, why)),
+        }
+    }
+    Names { values, missing }
+}
+
+/// Judges entries one by one.
+pub struct Judge<'a, 'b> {
+    /// What is derived.
+    pub quantities: &'a mut Quantities<'b>,
+    /// Remembers normal forms.
+    pub comparer: &'a mut Comparer,
+    /// What symbols of the text stand for.
+    pub names: &'a Names,
+}
+
+impl Names {
+    /// A printed term with its symbols replaced, or why one of them has no value.
+    pub fn resolve(&self, quantities: &mut Quantities<'_>, e: Expr) -> Result<Expr, String> {
+        let arena = &mut quantities.derivations.kinematics.arena;
+        let parts = arena.reachable(&[e]);
+        if let Some((_, why)) = self.missing.iter().find(|(symbol, _)| parts.binary_search(symbol).is_ok()) {
+            return Err(why.clone());
+        }
+        let mut substitution = Substitution::new(&self.values);
+        let resolved = substitution.apply(arena, e);
+        match substitution.undefined {
+            Some(_) => Err("it divides by a quantity that is zero".to_owned()),
+            None => Ok(resolved),
+        }
+    }
+}
+
+impl Judge<'_, '_> {
+    /// Judges `quantity = printed`.
+    pub fn equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> Finding {
+        let in_rates = self.quantities.mentions_rates(printed);
+        let both = self.names.resolve(self.quantities, printed).and_then(|printed| {
+            let derived = self.quantities.value(quantity)?;
+            Ok((printed, derived))
+        });
+        let (printed, derived) = match both {
+            Ok(both) => both,
+            Err(why) => return Finding { judgement: Judgement::Undecided(why), ..finding },
+        };
+        // A speed is defined by rates, whatever the entry writes.
+        let in_rates = in_rates || self.quantities.mentions_rates(derived);
+        let mut rewrite = |e: Expr| if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) };
+        let (printed, derived) = (rewrite(printed), rewrite(derived));
+        let derived = self.simplify(derived);
+        self.compare(finding, printed, derived)
+    }
+
+    /// Judges one value against another, with the difference and, where it holds, the factor.
+    pub fn compare(&mut self, finding: Finding, printed: Expr, derived: Expr) -> Finding {
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let verdict = self.comparer.compare(arena, printed, derived);
+        let mut finding = finding.judged(verdict, derived);
+        if finding.judgement == Judgement::Different {
+            let difference = arena.sub(printed, derived);
+            finding.difference = Some(self.simplify(difference));
+            finding.factor = self.constant_ratio(printed, derived);
+        }
+        finding
+    }
+
+    /// printed / derived, if it depends on parameters only.
+    fn constant_ratio(&mut self, printed: Expr, derived: Expr) -> Option<Expr> {
+        let model = self.quantities.model;
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        if zero_test(arena, printed) != ZeroTest::NonZero || zero_test(arena, derived) != ZeroTest::NonZero {
+            return None;
+        }
+        let ratio = arena.div(printed, derived)?;
+        let parameters = model.p();
+        let symbols: Vec<Expr> = arena
+            .reachable(&[ratio])
+            .into_iter()
+            .filter(|e| arena.symbol_name(*e).is_some() && !parameters.contains(e))
+            .collect();
+        for symbol in &symbols {
+            let slope = Differential::partial(*symbol).apply(arena, ratio);
+            if zero_test(arena, slope) != ZeroTest::Zero {
+                return None;
+            }
+        }
+        // It does not depend on them, so any value may stand for them.
+        let mut at_one = Substitution::new(&symbols.iter().map(|s| (*s, Expr::ONE)).collect::<Vec<_>>());
+        let value = at_one.apply(arena, ratio);
+        let value = self.simplify(value);
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let back = arena.mul(value, derived);
+        self.comparer.compare(arena, printed, back).is_equal().then_some(value)
+    }
+
+    /// The shortest form of a term.
+    pub fn simplify(&mut self, e: Expr) -> Expr {
+        let kinematics = &mut self.quantities.derivations.kinematics;
+        kinematics.simplifier.simplify(&mut kinematics.arena, e)
+    }
+}

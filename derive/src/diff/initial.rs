@@ -1,0 +1,124 @@
+//! Printed numbers: parameters and the start, judged by the definitions of the speeds and by one another.
+//!
+//! Numbers of one set are taken as rounded to as many decimals as its longest decimal has, half a unit of the last
+//! either way; formulas without decimals are exact. Two numbers contradict each other only beyond that.
+
+use super::{Finding, Judgement};
+use crate::algebra::Expr;
+use crate::algebra::calculus::Differential;
+use crate::algebra::compare::Witness;
+use crate::algebra::evaluate::Tape;
+use crate::algebra::print::text;
+use crate::model::Model;
+use crate::report::{Entry, EntryKind, Initial, Report};
+
+/// What the report states of one quantity, from somewhere else than the entry itself.
+struct Other {
+    value: f64,
+    slack: f64,
+    from: String,
+    at: Vec<(String, f64)>,
+}
+
+/// Judges one number.
+pub fn judge(model: &Model, report: &Report, entry: &Entry) -> Finding {
+    let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
+    let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
+    let own = number(model, initial.value);
+    let slack = slack_of(report, initial);
+    let others: Vec<Other> =
+        by_definition(model, report, initial).into_iter().chain(repeated(model, report, entry)).collect();
+    let mut contradicted = false;
+    for other in &others {
+        let difference = own - other.value;
+        // Rounding of the arithmetic itself is far below that of print.
+        let allowed = slack + other.slack + 1e-9 * own.abs().max(other.value.abs());
+        if difference.abs() <= allowed {
+            finding.remarks.push(format!("agrees with {} = {}", other.from, shown(other.value)));
+        } else {
+            contradicted = true;
+            finding.remarks.push(format!(
+                "{} gives {}, printed − that = {}",
+                other.from,
+                shown(other.value),
+                shown(difference)
+            ));
+            finding.witness.get_or_insert(Witness { at: other.at.clone(), left: own, right: other.value, difference });
+        }
+    }
+    if contradicted {
+        finding.judgement = Judgement::Different;
+    } else if !others.is_empty() {
+        finding.judgement = Judgement::Equal;
+    }
+    finding
+}
+
+/// Six significant digits: these are values of print.
+fn shown(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    rounded.to_string()
+}
+
+fn number(model: &Model, e: Expr) -> f64 {
+    Tape::new(&model.arena, &[], &[e]).map_or(f64::NAN, |tape| tape.evaluate(&[])[0])
+}
+
+fn of_set<'a>(report: &'a Report, set: &'a str) -> impl Iterator<Item = (&'a Entry, &'a Initial)> {
+    report.entries.iter().filter_map(move |entry| match &entry.kind {
+        EntryKind::Initial(initial) if initial.set == set => Some((entry, initial)),
+        _ => None,
+    })
+}
+
+/// Half a unit in the last decimal of the set; nothing for exact formulas.
+fn slack_of(report: &Report, initial: &Initial) -> f64 {
+    if initial.decimals.is_none() {
+        return 0.0;
+    }
+    let most = of_set(report, &initial.set).filter_map(|(_, i)| i.decimals).max().unwrap_or(0);
+    0.5 * 10_f64.powi(-i32::try_from(most).unwrap_or(0))
+}
+
+/// A speed from the coordinates and rates of its own set, by its definition.
+fn by_definition(model: &Model, report: &Report, initial: &Initial) -> Option<Other> {
+    let speed = model.speeds.iter().find(|s| s.symbol == initial.quantity)?;
+    let mut arena = model.arena.clone();
+    let symbols: Vec<Expr> =
+        arena.reachable(&[speed.definition]).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect();
+    let mut values = Vec::new();
+    for symbol in &symbols {
+        let (_, stated) = of_set(report, &initial.set).find(|(_, i)| i.quantity == *symbol)?;
+        values.push((number(model, stated.value), slack_of(report, stated)));
+    }
+    let slopes: Vec<Expr> =
+        symbols.iter().map(|s| Differential::partial(*s).apply(&mut arena, speed.definition)).collect();
+    let outputs = [vec![speed.definition], slopes].concat();
+    let point: Vec<f64> = values.iter().map(|(value, _)| *value).collect();
+    let found = Tape::new(&arena, &symbols, &outputs).ok()?.evaluate(&point);
+    let slack = found[1..].iter().zip(&values).map(|(slope, (_, slack))| slope.abs() * slack).sum();
+    let names = symbols.iter().filter_map(|s| arena.symbol_name(*s)).map(str::to_owned);
+    Some(Other {
+        value: found[0],
+        slack,
+        from: format!("{} = {}", speed.name, text(&arena, speed.definition)),
+        at: names.zip(point).collect(),
+    })
+}
+
+/// The same quantity in other sets.
+fn repeated(model: &Model, report: &Report, entry: &Entry) -> Vec<Other> {
+    let EntryKind::Initial(initial) = &entry.kind else { return Vec::new() };
+    let others = report.entries.iter().filter_map(|other| match &other.kind {
+        EntryKind::Initial(i) if i.quantity == initial.quantity && other.id != entry.id => Some((other, i)),
+        _ => None,
+    });
+    others
+        .map(|(other, i)| Other {
+            value: number(model, i.value),
+            slack: slack_of(report, i),
+            from: format!("entry {}", other.id),
+            at: Vec::new(),
+        })
+        .collect()
+}

@@ -1,0 +1,81 @@
+//! What a printed system makes of the motion: its accelerations, its determinant, the rates of first integrals.
+
+use crate::algebra::calculus::Differential;
+use crate::algebra::linear::{determinant, solve};
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::{rates_to_speeds, speeds_to_rates};
+use crate::model::Model;
+
+/// A system of equations of motion as printed, or as derived.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// Its id.
+    pub id: String,
+    /// Whether its variables are q̇ and not u.
+    pub in_rates: bool,
+    /// q̇ in q and its variables.
+    pub coordinate_rates: Vec<Expr>,
+    /// Left-hand sides: one row for each unknown.
+    pub matrix: Vec<Vec<Expr>>,
+    /// Right-hand sides.
+    pub right: Vec<Expr>,
+}
+
+/// A motion with its system solved.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// q̇ in q and u.
+    pub coordinate_rates: Vec<Expr>,
+    /// u̇ in q and u.
+    pub speed_rates: Vec<Expr>,
+    /// Reactions in q and u, where they are among the unknowns.
+    pub reactions: Vec<Expr>,
+}
+
+impl Motion {
+    /// The determinant of the matrix, simplified.
+    pub fn determinant(&self, arena: &mut Arena, simplifier: &mut Simplifier) -> Expr {
+        determinant(arena, simplifier, &self.matrix)
+    }
+
+    /// Solves for the accelerations, exactly; `None` if the matrix is singular everywhere.
+    pub fn solve(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Option<Solved> {
+        let right: Vec<Vec<Expr>> = self.right.iter().map(|e| vec![*e]).collect();
+        let (values, _) = solve(arena, simplifier, &self.matrix, &right).ok()?;
+        let mut values: Vec<Expr> = values.into_iter().map(|row| row[0]).collect();
+        let reactions = values.split_off(model.speeds.len());
+        if !self.in_rates {
+            let coordinate_rates = self.coordinate_rates.clone();
+            return Some(Solved { coordinate_rates, speed_rates: values, reactions });
+        }
+        // u̇ = d/dt (J q̇ + d) with q̈ as solved, then q̇ = W u + w.
+        let mut along: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        along.extend(model.coordinates.iter().zip(&values).map(|(c, value)| (c.rate, *value)));
+        let mut d_dt = Differential::along(&along);
+        let mut to_speeds = rates_to_speeds(model);
+        let mut speed_rates = Vec::new();
+        for speed in &model.speeds {
+            let rate = d_dt.apply(arena, speed.definition);
+            let rate = to_speeds.apply(arena, rate);
+            speed_rates.push(simplifier.simplify(arena, rate));
+        }
+        Some(Solved { coordinate_rates: model.kinematic_equations.rates.clone(), speed_rates, reactions })
+    }
+}
+
+impl Solved {
+    /// d/dt of a function of q and u along this motion.
+    pub fn rate(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
+        let mut along: Vec<_> = model.q().into_iter().zip(self.coordinate_rates.iter().copied()).collect();
+        along.extend(model.u().into_iter().zip(self.speed_rates.iter().copied()));
+        let rate = Differential::along(&along).apply(arena, e);
+        simplifier.simplify(arena, rate)
+    }
+}
+
+/// A term in u and q̇ written in u alone, or in q̇ alone.
+pub fn unified(model: &Model, arena: &mut Arena, e: Expr, in_rates: bool) -> Expr {
+    let mut rewrite = if in_rates { speeds_to_rates(model) } else { rates_to_speeds(model) };
+    rewrite.apply(arena, e)
+}

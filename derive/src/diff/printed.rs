@@ -1,0 +1,46 @@
+//! Printed systems and listings as equations of motion that can be emitted and run.
+
+use super::motions;
+use crate::mechanics::{Derivations, Equations, Formulation};
+use crate::model::Model;
+use crate::report::{EntryKind, Report};
+
+/// Every printed system of a report, and every listing, as equations named `printed:ID`.
+///
+/// They are run exactly as printed: nothing but the order of the unknowns is ours. Energies and the conversions
+/// between q̇ and u are the derived ones, so that a printed run can be measured. What is not whole, such as a system without all
+/// unknowns, is left out.
+pub fn printed_equations(model: &Model, derivations: &mut Derivations, report: &Report) -> Vec<Equations> {
+    let mut list = Vec::new();
+    for motion in motions(model, derivations, report) {
+        let Some(entry) = report.entries.iter().find(|entry| entry.id == motion.id) else { continue };
+        let formulation = match &entry.kind {
+            EntryKind::System(system) => system.formulation,
+            EntryKind::Listing(listing) => listing.formulation,
+            _ => continue,
+        };
+        // A program that eliminates the reactions has as many unknowns as Kane's equations.
+        let alike = if motion.right.len() == model.speeds.len() && formulation == Formulation::NewtonEuler {
+            Formulation::Kane
+        } else {
+            formulation
+        };
+        let Some(derived) = derivations.get(alike) else { continue };
+        if derived.unknowns.len() != motion.right.len() {
+            continue;
+        }
+        list.push(Equations {
+            name: format!("printed:{}", motion.id),
+            title: format!("{} as printed ({})", formulation.title(), motion.id),
+            formulation: alike,
+            rows: (1..=motion.right.len()).map(|i| format!("row {i}")).collect(),
+            matrix: motion.matrix,
+            forcing: motion.right,
+            symmetric: false,
+            coordinate_rates: motion.coordinate_rates,
+            steps: Vec::new(),
+            ..derived.clone()
+        });
+    }
+    list
+}

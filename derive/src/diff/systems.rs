@@ -1,0 +1,392 @@
+//! Printed linear systems and program listings.
+
+use super::entries::{Judge, Names};
+use super::motion::Motion;
+use super::rows::{Match, Row, RowJudgement, judge};
+use super::{Finding, Judgement};
+use crate::algebra::Expr;
+use crate::algebra::compare::Verdict;
+use crate::algebra::linear::{LinearForm, solve};
+use crate::algebra::print::text;
+use crate::mechanics::{Formulation, Kinematics, Quantities, balances};
+use crate::report::{Entry, Listing, System};
+
+/// The derived rows that a printed system is compared with, and how its rows were matched.
+#[derive(Clone, Debug)]
+pub struct Matched {
+    /// The derived matrix.
+    pub matrix: Vec<Vec<Expr>>,
+    /// How each printed row was matched.
+    pub rows: Vec<Match>,
+}
+
+/// What came of one system or listing.
+pub struct Judged {
+    /// Rows and entries.
+    pub findings: Vec<Finding>,
+    /// The system as equations of motion, with what it was matched with; nothing if it is not a whole one.
+    pub motion: Option<(Motion, Matched)>,
+}
+
+/// A system in the order of the derived unknowns: for each row its entries and right-hand side.
+struct Ordered {
+    unknowns: Vec<Expr>,
+    rows: Vec<Row>,
+}
+
+/// The derived system of a formulation, in the frame that the report uses.
+fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Option<usize>) -> Result<Ordered, String> {
+    let model = quantities.model;
+    let found = quantities.derivations.list.iter().find(|(f, _)| *f == system).map(|(_, result)| result.clone());
+    let equations = match found {
+        Some(Ok(equations)) => equations,
+        Some(Err(why)) => return Err(why.to_string()),
+        None => return Err(format!("{} was not derived", system.name())),
+    };
+    let unknowns = equations.unknowns.clone();
+    if let (Formulation::NewtonEuler, Some(frame)) = (system, frame) {
+        let kinematics = &mut quantities.derivations.kinematics;
+        let velocities = kinematics.in_speeds(model);
+        let mut form = LinearForm::new(&unknowns);
+        let mut rows = Vec::new();
+        for balance in balances(model, kinematics, &velocities, Some(frame)) {
+            let Kinematics { arena, simplifier, .. } = kinematics;
+            let (mut row, rest) = form
+                .coefficients(arena, balance.residual)
+                .map_err(|_| "a balance is not linear in the unknowns".to_owned())?;
+            row.push(arena.neg(rest));
+            let row: Row = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
+            if row.iter().any(|e| *e != Expr::ZERO) {
+                rows.push(row);
+            }
+        }
+        return Ok(Ordered { unknowns, rows });
+    }
+    let rows = equations.matrix.into_iter().zip(equations.forcing).map(|(mut row, right)| {
+        row.push(right);
+        row
+    });
+    Ok(Ordered { unknowns, rows: rows.collect() })
+}
+
+/// Printed rows in the order of the derived unknowns; unknowns that are not printed have the coefficient 0.
+fn printed(
+    quantities: &mut Quantities<'_>,
+    names: &Names,
+    system: &System,
+    order: &[Expr],
+) -> Result<Vec<Row>, String> {
+    let in_rates = system.formulation == Formulation::Lagrange;
+    let mut rows = Vec::new();
+    for (entries, right) in system.matrix.iter().zip(&system.right) {
+        let mut row = Vec::new();
+        for unknown in order {
+            let at = system.unknowns.iter().position(|u| u == unknown);
+            row.push(at.map_or(Expr::ZERO, |at| entries[at]));
+        }
+        row.push(*right);
+        let resolved: Result<Row, String> = row.into_iter().map(|e| value(quantities, names, e, in_rates)).collect();
+        rows.push(resolved?);
+    }
+    Ok(rows)
+}
+
+fn value(quantities: &mut Quantities<'_>, names: &Names, e: Expr, in_rates: bool) -> Result<Expr, String> {
+    let e = names.resolve(quantities, e)?;
+    Ok(if in_rates { quantities.in_rates(e) } else { quantities.in_speeds(e) })
+}
+
+/// A printed system as equations of motion, if it has as many rows as the derived one.
+pub fn system_motion(quantities: &mut Quantities<'_>, names: &Names, entry: &Entry, system: &System) -> Option<Motion> {
+    let order = derived(quantities, system.formulation, system.frame).ok()?;
+    let rows = printed(quantities, names, system, &order.unknowns).ok()?;
+    let all_there = order.unknowns.iter().all(|u| system.unknowns.contains(u));
+    (all_there && rows.len() == order.unknowns.len()).then(|| motion(quantities, &entry.id, system.formulation, &rows))
+}
+
+fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows: &[Row]) -> Motion {
+    let model = quantities.model;
+    let in_rates = formulation == Formulation::Lagrange;
+    Motion {
+        id: id.to_owned(),
+        in_rates,
+        coordinate_rates: if in_rates { model.q_dot() } else { model.kinematic_equations.rates.clone() },
+        matrix: rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect(),
+        right: rows.iter().map(|row| row[row.len() - 1]).collect(),
+    }
+}
+
+/// Where the model's coordinates and its motion variables stand in the state of a listing, if they do.
+fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
+    let model = quantities.model;
+    let variables = if listing.formulation == Formulation::Lagrange { model.q_dot() } else { model.u() };
+    let place = |symbol: &Expr| listing.state.iter().position(|s| s == symbol);
+    (model.q().iter().map(place).collect(), variables.iter().map(place).collect())
+}
+
+/// A listing as equations of motion: its own q̇, and its own system or accelerations; what its state lacks has the
+/// derivative 0. Whether it lacks nothing is the second value.
+pub fn listing_motion(
+    quantities: &mut Quantities<'_>,
+    names: &Names,
+    entry: &Entry,
+    listing: &Listing,
+) -> (Motion, bool) {
+    let n = listing.state.len() / 2;
+    let in_rates = listing.formulation == Formulation::Lagrange;
+    let (coordinates, variables) = places(quantities, listing);
+    let mut resolved = |e: Expr| value(quantities, names, e, in_rates).unwrap_or(e);
+    let derivative: Vec<Expr> = listing.derivative.iter().map(|e| resolved(*e)).collect();
+    let of_state = |at: &Option<usize>| at.map_or(Expr::ZERO, |at| derivative[at]);
+    let count = variables.len();
+    let unit = |i: usize| (0..count).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
+    let (matrix, right): (Vec<Vec<Expr>>, Vec<Expr>) = match &listing.matrix {
+        // Rows as they stand, columns in the order of the model.
+        Some(matrix) => {
+            let mut ordered = Vec::new();
+            for row in matrix {
+                let row = variables.iter().map(|at| at.map_or(Expr::ZERO, |at| row[at - n]));
+                ordered.push(row.map(&mut resolved).collect());
+            }
+            (ordered, derivative[n..].to_vec())
+        }
+        None => ((0..count).map(unit).collect(), variables.iter().map(of_state).collect()),
+    };
+    let coordinate_rates = coordinates.iter().map(of_state).collect();
+    let whole = coordinates.iter().chain(&variables).all(Option::is_some);
+    (Motion { id: entry.id.clone(), in_rates, coordinate_rates, matrix, right }, whole)
+}
+
+impl Judge<'_, '_> {
+    /// Judges a printed system: each row, then each entry that has an id of its own.
+    pub fn system(&mut self, entry: &Entry, system: &System) -> Judged {
+        let both = derived(self.quantities, system.formulation, system.frame).and_then(|order| {
+            let rows = printed(self.quantities, self.names, system, &order.unknowns)?;
+            Ok((order, rows))
+        });
+        let (order, rows) = match both {
+            Ok(both) => both,
+            Err(why) => {
+                let finding = Finding::new(&entry.id, &entry.section, Judgement::Undecided(why), "");
+                return Judged { findings: vec![finding], motion: None };
+            }
+        };
+        let mut findings = Vec::new();
+        let mut matches = Vec::new();
+        for (i, row) in rows.iter().enumerate() {
+            let judged = self.row(row, &order, i);
+            let id = system.row_id(&entry.id, i);
+            let shown = row_text(&system.matrix_texts[i], &system.unknown_names, &system.right_texts[i]);
+            let finding = stated(&id, entry, &shown);
+            findings.push(self.row_finding(finding, row, &order, &judged, i));
+            for (j, unknown) in system.unknowns.iter().enumerate() {
+                let Some(id) = system.matrix_id(i, j) else { break };
+                let Some(at) = order.unknowns.iter().position(|u| u == unknown) else { continue };
+                let text = &system.matrix_texts[i][j];
+                findings.push(self.entry_finding(stated(&id, entry, text), row[at], &judged, at));
+            }
+            if let Some(id) = system.right_id(i) {
+                let at = row.len() - 1;
+                findings.push(self.entry_finding(stated(&id, entry, &system.right_texts[i]), row[at], &judged, at));
+            }
+            matches.push(judged.by);
+        }
+        let whole = order.unknowns.iter().all(|u| system.unknowns.contains(u)) && rows.len() == order.unknowns.len();
+        let motion = whole.then(|| {
+            let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
+            (motion(self.quantities, &entry.id, system.formulation, &rows), Matched { matrix, rows: matches })
+        });
+        Judged { findings, motion }
+    }
+
+    /// Judges a program: its q̇ by the kinematic equations, its system row by row or its accelerations one by one.
+    pub fn listing(&mut self, entry: &Entry, listing: &Listing) -> Judged {
+        let (motion, whole) = listing_motion(self.quantities, self.names, entry, listing);
+        let order = match derived(self.quantities, listing.formulation, None) {
+            Ok(order) => order,
+            Err(why) => {
+                let finding = Finding::new(&entry.id, &entry.section, Judgement::Undecided(why), "");
+                return Judged { findings: vec![finding], motion: None };
+            }
+        };
+        let n = listing.state.len() / 2;
+        let model = self.quantities.model;
+        let rates = if motion.in_rates { model.q_dot() } else { model.kinematic_equations.rates.clone() };
+        let mut findings = Vec::new();
+        let (coordinates, variables) = places(self.quantities, listing);
+        for (i, rate) in rates.iter().enumerate() {
+            let Some(at) = coordinates[i] else { continue };
+            let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
+            let finding = stated(&id, entry, text);
+            findings.push(self.compare(finding, motion.coordinate_rates[i], *rate));
+        }
+        let mut matches = Vec::new();
+        let Some(texts) = &listing.matrix_texts else {
+            findings.extend(self.accelerations(entry, listing, &motion, &order));
+            let matched = Matched { matrix: Vec::new(), rows: Vec::new() };
+            return Judged { findings, motion: whole.then_some((motion, matched)) };
+        };
+        for (i, texts) in texts.iter().enumerate() {
+            let mut row = motion.matrix[i].clone();
+            row.push(motion.right[i]);
+            let judged = self.row(&row, &order, i);
+            let right = &listing.derivative_texts[n + i];
+            for (j, at) in variables.iter().enumerate() {
+                let Some(column) = at.map(|at| at - n) else { continue };
+                let text = &texts[column];
+                // Zeros that no line of the program states are listed only where they are wrong.
+                if text != "0" || !judged.entries[j].is_equal() {
+                    let id = listing.matrix_id(&entry.id, i, column);
+                    findings.push(self.entry_finding(stated(&id, entry, text), row[j], &judged, j));
+                }
+            }
+            let id = listing.derivative_id(&entry.id, n + i);
+            findings.push(self.entry_finding(stated(&id, entry, right), row[row.len() - 1], &judged, row.len() - 1));
+            matches.push(judged.by);
+        }
+        let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
+        Judged { findings, motion: whole.then_some((motion, Matched { matrix, rows: matches })) }
+    }
+
+    /// Accelerations that a program states outright, against those that the derived system gives.
+    fn accelerations(&mut self, entry: &Entry, listing: &Listing, motion: &Motion, order: &Ordered) -> Vec<Finding> {
+        // The shortest system that determines them: Newton–Euler's unknowns have the same accelerations as Kane's.
+        let kane = derived(self.quantities, Formulation::Kane, None);
+        let order = match (&kane, listing.formulation) {
+            (Ok(kane), Formulation::NewtonEuler) => kane,
+            _ => order,
+        };
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        let a: Vec<Row> = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
+        let b: Vec<Row> = order.rows.iter().map(|row| vec![row[row.len() - 1]]).collect();
+        let solution = solve(arena, simplifier, &a, &b);
+        let mut findings = Vec::new();
+        let (_, variables) = places(self.quantities, listing);
+        for (i, at) in variables.into_iter().enumerate() {
+            let Some(at) = at else { continue };
+            let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
+            let finding = stated(&id, entry, text);
+            findings.push(match &solution {
+                Ok((values, _)) => self.compare(finding, motion.right[i], values[i][0]),
+                Err(_) => {
+                    let why = "the derived system is singular everywhere".to_owned();
+                    Finding { judgement: Judgement::Undecided(why), ..finding }
+                }
+            });
+        }
+        findings
+    }
+
+    fn row(&mut self, row: &Row, order: &Ordered, index: usize) -> RowJudgement {
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        judge(arena, simplifier, self.comparer, row, &order.rows, index)
+    }
+
+    fn row_finding(
+        &mut self,
+        mut finding: Finding,
+        row: &Row,
+        order: &Ordered,
+        judged: &RowJudgement,
+        index: usize,
+    ) -> Finding {
+        finding.judgement = Judgement::Equal;
+        // A row as one term: Σ entry · unknown − right.
+        let as_term = |judge: &mut Self, row: &Row| {
+            let arena = &mut judge.quantities.derivations.kinematics.arena;
+            let mut terms: Vec<Expr> = row.iter().zip(&order.unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
+            terms.push(arena.neg(row[row.len() - 1]));
+            arena.sum(&terms)
+        };
+        finding.derived = Some(as_term(self, &judged.expected));
+        match &judged.by {
+            Match::Row { at, factor } => {
+                if *factor != Expr::ONE {
+                    finding.factor = Some(*factor);
+                    finding.judgement = Judgement::Scaled;
+                }
+                if *at != index {
+                    finding.remarks.push(format!("compared with derived row {}", at + 1));
+                }
+            }
+            Match::Combination { multipliers } => {
+                finding.judgement = Judgement::Scaled;
+                let arena = &self.quantities.derivations.kinematics.arena;
+                let parts = multipliers.iter().enumerate().filter(|(_, m)| **m != Expr::ZERO);
+                let parts: Vec<String> = parts.map(|(i, m)| format!("({}) row {}", text(arena, *m), i + 1)).collect();
+                let by = if parts.is_empty() { "of derived rows".to_owned() } else { parts.join(" + ") };
+                finding.remarks.push(format!("a combination: {by}"));
+            }
+        }
+        if judged.is_right() {
+            return finding;
+        }
+        let undecided = judged.entries.iter().find_map(|v| match v {
+            Verdict::Undecided(why) => Some(why.clone()),
+            _ => None,
+        });
+        let witness = judged.entries.iter().find_map(|v| match v {
+            Verdict::Different(witness) => Some(witness.clone()),
+            _ => None,
+        });
+        finding.judgement = match (&witness, undecided) {
+            (None, Some(why)) => Judgement::Undecided(why),
+            _ => Judgement::Different,
+        };
+        finding.witness = witness;
+        let wrong = judged.entries.iter().enumerate().filter(|(_, v)| !v.is_equal());
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let places: Vec<String> = wrong
+            .map(|(at, _)| match order.unknowns.get(at) {
+                Some(unknown) => format!("the coefficient of {}", text(arena, *unknown)),
+                None => "the right-hand side".to_owned(),
+            })
+            .collect();
+        finding.remarks.push(format!("wrong: {}", places.join(", ")));
+        let printed = as_term(self, row);
+        let expected = as_term(self, &judged.expected);
+        let difference = self.quantities.derivations.kinematics.arena.sub(printed, expected);
+        finding.difference = Some(self.simplify(difference));
+        finding
+    }
+
+    fn entry_finding(&mut self, finding: Finding, value: Expr, judged: &RowJudgement, at: usize) -> Finding {
+        let mut finding = finding.judged(judged.entries[at].clone(), judged.expected[at]);
+        match &judged.by {
+            Match::Row { factor, .. } if *factor != Expr::ONE => {
+                finding.factor = Some(*factor);
+                if finding.judgement == Judgement::Equal {
+                    finding.judgement = Judgement::Scaled;
+                }
+            }
+            Match::Combination { .. } => finding.judgement = Judgement::Scaled,
+            Match::Row { .. } => {}
+        }
+        if finding.judgement == Judgement::Different {
+            let difference = self.quantities.derivations.kinematics.arena.sub(value, judged.expected[at]);
+            finding.difference = Some(self.simplify(difference));
+        }
+        finding
+    }
+}
+
+/// A finding before it is judged.
+fn stated(id: &str, entry: &Entry, text: &str) -> Finding {
+    Finding::new(id, &entry.section, Judgement::Stated, text)
+}
+
+/// a·x + b·y = c as transcribed, without its zeros.
+fn row_text(entries: &[String], unknowns: &[String], right: &str) -> String {
+    let terms: Vec<String> = entries
+        .iter()
+        .zip(unknowns)
+        .filter(|(entry, _)| *entry != "0")
+        .map(|(entry, unknown)| match entry.as_str() {
+            "1" => unknown.clone(),
+            entry if entry.trim_start_matches('-').contains(['+', '-']) => format!("({entry})*{unknown}"),
+            entry => format!("{entry}*{unknown}"),
+        })
+        .collect();
+    let left = if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") };
+    format!("{left} = {right}")
+}

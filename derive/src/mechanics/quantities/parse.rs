@@ -1,0 +1,285 @@
+//! From the text `v(Cstar) @ B [1]` to a [`Quantity`] of a model, every name resolved.
+
+use super::name::{Energy, Owner, Quantity, QuantityKind, Row, VectorName};
+use crate::diagnostic::{nearest, shown};
+use crate::model::Model;
+use std::ops::Range;
+
+/// What is wrong with the name of a quantity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct QuantityError {
+    /// What is wrong, in one line.
+    pub message: String,
+    /// What to do.
+    pub help: String,
+    /// The place, as a byte range of the text.
+    pub range: Range<usize>,
+}
+
+/// The names that are neither vectors, rows nor energies.
+const OTHER_NAMES: [&str; 5] = ["rotation", "d", "I", "M", "E"];
+
+impl Quantity {
+    /// Reads the name of a quantity; `docs/report.md` lists them all.
+    ///
+    /// # Errors
+    /// The first [`QuantityError`] in the text: its form is wrong, or the model has no such point, frame, body, speed,
+    /// coordinate or component.
+    pub fn parse(text: &str, model: &Model) -> Result<Self, QuantityError> {
+        let mut cursor = Cursor { text, at: 0, model, form: String::new() };
+        cursor.skip_space();
+        let kind = cursor.quantity()?;
+        if cursor.at < text.len() {
+            let message = format!("`{}` is more than the name of a quantity", shown(&text[cursor.at..]));
+            return Err(cursor.error(cursor.at..text.len(), message));
+        }
+        Ok(Self::new(kind, model))
+    }
+}
+
+/// A word of the text with its place.
+type Word<'a> = (&'a str, Range<usize>);
+
+struct Cursor<'a> {
+    text: &'a str,
+    at: usize,
+    model: &'a Model,
+    /// What the quantity should look like.
+    form: String,
+}
+
+impl<'a> Cursor<'a> {
+    fn skip_space(&mut self) {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start().len();
+    }
+
+    fn error(&self, range: Range<usize>, message: impl Into<String>) -> QuantityError {
+        let help = if self.form.is_empty() {
+            "write the name of one quantity, such as v(P) @ B [1]; docs/report.md lists them".to_owned()
+        } else {
+            format!("the form is `{}`", self.form)
+        };
+        QuantityError { message: message.into(), help, range }
+    }
+
+    fn next_is(&self, mark: char) -> bool {
+        self.text[self.at..].starts_with(mark)
+    }
+
+    fn mark(&mut self, mark: char) -> Result<(), QuantityError> {
+        if !self.next_is(mark) {
+            let length = self.text[self.at..].chars().next().map_or(0, char::len_utf8);
+            return Err(self.error(self.at..self.at + length, format!("`{mark}` is missing here")));
+        }
+        self.at += mark.len_utf8();
+        self.skip_space();
+        Ok(())
+    }
+
+    /// Letters, digits and `_`, then primes.
+    fn word(&mut self, what: &str) -> Result<Word<'a>, QuantityError> {
+        let rest = &self.text[self.at..];
+        let plain = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
+        let primes = rest[plain..].bytes().take_while(|b| *b == b'\'').count();
+        if plain == 0 {
+            let length = rest.chars().next().map_or(0, char::len_utf8);
+            return Err(self.error(self.at..self.at + length, format!("{what} is missing here")));
+        }
+        let range = self.at..self.at + plain + primes;
+        self.at = range.end;
+        self.skip_space();
+        Ok((&self.text[range.clone()], range))
+    }
+
+    fn quantity(&mut self) -> Result<QuantityKind, QuantityError> {
+        let (head, range) = self.word("the name of a quantity")?;
+        let model = self.model;
+        if let Some(coordinate) = head.strip_suffix('\'')
+            && let Some(at) = model.coordinates.iter().position(|c| c.name == coordinate)
+        {
+            return Ok(QuantityKind::Rate(at));
+        }
+        if let Some((energy, _)) = Energy::ALL.iter().find(|(_, n)| *n == head) {
+            return Ok(QuantityKind::Energy(*energy));
+        }
+        // Speeds may have names such as `v`: only `v(` begins a velocity.
+        let begins = self.next_is('(') || self.next_is('[') || head == "d" && self.at < self.text.len();
+        if !begins && let Some(at) = model.speeds.iter().position(|s| s.name == head) {
+            return Ok(QuantityKind::Speed(at));
+        }
+        if let Some((vector, name)) = VectorName::ALL.iter().find(|(_, n)| *n == head) {
+            self.form = format!("{name}({}) @ FRAME [COMPONENT]", vector.owner().placeholder());
+            let (of, frame, axis) = self.component(*vector)?;
+            return Ok(QuantityKind::Component { vector: *vector, of, frame, axis });
+        }
+        if let Some((row, name)) = Row::ALL.iter().find(|(_, n)| *n == head) {
+            let lagrange = *row == Row::LagrangeForcing;
+            self.form = format!("{name}[{}]", if lagrange { "COORDINATE" } else { "SPEED" });
+            self.mark('[')?;
+            let at = if lagrange { self.coordinate()? } else { self.speed()? };
+            self.mark(']')?;
+            return Ok(QuantityKind::Row(*row, at));
+        }
+        match head {
+            "rotation" => self.rotation(),
+            "d" => self.partial(),
+            "I" => self.inertia(),
+            "M" | "E" => self.matrix_entry(head),
+            _ => Err(self.unknown(head, range)),
+        }
+    }
+
+    fn unknown(&self, head: &str, range: Range<usize>) -> QuantityError {
+        let model = self.model;
+        let rates: Vec<String> = model.coordinates.iter().map(|c| format!("{}'", c.name)).collect();
+        let known = VectorName::ALL.iter().map(|(_, n)| *n).chain(Row::ALL.iter().map(|(_, n)| *n));
+        let known = known.chain(OTHER_NAMES).chain(Energy::ALL.iter().map(|(_, n)| *n));
+        let known = known.chain(model.speeds.iter().map(|s| s.name.as_str())).chain(rates.iter().map(String::as_str));
+        let message = format!("unknown quantity `{}`", shown(head));
+        QuantityError { message, help: nearest(head, known), range }
+    }
+
+    /// `(OWNER) @ FRAME [COMPONENT]`
+    fn component(&mut self, vector: VectorName) -> Result<(usize, usize, usize), QuantityError> {
+        self.mark('(')?;
+        let of = self.owner(vector.owner())?;
+        self.mark(')')?;
+        self.mark('@')?;
+        let frame = self.owner(Owner::Frame)?;
+        self.mark('[')?;
+        let axis = self.axis()?;
+        self.mark(']')?;
+        Ok((of, frame, axis))
+    }
+
+    fn rotation(&mut self) -> Result<QuantityKind, QuantityError> {
+        "rotation(FRAME, FRAME) [ROW,COLUMN]".clone_into(&mut self.form);
+        self.mark('(')?;
+        let from = self.owner(Owner::Frame)?;
+        self.mark(',')?;
+        let to = self.owner(Owner::Frame)?;
+        self.mark(')')?;
+        Ok(QuantityKind::Rotation { from, to, entry: self.entry()? })
+    }
+
+    fn partial(&mut self) -> Result<QuantityKind, QuantityError> {
+        "d v(POINT) @ FRAME [COMPONENT]/d SPEED".clone_into(&mut self.form);
+        let (head, range) = self.word("`v` or `omega`")?;
+        let vector = match head {
+            "v" => VectorName::Velocity,
+            "omega" => {
+                "d omega(FRAME) @ FRAME [COMPONENT]/d SPEED".clone_into(&mut self.form);
+                VectorName::AngularVelocity
+            }
+            _ => {
+                let message = format!("partial velocities are of `v` or `omega`, not of `{}`", shown(head));
+                return Err(self.error(range, message));
+            }
+        };
+        let (of, frame, axis) = self.component(vector)?;
+        self.mark('/')?;
+        let (d, range) = self.word("`d`")?;
+        if d != "d" {
+            return Err(self.error(range, "`d` is missing here"));
+        }
+        Ok(QuantityKind::Partial { vector, of, frame, axis, speed: self.speed()? })
+    }
+
+    fn inertia(&mut self) -> Result<QuantityKind, QuantityError> {
+        "I(BODY) @ FRAME [ROW,COLUMN]".clone_into(&mut self.form);
+        self.mark('(')?;
+        let body = self.owner(Owner::RigidBody)?;
+        self.mark(')')?;
+        self.mark('@')?;
+        let frame = self.owner(Owner::Frame)?;
+        Ok(QuantityKind::Inertia { body, frame, entry: self.entry()? })
+    }
+
+    fn matrix_entry(&mut self, head: &str) -> Result<QuantityKind, QuantityError> {
+        let kane = head == "M";
+        let what = if kane { "SPEED" } else { "COORDINATE" };
+        self.form = format!("{head}[{what},{what}]");
+        self.mark('[')?;
+        let row = if kane { self.speed()? } else { self.coordinate()? };
+        self.mark(',')?;
+        let column = if kane { self.speed()? } else { self.coordinate()? };
+        self.mark(']')?;
+        Ok(if kane { QuantityKind::MassMatrix(row, column) } else { QuantityKind::LagrangeMatrix(row, column) })
+    }
+
+    /// `[ROW,COLUMN]` of a tensor.
+    fn entry(&mut self) -> Result<(usize, usize), QuantityError> {
+        self.mark('[')?;
+        let row = self.axis()?;
+        self.mark(',')?;
+        let column = self.axis()?;
+        self.mark(']')?;
+        Ok((row, column))
+    }
+
+    fn axis(&mut self) -> Result<usize, QuantityError> {
+        let (text, range) = self.word("a component")?;
+        match text {
+            "1" | "2" | "3" => Ok(usize::from(text.as_bytes()[0] - b'1')),
+            _ => {
+                let message = format!("there is no component `{}`", shown(text));
+                Err(QuantityError { message, help: "components are 1, 2 and 3".to_owned(), range })
+            }
+        }
+    }
+
+    fn speed(&mut self) -> Result<usize, QuantityError> {
+        let names: Vec<&str> = self.model.speeds.iter().map(|s| s.name.as_str()).collect();
+        self.numbered("speed", &names)
+    }
+
+    fn coordinate(&mut self) -> Result<usize, QuantityError> {
+        let names: Vec<&str> = self.model.coordinates.iter().map(|c| c.name.as_str()).collect();
+        self.numbered("coordinate", &names)
+    }
+
+    /// One of a list, by its name or its number from 1.
+    fn numbered(&mut self, noun: &str, names: &[&str]) -> Result<usize, QuantityError> {
+        let (text, range) = self.word(&format!("a {noun}"))?;
+        if let Some(at) = names.iter().position(|n| *n == text) {
+            return Ok(at);
+        }
+        let number = text.parse::<usize>().ok().filter(|n| (1..=names.len()).contains(n));
+        let is_number = text.bytes().all(|b| b.is_ascii_digit());
+        number.map(|n| n - 1).ok_or_else(|| {
+            let message = format!("the model has no {noun} `{}`", shown(text));
+            let help = if is_number {
+                format!("it has {}", count(names.len(), noun))
+            } else {
+                nearest(text, names.iter().copied())
+            };
+            QuantityError { message, help, range }
+        })
+    }
+
+    /// A point, frame or body by its name.
+    fn owner(&mut self, owner: Owner) -> Result<usize, QuantityError> {
+        let model = self.model;
+        let (noun, names): (&str, Vec<&str>) = match owner {
+            Owner::Point => ("point", model.points.iter().map(|p| p.name.as_str()).collect()),
+            Owner::Frame => ("frame", model.frames.iter().map(|f| f.name.as_str()).collect()),
+            Owner::Body | Owner::RigidBody => ("body", model.bodies.iter().map(|b| b.name.as_str()).collect()),
+        };
+        let (text, range) = self.word(&format!("a {noun}"))?;
+        let Some(at) = names.iter().position(|n| *n == text) else {
+            let message = format!("the model has no {noun} `{}`", shown(text));
+            return Err(QuantityError { message, help: nearest(text, names), range });
+        };
+        if owner == Owner::RigidBody && model.bodies[at].rigid.is_none() {
+            let message = format!("`{text}` is a particle: nothing turns with it");
+            let help = "inertia, angular momentum and moments belong to rigid bodies".to_owned();
+            return Err(QuantityError { message, help, range });
+        }
+        Ok(at)
+    }
+}
+
+fn count(n: usize, noun: &str) -> String {
+    if n == 1 { format!("1 {noun}") } else { format!("{n} {noun}s") }
+}

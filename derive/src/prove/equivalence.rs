@@ -1,0 +1,324 @@
+//! Kane ⇔ Lagrange ⇔ Newton–Euler, each pair by linear combination of rows.
+//!
+//! With q̇ = W u + w and u = J q̇ + d:  Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, so that one vanishes with the
+//! other where det J ≠ 0. With P the partial velocities (of mass centres for forces, of frames for
+//! moments):  Kane = P · (Newton–Euler), in which the reactions cancel. P and as many further rows D as there
+//! are reactions form a regular matrix, so Kane's equations and those rows, which give the reactions, are
+//! Newton–Euler again.
+
+use super::all;
+use crate::algebra::calculus::Differential;
+use crate::algebra::compare::{Comparer, Verdict};
+use crate::algebra::linear::solve;
+use crate::algebra::modular::rank;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::{
+    Balance, Derivations, Equations, Formulation, Kinematics, Vector, Velocities, balances, rates_to_speeds,
+    speeds_to_rates,
+};
+use crate::model::{Model, ReactionKind};
+
+/// Two formulations and how one follows from the other.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    /// The first.
+    pub left: Formulation,
+    /// The second.
+    pub right: Formulation,
+    /// Whether each set of rows is the stated combination of the other.
+    pub verdict: Verdict,
+    /// The combination, in words and symbols.
+    pub map: String,
+}
+
+/// A reaction by the equation of motion that Kane's method leaves over.
+#[derive(Clone, Debug)]
+pub struct ReactionEquation {
+    /// The reaction.
+    pub name: String,
+    /// Its value in q, u and u̇.
+    pub value: Expr,
+}
+
+type Matrix = Vec<Vec<Expr>>;
+
+/// All pairs of the formulations that there are, and the reactions.
+pub fn prove(
+    model: &Model,
+    derivations: &mut Derivations,
+    comparer: &mut Comparer,
+) -> (Vec<Pair>, Vec<ReactionEquation>) {
+    let [kane, lagrange, newton_euler] = Formulation::ALL.map(|f| derivations.get(f).cloned());
+    let kinematics = &mut derivations.kinematics;
+    let maps = Maps::new(model, &mut kinematics.arena);
+    let (mut pairs, mut reactions) = (Vec::new(), Vec::new());
+    if let (Some(kane), Some(lagrange)) = (&kane, &lagrange) {
+        pairs.push(kane_and_lagrange(model, &mut kinematics.arena, comparer, &maps, kane, lagrange));
+    }
+    let Some(newton_euler) = newton_euler else { return (pairs, reactions) };
+    let rows = rows_of(model, kinematics, &newton_euler);
+    if let Some(kane) = &kane {
+        let velocities = kinematics.in_speeds(model);
+        let partial = partials(model, kinematics, &velocities, &rows, &model.u());
+        let combined = combine(&mut kinematics.arena, &partial, &newton_euler);
+        let identity = equal_systems(&mut kinematics.arena, comparer, &combined, kane, model.reactions.len());
+        let (back, equations) = reactions_from(model, kinematics, &rows, &partial, &newton_euler);
+        let names: Vec<&str> = model.reactions.iter().map(|r| r.name.as_str()).collect();
+        let given = if names.is_empty() {
+            "both have the same number of rows".to_owned()
+        } else {
+            let s = if names.len() == 1 { "the remaining equation gives" } else { "the remaining equations give" };
+            format!("{s} {}", names.join(", "))
+        };
+        let map = format!("Kane = (partial velocities) · Newton–Euler, the reactions cancel; {given}");
+        pairs.push(Pair {
+            left: Formulation::Kane,
+            right: Formulation::NewtonEuler,
+            verdict: all([identity, back]),
+            map,
+        });
+        reactions = equations;
+    }
+    if let Some(lagrange) = &lagrange {
+        let velocities = kinematics.in_rates.clone();
+        let partial = partials(model, kinematics, &velocities, &rows, &model.q_dot());
+        let in_rates = maps.to_rates(model, &mut kinematics.arena, &newton_euler);
+        let combined = combine(&mut kinematics.arena, &partial, &in_rates);
+        let identity = equal_systems(&mut kinematics.arena, comparer, &combined, lagrange, model.reactions.len());
+        let map = "Lagrange = (partial velocities with respect to q') · Newton–Euler, the reactions cancel".to_owned();
+        pairs.push(Pair { left: Formulation::Lagrange, right: Formulation::NewtonEuler, verdict: identity, map });
+    }
+    (pairs, reactions)
+}
+
+/// q̇ = W u + w, q̈ = W u̇ + x and u = J q̇ + d, u̇ = J q̈ + y.
+struct Maps {
+    w: Matrix,
+    j: Matrix,
+    /// q̈ with u̇ = 0, in q and u.
+    x: Vec<Expr>,
+    /// u̇ with q̈ = 0, in q and q̇.
+    y: Vec<Expr>,
+}
+
+impl Maps {
+    fn new(model: &Model, arena: &mut Arena) -> Self {
+        let jacobian = |arena: &mut Arena, rows: &[Expr], by: &[Expr]| -> Matrix {
+            let partials: Vec<Differential> = by.iter().map(|s| Differential::partial(*s)).collect();
+            rows.iter().map(|row| partials.clone().iter_mut().map(|d| d.apply(arena, *row)).collect()).collect()
+        };
+        let rates = &model.kinematic_equations.rates;
+        let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
+        // Along the motion with accelerations left out.
+        let along_speeds: Vec<_> = model.q().into_iter().zip(rates.iter().copied()).collect();
+        let along_rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let mut by_speeds = Differential::along(&along_speeds);
+        let mut by_rates = Differential::along(&along_rates);
+        Self {
+            w: jacobian(arena, rates, &model.u()),
+            j: jacobian(arena, &definitions, &model.q_dot()),
+            x: rates.iter().map(|e| by_speeds.apply(arena, *e)).collect(),
+            y: definitions.iter().map(|e| by_rates.apply(arena, *e)).collect(),
+        }
+    }
+
+    /// Equations in u̇ and further unknowns as equations in q̈ and those unknowns: A u̇ = A J q̈ + A y.
+    fn to_rates(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
+        let mut to_rates = speeds_to_rates(model);
+        let n = model.speeds.len();
+        let mut result = equations.clone();
+        for (row, right) in result.matrix.iter_mut().zip(&mut result.forcing) {
+            for entry in &mut *row {
+                *entry = to_rates.apply(arena, *entry);
+            }
+            let shift = dot(arena, &row[..n], &self.y);
+            let known = to_rates.apply(arena, *right);
+            *right = arena.sub(known, shift);
+            let moved: Vec<Expr> = (0..n).map(|i| dot(arena, &row[..n], &column(&self.j, i))).collect();
+            row[..n].copy_from_slice(&moved);
+        }
+        result
+    }
+
+    /// Equations in q̈ as equations in u̇.
+    fn to_speeds(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
+        let mut to_speeds = rates_to_speeds(model);
+        let mut result = equations.clone();
+        for (row, right) in result.matrix.iter_mut().zip(&mut result.forcing) {
+            for entry in &mut *row {
+                *entry = to_speeds.apply(arena, *entry);
+            }
+            let shift = dot(arena, row, &self.x);
+            let known = to_speeds.apply(arena, *right);
+            *right = arena.sub(known, shift);
+            *row = (0..self.w.len()).map(|i| dot(arena, row, &column(&self.w, i))).collect();
+        }
+        result
+    }
+}
+
+fn column(matrix: &Matrix, at: usize) -> Vec<Expr> {
+    matrix.iter().map(|row| row[at]).collect()
+}
+
+fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
+    let products: Vec<Expr> = a.iter().zip(b).map(|(a, b)| arena.mul(*a, *b)).collect();
+    arena.sum(&products)
+}
+
+/// The rows of `multipliers` times the system: (matrix, right-hand side).
+fn combine(arena: &mut Arena, multipliers: &Matrix, system: &Equations) -> (Matrix, Vec<Expr>) {
+    let width = system.unknowns.len();
+    let matrix =
+        multipliers.iter().map(|by| (0..width).map(|c| dot(arena, by, &column(&system.matrix, c))).collect()).collect();
+    (matrix, multipliers.iter().map(|by| dot(arena, by, &system.forcing)).collect())
+}
+
+/// Whether combined rows are those of `expected`, with `extra` further unknowns that cancel.
+fn equal_systems(
+    arena: &mut Arena,
+    comparer: &mut Comparer,
+    (matrix, right): &(Matrix, Vec<Expr>),
+    expected: &Equations,
+    extra: usize,
+) -> Verdict {
+    let mut verdicts = Vec::new();
+    for (at, (row, value)) in matrix.iter().zip(right).enumerate() {
+        let wanted = expected.matrix[at].iter().copied().chain(std::iter::repeat_n(Expr::ZERO, extra));
+        for (entry, wanted) in row.iter().zip(wanted) {
+            verdicts.push(comparer.compare(arena, *entry, wanted));
+        }
+        verdicts.push(comparer.compare(arena, *value, expected.forcing[at]));
+    }
+    all(verdicts)
+}
+
+fn kane_and_lagrange(
+    model: &Model,
+    arena: &mut Arena,
+    comparer: &mut Comparer,
+    maps: &Maps,
+    kane: &Equations,
+    lagrange: &Equations,
+) -> Pair {
+    let transposed = |m: &Matrix| -> Matrix { (0..m.len()).map(|c| column(m, c)).collect() };
+    let in_speeds = maps.to_speeds(model, arena, lagrange);
+    let forward = combine(arena, &transposed(&maps.w), &in_speeds);
+    let forward = equal_systems(arena, comparer, &forward, kane, 0);
+    let in_rates = maps.to_rates(model, arena, kane);
+    let mut to_rates = speeds_to_rates(model);
+    let j: Matrix =
+        transposed(&maps.j).iter().map(|row| row.iter().map(|e| to_rates.apply(arena, *e)).collect()).collect();
+    let backward = combine(arena, &j, &in_rates);
+    let backward = equal_systems(arena, comparer, &backward, lagrange, 0);
+    let map = "Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, with q' = W u and u = J q'".to_owned();
+    Pair { left: Formulation::Kane, right: Formulation::Lagrange, verdict: all([forward, backward]), map }
+}
+
+/// The balances that are rows of Newton–Euler: those that are not 0 = 0.
+fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations) -> Vec<Balance> {
+    let velocities = kinematics.in_speeds(model);
+    let mut rows = balances(model, kinematics, &velocities, None);
+    rows.retain(|row| newton_euler.rows.contains(&row.label(model)));
+    rows
+}
+
+/// For each motion variable the partial velocities that belong to the rows: of the mass centre for
+/// forces, of the body's frame for moments.
+fn partials(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+    rows: &[Balance],
+    variables: &[Expr],
+) -> Matrix {
+    let mut result = Vec::new();
+    for variable in variables {
+        let mut partial = Differential::partial(*variable);
+        let mut entries = Vec::new();
+        for row in rows {
+            let body = &model.bodies[row.body];
+            let velocity = match &body.rigid {
+                Some((frame, _)) if row.moments => &velocities.angular[*frame],
+                _ => &velocities.linear[body.centre],
+            };
+            let Kinematics { arena, frames, simplifier, .. } = kinematics;
+            let slope = velocity.differentiate(arena, &mut partial);
+            let component = frames.express(arena, &slope, row.frame)[row.axis];
+            entries.push(simplifier.simplify(arena, component));
+        }
+        result.push(entries);
+    }
+    result
+}
+
+/// Proves that Kane's rows and one further row for each reaction are Newton–Euler again, and solves those
+/// for the reactions.
+fn reactions_from(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    rows: &[Balance],
+    partial: &Matrix,
+    newton_euler: &Equations,
+) -> (Verdict, Vec<ReactionEquation>) {
+    let mut basis = partial.clone();
+    let mut further: Matrix = Vec::new();
+    let unit = |at: usize| (0..rows.len()).map(|k| if k == at { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
+    let directions: Vec<Vec<Expr>> = directions(model, kinematics, rows);
+    // The balance along each reaction is the natural row; where it adds nothing new, plain rows do.
+    for candidate in directions.into_iter().chain((0..rows.len()).map(unit)) {
+        if further.len() == model.reactions.len() {
+            break;
+        }
+        basis.push(candidate.clone());
+        if rank(&kinematics.arena, &basis).is_some_and(|found| found.dependent.is_none()) {
+            further.push(candidate);
+        } else {
+            basis.pop();
+        }
+    }
+    if basis.len() != rows.len() {
+        let why =
+            format!("Kane's rows and the balances along the reactions have rank {}, not {}", basis.len(), rows.len());
+        return (Verdict::Undecided(why), Vec::new());
+    }
+    let n = model.speeds.len();
+    let (matrix, right) = combine(&mut kinematics.arena, &further, newton_euler);
+    let Kinematics { arena, simplifier, .. } = kinematics;
+    let mut known = Vec::new();
+    for (row, right) in matrix.iter().zip(&right) {
+        let moving = dot(arena, &row[..n], &newton_euler.unknowns[..n]);
+        let rest = arena.sub(*right, moving);
+        known.push(vec![simplifier.simplify(arena, rest)]);
+    }
+    let unknown: Matrix =
+        matrix.iter().map(|row| row[n..].iter().map(|e| simplifier.simplify(arena, *e)).collect()).collect();
+    let Ok((values, _)) = solve(arena, simplifier, &unknown, &known) else {
+        return (Verdict::Undecided("the further rows do not determine the reactions".to_owned()), Vec::new());
+    };
+    let named = model.reactions.iter().zip(values);
+    let equations = named.map(|(r, value)| ReactionEquation { name: r.name.clone(), value: value[0] }).collect();
+    (Verdict::Equal(crate::algebra::compare::Engine::NormalForm), equations)
+}
+
+/// For each reaction the multipliers that give the balance of the body it acts on, along it.
+fn directions(model: &Model, kinematics: &mut Kinematics, rows: &[Balance]) -> Matrix {
+    let mut result = Vec::new();
+    for reaction in &model.reactions {
+        let (body, moments) = match reaction.kind {
+            ReactionKind::Force { on, .. } => (on.body, false),
+            ReactionKind::Torque { on, .. } => (on, true),
+        };
+        let direction = Vector::in_frame(reaction.frame, reaction.direction);
+        let Kinematics { arena, frames, simplifier, .. } = kinematics;
+        let mut entry = |row: &Balance| {
+            if row.body != body || row.moments != moments {
+                return Expr::ZERO;
+            }
+            let component = frames.express(arena, &direction, row.frame)[row.axis];
+            simplifier.simplify(arena, component)
+        };
+        result.push(rows.iter().map(&mut entry).collect());
+    }
+    result
+}

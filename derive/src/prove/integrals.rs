@@ -1,0 +1,230 @@
+//! First integrals: energy, and the momenta of symmetries.
+//!
+//! Candidates come from a stated search (see [`find`]); each that is kept is proved by an identity,
+//! dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the multipliers λ = J ξ known beforehand.
+
+use super::all;
+use super::fields::{Field, Lagrangian};
+use super::motions;
+use crate::algebra::calculus::Differential;
+use crate::algebra::compare::{Comparer, Verdict};
+use crate::algebra::linear::LinearForm;
+use crate::algebra::modular::{ZeroTest, rank, zero_test};
+use crate::algebra::normal::Normalizer;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::mechanics::{
+    Derivations, Equations, Formulation, Kinematics, motion_rates, rates_to_speeds, speeds_to_rates,
+};
+use crate::model::Model;
+
+/// A quantity that is constant along every motion.
+#[derive(Clone, Debug)]
+pub struct Integral {
+    /// What it is.
+    pub name: String,
+    /// Its value in q and u.
+    pub expression: Expr,
+    /// Whether its rate is zero along Kane's equations, by identity.
+    pub verdict: Verdict,
+}
+
+/// Finds first integrals: the energy T + V and of forces with a polynomial potential; the momenta of coordinates;
+/// of translations along the inertial axes and rotations about them through the mass centre and through the
+/// origin, of the whole and of each body; and of all fields ξ = A q + b. Of those only functionally independent ones are kept.
+///
+/// The second value says in words what was searched.
+pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Comparer) -> (Vec<Integral>, String) {
+    let (Some(kane), Some(lagrange)) =
+        (derivations.get(Formulation::Kane).cloned(), derivations.get(Formulation::Lagrange).cloned())
+    else {
+        return (Vec::new(), "no search: it needs the equations by Kane and by Lagrange".to_owned());
+    };
+    let lagrangian = Lagrangian::new(model, derivations, lagrange.kinetic_energy, lagrange.potential_energy);
+    let kinematics = &mut derivations.kinematics;
+    let mut search = Search { model, kane: &kane, gradients: Vec::new(), found: Vec::new() };
+    search.energy(kinematics, comparer, &lagrangian, &lagrange);
+    let mut fields = lagrangian.units(model);
+    fields.extend(motions::fields(model, kinematics));
+    let affine = lagrangian.affine(model, kinematics);
+    let covered = match &affine {
+        Some(list) => format!(
+            "complete for the momenta of symmetries q' = A q + b with constant A and b: {} of them{}",
+            list.len(),
+            if list.is_empty() { "" } else { ", among those listed or combinations of them" }
+        ),
+        None => "symmetries q' = A q + b were not searched: the conditions are too large".to_owned(),
+    };
+    fields.extend(affine.unwrap_or_default());
+    for field in fields {
+        search.momentum(kinematics, comparer, &lagrangian, &field);
+    }
+    (search.found, covered)
+}
+
+struct Search<'a> {
+    model: &'a Model,
+    kane: &'a Equations,
+    /// ∂I/∂(q, u) of what was found.
+    gradients: Vec<Vec<Expr>>,
+    found: Vec<Integral>,
+}
+
+impl Search<'_> {
+    fn energy(
+        &mut self,
+        kinematics: &mut Kinematics,
+        comparer: &mut Comparer,
+        lagrangian: &Lagrangian,
+        lagrange: &Equations,
+    ) {
+        let model = self.model;
+        let arena = &mut kinematics.arena;
+        let (mut name, mut potential) = ("energy T + V", self.kane.potential_energy);
+        let power: Vec<Expr> =
+            lagrangian.forces.iter().zip(&lagrange.variables).map(|(f, v)| arena.mul(*f, *v)).collect();
+        let power = arena.sum(&power);
+        if zero_test(arena, power) != ZeroTest::Zero {
+            let Some(of_forces) = potential_of(arena, model, &lagrangian.forces) else { return };
+            potential = arena.add(potential, of_forces);
+            name = "energy T + V, the potential of the applied forces included";
+        }
+        let energy = arena.add(self.kane.kinetic_energy, potential);
+        // q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
+        let mut at_rest = crate::algebra::calculus::Substitution::new(
+            &model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>(),
+        );
+        let multipliers: Vec<Expr> = model
+            .speeds
+            .iter()
+            .map(|s| {
+                let offset = at_rest.apply(arena, s.definition);
+                arena.sub(s.symbol, offset)
+            })
+            .collect();
+        self.keep(kinematics, comparer, name, energy, &multipliers);
+    }
+
+    fn momentum(
+        &mut self,
+        kinematics: &mut Kinematics,
+        comparer: &mut Comparer,
+        lagrangian: &Lagrangian,
+        field: &Field,
+    ) {
+        let arena = &mut kinematics.arena;
+        let rate = lagrangian.rate(arena, &field.xi);
+        if zero_test(arena, rate) != ZeroTest::Zero {
+            return;
+        }
+        let momentum = lagrangian.momentum(arena, &field.xi);
+        let mut in_speeds = rates_to_speeds(self.model);
+        let momentum = in_speeds.apply(arena, momentum);
+        let momentum = kinematics.simplifier.simplify(arena, momentum);
+        let mut form = LinearForm::new(&self.model.q_dot());
+        let mut multipliers = Vec::new();
+        for speed in &self.model.speeds {
+            let Ok((coefficients, _)) = form.coefficients(arena, speed.definition) else { return };
+            let terms: Vec<Expr> = coefficients.iter().zip(&field.xi).map(|(j, x)| arena.mul(*j, *x)).collect();
+            multipliers.push(arena.sum(&terms));
+        }
+        self.keep(kinematics, comparer, &field.name, momentum, &multipliers);
+    }
+
+    /// Keeps an integral unless it is a function of those found; a second name of a known one is noted.
+    fn keep(
+        &mut self,
+        kinematics: &mut Kinematics,
+        comparer: &mut Comparer,
+        name: &str,
+        value: Expr,
+        multipliers: &[Expr],
+    ) {
+        let arena = &mut kinematics.arena;
+        for known in &mut self.found {
+            let (difference, sum) = (arena.sub(value, known.expression), arena.add(value, known.expression));
+            if [difference, sum].iter().any(|e| zero_test(arena, *e) == ZeroTest::Zero) {
+                if !name.starts_with("momentum of the symmetry") {
+                    known.name = format!("{}; {name}", known.name);
+                }
+                return;
+            }
+        }
+        let variables = [self.model.q(), self.model.u()].concat();
+        let gradient = variables.iter().map(|x| Differential::partial(*x).apply(arena, value)).collect();
+        self.gradients.push(gradient);
+        if rank(arena, &self.gradients).is_none_or(|found| found.dependent.is_some()) {
+            self.gradients.pop();
+            return;
+        }
+        let verdict = self.prove(arena, comparer, value, multipliers);
+        self.found.push(Integral { name: name.to_owned(), expression: value, verdict });
+    }
+
+    /// dI/dt − λᵀ (M u̇ − f) = 0, coefficient by coefficient of u̇.
+    fn prove(&self, arena: &mut Arena, comparer: &mut Comparer, value: Expr, multipliers: &[Expr]) -> Verdict {
+        let rate = motion_rates(self.model).apply(arena, value);
+        let Ok((coefficients, rest)) = LinearForm::new(&self.kane.unknowns).coefficients(arena, rate) else {
+            return Verdict::Undecided("its rate is not linear in the accelerations".to_owned());
+        };
+        let mut verdicts = Vec::new();
+        for (column, coefficient) in coefficients.iter().enumerate() {
+            let rows = self.kane.matrix.iter().zip(multipliers);
+            let terms: Vec<Expr> = rows.map(|(row, by)| arena.mul(row[column], *by)).collect();
+            let combined = arena.sum(&terms);
+            verdicts.push(comparer.compare(arena, *coefficient, combined));
+        }
+        let terms: Vec<Expr> = self.kane.forcing.iter().zip(multipliers).map(|(f, by)| arena.mul(*f, *by)).collect();
+        let combined = arena.sum(&terms);
+        let combined = arena.neg(combined);
+        verdicts.push(comparer.compare(arena, rest, combined));
+        all(verdicts)
+    }
+}
+
+/// A potential U(q) with Q = −∂U/∂q, if Q is a polynomial in q that has one: U = −Σ ∫₀¹ q_i Q_i(t q) dt.
+fn potential_of(arena: &mut Arena, model: &Model, forces: &[Expr]) -> Option<Expr> {
+    let q = model.q();
+    let mut normalizer = Normalizer::default();
+    let mut terms = Vec::new();
+    for (coordinate, force) in q.iter().zip(forces) {
+        let mut in_rates = speeds_to_rates(model);
+        let force = in_rates.apply(arena, *force);
+        let product = arena.mul(*coordinate, force);
+        let form = normalizer.fraction(arena, product)?;
+        let below: Vec<Expr> = form.denominator.iter().map(|(p, _)| normalizer.polynomial(p).expand(arena)).collect();
+        let polynomial = normalizer.polynomial(&form.numerator);
+        let constant =
+            |e: Expr| arena.reachable(&[e]).iter().all(|s| arena.symbol_name(*s).is_none() || model.p().contains(s));
+        if !below.iter().all(|e| constant(*e)) {
+            return None;
+        }
+        let mut divisor = Expr::ONE;
+        for (factor, (_, n)) in below.iter().zip(&form.denominator) {
+            let power = arena.pow(*factor, i32::try_from(*n).ok()?).ok()?;
+            divisor = arena.mul(divisor, power);
+        }
+        for (monomial, k) in &polynomial.terms {
+            let degree: i32 = monomial.iter().filter(|(e, _)| q.contains(e)).map(|(_, n)| *n).sum();
+            let others = monomial.iter().filter(|(e, _)| !q.contains(e));
+            let fixed = others.clone().all(|(e, _)| {
+                arena.reachable(&[*e]).iter().all(|s| arena.symbol_name(*s).is_none() || model.p().contains(s))
+            });
+            if !fixed || degree < 1 {
+                return None;
+            }
+            let term = arena.try_product(monomial).ok()?;
+            let term = arena.div(term, divisor)?;
+            terms.push((term, k.mul(&Rational::fraction(-1, i64::from(degree))?)));
+        }
+    }
+    let potential = arena.linear_combination(&terms);
+    // Only a field without curl has a potential.
+    for (coordinate, force) in q.iter().zip(forces) {
+        let slope = Differential::partial(*coordinate).apply(arena, potential);
+        let rest = arena.add(slope, *force);
+        if zero_test(arena, rest) != ZeroTest::Zero {
+            return None;
+        }
+    }
+    Some(potential)
+}

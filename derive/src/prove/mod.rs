@@ -1,0 +1,78 @@
+//! Proofs: that the formulations are equivalent, and what a motion conserves.
+//!
+//! Every statement is an identity between expressions, decided by [`crate::algebra::compare`]. Nothing is integrated,
+//! sampled in floating point or solved for accelerations: one set of equations is shown to be a linear
+//! combination of the other, with the multipliers given.
+
+mod equivalence;
+mod fields;
+mod integrals;
+mod motions;
+
+pub use equivalence::{Pair, ReactionEquation};
+pub use integrals::Integral;
+
+use crate::algebra::Expr;
+use crate::algebra::compare::{Comparer, Engine, Verdict};
+use crate::mechanics::{Derivations, DeriveError, Formulation};
+use crate::model::Model;
+
+/// What was proved of a model.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    /// Each pair of formulations that the model supports.
+    pub pairs: Vec<Pair>,
+    /// Formulations that the model does not support, and why.
+    pub missing: Vec<(Formulation, DeriveError)>,
+    /// Each reaction from the equation that Kane's method leaves over.
+    pub reactions: Vec<ReactionEquation>,
+    /// Quantities that stay constant along every motion, functionally independent.
+    pub integrals: Vec<Integral>,
+    /// What the search for integrals covered.
+    pub search: String,
+    /// Where one of these is zero, the equivalence does not hold and the speeds do not determine q̇.
+    pub singular_where: Vec<Expr>,
+}
+
+impl Proof {
+    /// Whether every pair is proved.
+    #[must_use]
+    pub fn is_equivalent(&self) -> bool {
+        self.pairs.iter().all(|pair| pair.verdict.is_equal())
+    }
+}
+
+/// Proves the formulations of a model equivalent and finds its first integrals.
+pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
+    let mut comparer = Comparer::default();
+    let (pairs, reactions) = equivalence::prove(model, derivations, &mut comparer);
+    let (integrals, search) = integrals::find(model, derivations, &mut comparer);
+    let missing = derivations.list.iter().filter_map(|(f, result)| Some((*f, result.as_ref().err()?.clone())));
+    Proof {
+        pairs,
+        missing: missing.collect(),
+        reactions,
+        integrals,
+        search,
+        singular_where: model.kinematic_equations.divisors.clone(),
+    }
+}
+
+/// One verdict for many: the first that is not "equal", else the weakest engine.
+pub(crate) fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
+    let mut engine = Engine::NormalForm;
+    for verdict in verdicts {
+        match verdict {
+            Verdict::Equal(Engine::Modular { exponent }) => {
+                let weakest = match engine {
+                    Engine::Modular { exponent: other } => exponent.min(other),
+                    Engine::NormalForm => exponent,
+                };
+                engine = Engine::Modular { exponent: weakest };
+            }
+            Verdict::Equal(Engine::NormalForm) => {}
+            other => return other,
+        }
+    }
+    Verdict::Equal(engine)
+}

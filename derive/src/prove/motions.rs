@@ -1,0 +1,185 @@
+//! Rigid motions of the whole system, or of one of its bodies, that the constraints permit.
+//!
+//! A field ξ(q) is the motion "all of it turns about an axis e through S" iff with q̇ = ξ every moved frame has ω = e and
+//! every moved mass centre has v = e × (r − r_S), and what is not moved has neither. That is a linear
+//! system for ξ with more rows than unknowns; the motion is permitted iff it is consistent.
+
+use super::fields::Field;
+use crate::algebra::blocks::solve_blocks;
+use crate::algebra::calculus::Differential;
+use crate::algebra::modular::{ZeroTest, independent_rows, zero_test};
+use crate::algebra::{Expr, Rational};
+use crate::mechanics::{Kinematics, Vector};
+use crate::model::Model;
+
+/// What ω and v should be: for each body the two vectors, or rest.
+struct Motion {
+    name: String,
+    of_body: Vec<Option<(Vector, Vector)>>,
+}
+
+/// Bodies above which parts are not moved one by one.
+const MOST_BODIES: usize = 8;
+
+/// The fields of all permitted rigid motions: translations along the inertial axes, rotations about them through the
+/// mass centre and through the origin, of the whole, then of each body about its own mass centre.
+pub fn fields(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
+    let mut candidates = of_the_whole(model, kinematics);
+    if (2..=MOST_BODIES).contains(&model.bodies.len()) {
+        candidates.extend((0..model.bodies.len()).flat_map(|body| of_one_body(model, body)));
+    }
+    let rows = Rows::new(model, kinematics);
+    candidates.iter().filter_map(|motion| rows.field(model, kinematics, motion)).collect()
+}
+
+fn axis(i: usize) -> Vector {
+    let mut components = [Expr::ZERO; 3];
+    components[i] = Expr::ONE;
+    Vector::in_frame(0, components)
+}
+
+/// A1 for the first axis of frame A.
+fn axis_name(model: &Model, i: usize) -> String {
+    format!("{}{}", model.frames[0].name.to_lowercase(), i + 1)
+}
+
+fn of_the_whole(model: &Model, kinematics: &mut Kinematics) -> Vec<Motion> {
+    let mut list = Vec::new();
+    for i in 0..3 {
+        let of_body = vec![Some((Vector::default(), axis(i))); model.bodies.len()];
+        list.push(Motion { name: format!("linear momentum along {}", axis_name(model, i)), of_body });
+    }
+    let centre = mass_centre(model, kinematics);
+    let origin = &model.points[0].name;
+    for (place, about) in [("the mass centre", centre), (origin.as_str(), Vector::default())] {
+        for i in 0..3 {
+            let back = about.neg(&mut kinematics.arena);
+            let mut of_body = Vec::new();
+            for body in &model.bodies {
+                let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);
+                let velocity = kinematics.frames.cross(&mut kinematics.arena, &axis(i), &arm);
+                of_body.push(Some((axis(i), velocity)));
+            }
+            let name = format!("angular momentum about {} through {place}", axis_name(model, i));
+            list.push(Motion { name, of_body });
+        }
+    }
+    list
+}
+
+fn of_one_body(model: &Model, body: usize) -> Vec<Motion> {
+    let name = &model.bodies[body].name;
+    let only = |moved: (Vector, Vector)| {
+        (0..model.bodies.len()).map(|b| (b == body).then(|| moved.clone())).collect::<Vec<_>>()
+    };
+    let mut list = Vec::new();
+    for i in 0..3 {
+        let title = format!("linear momentum of {name} along {}", axis_name(model, i));
+        list.push(Motion { name: title, of_body: only((Vector::default(), axis(i))) });
+        let title = format!("angular momentum of {name} about {} through its mass centre", axis_name(model, i));
+        list.push(Motion { name: title, of_body: only((axis(i), Vector::default())) });
+    }
+    if let Some((_, inertia)) = &model.bodies[body].rigid {
+        for i in 0..3 {
+            let mut own = [Expr::ZERO; 3];
+            own[i] = Expr::ONE;
+            let own = Vector::in_frame(inertia.frame, own);
+            let frame = model.frames[inertia.frame].name.to_lowercase();
+            let title = format!("angular momentum of {name} about {frame}{}", i + 1);
+            list.push(Motion { name: title, of_body: only((own, Vector::default())) });
+        }
+    }
+    list
+}
+
+/// r_S = Σ m r / Σ m.
+fn mass_centre(model: &Model, kinematics: &mut Kinematics) -> Vector {
+    let masses: Vec<Expr> = model.bodies.iter().map(|b| b.mass).collect();
+    let arena = &mut kinematics.arena;
+    let total = arena.sum(&masses);
+    let mut sum = Vector::default();
+    for body in &model.bodies {
+        let share = arena.div(body.mass, total).unwrap_or(Expr::ZERO);
+        let share = kinematics.simplifier.simplify(arena, share);
+        let term = kinematics.positions[body.centre].scale(arena, share);
+        sum = sum.add(arena, &term);
+    }
+    sum
+}
+
+/// ω and v of all bodies as linear forms in q̇.
+struct Rows {
+    /// (body, whether of ω, frame, axis)
+    labels: Vec<(usize, bool, usize, usize)>,
+    matrix: Vec<Vec<Expr>>,
+    /// As many independent rows as there are coordinates.
+    chosen: Vec<usize>,
+}
+
+impl Rows {
+    fn new(model: &Model, kinematics: &mut Kinematics) -> Self {
+        let velocities = kinematics.in_rates.clone();
+        let mut partials: Vec<Differential> = model.q_dot().into_iter().map(Differential::partial).collect();
+        let (mut labels, mut matrix) = (Vec::new(), Vec::new());
+        for (at, body) in model.bodies.iter().enumerate() {
+            let turning = body.rigid.as_ref().map(|(own, inertia)| (&velocities.angular[*own], inertia.frame, true));
+            let moving = (&velocities.linear[body.centre], 0, false);
+            for (vector, frame, is_angular) in turning.into_iter().chain([moving]) {
+                let Kinematics { arena, frames, simplifier, .. } = &mut *kinematics;
+                let components = frames.express(arena, vector, frame);
+                for (axis, e) in components.into_iter().enumerate() {
+                    let row: Vec<Expr> = partials
+                        .iter_mut()
+                        .map(|partial| {
+                            let slope = partial.apply(arena, e);
+                            simplifier.simplify(arena, slope)
+                        })
+                        .collect();
+                    labels.push((at, is_angular, frame, axis));
+                    matrix.push(row);
+                }
+            }
+        }
+        // Short rows first, so that the solution stays short.
+        let arena = &kinematics.arena;
+        let mut order: Vec<usize> = (0..matrix.len()).collect();
+        order.sort_by_key(|at| arena.reachable(&matrix[*at]).len());
+        let sorted: Vec<Vec<Expr>> = order.iter().map(|at| matrix[*at].clone()).collect();
+        let chosen = independent_rows(arena, &sorted).unwrap_or_default();
+        Self { labels, matrix, chosen: chosen.into_iter().map(|at| order[at]).collect() }
+    }
+
+    /// ξ of a motion, if it is permitted and not zero.
+    fn field(&self, model: &Model, kinematics: &mut Kinematics, motion: &Motion) -> Option<Field> {
+        let n = model.coordinates.len();
+        if self.chosen.len() != n {
+            return None;
+        }
+        let mut wanted = Vec::new();
+        for &(body, is_angular, frame, axis) in &self.labels {
+            let value = match &motion.of_body[body] {
+                None => Expr::ZERO,
+                Some((omega, v)) => {
+                    let vector = if is_angular { omega } else { v };
+                    kinematics.frames.express(&mut kinematics.arena, vector, frame)[axis]
+                }
+            };
+            wanted.push(kinematics.simplifier.simplify(&mut kinematics.arena, value));
+        }
+        let Kinematics { arena, simplifier, .. } = kinematics;
+        let a: Vec<Vec<Expr>> = self.chosen.iter().map(|at| self.matrix[*at].clone()).collect();
+        let b: Vec<Expr> = self.chosen.iter().map(|at| wanted[*at]).collect();
+        let (xi, _) = solve_blocks(arena, simplifier, &a, &b).ok()?;
+        let consistent = self.matrix.iter().zip(&wanted).enumerate().all(|(at, (row, value))| {
+            if self.chosen.contains(&at) {
+                return true;
+            }
+            let mut terms: Vec<(Expr, Rational)> =
+                row.iter().zip(&xi).map(|(a, x)| (arena.mul(*a, *x), Rational::ONE)).collect();
+            terms.push((*value, Rational::MINUS_ONE));
+            let residual = arena.linear_combination(&terms);
+            zero_test(arena, residual) == ZeroTest::Zero
+        });
+        (consistent && xi.iter().any(|e| *e != Expr::ZERO)).then(|| Field { name: motion.name.clone(), xi })
+    }
+}

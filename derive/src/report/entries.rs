@@ -1,0 +1,242 @@
+//! The entries of a report: what all have in common, and those of a single formula.
+
+use super::read::{KEYS, Loading};
+use super::{Entry, EntryKind, Initial};
+use crate::algebra::Expr;
+use crate::algebra::evaluate::Tape;
+use crate::diagnostic::{Diagnostic, nearest, shown};
+use crate::read::Located;
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// The most entries of a file.
+const MAX_ENTRIES: usize = 2000;
+/// The longest id, in characters.
+const MAX_ID: usize = 80;
+
+/// The kinds of entries.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Equation,
+    Definition,
+    System,
+    Listing,
+    Initial,
+}
+
+/// Each with its key and what it is called.
+const KINDS: [(Kind, &str, &str); 5] = [
+    (Kind::Equation, "equation", "an equation"),
+    (Kind::Definition, "definition", "a definition"),
+    (Kind::System, "system", "a system"),
+    (Kind::Listing, "listing", "a listing"),
+    (Kind::Initial, "initial", "an initial value"),
+];
+
+/// The keys of every entry, then those of its kind.
+fn keys(kind: Kind) -> Vec<&'static str> {
+    let own: &[&str] = match kind {
+        Kind::Equation => &["quantity", "printed"],
+        Kind::Definition => &["printed"],
+        Kind::System => &["formulation", "frame", "unknowns", "matrix", "right", "matrix_ids", "right_ids"],
+        Kind::Listing => &["formulation", "state", "derivative", "matrix"],
+        Kind::Initial => &["set", "quantity", "printed"],
+    };
+    [&["id", "section", "repaired", "note"], own].concat()
+}
+
+/// One entry as it stands in the file.
+pub struct Item<'a> {
+    pub table: &'a DeTable<'a>,
+    /// What it is called in messages.
+    pub what: &'static str,
+    /// Its header.
+    pub span: Range<usize>,
+}
+
+impl<'a> Loading<'a, '_> {
+    /// All entries, in the order of the file.
+    pub fn entries(&mut self, table: &'a DeTable<'a>) -> Vec<Entry> {
+        let before = self.reader.errors.len();
+        let mut items: Vec<(Kind, Item<'a>)> = Vec::new();
+        for (kind, key, what) in KINDS {
+            let Some(value) = self.reader.get(table, key) else { continue };
+            let DeValue::Array(array) = value.get_ref() else {
+                let help = format!("write each as [[{key}]]");
+                self.reader.error(value.span(), format!("`{key}` must be a list of tables"), help);
+                continue;
+            };
+            for value in array {
+                if let Some(table) = self.reader.table(value, what, &format!("[[{key}]]")) {
+                    items.push((kind, Item { table, what, span: value.span() }));
+                }
+            }
+        }
+        // An unknown key may be a misspelt kind of entries, and is reported.
+        let all_known = table.iter().all(|(key, _)| KEYS.contains(&key.get_ref().as_ref()));
+        if items.is_empty() && all_known && self.reader.errors.len() == before {
+            let help = "add [[equation]] entries; docs/report.md describes the format";
+            self.reader.errors.push(Diagnostic::of_file("the report has no entries", help));
+        }
+        items.sort_by_key(|(_, item)| item.span.start);
+        if let Some((_, item)) = items.get(MAX_ENTRIES) {
+            let message = format!("more than {MAX_ENTRIES} entries");
+            self.reader.error(item.span.clone(), message, "split the report into several files");
+            items.truncate(MAX_ENTRIES);
+        }
+        items.iter().filter_map(|(kind, item)| self.entry(*kind, item)).collect()
+    }
+
+    fn entry(&mut self, kind: Kind, item: &Item<'a>) -> Option<Entry> {
+        self.reader.allow(item.table, item.what, &keys(kind));
+        let id = self.id(item);
+        let section = self.required_text(item, "section");
+        let repaired = self.text(item.table, "repaired");
+        let note = self.text(item.table, "note");
+        let kind = match kind {
+            Kind::Equation => self.equation(item),
+            Kind::Definition => {
+                self.required_text(item, "printed").map(|text| EntryKind::Definition { text: text.text })
+            }
+            Kind::System => self.system(item).map(EntryKind::System),
+            Kind::Listing => self.listing(item).map(EntryKind::Listing),
+            Kind::Initial => self.initial(item).map(EntryKind::Initial),
+        };
+        let id = id?;
+        let entry = Entry { id: id.text, section: section?.text, repaired, note, span: id.span, kind: kind? };
+        for part in entry.ids() {
+            if part != entry.id {
+                self.claim(&part, &entry.span, ", of a part of this entry,");
+            }
+        }
+        Some(entry)
+    }
+
+    /// A string that must be there.
+    pub fn required_text(&mut self, item: &Item<'a>, key: &str) -> Option<Located> {
+        let value = self.reader.need(item.table, key, item.what, &item.span)?;
+        self.reader.string(value, &format!("`{key}`"))
+    }
+
+    /// A formula that must be there.
+    fn required_formula(&mut self, item: &Item<'a>, key: &str) -> Option<Located> {
+        let value = self.reader.need(item.table, key, item.what, &item.span)?;
+        self.reader.formula(value, &format!("`{key}`"))
+    }
+
+    fn id(&mut self, item: &Item<'a>) -> Option<Located> {
+        let id = self.required_text(item, "id")?;
+        let odd = |c: char| c.is_whitespace() || c.is_control();
+        if id.text.is_empty() || id.text.chars().count() > MAX_ID || id.text.contains(odd) {
+            let message = format!("`{}` cannot be an id", shown(&id.text).escape_debug());
+            let help = format!("an id has 1 to {MAX_ID} characters and no spaces, such as 2.11-a1");
+            self.reader.error(id.span, message, help);
+            return None;
+        }
+        let (text, span) = (id.text.clone(), id.span.clone());
+        self.claim(&text, &span, "");
+        Some(id)
+    }
+
+    /// Takes an id for an entry; reports one that is taken.
+    fn claim(&mut self, id: &str, span: &Range<usize>, of_what: &str) {
+        if let Some(first) = self.ids.get(id) {
+            let message = format!("the id `{}`{of_what} is used twice", shown(id));
+            let twice = if first == span {
+                Diagnostic::new(span.clone(), message, "keep row and column apart, as in E{i},{j}")
+            } else {
+                let help = "ids are unique in a file: add a suffix such as -line2";
+                Diagnostic::new(span.clone(), message, help).with_other(first.clone(), "first used here")
+            };
+            self.reader.errors.push(twice);
+            return;
+        }
+        self.ids.insert(id.to_owned(), span.clone());
+    }
+
+    fn equation(&mut self, item: &Item<'a>) -> Option<EntryKind> {
+        let quantity = self.required_text(item, "quantity").and_then(|name| self.quantity(&name));
+        let printed = self.required_formula(item, "printed");
+        let formula = printed.as_ref().and_then(|f| self.formula(f));
+        Some(EntryKind::Equation { quantity: quantity?, printed: formula?, text: printed?.text })
+    }
+
+    fn initial(&mut self, item: &Item<'a>) -> Option<Initial> {
+        let set = self.required_text(item, "set");
+        let quantity = self.required_text(item, "quantity").and_then(|name| self.initial_quantity(name));
+        let printed = self.required_formula(item, "printed");
+        let value = printed.as_ref().and_then(|f| self.constant(f));
+        let (set, (name, symbol), text) = (set?.text, quantity?, printed?.text);
+        if let Some(first) = self.values.get(&(set.clone(), symbol)) {
+            let message = format!("`{}` has two values in the set `{}`", name.text, shown(&set));
+            let twice = Diagnostic::new(name.span, message, "put what another place prints into a set of its own");
+            self.reader.errors.push(twice.with_other(first.clone(), "first stated here"));
+            return None;
+        }
+        self.values.insert((set.clone(), symbol), name.span);
+        let decimals = decimals(&text);
+        Some(Initial { set, quantity: symbol, name: name.text, value: value?, text, decimals })
+    }
+
+    /// A parameter, a coordinate, a coordinate's derivative or a speed.
+    fn initial_quantity(&mut self, name: Located) -> Option<(Located, Expr)> {
+        let model = &self.model;
+        let mut known: Vec<(String, Expr)> = model.parameters.iter().map(|p| (p.name.clone(), p.symbol)).collect();
+        for c in &model.coordinates {
+            known.extend([(c.name.clone(), c.symbol), (format!("{}'", c.name), c.rate)]);
+        }
+        known.extend(model.speeds.iter().map(|s| (s.name.clone(), s.symbol)));
+        if let Some((_, symbol)) = known.iter().find(|(n, _)| *n == name.text) {
+            return Some((name, *symbol));
+        }
+        let message = format!("`{}` is no parameter, coordinate, time derivative or speed", shown(&name.text));
+        self.reader.error(name.span, message, nearest(&name.text, known.iter().map(|(n, _)| n.as_str())));
+        None
+    }
+
+    /// A formula that is a number.
+    fn constant(&mut self, formula: &Located) -> Option<Expr> {
+        let e = self.formula(formula)?;
+        let arena = &self.model.arena;
+        if let Some(symbol) = arena.reachable(&[e]).iter().find_map(|part| arena.symbol_name(*part)) {
+            let message = format!("`{}` is not a number: it contains `{symbol}`", shown(&formula.text));
+            self.reader.error(formula.span.clone(), message, "write a number, or one in terms of numbers and `pi`");
+            return None;
+        }
+        let value = Tape::new(arena, &[], &[e]).map_or(f64::NAN, |tape| tape.evaluate(&[])[0]);
+        if !value.is_finite() {
+            let message = format!("`{}` is not a number of double precision", shown(&formula.text));
+            self.reader.error(formula.span.clone(), message, "give a finite number below 1e308 in size");
+            return None;
+        }
+        Some(e)
+    }
+}
+
+/// Decimals of a plain number, `1.50e-3` having five; `None` for any other formula.
+fn decimals(text: &str) -> Option<u32> {
+    let text = text.trim().trim_start_matches(['-', '+']).trim_start();
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),
+        None => (text, 0),
+    };
+    if mantissa.is_empty() || !mantissa.bytes().all(|b| b.is_ascii_digit() || b == b'.') {
+        return None;
+    }
+    let after_point = mantissa.split_once('.').map_or(0, |(_, digits)| digits.len());
+    u32::try_from((i64::try_from(after_point).ok()? - exponent).max(0)).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decimals;
+
+    #[test]
+    fn decimals_are_those_printed() {
+        let cases = [("0.1745", Some(4)), ("5", Some(0)), ("-0.10", Some(2)), ("1.50e-3", Some(5)), ("2e3", Some(0))];
+        for (text, expected) in cases.into_iter().chain([("10*pi/180", None), ("pi", None), ("1/4", None), ("", None)])
+        {
+            assert_eq!(decimals(text), expected, "{text}");
+        }
+    }
+}

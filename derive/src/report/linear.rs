@@ -1,0 +1,284 @@
+//! Entries of many formulas: linear systems, and programs that compute the derivative of a state.
+
+use super::entries::Item;
+use super::read::Loading;
+use super::{Listing, System};
+use crate::algebra::Expr;
+use crate::diagnostic::{Diagnostic, nearest, shown};
+use crate::mechanics::Formulation;
+use crate::read::Located;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::DeValue;
+
+/// The most rows of a system.
+const MAX_ROWS: usize = 500;
+
+/// The mark that an error stands in the reader, where `None` means that a key is absent.
+struct Reported;
+
+/// Formulas and their texts.
+type Formulas = (Vec<Expr>, Vec<String>);
+/// The same, row by row.
+type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
+
+impl<'a> Loading<'a, '_> {
+    /// `[[system]]`
+    pub fn system(&mut self, item: &Item<'a>) -> Option<System> {
+        let formulation = self.formulation(item);
+        let frame = self.frame(item, formulation);
+        let unknowns = self.required_array(item, "unknowns", "[\"u1'\", \"u2'\"]");
+        let unknowns = unknowns.and_then(|(array, span)| {
+            let known = self.unknowns_of(formulation?);
+            let (what, of) = ("an unknown", formulation?.name());
+            self.members(array, &span, &known, &format!("{what} of {of}"))
+        });
+        let columns = unknowns.as_ref().map(|(list, _)| list.len());
+        let rows = self.required_array(item, "matrix", "rows, as in [[\"m\", 0], [0, \"I\"]]");
+        let row_count = rows.as_ref().map(|(array, _)| array.len());
+        let matrix = rows.and_then(|(array, span)| self.matrix(array, &span, columns, "one entry for each unknown"));
+        let right = self.required_array(item, "right", "[\"-m*g\", 0]");
+        let right = right.and_then(|(array, span)| {
+            if let Some(rows) = row_count.filter(|rows| *rows != array.len()) {
+                let message = format!("`right` has {} for {}", count(array.len(), "entry"), count(rows, "row"));
+                self.reader.error(span, message, "one right-hand side for each row of the matrix");
+                return None;
+            }
+            self.formulas(array, "an entry of `right`")
+        });
+        let matrix_ids = self.template(item, "matrix_ids", &["{i}", "{j}"]);
+        let right_ids = self.template(item, "right_ids", &["{i}"]);
+        let ((unknowns, unknown_names), (matrix, matrix_texts), (right, right_texts)) = (unknowns?, matrix?, right?);
+        Some(System {
+            formulation: formulation?,
+            frame: frame.ok()?,
+            unknowns,
+            unknown_names,
+            matrix,
+            matrix_texts,
+            right,
+            right_texts,
+            matrix_ids: matrix_ids.ok()?,
+            right_ids: right_ids.ok()?,
+        })
+    }
+
+    /// `[[listing]]`
+    pub fn listing(&mut self, item: &Item<'a>) -> Option<Listing> {
+        let formulation = self.formulation(item);
+        let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
+        // An odd state is an error of its own, and says nothing about the other lengths.
+        let length = state.as_ref().map(|(array, _)| array.len()).filter(|n| n.is_multiple_of(2));
+        let state = state.and_then(|(array, span)| self.state(array, &span, formulation?));
+        let derivative = self.required_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");
+        let derivative = derivative.and_then(|(array, span)| {
+            if let Some(states) = length.filter(|n| *n != array.len()) {
+                let message = format!("`derivative` has {} for a state of {states}", count(array.len(), "entry"));
+                self.reader.error(span, message, "one derivative for each entry of the state, 0 where it is left zero");
+                return None;
+            }
+            self.formulas(array, "an entry of `derivative`")
+        });
+        let half = length.map(|n| n / 2);
+        let matrix = match self.reader.get(item.table, "matrix") {
+            None => Some(None),
+            Some(value) => self.array(value, "`matrix`", "rows, as in [[\"m\", 0], [0, \"I\"]]").and_then(|array| {
+                let (span, help) = (value.span(), "one row and one column for each entry of the state's second half");
+                if let Some(half) = half.filter(|half| *half != array.len()) {
+                    let message = format!("the matrix has {}, not {half}", count(array.len(), "row"));
+                    self.reader.error(span, message, help);
+                    return None;
+                }
+                self.matrix(array, &span, half, help).map(Some)
+            }),
+        };
+        let ((state, state_names), (derivative, derivative_texts)) = (state?, derivative?);
+        let (matrix, matrix_texts) = matrix?.unzip();
+        let formulation = formulation?;
+        Some(Listing { formulation, state, state_names, derivative, derivative_texts, matrix, matrix_texts })
+    }
+
+    fn formulation(&mut self, item: &Item<'a>) -> Option<Formulation> {
+        let name = self.required_text(item, "formulation")?;
+        let found = Formulation::ALL.into_iter().find(|f| f.name() == name.text);
+        if found.is_none() {
+            let help = nearest(&name.text, Formulation::ALL.map(Formulation::name));
+            self.reader.error(name.span, format!("there is no formulation `{}`", shown(&name.text)), help);
+        }
+        found
+    }
+
+    /// The frame of the components: Newton–Euler systems have one, others have none.
+    fn frame(&mut self, item: &Item<'a>, formulation: Option<Formulation>) -> Result<Option<usize>, Reported> {
+        if formulation.ok_or(Reported)? != Formulation::NewtonEuler {
+            let Some(value) = self.reader.get(item.table, "frame") else { return Ok(None) };
+            let message = "only a newton-euler system has a `frame`";
+            self.reader.error(value.span(), message, "remove it: generalized forces have no components");
+            return Err(Reported);
+        }
+        let name = self.required_text(item, "frame").ok_or(Reported)?;
+        let found = self.model.frames.iter().position(|f| f.name == name.text);
+        if found.is_none() {
+            let help = nearest(&name.text, self.model.frames.iter().map(|f| f.name.as_str()));
+            self.reader.error(name.span, format!("the model has no frame `{}`", shown(&name.text)), help);
+        }
+        found.map(Some).ok_or(Reported)
+    }
+
+    /// What the equations of a formulation are solved for.
+    fn unknowns_of(&self, formulation: Formulation) -> Vec<(String, Expr)> {
+        let model = &self.model;
+        if formulation == Formulation::Lagrange {
+            return model.coordinates.iter().map(|c| (format!("{}''", c.name), c.second_rate)).collect();
+        }
+        let mut known: Vec<_> = model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate)).collect();
+        if formulation == Formulation::NewtonEuler {
+            known.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
+        }
+        known
+    }
+
+    /// Coordinates, then as many speeds, or time derivatives for Lagrange.
+    fn state(
+        &mut self,
+        array: &'a [Spanned<DeValue<'a>>],
+        span: &Range<usize>,
+        formulation: Formulation,
+    ) -> Option<Formulas> {
+        if !array.len().is_multiple_of(2) {
+            let message = format!("a state of {}: coordinates and speeds must be as many", count(array.len(), "entry"));
+            self.reader.error(span.clone(), message, "list coordinates first, then as many speeds");
+            return None;
+        }
+        let model = &self.model;
+        let coordinates: Vec<_> = model.coordinates.iter().map(|c| (c.name.clone(), c.symbol)).collect();
+        let (speeds, what): (Vec<_>, _) = match formulation {
+            Formulation::Lagrange => {
+                let rates = model.coordinates.iter().map(|c| (format!("{}'", c.name), c.rate));
+                (rates.collect(), "a coordinate's derivative, as the second half of this state is")
+            }
+            _ => {
+                let speeds = model.speeds.iter().map(|s| (s.name.clone(), s.symbol));
+                (speeds.collect(), "a speed, as the second half of this state is")
+            }
+        };
+        let (first, second) = array.split_at(array.len() / 2);
+        let first = self.members(first, span, &coordinates, "a coordinate, as the first half of a state is");
+        let second = self.members(second, span, &speeds, what);
+        let ((mut state, mut names), (more, more_names)) = (first?, second?);
+        state.extend(more);
+        names.extend(more_names);
+        Some((state, names))
+    }
+
+    /// Names out of a list, each once, at least one.
+    fn members(
+        &mut self,
+        array: &'a [Spanned<DeValue<'a>>],
+        span: &Range<usize>,
+        known: &[(String, Expr)],
+        what: &str,
+    ) -> Option<Formulas> {
+        if array.is_empty() || array.len() > known.len() {
+            let message = format!("{} here, where the model has {}", count(array.len(), "name"), known.len());
+            let names: Vec<&str> = known.iter().take(20).map(|(n, _)| n.as_str()).collect();
+            self.reader.error(span.clone(), message, format!("choose from {}", names.join(", ")));
+            return None;
+        }
+        let mut found: Vec<(Expr, Located)> = Vec::new();
+        let mut complete = true;
+        for value in array {
+            let Some(name) = self.reader.string(value, "a name") else {
+                complete = false;
+                continue;
+            };
+            let Some((_, symbol)) = known.iter().find(|(n, _)| *n == name.text) else {
+                let help = nearest(&name.text, known.iter().map(|(n, _)| n.as_str()));
+                self.reader.error(name.span, format!("`{}` is not {what}", shown(&name.text)), help);
+                complete = false;
+                continue;
+            };
+            if let Some((_, first)) = found.iter().find(|(e, _)| e == symbol) {
+                let message = format!("`{}` is named twice", name.text);
+                let twice = Diagnostic::new(name.span, message, "name each once");
+                self.reader.errors.push(twice.with_other(first.span.clone(), "first named here"));
+                complete = false;
+                continue;
+            }
+            found.push((*symbol, name));
+        }
+        complete.then(|| found.into_iter().map(|(e, name)| (e, name.text)).unzip())
+    }
+
+    fn required_array(
+        &mut self,
+        item: &Item<'a>,
+        key: &str,
+        example: &str,
+    ) -> Option<(&'a [Spanned<DeValue<'a>>], Range<usize>)> {
+        let value = self.reader.need(item.table, key, item.what, &item.span)?;
+        Some((self.array(value, &format!("`{key}`"), example)?, value.span()))
+    }
+
+    fn formulas(&mut self, array: &'a [Spanned<DeValue<'a>>], what: &str) -> Option<Formulas> {
+        let read: Vec<Option<(Expr, String)>> = array
+            .iter()
+            .map(|value| {
+                let formula = self.reader.formula(value, what)?;
+                Some((self.formula(&formula)?, formula.text))
+            })
+            .collect();
+        read.into_iter().collect::<Option<Vec<_>>>().map(|list| list.into_iter().unzip())
+    }
+
+    /// Rows of equally many formulas: as many as `columns`, if that is known.
+    fn matrix(
+        &mut self,
+        array: &'a [Spanned<DeValue<'a>>],
+        span: &Range<usize>,
+        columns: Option<usize>,
+        help: &str,
+    ) -> Option<Matrix> {
+        if array.is_empty() || array.len() > MAX_ROWS {
+            let message = format!("a matrix of {}", count(array.len(), "row"));
+            self.reader.error(span.clone(), message, format!("a matrix has 1 to {MAX_ROWS} rows"));
+            return None;
+        }
+        let mut columns = columns;
+        let mut rows = Vec::new();
+        for (at, value) in array.iter().enumerate() {
+            let what = format!("row {} of the matrix", at + 1);
+            let row = self.array(value, &what, "a row as an array, such as [\"m\", 0]").and_then(|row| {
+                if *columns.get_or_insert(row.len()) == row.len() {
+                    return self.formulas(row, "an entry of the matrix");
+                }
+                let expected = columns.unwrap_or_default();
+                let message = format!("{what} has {}, not {expected}", count(row.len(), "entry"));
+                self.reader.error(value.span(), message, help);
+                None
+            });
+            rows.push(row);
+        }
+        rows.into_iter().collect::<Option<Vec<_>>>().map(|rows| rows.into_iter().unzip())
+    }
+
+    /// Ids with places for the row and the column.
+    fn template(&mut self, item: &Item<'a>, key: &str, marks: &[&str]) -> Result<Option<String>, Reported> {
+        let Some(value) = self.reader.get(item.table, key) else { return Ok(None) };
+        let template = self.reader.string(value, &format!("`{key}`")).ok_or(Reported)?;
+        if let Some(missing) = marks.iter().find(|mark| !template.text.contains(**mark)) {
+            let help = format!("write the row as {{i}}{}", if marks.len() > 1 { " and the column as {j}" } else { "" });
+            self.reader.error(template.span, format!("`{key}` has no {missing}: its ids would be the same"), help);
+            return Err(Reported);
+        }
+        Ok(Some(template.text))
+    }
+}
+
+fn count(n: usize, noun: &str) -> String {
+    match (n, noun.strip_suffix('y')) {
+        (1, _) => format!("1 {noun}"),
+        (_, Some(stem)) => format!("{n} {stem}ies"),
+        _ => format!("{n} {noun}s"),
+    }
+}

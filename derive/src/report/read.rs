@@ -1,0 +1,150 @@
+//! From the text of a report file to a [`Report`]: the file as a whole, and the names it declares.
+//!
+//! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
+
+use super::Report;
+use super::words::Words;
+use crate::algebra::Expr;
+use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::mechanics::Quantity;
+use crate::model::Model;
+use crate::read::{Entry as Field, Located, Reader};
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Keys of the file.
+pub const KEYS: [&str; 9] =
+    ["equation", "definition", "system", "listing", "initial", "title", "source", "abbreviations", "names"];
+/// The most names of one kind that a file declares.
+const MAX_NAMES: usize = 1000;
+/// Errors after which no formula is read any more: nobody mends that many at once.
+const MAX_ERRORS: usize = 1000;
+
+/// Reads a report for its model; formulas go to the model's arena.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the file.
+pub fn load(source: &Source, model: &mut Model) -> Result<Report, Diagnostics> {
+    let (mut reader, table) = Reader::parse(source)?;
+    let table = table.get_ref();
+    if table.is_empty() {
+        let empty = source.text.trim_start_matches('\u{feff}').trim().is_empty();
+        let message = if empty { "the report file is empty" } else { "the report file holds nothing but comments" };
+        reader.errors.push(Diagnostic::of_file(message, "docs/report.md describes the format"));
+    }
+    reader.finish()?;
+    reader.allow(table, "a report file", &KEYS);
+    let words = Words::new(model);
+    let mut loading = Loading { reader, model, words, ids: FxHashMap::default(), values: FxHashMap::default() };
+    let title = loading.text(table, "title").unwrap_or_default();
+    let reference = loading.text(table, "source").unwrap_or_default();
+    let names = loading.names(table);
+    let abbreviations = loading.abbreviations(table);
+    let entries = loading.entries(table);
+    loading.reader.finish()?;
+    Ok(Report { source: source.clone(), title, reference, abbreviations, names, entries })
+}
+
+/// What has been read so far.
+pub struct Loading<'a, 'm> {
+    pub reader: Reader<'a>,
+    pub model: &'m mut Model,
+    pub words: Words,
+    /// Where each id stands.
+    pub ids: FxHashMap<String, Range<usize>>,
+    /// Where each set states a quantity.
+    pub values: FxHashMap<(String, Expr), Range<usize>>,
+}
+
+impl<'a> Loading<'a, '_> {
+    /// A formula in the names of the model and of the file.
+    pub fn formula(&mut self, formula: &Located) -> Option<Expr> {
+        if self.reader.errors.len() > MAX_ERRORS {
+            return None;
+        }
+        self.words.formula(&mut self.reader, &mut self.model.arena, formula)
+    }
+
+    /// The name of a derived quantity.
+    pub fn quantity(&mut self, name: &Located) -> Option<Quantity> {
+        match Quantity::parse(&name.text, self.model) {
+            Ok(quantity) => Some(quantity),
+            Err(error) => {
+                self.reader.error(name.part(error.range), error.message, error.help);
+                None
+            }
+        }
+    }
+
+    /// A string that may be absent.
+    pub fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
+        let value = self.reader.get(table, key)?;
+        Some(self.reader.string(value, &format!("`{key}`"))?.text.trim().to_owned())
+    }
+
+    /// The values of an array.
+    pub fn array(
+        &mut self,
+        value: &'a Spanned<DeValue<'a>>,
+        what: &str,
+        example: &str,
+    ) -> Option<&'a [Spanned<DeValue<'a>>]> {
+        match value.get_ref() {
+            DeValue::Array(array) => Some(array),
+            _ => {
+                self.reader.error(value.span(), format!("{what} must be an array"), format!("write {example}"));
+                None
+            }
+        }
+    }
+
+    /// The fields of a section that declares names.
+    fn section(&mut self, table: &'a DeTable<'a>, key: &str, example: &str) -> Vec<Field<'a>> {
+        let Some(value) = self.reader.get(table, key) else { return Vec::new() };
+        let example = format!("[{key}] with lines such as {example}");
+        let Some(section) = self.reader.table(value, &format!("`{key}`"), &example) else { return Vec::new() };
+        let mut fields = self.reader.entries(section);
+        if let Some((name, _)) = fields.get(MAX_NAMES) {
+            let message = format!("more than {MAX_NAMES} names in `{key}`");
+            self.reader.error(name.span.clone(), message, "split the report into several files");
+            fields.truncate(MAX_NAMES);
+        }
+        fields
+    }
+
+    /// `[names]`: symbols for derived quantities.
+    fn names(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Quantity, Expr)> {
+        let mut names = Vec::new();
+        for (name, value) in self.section(table, "names", "a1 = \"a(P) @ B [1]\"") {
+            let text = self.reader.string(value, "the name of a quantity");
+            let quantity = text.and_then(|text| self.quantity(&text));
+            // A space: no file can declare such a symbol.
+            let symbol = quantity.as_ref().map(|q| self.model.arena.symbol(&format!("derived {q}")));
+            let declared = self.words.declare(&mut self.reader, &name, symbol);
+            if let (true, Some(quantity), Some(symbol)) = (declared, quantity, symbol) {
+                names.push((name.text, quantity, symbol));
+            }
+        }
+        names
+    }
+
+    /// `[abbreviations]`: formulas in the names of the model and in earlier abbreviations.
+    fn abbreviations(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Expr)> {
+        let section = self.section(table, "abbreviations", "s1 = \"sin(q1)\"");
+        for (name, _) in &section {
+            self.words.announce(&name.text);
+        }
+        let mut abbreviations = Vec::new();
+        for (name, value) in section {
+            let formula = self.reader.formula(value, &format!("`{}`", crate::diagnostic::shown(&name.text)));
+            let formula = formula.and_then(|f| self.formula(&f));
+            let declared = self.words.declare(&mut self.reader, &name, formula);
+            if let (true, Some(formula)) = (declared, formula) {
+                abbreviations.push((name.text, formula));
+            }
+        }
+        abbreviations
+    }
+}

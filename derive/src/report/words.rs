@@ -1,0 +1,194 @@
+//! What a name in a formula of a report stands for.
+
+use crate::algebra::calculus::Differential;
+use crate::algebra::parse::{is_reserved, parse_primed};
+use crate::algebra::{Arena, Expr, Node};
+use crate::diagnostic::{Diagnostic, nearest, shown};
+use crate::model::Model;
+use crate::read::{Located, Reader};
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+
+/// The longest name.
+const MAX_LENGTH: usize = 60;
+/// The primes that a name may have: q̈ is `q1''`.
+const PRIMES: usize = 2;
+/// Terms that abbreviations may put into the formulas of one file. They multiply: a long one, used often, fills any memory.
+const MAX_EXPANSION: usize = 200_000;
+
+/// What a name stands for.
+#[derive(Clone, Copy)]
+enum Word {
+    /// A quantity of the model, with what it is called.
+    Model(&'static str, Expr),
+    /// A formula or the symbol of a derived quantity, that the file declares.
+    Declared(Expr),
+    /// An abbreviation that stands further down.
+    Later,
+    /// A wrong declaration, which is reported: what uses it fails in silence.
+    Spoiled,
+}
+
+/// All names that formulas of a report may use.
+pub struct Words {
+    known: FxHashMap<String, Word>,
+    /// Where the file declares them.
+    places: FxHashMap<String, Range<usize>>,
+    order: Vec<String>,
+    /// Terms that abbreviations have put into formulas so far.
+    expansion: usize,
+}
+
+impl Words {
+    /// The names of a model.
+    pub fn new(model: &mut Model) -> Self {
+        let mut words =
+            Self { known: FxHashMap::default(), places: FxHashMap::default(), order: Vec::new(), expansion: 0 };
+        for p in &model.parameters {
+            words.insert(&p.name, Word::Model("parameter", p.symbol));
+        }
+        for c in &model.coordinates {
+            words.insert(&c.name, Word::Model("coordinate", c.symbol));
+            words.insert(&format!("{}'", c.name), Word::Model("time derivative", c.rate));
+            words.insert(&format!("{}''", c.name), Word::Model("time derivative", c.second_rate));
+        }
+        for s in &model.speeds {
+            words.insert(&s.name, Word::Model("speed", s.symbol));
+            words.insert(&format!("{}'", s.name), Word::Model("time derivative", s.rate));
+        }
+        for r in &model.reactions {
+            words.insert(&r.name, Word::Model("reaction", r.symbol));
+        }
+        words.constrained(model);
+        words
+    }
+
+    /// Constrained variables stand for their values in the generalized coordinates.
+    fn constrained(&mut self, model: &mut Model) {
+        let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
+        let mut d_dt = Differential::along(&rates);
+        for constraint in &model.constraints {
+            let (mut name, mut value) = (constraint.fixes.clone(), constraint.value);
+            for _ in 0..=PRIMES {
+                self.insert(&name, Word::Model("constrained variable", value));
+                value = d_dt.apply(&mut model.arena, value);
+                name.push('\'');
+            }
+        }
+    }
+
+    fn insert(&mut self, name: &str, word: Word) {
+        if self.known.insert(name.to_owned(), word).is_none() {
+            self.order.push(name.to_owned());
+        }
+    }
+
+    /// Announces an abbreviation, so that an earlier one that uses it is told so.
+    pub fn announce(&mut self, name: &str) {
+        if !self.known.contains_key(name) {
+            self.known.insert(name.to_owned(), Word::Later);
+        }
+    }
+
+    /// Declares a name of the file; without a value, its declaration is wrong and that is reported. Reports a name that
+    /// cannot be declared.
+    pub fn declare(&mut self, reader: &mut Reader<'_>, name: &Located, value: Option<Expr>) -> bool {
+        let text = &name.text;
+        let valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
+            && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+            && text.len() <= MAX_LENGTH;
+        let wrong = if !valid {
+            let help = format!("a name is an ASCII letter and up to {} letters, digits and `_`", MAX_LENGTH - 1);
+            Some((format!("`{}` cannot be a name", shown(text)), help))
+        } else if is_reserved(text) {
+            let help = "choose another name: this one belongs to the expression language";
+            Some((format!("`{text}` is reserved"), help.to_owned()))
+        } else if let Some(Word::Model(noun, _)) = self.known.get(text) {
+            let help = format!("choose another name: in formulas `{text}` is the model's");
+            Some((format!("`{text}` is a {noun} of the model"), help))
+        } else {
+            None
+        };
+        if let Some((message, help)) = wrong {
+            reader.error(name.span.clone(), message, help);
+            if let Some(word @ Word::Later) = self.known.get_mut(text) {
+                *word = Word::Spoiled;
+            }
+            return false;
+        }
+        if let Some(first) = self.places.get(text) {
+            let message = format!("`{text}` is declared twice");
+            let twice = Diagnostic::new(name.span.clone(), message, "rename one of the two");
+            reader.errors.push(twice.with_other(first.clone(), "first declared here"));
+            return false;
+        }
+        self.places.insert(text.clone(), name.span.clone());
+        self.insert(text, value.map_or(Word::Spoiled, Word::Declared));
+        true
+    }
+
+    /// Reads a formula into the model's arena; reports what is wrong with it.
+    pub fn formula(&mut self, reader: &mut Reader<'_>, arena: &mut Arena, formula: &Located) -> Option<Expr> {
+        // What one cause may raise at many places is shown once.
+        let (mut spoiled, mut repeated) = (false, false);
+        let result =
+            parse_primed(arena, &formula.text, PRIMES, &mut |arena, name| match self.known.get(name).copied() {
+                Some(Word::Model(_, e)) => Ok(e),
+                Some(Word::Declared(e)) => {
+                    self.expansion += width(arena, e);
+                    if self.expansion > MAX_EXPANSION {
+                        repeated = true;
+                        let help = "shorten the abbreviations, or split the file";
+                        return Err(("abbreviations make these formulas too long".to_owned(), Some(help.to_owned())));
+                    }
+                    Ok(e)
+                }
+                Some(Word::Spoiled) => {
+                    spoiled = true;
+                    Ok(arena.symbol("not read"))
+                }
+                Some(Word::Later) => {
+                    let message = format!("`{name}` is used before it is declared");
+                    Err((message, Some("an abbreviation may use those above it".to_owned())))
+                }
+                None => {
+                    repeated = true;
+                    Err((format!("unknown name `{}`", shown(name)), Some(self.advice(name))))
+                }
+            });
+        match result {
+            Ok(e) => (!spoiled).then_some(e),
+            Err(error) => {
+                let (span, help) = (formula.part(error.span), error.help.unwrap_or_default());
+                if repeated {
+                    reader.error_once(span, error.message, help);
+                } else {
+                    reader.error(span, error.message, help);
+                }
+                None
+            }
+        }
+    }
+
+    /// What an unknown name may have been meant to be.
+    fn advice(&self, name: &str) -> String {
+        let plain = name.trim_end_matches('\'');
+        match (name, self.known.get(plain)) {
+            ("t", _) => "explicit time is not supported yet".to_owned(),
+            ("deg" | "degree" | "degrees", _) => "angles are in radians: write 10 degrees as `10*pi/180`".to_owned(),
+            (_, Some(Word::Model("speed", _))) => format!("of a speed there is one derivative: {plain}'"),
+            (_, Some(_)) => format!("a prime stands after coordinates and speeds only; `{plain}` is neither"),
+            _ => nearest(name, self.order.iter().map(String::as_str)),
+        }
+    }
+}
+
+/// Operands that a sum or product gives to one that it stands in.
+fn width(arena: &Arena, e: Expr) -> usize {
+    match arena.node(e) {
+        Node::Sum(_, terms) => terms.len(),
+        Node::Product(factors) => factors.len(),
+        _ => 1,
+    }
+}

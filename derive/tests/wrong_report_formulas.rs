@@ -1,0 +1,207 @@
+//! What is said about wrong report files, word for word: names, formulas and numbers.
+//!
+//! `UPDATE_EXPECT=1 cargo test` accepts new words; read them before you commit them.
+
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
+mod common;
+#[path = "common/reports.rs"]
+mod reports;
+
+use expect_test::expect;
+use reports::{check, check_edit, edited};
+
+#[test]
+fn an_unknown_quantity_is_marked_within_its_name() {
+    let edits = [
+        ("quantity = \"v(C) @ N [1]\"", "quantity = \"v(D) @ N [1]\""),
+        ("vx = \"v(C) @ N [1]\"", "vx = \"v(C) @ N [7]\""),
+        ("quantity = \"q\"\n", "quantity = \"q''\"\n"),
+    ];
+    check(
+        &edited(&edits),
+        &expect![[r#"
+        error: there is no component `7`
+          --> report.toml:10:17
+           |
+        10 | vx = "v(C) @ N [7]"
+           |                 ^
+           |
+           = help: components are 1, 2 and 3
+
+        error: the model has no point `D`
+          --> report.toml:15:15
+           |
+        15 | quantity = "v(D) @ N [1]"
+           |               ^
+           |
+           = help: known here: `O`, `P`, `C`
+
+        error: `q''` is no parameter, coordinate, time derivative or speed
+          --> report.toml:53:13
+           |
+        53 | quantity = "q''"
+           |             ^^^
+           |
+           = help: did you mean `q'`?"#]],
+    );
+}
+
+#[test]
+fn errors_in_formulas_stand_at_their_column() {
+    let edits = [
+        ("u1 + length*cos(q)*u2", "u1 + length*cos(q)*u2'''"),
+        ("-g*bob\"]\nmatrix_ids", "-g*bob''\"]\nmatrix_ids"),
+        ("T + 0*vx", "T + 0*vz"),
+        ("\"I + m*length^2\"", "\"I + m*length^2)\""),
+    ];
+    check(
+        &edited(&edits),
+        &expect![[r#"
+        error: this name has more than 2 primes
+          --> report.toml:16:31
+           |
+        16 | printed = "u1 + length*cos(q)*u2'''"
+           |                               ^^^^^
+           |
+           = help: q1'' is the second derivative; there is no third here
+
+        error: unknown name `vz`
+          --> report.toml:28:18
+           |
+        28 | printed = "T + 0*vz"
+           |                  ^^
+           |
+           = help: did you mean `vx`?
+
+        error: unexpected `)`
+          --> report.toml:36:74
+           |
+        36 | matrix = [["2*m", "m*length*cos(q)"], ["m*length*cos(q)", "I + m*length^2)"]]
+           |                                                                          ^
+           |
+           = help: there is no `(` to close here
+
+        error: unknown name `bob''`
+          --> report.toml:37:26
+           |
+        37 | right = ["bob*q'^2", "-g*bob''"]
+           |                          ^^^^^
+           |
+           = help: a prime stands after coordinates and speeds only; `bob` is neither"#]],
+    );
+}
+
+#[test]
+fn a_name_of_the_model_is_not_declared_again() {
+    let edits = [("T = \"T\"", "m = \"T\""), ("bob = ", "sin = "), ("s = \"sin(q)\"", "vx = \"sin(q)\"")];
+    check(
+        &edited(&edits),
+        &expect![[r#"
+        error: `vx` is declared twice
+          --> report.toml:5:1
+           |
+         5 | vx = "sin(q)"
+           | ^^
+           |
+          ::: report.toml:10:1
+           |
+        10 | vx = "v(C) @ N [1]"
+           | -- first declared here
+           |
+           = help: rename one of the two
+
+        error: `sin` is reserved
+         --> report.toml:6:1
+          |
+        6 | sin = "m*length*s"
+          | ^^^
+          |
+          = help: choose another name: this one belongs to the expression language
+
+        error: unknown name `s`
+         --> report.toml:6:17
+          |
+        6 | sin = "m*length*s"
+          |                 ^
+          |
+          = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `vx`
+
+        error: `m` is a parameter of the model
+         --> report.toml:9:1
+          |
+        9 | m = "T"
+          | ^
+          |
+          = help: choose another name: in formulas `m` is the model's
+
+        error: unknown name `T`
+          --> report.toml:28:12
+           |
+        28 | printed = "T + 0*vx"
+           |            ^
+           |
+           = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `vx`
+
+        error: unknown name `bob`
+          --> report.toml:37:11
+           |
+        37 | right = ["bob*q'^2", "-g*bob"]
+           |           ^^^            --- also here, and 1 times more
+           |
+           = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `vx`"#]],
+    );
+}
+
+#[test]
+fn an_abbreviation_uses_those_above_it() {
+    check_edit(
+        "s = \"sin(q)\"",
+        "s = \"sin(q) + bob\"",
+        &expect![[r#"
+        error: `bob` is used before it is declared
+         --> report.toml:5:15
+          |
+        5 | s = "sin(q) + bob"
+          |               ^^^
+          |
+          = help: an abbreviation may use those above it"#]],
+    );
+}
+
+#[test]
+fn an_initial_value_is_a_number_and_stands_once_in_its_set() {
+    let edits = [("10*pi/180", "10*m"), ("quantity = \"x'\"", "quantity = \"q\""), ("-0.250", "1e999")];
+    check(
+        &edited(&edits),
+        &expect![[r#"
+        error: `10*m` is not a number: it contains `m`
+          --> report.toml:54:12
+           |
+        54 | printed = "10*m"
+           |            ^^^^
+           |
+           = help: write a number, or one in terms of numbers and `pi`
+
+        error: `q` has two values in the set `text`
+          --> report.toml:60:13
+           |
+        60 | quantity = "q"
+           |             ^
+           |
+          ::: report.toml:53:13
+           |
+        53 | quantity = "q"
+           |             - first stated here
+           |
+           = help: put what another place prints into a set of its own
+
+        error: `1e999` is not a number of double precision
+          --> report.toml:61:11
+           |
+        61 | printed = 1e999
+           |           ^^^^^
+           |
+           = help: give a finite number below 1e308 in size"#]],
+    );
+}

@@ -1,0 +1,252 @@
+//! Chaotic pendulum: a swinging rod with a plate turning about it: Newton–Euler equations, A(q, u) (u', reactions) = b(q, u).
+//!
+//! Generated from `models/chaotic_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+//! 2 coordinates, 2 speeds, 9 parameters, 10 reactions. Unknowns: (omega', alpha', pin1, pin2, pin3, pin_torque1, pin_torque3, bearing1, bearing2, bearing3, bearing_torque1, bearing_torque2).
+//! Cost: mass_matrix 19 operations, 1 sine and cosine; forcing 34 operations, 2 sines and cosines.
+//! The kinematic equations are singular nowhere.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rod force a1, rod force a2, rod force a3, rod moment a1, rod moment a2, rod moment a3, plate force b1, plate force b2, plate force b3, plate moment b1, plate moment b2, plate moment b3.
+///
+/// 19 operations, 1 sine and cosine.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    _u: &[S; 2],
+) -> [[S; 12]; 12] {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
+    let [_, phi] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    // Shared terms.
+    // -sin(phi); used 2 times
+    let sin_phi_scaled = -sin_phi;
+    // -cos(phi); used 4 times
+    let cos_phi_scaled = -cos_phi;
+    // Entries that are not zero.
+    // M_1_1 = mA*lA
+    let m_1_1 = mA * lA;
+    // M_1_3 = -1
+    let m_1_3 = -S::int(1);
+    // M_1_8 = 1
+    let m_1_8 = S::int(1);
+    // M_2_4 = -1
+    let m_2_4 = -S::int(1);
+    // M_2_9 = 1
+    let m_2_9 = S::int(1);
+    // M_3_5 = -1
+    let m_3_5 = -S::int(1);
+    // M_3_10 = 1
+    let m_3_10 = S::int(1);
+    // M_4_4 = -lA
+    let m_4_4 = -lA;
+    // M_4_6 = -1
+    let m_4_6 = -S::int(1);
+    // M_4_9 = lA - lB
+    let m_4_9 = lA - lB;
+    // M_4_11 = 1
+    let m_4_11 = S::int(1);
+    // M_5_1 = IAxx
+    let m_5_1 = IAxx;
+    // M_5_3 = lA
+    let m_5_3 = lA;
+    // M_5_8 = lB - lA
+    let m_5_8 = lB - lA;
+    // M_5_12 = 1
+    let m_5_12 = S::int(1);
+    // M_6_7 = -1
+    let m_6_7 = -S::int(1);
+    // M_7_1 = mB*lB*cos(phi)
+    let m_7_1 = mB * lB * cos_phi;
+    // M_7_8 = -cos(phi)
+    let m_7_8 = cos_phi_scaled;
+    // M_7_9 = -sin(phi)
+    let m_7_9 = sin_phi_scaled;
+    // M_8_1 = -mB*lB*sin(phi)
+    let m_8_1 = -mB * lB * sin_phi;
+    // M_8_8 = sin(phi)
+    let m_8_8 = sin_phi;
+    // M_8_9 = -cos(phi)
+    let m_8_9 = cos_phi_scaled;
+    // M_9_10 = -1
+    let m_9_10 = -S::int(1);
+    // M_10_1 = IBxx*sin(phi)
+    let m_10_1 = IBxx * sin_phi;
+    // M_10_11 = -cos(phi)
+    let m_10_11 = cos_phi_scaled;
+    // M_10_12 = -sin(phi)
+    let m_10_12 = sin_phi_scaled;
+    // M_11_1 = IByy*cos(phi)
+    let m_11_1 = IByy * cos_phi;
+    // M_11_11 = sin(phi)
+    let m_11_11 = sin_phi;
+    // M_11_12 = -cos(phi)
+    let m_11_12 = cos_phi_scaled;
+    // M_12_2 = IBzz
+    let m_12_2 = IBzz;
+    [
+        [m_1_1, zero, m_1_3, zero, zero, zero, zero, m_1_8, zero, zero, zero, zero],
+        [zero, zero, zero, m_2_4, zero, zero, zero, zero, m_2_9, zero, zero, zero],
+        [zero, zero, zero, zero, m_3_5, zero, zero, zero, zero, m_3_10, zero, zero],
+        [zero, zero, zero, m_4_4, zero, m_4_6, zero, zero, m_4_9, zero, m_4_11, zero],
+        [m_5_1, zero, m_5_3, zero, zero, zero, zero, m_5_8, zero, zero, zero, m_5_12],
+        [zero, zero, zero, zero, zero, zero, m_6_7, zero, zero, zero, zero, zero],
+        [m_7_1, zero, zero, zero, zero, zero, zero, m_7_8, m_7_9, zero, zero, zero],
+        [m_8_1, zero, zero, zero, zero, zero, zero, m_8_8, m_8_9, zero, zero, zero],
+        [zero, zero, zero, zero, zero, zero, zero, zero, zero, m_9_10, zero, zero],
+        [m_10_1, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_10_11, m_10_12],
+        [m_11_1, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_11_11, m_11_12],
+        [zero, m_12_2, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
+    ]
+}
+
+/// Right-hand side of the linear system; unknowns (omega', alpha', pin1, pin2, pin3, pin_torque1, pin_torque3, bearing1, bearing2, bearing3, bearing_torque1, bearing_torque2).
+///
+/// 34 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 12] {
+    let Parameters { mA, mB, lA, lB, IBxx, IByy, IBzz, g, .. } = *p;
+    let [theta, phi] = *q;
+    let [omega, alpha] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // g*cos(theta); used 2 times
+    let g_cos_theta = g * cos_theta;
+    // Values.
+    // f_1 = -mA*g*sin(theta)
+    let f_1 = -mA * g * sin_theta;
+    // f_3 = mA*(g*cos(theta) + lA*omega^2)
+    let f_3 = mA * (g_cos_theta + lA * omega * omega);
+    // f_7 = -mB*g*sin(theta)*cos(phi)
+    let f_7 = -mB * g * sin_theta * cos_phi;
+    // f_8 = mB*g*sin(theta)*sin(phi)
+    let f_8 = mB * g * sin_theta * sin_phi;
+    // f_9 = mB*(g*cos(theta) + lB*omega^2)
+    let f_9 = mB * (g_cos_theta + lB * omega * omega);
+    // f_10 = omega*alpha*cos(phi)*(IByy - IBxx - IBzz)
+    let f_10 = omega * alpha * cos_phi * (IByy - IBxx - IBzz);
+    // f_11 = omega*alpha*sin(phi)*(IByy - IBxx + IBzz)
+    let f_11 = omega * alpha * sin_phi * (IByy - IBxx + IBzz);
+    // f_12 = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
+    let f_12 = omega * omega * sin_phi * cos_phi * (IBxx - IByy);
+    [f_1, zero, f_3, zero, zero, zero, f_7, f_8, f_9, f_10, f_11, f_12]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 0 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 2],
+    u: &[S; 2],
+) -> [S; 2] {
+    let [omega, alpha] = *u;
+    // Values.
+    // theta' = omega
+    let theta_dot_value = omega;
+    // phi' = alpha
+    let phi_dot_value = alpha;
+    [theta_dot_value, phi_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 19 operations, 1 sine and cosine.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
+    let [_, phi] = *q;
+    let [omega, alpha] = *u;
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    // Values.
+    // T = omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*alpha^2/2
+    let energy = S::ratio(1, 2) * omega * omega
+        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi) + S::ratio(1, 2) * IBzz * alpha * alpha;
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 6 operations, 1 sine and cosine.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
+    let Parameters { mA, mB, lA, lB, g, .. } = *p;
+    let [theta, _] = *q;
+    // Sines and cosines.
+    let (_, cos_theta) = theta.sin_cos();
+    // Values.
+    // V = -g*cos(theta)*(mA*lA + mB*lB)
+    let energy = -g * cos_theta * (mA * lA + mB * lB);
+    energy
+}
+
+/// Newton–Euler equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct NewtonEuler;
+
+impl<S: Scalar> System<S> for NewtonEuler {
+    fn parameters(&self) -> usize {
+        9
+    }
+    fn coordinates(&self) -> usize {
+        2
+    }
+    fn speeds(&self) -> usize {
+        2
+    }
+    fn reactions(&self) -> usize {
+        10
+    }
+    fn symmetric(&self) -> bool {
+        false
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}
