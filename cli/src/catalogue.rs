@@ -3,8 +3,12 @@
 use crate::failure::Failure;
 use crate::interpreted::Interpreted;
 use std::path::{Path, PathBuf};
+use tripos_codegen::workspace::report_beside;
+use tripos_derive::algebra::Arena;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::{Formulation, Model, derive};
+use tripos_derive::diff::printed_equations;
+use tripos_derive::mechanics::{Derivation, derive_all};
+use tripos_derive::{Equations, Formulation, Model, derive};
 use tripos_traits::{CompiledModel, System};
 
 /// Equations ready to run.
@@ -65,18 +69,82 @@ pub fn formulation(name: &str) -> Result<Formulation, Failure> {
     })
 }
 
-/// The equations of a model by one formulation: compiled in if they were derived from this very text.
+/// Which equations run: derived ones, or printed ones of the report beside the model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct By {
+    /// `kane`, `lagrange`, `newton-euler` or `printed:ID`.
+    pub name: String,
+    /// The name in a heading.
+    pub title: String,
+    /// The formulation; none for printed equations.
+    derived: Option<Formulation>,
+}
+
+impl From<Formulation> for By {
+    fn from(f: Formulation) -> Self {
+        Self { name: f.name().to_owned(), title: f.title().to_owned(), derived: Some(f) }
+    }
+}
+
+/// What `--by` means for this model.
+pub fn by(model: &Model, name: &str) -> Result<By, Failure> {
+    if !name.starts_with("printed:") {
+        return formulation(name).map(By::from);
+    }
+    let list = printed(model)?;
+    list.iter().find(|by| by.name == name).cloned().ok_or_else(|| {
+        let names = list.iter().map(|by| by.name.as_str());
+        let help = if list.is_empty() {
+            "the model has no report.toml beside it".to_owned()
+        } else {
+            tripos_derive::diagnostic::nearest(name, names)
+        };
+        Failure::Request(format!("there are no printed equations `{name}`"), help)
+    })
+}
+
+/// The printed equations of the report beside a model, in the order of the report.
+pub fn printed(model: &Model) -> Result<Vec<By>, Failure> {
+    let list = printed_derivation(model)?.map(|(_, equations)| equations).unwrap_or_default();
+    Ok(list.into_iter().map(|e| By { name: e.name, title: e.title, derived: None }).collect())
+}
+
+/// Printed equations, with the model that holds their terms.
+fn printed_derivation(model: &Model) -> Result<Option<(Arena, Vec<Equations>)>, Failure> {
+    let mut with_report = model.clone();
+    let Some(report) = report_beside(&model.source.path, &mut with_report)? else { return Ok(None) };
+    let mut derivations = derive_all(&with_report).map_err(|error| model.diagnose(&error))?;
+    let list = printed_equations(&with_report, &mut derivations, &report);
+    Ok(Some((derivations.kinematics.arena, list)))
+}
+
+/// The equations of a model: compiled in if they were derived from this very text.
 ///
 /// Compiled equations of a workspace model whose text has changed since are refused, never run.
-pub fn code(model: &Model, formulation: Formulation) -> Result<Code, Failure> {
+pub fn code(model: &Model, by: &By) -> Result<Code, Failure> {
     if let Some(compiled) = compiled(model)? {
-        let found = compiled.systems.iter().find(|(name, _)| *name == formulation.name());
-        if let Some((_, system)) = found {
+        let found = compiled.systems.iter().find(|(name, _)| *name == by.name);
+        let current = by.derived.is_some() || report_hash(model) == compiled.report_hash;
+        if let (Some((_, system)), true) = (found, current) {
             return Ok(Code::Compiled(*system));
         }
     }
-    let derivation = derive(model, formulation).map_err(|error| model.diagnose(&error))?;
+    let derivation = match by.derived {
+        Some(formulation) => derive(model, formulation).map_err(|error| model.diagnose(&error))?,
+        None => {
+            let (arena, list) = printed_derivation(model)?.unwrap_or_default();
+            let equations = list.into_iter().find(|e| e.name == by.name);
+            let missing = || Failure::Request(format!("there are no equations `{}`", by.name), String::new());
+            Derivation { arena, equations: equations.ok_or_else(missing)? }
+        }
+    };
     Ok(Code::Interpreted(Box::new(Interpreted::new(model, &derivation))))
+}
+
+/// The hash of the text of the report beside a model; empty if there is none.
+fn report_hash(model: &Model) -> String {
+    let text = std::fs::read_to_string(model.source.path.with_file_name("report.toml"));
+    text.map(|text| tripos_derive::model::text_hash(&text)).unwrap_or_default()
 }
 
 fn compiled(model: &Model) -> Result<Option<&'static CompiledModel>, Failure> {

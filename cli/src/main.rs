@@ -94,7 +94,8 @@ enum Command {
 struct Simulate {
     /// A scene file
     scene: PathBuf,
-    /// kane, lagrange or newton-euler; the first that the model supports if not given
+    /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model; the first
+    /// formulation that the model supports if not given
     #[arg(long)]
     by: Option<String>,
     /// The method of integration: ode45

@@ -1,6 +1,6 @@
 //! One run of a scene by one formulation.
 
-use crate::catalogue::{Code, code};
+use crate::catalogue::{By, Code, code};
 use crate::failure::Failure;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
@@ -11,8 +11,8 @@ use tripos_traits::System;
 
 /// What came out of a run.
 pub struct Run {
-    /// The formulation.
-    pub formulation: Formulation,
+    /// Which equations ran.
+    pub by: By,
     /// Whether compiled code ran.
     pub code: &'static str,
     /// The integrator's result.
@@ -46,18 +46,18 @@ pub fn state_names(model: &Model) -> Vec<String> {
     coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
 }
 
-/// Runs a scene.
+/// Runs a scene by one set of equations.
 ///
 /// # Errors
 /// [`Failure`] if the formulation is not to be had, or the scene asks for what it cannot give.
-pub fn run(model: &Model, scene: &Scene, formulation: Formulation) -> Result<Run, Failure> {
-    let code = code(model, formulation)?;
-    let balance = Balance::new(model, scene, formulation)?;
+pub fn run(model: &Model, scene: &Scene, by: &By) -> Result<Run, Failure> {
+    let code = code(model, by)?;
+    let balance = Balance::new(model, scene, by)?;
     let system = code.system();
     let request = |error: tripos_sim::SimError| {
         Failure::Request(error.to_string(), format!("check {}", scene.source.path.display()))
     };
-    let label = format!("{}, {}", model.title, formulation.name());
+    let label = format!("{}, {}", model.title, by.name);
     let mut dynamics = Dynamics::new(system, &scene.parameters).map_err(request)?.labelled(label);
     let mut v = vec![0.0; system.speeds()];
     system.motion_variables(&scene.parameters, &scene.q, &scene.u, &mut v);
@@ -65,7 +65,7 @@ pub fn run(model: &Model, scene: &Scene, formulation: Formulation) -> Result<Run
         return Err(Failure::Stopped(format!(
             "the run cannot start: motion variable {} of {} is {} there, since the generalized speeds do not determine q'",
             at + 1,
-            formulation.name(),
+            by.name,
             v[at]
         )));
     }
@@ -82,7 +82,7 @@ pub fn run(model: &Model, scene: &Scene, formulation: Formulation) -> Result<Run
     let rhs = |t: f64, y: &[f64], dydt: &mut [f64]| dynamics.rhs(t, y, dydt);
     let solution = integrate(rhs, scene.span, &y0, &options, &mut events).map_err(request)?;
     drop(events);
-    Ok(finish(model, scene, &code, &dynamics, formulation, solution))
+    Ok(finish(model, scene, &code, &dynamics, by.clone(), solution))
 }
 
 /// The method of this name.
@@ -105,14 +105,7 @@ fn output(scene: &Scene) -> Output {
     }
 }
 
-fn finish(
-    model: &Model,
-    scene: &Scene,
-    code: &Code,
-    dynamics: &Dynamics<'_>,
-    formulation: Formulation,
-    solution: Solution,
-) -> Run {
+fn finish(model: &Model, scene: &Scene, code: &Code, dynamics: &Dynamics<'_>, by: By, solution: Solution) -> Run {
     let (system, p) = (code.system(), dynamics.parameters());
     let state = |y: &[f64]| {
         let (q, v) = dynamics.split(y);
@@ -129,7 +122,7 @@ fn finish(
     let mut warnings: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
     warnings.extend(drift_warning(model, scene, &energies, energy_drift));
     Run {
-        formulation,
+        by,
         code: code.name(),
         states: solution.y.iter().map(|y| state(y)).collect(),
         energies,
@@ -165,18 +158,17 @@ struct Balance {
 }
 
 impl Balance {
-    fn new(model: &Model, scene: &Scene, formulation: Formulation) -> Result<Self, Failure> {
+    fn new(model: &Model, scene: &Scene, by: &By) -> Result<Self, Failure> {
         let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
         let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
         for (name, e) in watched {
             let Some(reaction) = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol)) else { continue };
-            return match code(model, Formulation::NewtonEuler) {
+            return match code(model, &Formulation::NewtonEuler.into()) {
                 Ok(code) => Ok(Self { code: Some(code) }),
                 Err(error) => Err(Failure::Request(
                     format!(
                         "`{name}` needs the reaction `{}`, which only newton-euler gives, also in a run by {}:\n{error}",
-                        reaction.name,
-                        formulation.name()
+                        reaction.name, by.name
                     ),
                     "name the missing reactions, or state the condition without a reaction".to_owned(),
                 )),

@@ -1,6 +1,6 @@
 //! `tripos report`: the main job. Derive, run every scene by every formulation, write one page.
 
-use crate::catalogue::{model_file, read_model};
+use crate::catalogue::{By, model_file, read_model};
 use crate::failure::{Failure, say, status, warn};
 use crate::page::{self, Figure, Page, RunRow, SceneSection};
 use crate::plot::{self, Panel, Series};
@@ -28,7 +28,7 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
         let mut runs = Vec::new();
         for f in &supported {
             bar.set_message(format!("running {} by {}", scene.source.path.display(), f.name()));
-            let run = run(&model, scene, *f)?;
+            let run = run(&model, scene, &(*f).into())?;
             let objections = run.objections();
             let place = format!("{} by {}", scene.source.path.display(), f.name());
             stopped |= run.solution.stop.is_failure();
@@ -145,7 +145,7 @@ fn facts(model: &Model, scene: &Scene) -> Vec<(String, String)> {
 fn row(scene: &Scene, run: &Run) -> RunRow {
     let solution = &run.solution;
     RunRow {
-        formulation: run.formulation.title().to_owned(),
+        formulation: run.by.title.clone(),
         method: scene.method.clone(),
         code: run.code.to_owned(),
         steps: solution.steps,
@@ -159,16 +159,15 @@ fn row(scene: &Scene, run: &Run) -> RunRow {
     }
 }
 
-fn style(formulation: Formulation) -> usize {
-    Formulation::ALL.iter().position(|f| *f == formulation).unwrap_or(0)
+/// Formulations keep their colours, whichever a model supports.
+fn style(by: &By) -> usize {
+    Formulation::ALL.iter().position(|f| f.name() == by.name).unwrap_or(0)
 }
 
 fn note(runs: &[Run]) -> Option<String> {
     let early = runs.iter().filter(|run| run.solution.stop.code() != "end");
     let notes: Vec<String> = early
-        .map(|run| {
-            format!("{} ends at {:.4} s: {}", run.formulation.name(), run.solution.t_end, run.solution.stop.code())
-        })
+        .map(|run| format!("{} ends at {:.4} s: {}", run.by.name, run.solution.t_end, run.solution.stop.code()))
         .collect();
     (!notes.is_empty()).then(|| notes.join("; "))
 }
@@ -177,8 +176,8 @@ fn energy_panel(runs: &[Run]) -> Panel {
     let series = runs
         .iter()
         .map(|run| Series {
-            label: run.formulation.title().to_owned(),
-            style: style(run.formulation),
+            label: run.by.title.clone(),
+            style: style(&run.by),
             points: run.solution.t.iter().zip(&run.energies).map(|(t, (k, p))| (*t, k + p)).collect(),
         })
         .collect();
@@ -209,8 +208,8 @@ fn state_panels(model: &Model, runs: &[Run]) -> Vec<Panel> {
         series: runs
             .iter()
             .map(|run| Series {
-                label: run.formulation.title().to_owned(),
-                style: style(run.formulation),
+                label: run.by.title.clone(),
+                style: style(&run.by),
                 points: run.solution.t.iter().zip(&run.states).map(|(t, state)| (*t, state[at])).collect(),
             })
             .collect(),

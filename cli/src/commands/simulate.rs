@@ -1,7 +1,7 @@
 //! `tripos simulate`: one run of a scene.
 
 use crate::Simulate;
-use crate::catalogue::{formulation, read_model, short_name};
+use crate::catalogue::{By, by, read_model, short_name};
 use crate::failure::{Failure, print, say, status, warn};
 use crate::run::{Run, method, run, state_names};
 use serde_json::{Map, Value, json};
@@ -16,10 +16,12 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let (model, mut scene) = read_scene(&request.scene)?;
     change(&mut scene, request)?;
     let by = match &request.by {
-        Some(name) => formulation(name)?,
-        None => Formulation::ALL.into_iter().find(|f| derive(&model, *f).is_ok()).unwrap_or(Formulation::Kane),
+        Some(name) => by(&model, name)?,
+        None => {
+            By::from(Formulation::ALL.into_iter().find(|f| derive(&model, *f).is_ok()).unwrap_or(Formulation::Kane))
+        }
     };
-    let run = run(&model, &scene, by)?;
+    let run = run(&model, &scene, &by)?;
     for warning in &run.warnings {
         warn(warning);
     }
@@ -86,7 +88,7 @@ fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
         .collect();
     json!({
         "model": short_name(model),
-        "formulation": run.formulation.name(),
+        "formulation": run.by.name,
         "method": scene.method,
         "compiled": run.code == "compiled",
         "t": solution.t_end,
@@ -104,12 +106,7 @@ fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
 fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
     let mut out = format!(
         "{}, {}, {} code, {} with rtol {:e}, atol {:e}\n",
-        model.title,
-        run.formulation.title(),
-        run.code,
-        scene.method,
-        scene.rtol,
-        scene.atol
+        model.title, run.by.title, run.code, scene.method, scene.rtol, scene.atol
     );
     let _ = writeln!(out, "{}", run.solution);
     for event in &run.solution.events {
