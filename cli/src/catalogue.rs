@@ -86,6 +86,18 @@ impl From<Formulation> for By {
     }
 }
 
+impl By {
+    /// Printed equations.
+    pub fn printed(equations: &Equations) -> Self {
+        Self { name: equations.name.clone(), title: equations.title.clone(), derived: None }
+    }
+
+    /// The formulation; none for printed equations.
+    pub fn formulation(&self) -> Option<Formulation> {
+        self.derived
+    }
+}
+
 /// What `--by` means for this model.
 pub fn by(model: &Model, name: &str) -> Result<By, Failure> {
     if !name.starts_with("printed:") {
@@ -106,7 +118,7 @@ pub fn by(model: &Model, name: &str) -> Result<By, Failure> {
 /// The printed equations of the report beside a model, in the order of the report.
 pub fn printed(model: &Model) -> Result<Vec<By>, Failure> {
     let list = printed_derivation(model)?.map(|(_, equations)| equations).unwrap_or_default();
-    Ok(list.into_iter().map(|e| By { name: e.name, title: e.title, derived: None }).collect())
+    Ok(list.iter().map(By::printed).collect())
 }
 
 /// Printed equations, with the model that holds their terms.
@@ -122,23 +134,51 @@ fn printed_derivation(model: &Model) -> Result<Option<(Arena, Vec<Equations>)>, 
 ///
 /// Compiled equations of a workspace model whose text has changed since are refused, never run.
 pub fn code(model: &Model, by: &By) -> Result<Code, Failure> {
-    if let Some(compiled) = compiled(model)? {
-        let found = compiled.systems.iter().find(|(name, _)| *name == by.name);
-        let current = by.derived.is_some() || report_hash(model) == compiled.report_hash;
-        if let (Some((_, system)), true) = (found, current) {
-            return Ok(Code::Compiled(*system));
-        }
+    match compiled_code(model, by)? {
+        Some(code) => Ok(code),
+        None => code_of(model, &derivation(model, by)?),
     }
-    let derivation = match by.derived {
-        Some(formulation) => derive(model, formulation).map_err(|error| model.diagnose(&error))?,
-        None => {
-            let (arena, list) = printed_derivation(model)?.unwrap_or_default();
-            let equations = list.into_iter().find(|e| e.name == by.name);
-            let missing = || Failure::Request(format!("there are no equations `{}`", by.name), String::new());
-            Derivation { arena, equations: equations.ok_or_else(missing)? }
-        }
+}
+
+/// The equations of a model that were compiled in, if there are such and they are current.
+pub fn compiled_code(model: &Model, by: &By) -> Result<Option<Code>, Failure> {
+    let Some(compiled) = compiled(model)? else { return Ok(None) };
+    let found = compiled.systems.iter().find(|(name, _)| *name == by.name);
+    let current = by.derived.is_some() || report_hash(model) == compiled.report_hash;
+    Ok(found.filter(|_| current).map(|(_, system)| Code::Compiled(*system)))
+}
+
+/// Equations made ready to be run by interpretation.
+///
+/// # Errors
+/// As [`interpreted`].
+pub fn code_of(model: &Model, derivation: &Derivation) -> Result<Code, Failure> {
+    Ok(Code::Interpreted(Box::new(interpreted(model, derivation)?)))
+}
+
+/// Equations made ready to be interpreted.
+///
+/// # Errors
+/// [`Failure::Request`] if they depend on what has no value during a run, as only printed ones can.
+pub fn interpreted(model: &Model, derivation: &Derivation) -> Result<Interpreted, Failure> {
+    Interpreted::new(model, derivation).map_err(|unknown| {
+        let what = format!("`{}` mentions `{}`, which has no value during a run", derivation.equations.name, unknown.0);
+        Failure::Request(what, "equations that run hold parameters, coordinates and motion variables only".to_owned())
+    })
+}
+
+/// The equations of a model as terms.
+pub fn derivation(model: &Model, by: &By) -> Result<Derivation, Failure> {
+    if let Some(formulation) = by.derived {
+        return Ok(derive(model, formulation).map_err(|error| model.diagnose(&error))?);
+    }
+    let (arena, list) = printed_derivation(model)?.unwrap_or_default();
+    let equations = list.into_iter().find(|e| e.name == by.name);
+    let missing = || {
+        let help = "the report has changed while it was read: try again".to_owned();
+        Failure::Request(format!("there are no equations `{}`", by.name), help)
     };
-    Ok(Code::Interpreted(Box::new(Interpreted::new(model, &derivation))))
+    Ok(Derivation { arena, equations: equations.ok_or_else(missing)? })
 }
 
 /// The hash of the text of the report beside a model; empty if there is none.

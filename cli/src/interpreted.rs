@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
 use tripos_derive::mechanics::Derivation;
 use tripos_traits::System;
 
@@ -25,29 +25,27 @@ pub struct Interpreted {
 impl Interpreted {
     /// Compiles the equations to tapes.
     ///
-    /// # Panics
-    /// If an equation has a symbol that is no input of it: the derivation allows none.
-    pub fn new(model: &Model, derivation: &Derivation) -> Self {
+    /// # Errors
+    /// [`UnknownSymbol`] if an equation has a symbol that is no input of it: derived ones never do.
+    pub fn new(model: &Model, derivation: &Derivation) -> Result<Self, UnknownSymbol> {
         let Derivation { arena, equations: e } = derivation;
         let (p, q) = (model.p(), model.q());
         let state = [p.clone(), q.clone(), e.variables.clone()].concat();
-        let tape = |inputs: &[Expr], outputs: &[Expr]| {
-            Tape::new(arena, inputs, outputs).expect("equations depend on parameters, q and v alone")
-        };
+        let tape = |inputs: &[Expr], outputs: &[Expr]| Tape::new(arena, inputs, outputs);
         let speed_rates = e.unknowns[..e.variables.len()].to_vec();
-        Self {
+        Ok(Self {
             sizes: [p.len(), q.len(), e.variables.len(), e.unknowns.len() - e.variables.len()],
             symmetric: e.symmetric,
-            coordinate_rates: tape(&state, &e.coordinate_rates),
-            mass_matrix: tape(&state, &e.matrix.concat()),
-            forcing: tape(&state, &e.forcing),
-            generalized_speeds: tape(&state, &e.generalized_speeds),
-            generalized_speed_rates: tape(&[state.clone(), speed_rates].concat(), &e.generalized_speed_rates),
-            motion_variables: tape(&[p.clone(), q.clone(), model.u()].concat(), &e.motion_variables),
-            kinetic_energy: tape(&state, &[e.kinetic_energy]),
-            potential_energy: tape(&[p, q].concat(), &[e.potential_energy]),
+            coordinate_rates: tape(&state, &e.coordinate_rates)?,
+            mass_matrix: tape(&state, &e.matrix.concat())?,
+            forcing: tape(&state, &e.forcing)?,
+            generalized_speeds: tape(&state, &e.generalized_speeds)?,
+            generalized_speed_rates: tape(&[state.clone(), speed_rates].concat(), &e.generalized_speed_rates)?,
+            motion_variables: tape(&[p.clone(), q.clone(), model.u()].concat(), &e.motion_variables)?,
+            kinetic_energy: tape(&state, &[e.kinetic_energy])?,
+            potential_energy: tape(&[p, q].concat(), &[e.potential_energy])?,
             work: RefCell::default(),
-        }
+        })
     }
 
     fn run(&self, tape: &Tape, inputs: &[&[f64]], out: &mut [f64]) {

@@ -3,10 +3,13 @@
 mod catalogue;
 mod commands;
 mod failure;
+mod figures;
 mod interpreted;
+mod invariants;
 mod page;
 mod plot;
 mod run;
+mod study;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use failure::{Failure, say};
@@ -55,12 +58,12 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Compare a model with a published derivation, equation by equation; exit status 1 if anything differs
+    /// Compare a model with a published derivation, or with an edited model; exit status 1 if anything differs
     Diff {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A report file (docs/report.md)
-        report: PathBuf,
+        /// A report file (docs/report.md), or the newer of two models
+        other: PathBuf,
         /// Print JSON
         #[arg(long)]
         json: bool,
@@ -75,7 +78,7 @@ enum Command {
     Evaluate {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// kane, lagrange or newton-euler
+        /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model
         #[arg(long)]
         by: String,
         /// A TOML file with [parameters] and [state]
@@ -135,7 +138,7 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Report { model, out } => commands::report::report(&model, &out),
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
-        Command::Diff { model, report, json } => commands::diff::diff(&model, &report, json),
+        Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
         Command::Prove { model, json } => commands::prove::prove(&model, json),
         Command::Regenerate { check: true } => commands::regenerate::check(),
         Command::Regenerate { check: false } => commands::regenerate::regenerate(),

@@ -4,11 +4,17 @@
 //! purpose: scripts, outside resources, dates and paths of the machine.
 
 mod derivation;
+mod errata;
 mod html;
 mod math;
 mod mechanism;
+mod motion;
+mod proof;
 mod scene;
+mod singular;
+mod typeset;
 
+use crate::study::Study;
 use html::{anchor, escape};
 use std::fmt::Write;
 use tripos_derive::mechanics::Derivation;
@@ -20,6 +26,8 @@ pub struct Page<'a> {
     pub model: &'a Model,
     /// Its equations of motion by each formulation, or why there are none.
     pub derivations: Vec<(Formulation, Result<Derivation, String>)>,
+    /// What is proved of them, and the report beside the model, judged.
+    pub study: &'a Study,
     /// The simulations.
     pub scenes: Vec<SceneSection>,
     /// The command that made the page.
@@ -34,16 +42,24 @@ pub struct SceneSection {
     pub about: String,
     /// (what, value): parameters, start, tolerances.
     pub facts: Vec<(String, String)>,
-    /// One run for each formulation.
+    /// One run for each formulation, then one for each printed system.
     pub runs: Vec<RunRow>,
+    /// Printed systems that could not be run: (title, why).
+    pub not_run: Vec<(String, String)>,
     /// Its figures.
     pub figures: Vec<Figure>,
+    /// First integrals over time, if there are any.
+    pub integrals: Option<Figure>,
+    /// Determinants, condition numbers and kinematic divisors over time.
+    pub nearness: Option<Figure>,
 }
 
 /// What came of one run.
 pub struct RunRow {
-    /// The formulation, as in a heading.
-    pub formulation: String,
+    /// Which equations ran, as in a heading.
+    pub title: String,
+    /// The id of the printed system; none for derived equations.
+    pub printed: Option<String>,
     /// The integration method.
     pub method: String,
     /// `compiled` or `interpreted`.
@@ -56,6 +72,8 @@ pub struct RunRow {
     pub evaluations: u64,
     /// Where the run ended, s.
     pub t_end: f64,
+    /// Whether it reached the end that was asked for.
+    pub arrived: bool,
     /// Why it ended, as a sentence.
     pub stop: String,
     /// Whether the run went as far as its equations hold and it was asked to.
@@ -64,6 +82,23 @@ pub struct RunRow {
     pub energy_drift: f64,
     /// What else the reader should know.
     pub warnings: Vec<String>,
+    /// Largest change of each first integral.
+    pub changes: Vec<f64>,
+    /// How near it came to singular places.
+    pub nearest: Nearest,
+}
+
+/// Extremes along a run: (value, time), nothing where no sample has a value.
+#[derive(Default)]
+pub struct Nearest {
+    /// The least and the greatest determinant.
+    pub determinant: Option<(f64, f64)>,
+    /// The least |det A / det A(t₀)|.
+    pub relative: Option<(f64, f64)>,
+    /// The least reciprocal condition number.
+    pub condition: Option<(f64, f64)>,
+    /// The least absolute value of each divisor of the kinematic equations.
+    pub divisors: Vec<Option<(f64, f64)>>,
 }
 
 /// A figure and its caption.
@@ -82,11 +117,15 @@ pub fn render(page: &Page) -> String {
     for (formulation, result) in &page.derivations {
         body += &derivation::section(page.model, *formulation, result, &mut shown);
     }
+    body += &proof::section(page.model, page.study);
+    if let Some(published) = &page.study.published {
+        body += &errata::section(page, published);
+    }
     if !page.scenes.is_empty() {
         body += "<section id=\"simulation\">\n<h2>Simulation</h2>\n";
         let mut figures = 0;
         for (at, scene) in page.scenes.iter().enumerate() {
-            body += &scene::section(scene, at, &mut figures);
+            body += &scene::section(page, scene, at, &mut figures);
         }
         body += "</section>\n";
     }
@@ -113,6 +152,10 @@ fn contents(page: &Page) -> String {
         let missing = if result.is_err() { " <span class=\"quiet\">(not derived)</span>" } else { "" };
         let (name, title) = (formulation.name(), escape(formulation.title()));
         let _ = writeln!(out, "<li><a href=\"#{name}\">{title}</a>{missing}</li>");
+    }
+    out += "<li><a href=\"#proof\">Proof</a></li>\n";
+    if page.study.published.is_some() {
+        out += "<li><a href=\"#errata\">Errata</a></li>\n";
     }
     if !page.scenes.is_empty() {
         out += "<li><a href=\"#simulation\">Simulation</a>\n<ul>\n";

@@ -51,7 +51,14 @@ pub fn state_names(model: &Model) -> Vec<String> {
 /// # Errors
 /// [`Failure`] if the formulation is not to be had, or the scene asks for what it cannot give.
 pub fn run(model: &Model, scene: &Scene, by: &By) -> Result<Run, Failure> {
-    let code = code(model, by)?;
+    run_code(model, scene, by, &code(model, by)?)
+}
+
+/// Runs a scene by one set of equations that is ready.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_code(model: &Model, scene: &Scene, by: &By, code: &Code) -> Result<Run, Failure> {
     let balance = Balance::new(model, scene, by)?;
     let system = code.system();
     let request = |error: tripos_sim::SimError| {
@@ -82,7 +89,7 @@ pub fn run(model: &Model, scene: &Scene, by: &By) -> Result<Run, Failure> {
     let rhs = |t: f64, y: &[f64], dydt: &mut [f64]| dynamics.rhs(t, y, dydt);
     let solution = integrate(rhs, scene.span, &y0, &options, &mut events).map_err(request)?;
     drop(events);
-    Ok(finish(model, scene, &code, &dynamics, by.clone(), solution))
+    Ok(finish(model, scene, code, &dynamics, by.clone(), solution))
 }
 
 /// The method of this name.

@@ -123,6 +123,15 @@ impl<'a> Dynamics<'a> {
         linear::reciprocal_condition(&self.matrix, self.system.unknowns())
     }
 
+    /// det A(q, v); not a number if A is not finite or a length is not the system's.
+    pub fn determinant(&mut self, q: &[f64], v: &[f64]) -> f64 {
+        if self.check_lengths(q, v).is_err() {
+            return f64::NAN;
+        }
+        self.system.mass_matrix(&self.parameters, q, v, &mut self.matrix);
+        linear::determinant(&self.matrix, self.system.unknowns())
+    }
+
     /// T + V at (q, v), in J; not a number if a length is not the system's.
     #[must_use]
     pub fn energy(&self, q: &[f64], v: &[f64]) -> f64 {

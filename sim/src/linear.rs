@@ -124,6 +124,15 @@ pub fn reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if reciprocal.is_finite() { reciprocal } else { 0.0 }
 }
 
+/// The determinant, by LU; not a number if `a` does not hold n² numbers that are finite.
+#[must_use]
+pub fn determinant(a: &[f64], n: usize) -> f64 {
+    if a.len() != n * n || !a.iter().all(|x| x.is_finite()) {
+        return f64::NAN;
+    }
+    DMatrix::from_row_slice(n, n, a).determinant()
+}
+
 /// Largest sum of absolute values of a column.
 fn one_norm(matrix: &DMatrix<f64>) -> f64 {
     matrix.column_iter().map(|column| column.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max)
@@ -181,6 +190,14 @@ mod tests {
         assert_eq!(infinite, Err(Unsolvable::NotFinite));
         let overflow = solve(&[1e-300], &mut [1e300], Shape::Symmetric);
         assert_eq!(overflow, Err(Unsolvable::Singular));
+    }
+
+    #[test]
+    fn determinants_have_signs_and_no_value_where_an_entry_has_none() {
+        assert!((determinant(&[0.0, 2.0, 3.0, 4.0], 2) + 6.0).abs() < 1e-15);
+        assert_eq!(determinant(&[1.0, 1.0, 1.0, 1.0], 2), 0.0);
+        assert_eq!(determinant(&[], 0), 1.0);
+        assert!(determinant(&[f64::INFINITY], 1).is_nan() && determinant(&[1.0], 2).is_nan());
     }
 
     #[test]

@@ -52,6 +52,8 @@ impl Workspace {
             .args(arguments)
             .current_dir(self.0.path())
             .env("CARGO_TARGET_DIR", root().join("target/edited"))
+            // The same on every machine: no Python, so no reference is renewed.
+            .env("TRIPOS_PYTHON", "/no/such/python")
             .env_remove("CARGO_MANIFEST_DIR")
             .output()
             .unwrap()
@@ -88,7 +90,12 @@ fn an_edited_model_runs_at_once_and_is_stale_until_regenerated() {
 
     let regenerate = workspace.tripos(&["regenerate"]);
     assert!(regenerate.status.success());
-    assert_eq!(workspace.tripos(&["regenerate", "--check"]).status.code(), Some(0));
+    let warning = String::from_utf8(regenerate.stderr).unwrap();
+    assert!(warning.contains("was not renewed: `/no/such/python` cannot be run"), "{warning}");
+    let check = workspace.tripos(&["regenerate", "--check"]);
+    let text = String::from_utf8(check.stdout).unwrap();
+    let stale = "\nstale    models/disk/reference.json: it is of another model text\n";
+    assert!(text.starts_with("generated/ is fresh: ") && text.ends_with(stale), "SymPy has not seen them: {text}");
     assert_eq!(workspace.final_lean(), after, "the same equations, now committed");
 
     // A broken model breaks neither the build nor the other models.

@@ -6,7 +6,7 @@ use crate::failure::{Failure, print, say};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos_derive::algebra::print::{latex, latex_name, mathml, mathml_name, text};
+use tripos_derive::algebra::print::{latex, latex_name, mathml, mathml_name, text, whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::Derivation;
 use tripos_derive::{Formulation, Model};
@@ -124,13 +124,16 @@ fn as_mathml(derivations: &[Derivation]) -> String {
 
 fn as_json(derivation: &Derivation) -> Value {
     let Derivation { arena, equations: e } = derivation;
-    let texts = |list: &[Expr]| list.iter().map(|x| text(arena, *x)).collect::<Vec<_>>();
+    let texts = |list: &[Expr]| list.iter().map(|x| whole_text(arena, *x)).collect::<Vec<_>>();
     let steps: Vec<Value> = e
         .steps
         .iter()
         .map(|step| {
-            let lines: Vec<Value> =
-                step.lines.iter().map(|(name, value)| json!({ "name": name, "value": text(arena, *value) })).collect();
+            let lines: Vec<Value> = step
+                .lines
+                .iter()
+                .map(|(name, value)| json!({ "name": name, "value": whole_text(arena, *value) }))
+                .collect();
             json!({ "title": step.title, "lines": lines })
         })
         .collect();
@@ -141,8 +144,8 @@ fn as_json(derivation: &Derivation) -> Value {
         "mass_matrix": e.matrix.iter().map(|row| texts(row)).collect::<Vec<_>>(),
         "forcing": texts(&e.forcing),
         "coordinate_rates": texts(&e.coordinate_rates),
-        "kinetic_energy": text(arena, e.kinetic_energy),
-        "potential_energy": text(arena, e.potential_energy),
+        "kinetic_energy": whole_text(arena, e.kinetic_energy),
+        "potential_energy": whole_text(arena, e.potential_energy),
         "singular_where": texts(&e.divisors),
         "steps": steps,
     })

@@ -1,5 +1,7 @@
 //! `tripos diff`: a published derivation, or an older model, against what is derived.
 
+mod models;
+
 use crate::catalogue::{model_file, read_model, short_name};
 use crate::commands::prove::{witness, word};
 use crate::failure::{Failure, print, status};
@@ -8,16 +10,20 @@ use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::algebra::Arena;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::compare::Witness;
+use tripos_derive::algebra::print::{text, whole_text};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Difference, Finding, Judgement, diff as judge};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
 
-/// Compares a model with a report file, or with another model; exit status 1 if anything differs.
+/// Compares a model with a report file, or an older model with a newer one; exit status 1 if anything differs.
 pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let source = Source::read(&model_file(other))?;
+    if is_model(&source) {
+        return models::diff(&model, &tripos_derive::model::load(&source)?, as_json);
+    }
     let report = tripos_derive::report::load(&source, &mut model)?;
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
     let proof = prove(&model, &mut derivations);
@@ -31,21 +37,28 @@ pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
     Ok(if difference.is_clean() { 0 } else { status::NO })
 }
 
+/// Whether a file is a model and not a report: a model has coordinates.
+fn is_model(source: &Source) -> bool {
+    source.text.lines().any(|line| line.trim_start().starts_with("[coordinates"))
+}
+
 /// Everything that was judged, as JSON.
 pub fn json_of(model: &Model, arena: &Arena, difference: &Difference) -> Value {
-    let shown = |e: Option<tripos_derive::algebra::Expr>| e.map(|e| text(arena, e));
+    let shown = |e: Option<tripos_derive::algebra::Expr>| e.map(|e| whole_text(arena, e));
     let equations: Vec<Value> = difference
         .findings
         .iter()
         .map(|f| {
+            // Printed numbers have no terms: what is known of them are values.
+            let number = |x: fn(&Witness) -> f64| f.witness.as_ref().map(|w| x(w).to_string());
             let mut value = json!({
                 "id": f.id,
                 "section": f.section,
                 "verdict": f.judgement.word(),
                 "factor": shown(f.factor),
                 "printed": f.printed,
-                "derived": shown(f.derived),
-                "difference": shown(f.difference),
+                "derived": shown(f.derived).or_else(|| number(|w| w.right)),
+                "difference": shown(f.difference).or_else(|| number(|w| w.difference)),
                 "witness": f.witness.as_ref().map(witness),
                 "remarks": f.remarks,
             });
@@ -62,7 +75,7 @@ pub fn json_of(model: &Model, arena: &Arena, difference: &Difference) -> Value {
             consequences.push(json!({
                 "system": system.system,
                 "integral": rate.integral,
-                "rate": text(arena, rate.rate),
+                "rate": whole_text(arena, rate.rate),
                 "conserved": rate.verdict.is_equal(),
             }));
         }
@@ -70,8 +83,8 @@ pub fn json_of(model: &Model, arena: &Arena, difference: &Difference) -> Value {
             "system": system.system,
             "accelerations": word(&system.accelerations),
             "determinant": system.determinant.as_ref().map(|(printed, derived, verdict)| json!({
-                "printed": text(arena, *printed),
-                "derived": text(arena, *derived),
+                "printed": whole_text(arena, *printed),
+                "derived": whole_text(arena, *derived),
                 "verdict": word(verdict),
             })),
         }));

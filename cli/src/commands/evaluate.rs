@@ -1,8 +1,7 @@
 //! `tripos evaluate`: everything at one state, by interpretation.
 
-use crate::catalogue::{formulation, read_model, short_name};
+use crate::catalogue::{by as equations, derivation, interpreted, read_model, short_name};
 use crate::failure::{Failure, print, warn};
-use crate::interpreted::Interpreted;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -30,8 +29,8 @@ struct Values {
 /// Evaluates a formulation at the state of a file.
 pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
-    let formulation = formulation(by)?;
-    let derivation = tripos_derive::derive(&model, formulation).map_err(|error| model.diagnose(&error))?;
+    let by = equations(&model, by)?;
+    let derivation = derivation(&model, &by)?;
     let state = load_state(&Source::read(at)?, &mut model)?;
     let values = values(&model, &derivation, &state)?;
     if as_json {
@@ -40,7 +39,7 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
         };
         let value = json!({
             "model": short_name(&model),
-            "formulation": formulation.name(),
+            "formulation": by.name,
             "unknowns": values.unknowns,
             "mass_matrix": values.mass_matrix,
             "forcing": values.forcing,
@@ -51,13 +50,13 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
         });
         print(&format!("{value:#}\n"))?;
     } else {
-        print(&as_text(&model, formulation.title(), &values))?;
+        print(&as_text(&model, &by.title, &values))?;
     }
     Ok(0)
 }
 
 fn values(model: &Model, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
-    let system = Interpreted::new(model, derivation);
+    let system = interpreted(model, derivation)?;
     let State { parameters: p, q, u } = state;
     let mut v = vec![0.0; system.speeds()];
     system.motion_variables(p, q, u, &mut v);

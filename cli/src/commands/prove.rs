@@ -8,7 +8,7 @@ use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::compare::{Engine, Verdict, Witness};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::print::{text, whole_text};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::{Proof, prove as prove_model};
 
@@ -77,14 +77,14 @@ pub fn json_of(model: &Model, arena: &Arena, proof: &Proof) -> Value {
         .map(|integral| {
             json!({
                 "name": integral.name,
-                "expression": text(arena, integral.expression),
+                "expression": whole_text(arena, integral.expression),
                 "verdict": if integral.verdict.is_equal() { "proved" } else { word(&integral.verdict) },
                 "engine": engine(&integral.verdict),
             })
         })
         .collect();
     let reactions: Vec<Value> =
-        proof.reactions.iter().map(|r| json!({ "name": r.name, "value": text(arena, r.value) })).collect();
+        proof.reactions.iter().map(|r| json!({ "name": r.name, "value": whole_text(arena, r.value) })).collect();
     let missing: Vec<Value> =
         proof.missing.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why.to_string() })).collect();
     json!({
@@ -95,7 +95,7 @@ pub fn json_of(model: &Model, arena: &Arena, proof: &Proof) -> Value {
         "reactions": reactions,
         "integrals": integrals,
         "search": proof.search,
-        "singular_where": proof.singular_where.iter().map(|e| text(arena, *e)).collect::<Vec<_>>(),
+        "singular_where": proof.singular_where.iter().map(|e| whole_text(arena, *e)).collect::<Vec<_>>(),
     })
 }
 

@@ -1,10 +1,13 @@
 //! `tripos report`: the main job. Derive, run every scene by every formulation, write one page.
 
-use crate::catalogue::{By, model_file, read_model};
+use crate::catalogue::{By, Code, code, model_file, read_model};
 use crate::failure::{Failure, say, status, warn};
-use crate::page::{self, Figure, Page, RunRow, SceneSection};
-use crate::plot::{self, Panel, Series};
-use crate::run::{Run, run, state_names};
+use crate::figures::{self, Curve};
+use crate::invariants::{Course, Watch};
+use crate::page::{self, Figure, Nearest, Page, RunRow, SceneSection};
+use crate::plot::{self, Panel};
+use crate::run::{Run, run_code, state_names};
+use crate::study::{Printed, Study};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
@@ -12,34 +15,50 @@ use tripos_derive::mechanics::Derivation;
 use tripos_derive::scene::{FigureKind, Scene, load, model_path};
 use tripos_derive::{Formulation, Model, derive};
 
+/// Steps after which a run of printed equations is given up: such equations may creep to a place that they never reach.
+const MOST_PRINTED_STEPS: u64 = 10_000;
+
+/// Curves of printed systems in a figure; more cannot be told apart.
+const MOST_PRINTED_CURVES: usize = 5;
+
 /// Writes the page of a model.
 pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
     let mut model = read_model(argument)?;
-    let (scenes, broken) = scenes(&model_file(argument), &mut model)?;
-    let bar = ProgressBar::new((Formulation::ALL.len() * (1 + scenes.len())) as u64 + 1);
+    let (scenes, mut broken) = scenes(&model_file(argument), &mut model)?;
+    let bar = ProgressBar::new((Formulation::ALL.len() * (1 + scenes.len())) as u64 + 2);
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     let derivations = derivations(&model, &bar)?;
-    let supported: Vec<Formulation> =
-        derivations.iter().filter(|(_, result)| result.is_ok()).map(|(f, _)| *f).collect();
+    bar.set_message("proving");
+    let (study, broken_report) = Study::new(&model)?;
+    broken.extend(broken_report);
+    bar.inc(1);
+    let mut derived = Vec::new();
+    for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
+        let by = By::from(*f);
+        let code = code(&model, &by)?;
+        derived.push((by, code));
+    }
+    let work = Work {
+        model: &model,
+        study: &study,
+        watch: Watch::new(&model, &study.derivations.kinematics.arena, &study.proof.integrals),
+        derived,
+        printed: study.printed(&model)?,
+    };
     let (mut doubts, mut stopped) = (Vec::new(), false);
     let mut sections = Vec::new();
     for scene in &scenes {
-        let mut runs = Vec::new();
-        for f in &supported {
-            bar.set_message(format!("running {} by {}", scene.source.path.display(), f.name()));
-            let run = run(&model, scene, &(*f).into())?;
-            let objections = run.objections();
-            let place = format!("{} by {}", scene.source.path.display(), f.name());
+        let runs = work.runs(scene, &bar)?;
+        for run in runs.derived.iter().map(|(run, _)| run) {
+            let place = format!("{} by {}", scene.source.path.display(), run.by.name);
             stopped |= run.solution.stop.is_failure();
-            doubts.extend(objections.into_iter().map(|objection| format!("{place}: {objection}")));
-            runs.push(run);
-            bar.inc(1);
+            doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
         }
-        sections.push(section(&model, scene, &runs)?);
+        sections.push(work.section(scene, &runs)?);
     }
     let command = format!("tripos report {}", argument.display());
-    let html = page::render(&Page { model: &model, derivations, scenes: sections, command });
+    let html = page::render(&Page { model: &model, derivations, study: &study, scenes: sections, command });
     let path = write(out, &html)?;
     bar.finish_and_clear();
     for line in &doubts {
@@ -106,24 +125,137 @@ fn derivations(model: &Model, bar: &ProgressBar) -> Result<Derivations, Failure>
     Ok(list)
 }
 
-fn section(model: &Model, scene: &Scene, runs: &[Run]) -> Result<SceneSection, Failure> {
-    let mut figures = Vec::new();
-    for figure in &scene.figures {
-        let (panels, columns) = match figure.kind {
-            FigureKind::Energy => (vec![energy_panel(runs)], 1),
-            FigureKind::States => (state_panels(model, runs), 2),
-        };
-        let svg = plot::draw(&panels, columns)
-            .map_err(|error| Failure::Stopped(format!("the figure `{}` cannot be drawn: {error}", figure.caption)))?;
-        figures.push(Figure { caption: figure.caption.clone(), svg });
+/// Equations that are ready to run, and what to look at.
+struct Work<'a> {
+    model: &'a Model,
+    study: &'a Study,
+    watch: Watch,
+    derived: Vec<(By, Code)>,
+    printed: Vec<Printed>,
+}
+
+/// The runs of a scene.
+struct Runs {
+    derived: Vec<(Run, Course)>,
+    printed: Vec<(Run, Course)>,
+    /// Printed systems that could not be run, and why.
+    not_run: Vec<(String, String)>,
+}
+
+impl Work<'_> {
+    /// Runs everything. Printed equations may fail as they like: that is shown, and nothing else comes of it.
+    fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
+        let message = |by: &By| format!("running {} by {}", scene.source.path.display(), by.name);
+        let mut runs = Runs { derived: Vec::new(), printed: Vec::new(), not_run: Vec::new() };
+        for (by, code) in &self.derived {
+            bar.set_message(message(by));
+            let run = run_code(self.model, scene, by, code)?;
+            let course = self.watch.along(scene, code, &run);
+            runs.derived.push((run, course));
+            bar.inc(1);
+        }
+        let limited = Scene { step_limit: scene.step_limit.min(MOST_PRINTED_STEPS), ..scene.clone() };
+        for (by, code) in &self.printed {
+            bar.set_message(message(by));
+            let why = match code {
+                Ok(code) => match run_code(self.model, &limited, by, code) {
+                    Ok(run) => {
+                        let course = self.watch.along(scene, code, &run);
+                        runs.printed.push((run, course));
+                        continue;
+                    }
+                    Err(failure) => failure.to_string(),
+                },
+                Err(failure) => failure.to_string(),
+            };
+            let why = why.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+            runs.not_run.push((by.name.clone(), why));
+        }
+        Ok(runs)
     }
-    Ok(SceneSection {
-        title: scene.title.clone(),
-        about: scene.about.clone(),
-        facts: facts(model, scene),
-        runs: runs.iter().map(|run| row(scene, run)).collect(),
-        figures,
-    })
+
+    /// The printed runs that are drawn: of those that are proved to move alike the first.
+    fn drawn<'r>(&self, runs: &'r Runs) -> (Vec<Curve<'r>>, Option<String>) {
+        let mut curves = curves(&runs.derived);
+        let Some(published) = &self.study.published else { return (curves, None) };
+        let (mut alike, mut left_out) = (Vec::new(), Vec::new());
+        for (run, course) in &runs.printed {
+            let id = run.by.name.trim_start_matches("printed:");
+            let first = published.first_alike(id);
+            let style = curves.len() - runs.derived.len() + Formulation::ALL.len();
+            if first != id {
+                alike.push(format!("{id} moves as {first}"));
+            } else if style < Formulation::ALL.len() + MOST_PRINTED_CURVES {
+                curves.push(Curve { run, course, style });
+            } else {
+                left_out.push(id.to_owned());
+            }
+        }
+        let mut notes = Vec::new();
+        if !alike.is_empty() {
+            notes.push(format!(
+                "One curve stands for systems that are proved to give the same motion: {}.",
+                alike.join(", ")
+            ));
+        }
+        if !left_out.is_empty() {
+            notes.push(format!("Not drawn: {}.", left_out.join(", ")));
+        }
+        (curves, (!notes.is_empty()).then(|| notes.join(" ")))
+    }
+
+    fn section(&self, scene: &Scene, runs: &Runs) -> Result<SceneSection, Failure> {
+        let derived = curves(&runs.derived);
+        let mut shown = Vec::new();
+        for figure in &scene.figures {
+            let (panels, columns) = match figure.kind {
+                FigureKind::Energy => (vec![figures::energy(&derived)], 1),
+                FigureKind::States => (figures::states(self.model, &derived), 2),
+            };
+            shown.push(drawing(&figure.caption, &panels, columns)?);
+        }
+        let (curves, note) = self.drawn(runs);
+        let note = note.map(|note| format!(" {note}")).unwrap_or_default();
+        let mut integrals = None;
+        if !curves.is_empty() && !self.watch.integrals.is_empty() {
+            let panels = figures::integrals(&self.watch, &curves);
+            let caption = "First integrals: how far each is from its value at the start, on logarithmic scales. What lies \
+                           at the lower edge does not change; what lies at the upper edge is beyond it.";
+            integrals = Some(drawing(&format!("{caption}{note}"), &panels, panels.len().min(2))?);
+        }
+        let mut nearness = None;
+        if !curves.is_empty() {
+            let caption = "How near the matrix A of the accelerations comes to a singular one, and the kinematic equations \
+                           to a division by zero, on logarithmic scales.";
+            nearness = Some(drawing(&format!("{caption}{note}"), &figures::nearness(&self.watch, &curves), 2)?);
+        }
+        Ok(SceneSection {
+            title: title(scene),
+            about: scene.about.clone(),
+            facts: facts(self.model, scene),
+            runs: runs.derived.iter().chain(&runs.printed).map(|(run, course)| row(scene, run, course)).collect(),
+            not_run: runs.not_run.clone(),
+            figures: shown,
+            integrals,
+            nearness,
+        })
+    }
+}
+
+fn curves(runs: &[(Run, Course)]) -> Vec<Curve<'_>> {
+    runs.iter().map(|(run, course)| Curve { run, course, style: figures::style(&run.by) }).collect()
+}
+
+fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
+    let svg = plot::draw(panels, columns)
+        .map_err(|error| Failure::Stopped(format!("the figure `{caption}` cannot be drawn: {error}")))?;
+    Ok(Figure { caption: caption.to_owned(), svg })
+}
+
+/// The title of a scene; without one, its file's name.
+fn title(scene: &Scene) -> String {
+    let stem = || scene.source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+    if scene.title.is_empty() { stem() } else { scene.title.clone() }
 }
 
 fn facts(model: &Model, scene: &Scene) -> Vec<(String, String)> {
@@ -133,89 +265,46 @@ fn facts(model: &Model, scene: &Scene) -> Vec<(String, String)> {
     };
     let parameters = model.parameters.iter().map(|p| p.name.clone()).collect();
     let start = [scene.q.as_slice(), &scene.u].concat();
-    vec![
+    let mut facts = vec![
         ("Parameters".to_owned(), pairs(parameters, &scene.parameters)),
         ("Start".to_owned(), pairs(state_names(model), &start)),
         ("Span".to_owned(), format!("{} s to {} s", scene.span.0, scene.span.1)),
         ("Integration".to_owned(), format!("{}, rtol {:e}, atol {:e}", scene.method, scene.rtol, scene.atol)),
         ("Domain".to_owned(), model.domain.iter().map(|c| c.text.clone()).collect::<Vec<_>>().join(", ")),
-    ]
+    ];
+    facts.retain(|(_, value)| !value.is_empty());
+    facts
 }
 
-fn row(scene: &Scene, run: &Run) -> RunRow {
+fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
     let solution = &run.solution;
     RunRow {
-        formulation: run.by.title.clone(),
+        title: run.by.title.clone(),
+        printed: run.by.name.strip_prefix("printed:").map(str::to_owned),
         method: scene.method.clone(),
         code: run.code.to_owned(),
         steps: solution.steps,
         rejected: solution.rejected,
         evaluations: solution.evaluations,
         t_end: solution.t_end,
+        arrived: solution.stop.code() == "end",
         stop: solution.stop.to_string(),
         trusted: run.objections().is_empty(),
         energy_drift: run.energy_drift,
         warnings: run.warnings.clone(),
+        changes: course.largest_changes(),
+        nearest: Nearest {
+            determinant: range(&course.determinant),
+            relative: course.least(&course.relative_determinant()),
+            condition: course.least(&course.condition),
+            divisors: course.divisors.iter().map(|values| course.least(values)).collect(),
+        },
     }
 }
 
-/// Formulations keep their colours, whichever a model supports.
-fn style(by: &By) -> usize {
-    Formulation::ALL.iter().position(|f| f.name() == by.name).unwrap_or(0)
-}
-
-fn note(runs: &[Run]) -> Option<String> {
-    let early = runs.iter().filter(|run| run.solution.stop.code() != "end");
-    let notes: Vec<String> = early
-        .map(|run| format!("{} ends at {:.4} s: {}", run.by.name, run.solution.t_end, run.solution.stop.code()))
-        .collect();
-    (!notes.is_empty()).then(|| notes.join("; "))
-}
-
-fn energy_panel(runs: &[Run]) -> Panel {
-    let series = runs
-        .iter()
-        .map(|run| Series {
-            label: run.by.title.clone(),
-            style: style(&run.by),
-            points: run.solution.t.iter().zip(&run.energies).map(|(t, (k, p))| (*t, k + p)).collect(),
-        })
-        .collect();
-    let note = note(runs);
-    Panel {
-        title: "Total energy".to_owned(),
-        x_label: "t [s]".to_owned(),
-        y_label: "T + V [J]".to_owned(),
-        series,
-        note,
-    }
-}
-
-fn state_panels(model: &Model, runs: &[Run]) -> Vec<Panel> {
-    // An angle's plain unit is shown as radians.
-    let radians = |unit: String| match unit.as_str() {
-        "1" => "rad".to_owned(),
-        other => other.strip_prefix("1/").map_or(other.to_owned(), |rest| format!("rad/{rest}")),
-    };
-    let coordinates = model.coordinates.iter().map(|c| (&c.name, &c.unit));
-    let quantities = coordinates.chain(model.speeds.iter().map(|s| (&s.name, &s.unit)));
-    let labels: Vec<String> =
-        quantities.map(|(name, unit)| format!("{name} [{}]", radians(unit.to_string()))).collect();
-    let panel = |(at, label): (usize, &String)| Panel {
-        title: label.split(' ').next().unwrap_or_default().to_owned(),
-        x_label: "t [s]".to_owned(),
-        y_label: label.clone(),
-        series: runs
-            .iter()
-            .map(|run| Series {
-                label: run.by.title.clone(),
-                style: style(&run.by),
-                points: run.solution.t.iter().zip(&run.states).map(|(t, state)| (*t, state[at])).collect(),
-            })
-            .collect(),
-        note: None,
-    };
-    labels.iter().enumerate().map(panel).collect()
+fn range(values: &[f64]) -> Option<(f64, f64)> {
+    let numbers = || values.iter().copied().filter(|x| !x.is_nan());
+    Some((numbers().min_by(f64::total_cmp)?, numbers().max_by(f64::total_cmp)?))
 }
 
 fn write(out: &Path, html: &str) -> Result<PathBuf, Failure> {

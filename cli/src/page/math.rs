@@ -29,6 +29,95 @@ pub fn spaced(mathml: &str) -> String {
     wide.replace("<mspace width=\"0.17em\"/><mrow><mo>(</mo>", "<mrow><mo>(</mo>")
 }
 
+/// Sides of an equation, or one formula, in pieces that may stand on several lines: it breaks behind `=` and before the
+/// signs of its outermost sums.
+pub fn wrapped(sides: &[String]) -> String {
+    let last = sides.len().saturating_sub(1);
+    let mut pieces = Vec::new();
+    for (at, side) in sides.iter().enumerate() {
+        let first = pieces.len();
+        terms(bare(side), &mut pieces);
+        if at < last && pieces.len() > first {
+            pieces.last_mut().expect("just pushed").push_str("<mo form=\"infix\">=</mo>");
+        }
+    }
+    pieces.iter().map(|piece| inline(&format!("<mrow>{piece}</mrow>"))).collect::<Vec<_>>().join(" ")
+}
+
+/// The terms of a row of MathML, each with its sign.
+fn terms(row: &str, pieces: &mut Vec<String>) {
+    let (mut piece, mut depth) = (String::new(), 0_i32);
+    let mut tokens = row.split_inclusive('>').peekable();
+    while let Some(token) = tokens.next() {
+        let is_sign = tokens.peek().is_some_and(|next| ["+</mo>", "−</mo>"].contains(next));
+        if depth == 0 && token == "<mo>" && is_sign {
+            let form = if piece.is_empty() { "prefix" } else { "infix\" lspace=\"0" };
+            if !piece.is_empty() {
+                pieces.push(std::mem::take(&mut piece));
+            }
+            piece = format!("<mo form=\"{form}\">{}", tokens.next().unwrap_or_default());
+            continue;
+        }
+        depth += nesting(token);
+        piece += token;
+    }
+    pieces.push(piece);
+}
+
+/// Visible characters of the longest term of a row of MathML: what cannot stand on several lines.
+pub fn widest(side: &str) -> usize {
+    let mut pieces = Vec::new();
+    terms(bare(side), &mut pieces);
+    let visible = |piece: &String| {
+        piece
+            .split('<')
+            .filter_map(|part| Some(part.split_once('>')?.1))
+            .map(|text| text.chars().count())
+            .sum::<usize>()
+    };
+    pieces.iter().map(visible).max().unwrap_or(0)
+}
+
+/// How much deeper it is behind the tag at the end of a token.
+fn nesting(token: &str) -> i32 {
+    match token.find('<').map(|at| &token[at..]) {
+        Some(tag) if tag.starts_with("</") => -1,
+        Some(tag) if !tag.ends_with("/>") => 1,
+        _ => 0,
+    }
+}
+
+/// A formula without the rows around the whole.
+fn bare(mathml: &str) -> &str {
+    let mut inner = mathml;
+    while let Some(content) = inner.strip_prefix("<mrow>").and_then(|rest| rest.strip_suffix("</mrow>")) {
+        let depths = content.split_inclusive('>').scan(0, |depth, token| {
+            *depth += nesting(token);
+            Some(*depth)
+        });
+        // Two rows beside each other are not a row around both.
+        if depths.min().is_some_and(|least| least < 0) {
+            break;
+        }
+        inner = content;
+    }
+    inner
+}
+
+/// A number with up to six significant digits.
+pub fn decimal(x: f64) -> String {
+    let short = format!("{x:.5e}").parse::<f64>().unwrap_or(x);
+    let sign = if short < 0.0 { "<mo form=\"prefix\">−</mo>" } else { "" };
+    let size = short.abs();
+    if size == 0.0 || (1e-4..1e6).contains(&size) {
+        return format!("<mrow>{sign}<mn>{size}</mn></mrow>");
+    }
+    let text = format!("{size:e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let power = power.replace('-', "−");
+    format!("<mrow>{sign}<mn>{digits}</mn><mo>×</mo><msup><mn>10</mn><mn>{power}</mn></msup></mrow>")
+}
+
 /// A formula in the text.
 pub fn inline(content: &str) -> String {
     format!("<math>{content}</math>")

@@ -1,24 +1,18 @@
 //! One simulated scene: what was given, how each run went, figures.
 
 use super::html::{anchor, each, escape, head, number, scroll};
-use super::{RunRow, SceneSection};
+use super::math::inline;
+use super::proof::{integral_name, integral_symbol};
+use super::{Figure, Page, RunRow, SceneSection, singular};
 use crate::plot::pretty;
 use std::fmt::Write;
+use tripos_derive::algebra::compare::Verdict;
 
-const HEAD: [&str; 9] = [
-    "Formulation",
-    "Result",
-    "Ended at [s]",
-    "Energy change [J]",
-    "Steps",
-    "Rejected",
-    "Evaluations",
-    "Method",
-    "Code",
-];
+const HEAD: [&str; 9] =
+    ["Equations", "Result", "Ended at [s]", "Energy change [J]", "Steps", "Rejected", "Evaluations", "Method", "Code"];
 
 /// The part of one scene. `figures` counts figures over the whole page.
-pub fn section(scene: &SceneSection, at: usize, figures: &mut usize) -> String {
+pub fn section(page: &Page, scene: &SceneSection, at: usize, figures: &mut usize) -> String {
     let mut out = format!("<article id=\"{}\">\n<h3>{}</h3>\n", anchor(at), escape(&scene.title));
     if !scene.about.is_empty() {
         let _ = writeln!(out, "<p>{}</p>", escape(&scene.about));
@@ -31,18 +25,31 @@ pub fn section(scene: &SceneSection, at: usize, figures: &mut usize) -> String {
         out += "</dl>\n";
     }
     if !scene.runs.is_empty() {
-        out += &runs(scene);
+        out += &runs(page, scene);
     }
-    for figure in &scene.figures {
-        *figures += 1;
-        let _ = write!(
-            out,
-            "<figure>\n<div class=\"card\">\n{}</div>\n<figcaption>Figure {figures}. {}</figcaption>\n</figure>\n",
-            figure.svg,
-            escape(&figure.caption)
-        );
+    for shown in &scene.figures {
+        out += &figure(shown, figures);
+    }
+    if let Some(shown) = &scene.integrals {
+        out += "<h4>First integrals along the runs</h4>\n";
+        out += &figure(shown, figures);
+        out += &changes(page, scene);
+    }
+    if let Some(shown) = &scene.nearness {
+        out += "<h4>Does a matrix become singular?</h4>\n";
+        out += &figure(shown, figures);
+        out += &singular::statements(page, scene);
     }
     out + "</article>\n"
+}
+
+fn figure(figure: &Figure, count: &mut usize) -> String {
+    *count += 1;
+    format!(
+        "<figure>\n<div class=\"card\">\n{}</div>\n<figcaption>Figure {count}. {}</figcaption>\n</figure>\n",
+        figure.svg,
+        escape(&figure.caption)
+    )
 }
 
 /// `q1 = 0.2, q2 = 1e-3` with subscripts; other texts as they are.
@@ -54,24 +61,96 @@ fn fact(value: &str) -> String {
     value.split(", ").map(assignment).collect::<Vec<_>>().join(", ")
 }
 
-fn runs(scene: &SceneSection) -> String {
-    let (head, rows) = (head(&HEAD), each(&scene.runs, run));
+fn runs(page: &Page, scene: &SceneSection) -> String {
+    let of = |printed: bool| scene.runs.iter().filter(move |row| row.printed.is_some() == printed);
+    let mut rows: String = of(false).map(run).collect();
+    let not_run = scene.not_run.iter().map(|(title, why)| {
+        let (columns, why) = (HEAD.len() - 1, escape(why));
+        format!(
+            "<tr class=\"printed\"><th scope=\"row\"><code>{}</code></th><td colspan=\"{columns}\">not run: {why}</td></tr>\n",
+            escape(title)
+        )
+    });
+    let printed: String = of(true).map(run).chain(not_run).collect();
+    if let (false, Some(published)) = (printed.is_empty(), &page.study.published) {
+        let (columns, title) = (HEAD.len(), escape(&published.report.title));
+        let _ = writeln!(
+            rows,
+            "<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{columns}\">As printed in {title}, errors included</th></tr>"
+        );
+        rows += &printed;
+    }
     let table = format!(
-        "<table class=\"runs\">\n<caption>Runs</caption>\n{head}<tbody>\n{rows}</tbody>\n\
-         </table>\n"
+        "<table class=\"runs\">\n<caption>Runs</caption>\n{}<tbody>\n{rows}</tbody>\n\
+         </table>\n",
+        head(&HEAD)
     );
     scroll(&format!("Runs of {}", scene.title), &table)
 }
 
+/// The largest change of each first integral in each run.
+fn changes(page: &Page, scene: &SceneSection) -> String {
+    let integrals = &page.study.proof.integrals;
+    let heads: Vec<String> = (0..integrals.len()).map(|at| inline(&integral_symbol(at))).collect();
+    let columns: Vec<&str> = std::iter::once("Equations").chain(heads.iter().map(String::as_str)).collect();
+    let row = |run: &RunRow| {
+        let class = if run.printed.is_some() { " class=\"printed\"" } else { "" };
+        let cell = |(at, change): (usize, &f64)| {
+            let (open, close) =
+                if breaks(page, run, at) { ("<strong class=\"wrong\">", "</strong>") } else { ("", "") };
+            format!("<td class=\"n\">{open}{}{close}</td>", energy(*change))
+        };
+        let cells: String = run.changes.iter().enumerate().map(cell).collect();
+        format!("<tr{class}><th scope=\"row\">{}</th>{cells}</tr>\n", singular::name(run))
+    };
+    let named = |(at, integral): (usize, &tripos_derive::prove::Integral)| {
+        format!("{}: {}", inline(&integral_symbol(at)), integral_name(page.model, &integral.name))
+    };
+    let names: Vec<String> = integrals.iter().enumerate().map(named).collect();
+    let marked = scene.runs.iter().any(|run| (0..integrals.len()).any(|at| breaks(page, run, at)));
+    let marked =
+        if marked { " Marked: these equations do not conserve it, however well they are integrated." } else { "" };
+    let table = format!(
+        "<table class=\"runs extremes\">\n<caption>Largest |I(t) − I(t₀)|, in SI units</caption>\n{}<tbody>\n{}</tbody>\n</table>\n",
+        head(&columns),
+        each(&scene.runs, row)
+    );
+    format!(
+        "{}<p class=\"quiet\">{}. What the derived equations show here is the error of the integration: their exact \
+         solutions keep all of these.{marked}</p>\n",
+        scroll("Largest change of each first integral", &table),
+        names.join("; ")
+    )
+}
+
+/// Whether it is proved that the printed equations of a run do not conserve a first integral.
+fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
+    let (Some(id), Some(published)) = (&run.printed, &page.study.published) else { return false };
+    let system = published.difference.consequences.iter().find(|c| c.system == *id);
+    let rate = system.and_then(|c| c.rates.get(integral));
+    rate.is_some_and(|rate| matches!(rate.verdict, Verdict::Different(_)))
+}
+
 /// One row of numbers; below it how a run ended that cannot be trusted, and warnings.
 fn run(run: &RunRow) -> String {
-    let class = if run.trusted { "" } else { " class=\"untrusted\"" };
-    let result = if run.trusted { escape(&run.stop) } else { "<strong>not trusted</strong>".to_owned() };
+    let alarm = run.printed.is_none() && !run.trusted;
+    let class = match (&run.printed, alarm) {
+        (Some(_), _) => " class=\"printed\"",
+        (None, true) => " class=\"untrusted\"",
+        (None, false) => "",
+    };
+    // A printed run that ends early says below how.
+    let early = run.printed.is_some() && !run.arrived;
+    let result = match (alarm, early) {
+        (true, _) => "<strong>not trusted</strong>".to_owned(),
+        (false, true) => "ended early".to_owned(),
+        (false, false) => escape(&run.stop),
+    };
     let mut out = format!(
         "<tr{class}><th scope=\"row\">{}</th><td class=\"result\">{result}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
          <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td><td>{}</td></tr>\n",
-        escape(&run.formulation),
-        number(&rounded(run.t_end)),
+        singular::name(run),
+        number(&rounded(run.t_end, 6)),
         energy(run.energy_drift),
         run.steps,
         run.rejected,
@@ -84,10 +163,16 @@ fn run(run: &RunRow) -> String {
         let _ = writeln!(
             out,
             "<tr class=\"remark{}\"><td></td><td colspan=\"{columns}\"><strong>{label}</strong> {text}</td></tr>",
-            if run.trusted { "" } else { " untrusted" }
+            if run.printed.is_some() {
+                " printed"
+            } else if alarm {
+                " untrusted"
+            } else {
+                ""
+            }
         );
     };
-    if !run.trusted {
+    if alarm || early {
         remark("How it ended:", &run.stop);
     }
     for warning in &run.warnings {
@@ -96,9 +181,10 @@ fn run(run: &RunRow) -> String {
     out
 }
 
-/// Six significant digits, without trailing zeros.
-fn rounded(x: f64) -> String {
-    let short = format!("{x:.5e}").parse::<f64>().unwrap_or(x);
+/// Some significant digits, without trailing zeros.
+pub fn rounded(x: f64, digits: usize) -> String {
+    let digits = digits.saturating_sub(1);
+    let short = format!("{x:.digits$e}").parse::<f64>().unwrap_or(x);
     if short != 0.0 && !(1e-4..1e6).contains(&short.abs()) { format!("{short:e}") } else { short.to_string() }
 }
 

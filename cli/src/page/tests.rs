@@ -1,7 +1,8 @@
 //! The page as a whole: well formed, escaped, the same each time.
 
 use super::*;
-use crate::plot::{Panel, Series, draw};
+use crate::plot::{Panel, Scale, Series, draw};
+use std::path::Path;
 use tripos_derive::derive;
 use tripos_derive::diagnostic::Source;
 
@@ -33,7 +34,7 @@ acceleration = ["g", "0", "0"]
 
 /// Where the tags of a page stop matching, if anywhere. Knows only what the page contains.
 fn unbalanced(html: &str) -> Option<String> {
-    const VOID: [&str; 2] = ["meta", "!DOCTYPE"];
+    const VOID: [&str; 5] = ["meta", "!DOCTYPE", "br", "wbr", "col"];
     let mut open: Vec<&str> = Vec::new();
     for piece in html.split('<').skip(1) {
         let Some((tag, _)) = piece.split_once('>') else { return Some(format!("no end: {piece}")) };
@@ -51,52 +52,128 @@ fn unbalanced(html: &str) -> Option<String> {
 }
 
 fn scene() -> SceneSection {
-    let run = |formulation: &str, trusted: bool| RunRow {
-        formulation: formulation.to_owned(),
+    let run = |title: &str, printed: Option<&str>, trusted: bool| RunRow {
+        title: title.to_owned(),
+        printed: printed.map(str::to_owned),
         method: "dop853".to_owned(),
         code: "compiled".to_owned(),
         steps: 40,
         rejected: 2,
         evaluations: 500,
         t_end: 0.931_234_567,
+        arrived: trusted,
         stop: "component 3 < 0 is not finite".to_owned(),
         trusted,
         energy_drift: if trusted { 1.25e-9 } else { f64::NAN },
         warnings: vec!["M is <badly> conditioned".to_owned()],
+        changes: vec![if printed.is_some() { 0.25 } else { 3e-9 }],
+        nearest: Nearest {
+            determinant: Some((8.0, 8.0)),
+            relative: Some((1.0, 0.0)),
+            condition: Some((1.25e-7, 0.5)),
+            divisors: Vec::new(),
+        },
     };
-    let series = Series { label: "K & <L>".to_owned(), style: 0, points: vec![(0.0, 1.0), (1.0, 2.0)] };
-    let panel = Panel {
+    let series = || Series { label: "K & <L>".to_owned(), style: 0, points: vec![(0.0, 1.0), (1.0, 2.0)] };
+    let panel = || Panel {
         title: "<T>".to_owned(),
         x_label: "t [s]".to_owned(),
         y_label: "a < \"b\" [J]".to_owned(),
-        series: vec![series],
+        scale: Scale::Linear,
+        series: vec![series()],
         note: Some("ends & stops".to_owned()),
     };
+    let figure = |caption: &str| Figure { caption: caption.to_owned(), svg: draw(&[panel()], 1).unwrap() };
     SceneSection {
         title: "Fall <1>".to_owned(),
         about: "a & b".to_owned(),
         facts: vec![("Start".to_owned(), "q1 = -0.5, u1 = 0".to_owned())],
-        runs: vec![run("Kane's method", true), run("Lagrange's equations", false)],
-        figures: vec![Figure { caption: "x > y".to_owned(), svg: draw(&[panel], 1).unwrap() }],
+        runs: vec![
+            run("Kane's method", None, true),
+            run("Lagrange's equations", None, false),
+            run("Kane's method as printed (swing)", Some("swing"), false),
+        ],
+        not_run: vec![("printed:<odd>".to_owned(), "it mentions `<N>`".to_owned())],
+        figures: vec![figure("x > y")],
+        integrals: Some(figure("I & I")),
+        nearness: Some(figure("A & A")),
     }
 }
 
 fn page() -> String {
-    let model = tripos_derive::model::load(&Source::from_text("model.toml", PENDULUM)).unwrap();
-    let derivations = Formulation::ALL.map(|f| (f, derive(&model, f).map_err(|error| error.to_string()))).to_vec();
-    render(&Page { model: &model, derivations, scenes: vec![scene()], command: "tripos report <x>".to_owned() })
+    page_of(&tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap())
+}
+
+fn page_of(model: &Model) -> String {
+    let derivations = Formulation::ALL.map(|f| (f, derive(model, f).map_err(|error| error.to_string()))).to_vec();
+    let (study, broken) = Study::new(model).unwrap();
+    assert!(broken.is_none(), "{}", broken.unwrap());
+    let command = "tripos report <x>".to_owned();
+    render(&Page { model, derivations, study: &study, scenes: vec![scene()], command })
+}
+
+/// A report of the pendulum: an error, a factor, a system whose gravity is wrong, a system that mentions the state alone.
+const REPORT: &str = r#"
+title = "A <course> report & more"
+source = "Smith & Sons"
+[[equation]]
+id = "1-T"
+section = "1"
+quantity = "T"
+printed = "m*l^2*u1^2/2"
+[[equation]]
+id = "2-V<1>"
+section = "2"
+quantity = "V"
+printed = "m*g*l*(1 - cos(q1))/2"
+note = "hard to <read>"
+[[definition]]
+id = "3"
+section = "2"
+printed = "F = m a, a > 0"
+[[system]]
+id = "swing"
+section = "3"
+formulation = "kane"
+unknowns = ["u1'"]
+matrix = [["l"]]
+right = ["-2*g*sin(q1)"]
+[[system]]
+id = "scaled"
+section = "3"
+formulation = "kane"
+unknowns = ["u1'"]
+matrix = [["l"]]
+right = ["-g*sin(q1)"]
+"#;
+
+/// The page of the pendulum with a report beside it.
+fn page_with_report() -> String {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("model.toml"), PENDULUM).unwrap();
+    std::fs::write(folder.path().join("report.toml"), REPORT).unwrap();
+    page_of(&tripos_derive::model::load(&Source::read(Path::new(&folder.path().join("model.toml"))).unwrap()).unwrap())
+}
+
+/// The part of a page from one text to the next of another.
+fn part<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
+    let (_, rest) = page.split_once(from).unwrap_or_else(|| panic!("no {from}"));
+    rest.split_once(to).unwrap_or_else(|| panic!("no {to}")).0
 }
 
 #[test]
 fn every_tag_of_a_page_is_closed() {
     assert_eq!(unbalanced(&page()), None);
+    assert_eq!(unbalanced(&page_with_report()), None);
     assert!(unbalanced("<p><b></p>").is_some(), "the check itself sees a fault");
 }
 
 #[test]
 fn texts_of_the_model_are_escaped() {
-    let page = page();
-    for text in ["<b>bob", "R&D", "mass & <more>", "Fall <1>", "<badly>", "report <x>", "K & <L>"] {
+    let page = page_with_report();
+    let report = ["<course>", "report & more", "Smith & Sons", "V<1>", "hard to <read>", "<odd>", "<N>", "a, a > 0"];
+    for text in ["<b>bob", "R&D", "mass & <more>", "Fall <1>", "<badly>", "report <x>", "K & <L>"].iter().chain(&report)
+    {
         assert!(!page.contains(text), "`{text}` stands unescaped");
     }
     assert!(page.contains("<h1>A &lt;b&gt;bob&lt;/b&gt; &amp; &quot;string&quot;</h1>"));
@@ -105,12 +182,13 @@ fn texts_of_the_model_are_escaped() {
 #[test]
 fn a_page_is_the_same_each_time() {
     assert_eq!(page(), page());
+    assert_eq!(page_with_report(), page_with_report());
 }
 
 #[test]
 fn a_page_needs_nothing_else() {
     for foreign in ["<script", "<link", "src=", "url(", "@import", "https://"] {
-        assert!(!page().contains(foreign), "{foreign}");
+        assert!(!page_with_report().contains(foreign), "{foreign}");
     }
 }
 
@@ -131,4 +209,71 @@ fn names_of_steps_are_typeset() {
         assert!(!typeset.contains(['@', '[', '\'']), "{name}: {typeset}");
     }
     assert!(math::step_name(&model, "v(P) @ B [2]").contains("<mprescripts/><mrow></mrow><mi>N</mi>"));
+}
+
+#[test]
+fn proofs_and_first_integrals_are_shown_for_any_model() {
+    let page = page();
+    let proof = part(&page, "<section id=\"proof\">", "</section>");
+    assert!(proof.contains("Kane's method ⇔ Lagrange's equations</td><td>proved"), "{proof}");
+    assert!(proof.contains("Newton–Euler equations: not derived"), "{proof}");
+    assert!(proof.contains("Valid everywhere") && proof.contains("energy T + V"), "{proof}");
+    assert!(
+        proof.contains("<th scope=\"row\">Kane's method</th>") && proof.contains("<td>nowhere</td>"),
+        "m l² is never zero: {proof}"
+    );
+}
+
+#[test]
+fn without_a_report_nothing_is_said_of_one() {
+    let page = page();
+    for text in ["id=\"errata\"", "As printed", "printed − derived"] {
+        assert!(!page.contains(text), "{text}");
+    }
+}
+
+#[test]
+fn errata_show_what_is_wrong_and_fold_the_rest() {
+    let page = page_with_report();
+    let errata = part(&page, "<section id=\"errata\">", "</section>");
+    let wrong = part(errata, "<table class=\"errata\">", "</table>");
+    for text in ["2-<wbr>V&lt;1&gt;", "swing-<wbr>row1", "printed − derived", "for instance", "hard to &lt;read&gt;"]
+    {
+        assert!(wrong.contains(text), "{text}: {wrong}");
+    }
+    assert!(!wrong.contains("1-<wbr>T<") && !wrong.contains("scaled-<wbr>row1"), "{wrong}");
+    assert!(part(errata, "<summary>Equal up to a factor", "</details>").contains("scaled-<wbr>row1"));
+    let all = part(errata, "<summary>All entries", "</details>");
+    for text in ["1-<wbr>T</code> equal", "3</code> stated", "2-<wbr>V&lt;1&gt;</code> <strong"] {
+        assert!(all.contains(text), "{text}: {all}");
+    }
+    assert!(part(errata, "<tr><td><code>swing</code>", "</tr>").contains(">broken</strong>"), "energy is not kept");
+    assert!(!part(errata, "<tr><td><code>scaled</code>", "</tr>").contains("<strong"), "a factor does no harm");
+}
+
+#[test]
+fn printed_runs_stand_apart_and_raise_no_alarm() {
+    let page = page_with_report();
+    let (_, rows) = page.split_once("<tr class=\"group\">").unwrap();
+    assert!(rows.contains("<tr class=\"printed\"><th scope=\"row\"><code>printed:swing</code></th>"), "{rows}");
+    assert!(rows.contains("printed:&lt;odd&gt;</code></th>") && rows.contains("not run: it mentions `&lt;N&gt;`"));
+    assert!(!rows.contains("untrusted"));
+    let changes = part(rows, "Largest |I(t)", "</table>");
+    assert!(changes.contains("<strong class=\"wrong\">0.25</strong>"), "proved to be broken: {changes}");
+    assert!(rows.contains("keeps about 9 of 16 digits"), "1.25e-7 costs seven digits");
+}
+
+#[test]
+fn long_sums_may_stand_on_several_lines() {
+    let sides = [
+        "<mrow><mi>I</mi></mrow>",
+        "<mrow><mo>−</mo><mi>a</mi><mo>+</mo><mrow><mo>(</mo><mi>b</mi><mo>−</mo><mi>c</mi><mo>)</mo></mrow></mrow>",
+    ];
+    let pieces = math::wrapped(&sides.map(str::to_owned));
+    assert_eq!(pieces.matches("<math>").count(), 3, "{pieces}");
+    assert_eq!(unbalanced(&pieces), None);
+    assert!(pieces.contains(
+        "<mi>I</mi><mo form=\"infix\">=</mo></mrow></math> <math><mrow><mo form=\"prefix\">−</mo><mi>a</mi>"
+    ));
+    assert_eq!(math::widest(sides[1]), 6, "+(b−c)");
 }

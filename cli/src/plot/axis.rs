@@ -3,8 +3,25 @@
 //! Invariant: no tick shows a rounding error: a tick is a whole number times a power of ten, printed with
 //! the digits of that power.
 
-/// A linear axis: values less `offset`, from `low` to `high`.
+/// How values are placed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their logarithms.
+    Logarithmic,
+}
+
+impl Scale {
+    /// Whether a point can be drawn. Beyond 1e300 a range could overflow.
+    pub fn shows(self, (x, y): (f64, f64)) -> bool {
+        x.abs() < 1e300 && y.abs() < 1e300 && (self == Self::Linear || y >= 1e-300)
+    }
+}
+
+/// An axis: values less `offset`, or their decimal logarithms, from `low` to `high`.
 pub struct Axis {
+    scale: Scale,
     offset: f64,
     low: f64,
     high: f64,
@@ -27,10 +44,34 @@ impl Axis {
         let around = if size < 1e-290 { 1.0 } else { 0.1 * size };
         let pad = if flat { around } else { margin * range };
         let (low, high) = (min - offset - pad, max - offset + pad);
-        let mut axis = Self { offset, low, high, ticks: Vec::new(), label: String::new() };
+        let scale = Scale::Linear;
+        let mut axis = Self { scale, offset, low, high, ticks: Vec::new(), label: String::new() };
         let power = axis.tick(count);
         axis.label = scaled_label(label, offset, power);
         axis
+    }
+
+    /// A logarithmic axis over whole powers of ten that hold `values`, which are positive, with about `count` ticks.
+    pub fn logarithmic(values: impl Iterator<Item = f64>, label: &str, count: f64) -> Self {
+        let (min, max) = values.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+        let (min, max) = if min <= max { (min, max) } else { (1.0, 1.0) };
+        // A value that is a power of ten but for rounding stands on it.
+        let (first, last) = (whole((min.log10() + 1e-9).floor()), whole((max.log10() - 1e-9).ceil()));
+        let first = first.min(last - 1);
+        let every = whole((f64::from(last - first) / count).ceil()).max(1);
+        let margin = 0.04 * f64::from(last - first);
+        let (low, high) = (f64::from(first) - margin, f64::from(last) + margin);
+        let tick = |power: i32| {
+            let text = if (-3..=3).contains(&power) {
+                10_f64.powi(power).to_string()
+            } else {
+                format!("10{}", raised(&power.to_string()))
+            };
+            ((f64::from(power) - low) / (high - low), text)
+        };
+        // From the top, so that the largest power has its tick.
+        let ticks = (0..=(last - first) / every).map(|i| tick(last - i * every)).collect();
+        Self { scale: Scale::Logarithmic, offset: 0.0, low, high, ticks, label: scaled_label(label, 0.0, 0) }
     }
 
     /// Sets ticks at multiples of 1, 2 or 5 times a power of ten; gives the power of ten taken out of them.
@@ -59,7 +100,11 @@ impl Axis {
 
     /// Position of a value, from 0 to 1.
     pub fn place(&self, value: f64) -> f64 {
-        (value - self.offset - self.low) / (self.high - self.low)
+        let value = match self.scale {
+            Scale::Linear => value - self.offset,
+            Scale::Logarithmic => value.log10(),
+        };
+        (value - self.low) / (self.high - self.low)
     }
 }
 
@@ -99,22 +144,32 @@ fn raised(number: &str) -> String {
     number.chars().map(raise).collect()
 }
 
-/// Words as a person writes them: `q1'` as q̇₁, `m/s^2` as m/s², `kg*m` as kg·m.
+/// Words as a person writes them: `q1'` as q̇₁, `cos(q2)` as cos(q₂), `m/s^2` as m/s², `kg*m` as kg·m.
 pub fn pretty(text: &str) -> String {
-    let word = |word: &str| {
-        let stem = word.trim_end_matches('\'');
-        let dots = ["", "\u{307}", "\u{308}"][(word.len() - stem.len()).min(2)];
-        match (stem.chars().next(), stem.get(1..)) {
-            (Some(letter), Some(digits))
-                if letter.is_ascii_alphabetic() && digits.bytes().all(|b| b.is_ascii_digit()) =>
-            {
-                let lowered = digits.bytes().filter_map(|b| char::from_u32(u32::from(b - b'0') + '₀' as u32));
-                format!("{letter}{dots}{}", lowered.collect::<String>())
-            }
-            _ => word.replace("^2", "²").replace("^3", "³").replace('*', "·"),
+    let belongs = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+    let mut out = String::new();
+    let mut rest = text.trim();
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|c| belongs(c) != belongs(first)).unwrap_or(rest.len());
+        let (part, others) = rest.split_at(end);
+        out += &if belongs(first) { name(part) } else { part.to_owned() };
+        rest = others;
+    }
+    let out = out.replace("^2", "²").replace("^3", "³").replace('*', "·");
+    out.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// A name with its index lowered and dots for its primes; other words as they are.
+fn name(word: &str) -> String {
+    let stem = word.trim_end_matches('\'');
+    let dots = ["", "\u{307}", "\u{308}"][(word.len() - stem.len()).min(2)];
+    match (stem.chars().next(), stem.get(1..)) {
+        (Some(letter), Some(digits)) if letter.is_ascii_alphabetic() && digits.bytes().all(|b| b.is_ascii_digit()) => {
+            let lowered = digits.bytes().filter_map(|b| char::from_u32(u32::from(b - b'0') + '₀' as u32));
+            format!("{letter}{dots}{}", lowered.collect::<String>())
         }
-    };
-    text.split_whitespace().map(word).collect::<Vec<_>>().join(" ")
+        _ => word.to_owned(),
+    }
 }
 
 /// The whole part.
@@ -150,8 +205,23 @@ mod tests {
     }
 
     #[test]
+    fn powers_of_ten_stand_evenly_on_a_logarithmic_axis() {
+        let axis = Axis::logarithmic([1e-9, 2.0, 1e3].into_iter(), "|E| [J]", 4.0);
+        let ticks: Vec<&str> = axis.ticks.iter().map(|(_, text)| text.as_str()).collect();
+        assert_eq!(ticks, ["1000", "1", "0.001", "10⁻⁶", "10⁻⁹"]);
+        for (value, at) in [(1e3, 0), (1.0, 1), (1e-6, 3)] {
+            assert!((axis.place(value) - axis.ticks[at].0).abs() < 1e-12, "{value}");
+        }
+        assert_eq!(axis.label, "|E| [J]");
+        let narrow = Axis::logarithmic([0.2, 1.0].into_iter(), "x", 4.0);
+        assert_eq!(narrow.ticks.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>(), ["1", "0.1"]);
+    }
+
+    #[test]
     fn names_are_written_as_by_hand() {
         assert_eq!(pretty("q1' [m/s^2]"), "q̇₁ [m/s²]");
         assert_eq!(pretty("T + V"), "T + V");
+        assert_eq!(pretty("p_q4 = ∂L/∂q4'  [kg*m/s]"), "p_q4 = ∂L/∂q̇₄ [kg·m/s]");
+        assert_eq!(pretty("|cos(q2)| 1e-12 ode45 t₀"), "|cos(q₂)| 1e-12 ode45 t₀");
     }
 }

@@ -27,10 +27,10 @@ struct Size {
 const LOG_PRIMES: f64 = 60.0 - 5.43 - 3.0 - 2.0;
 
 /// The k for which a false zero of `e` has a probability below 2^−k, two primes and two points for each.
-pub fn error_exponent(arena: &Arena, parts: &[Expr], e: Expr) -> f64 {
+pub fn error_exponent(arena: &Arena, parts: &[Expr], finest: &FxHashMap<Expr, i64>, e: Expr) -> f64 {
     let mut sizes: FxHashMap<Expr, Size> = FxHashMap::default();
     for part in parts {
-        let size = size_of(arena, *part, &sizes);
+        let size = size_of(arena, *part, finest, &sizes);
         sizes.insert(*part, size);
     }
     let size = &sizes[&e];
@@ -66,17 +66,17 @@ fn number(value: &Rational) -> Size {
     Size { bits, denominator_bits, denominator, ..Size::default() }
 }
 
-fn size_of(arena: &Arena, e: Expr, sizes: &FxHashMap<Expr, Size>) -> Size {
+fn size_of(arena: &Arena, e: Expr, finest: &FxHashMap<Expr, i64>, sizes: &FxHashMap<Expr, Size>) -> Size {
     match arena.node(e) {
         Node::Number(value) => number(value),
         Node::Symbol(_) | Node::Pi => Size { degree: 1.0, denominator: Some(1), ..Size::default() },
         Node::Sum(constant, terms) => sum(constant, terms, sizes),
         Node::Product(factors) => product(factors, sizes),
         Node::Apply(Function::Sin | Function::Cos, argument) => {
-            // Multiples count as so many angles; fine fractions of an angle make its base angle finer for all.
-            let multiples = angle_atoms(arena, *argument).into_iter().map(|(_, k)| {
-                let (n, d) = bits_of(&k);
-                (n + d).exp2()
+            // k · atom is k · d base angles, d the common denominator of all k of this atom; 0 stands for one too large.
+            let multiples = angle_atoms(arena, *argument).into_iter().map(|(atom, k)| match finest.get(&atom) {
+                Some(0) | None => f64::INFINITY,
+                Some(d) => k.to_f64().abs() * *d as f64,
             });
             let degree = multiples.sum::<f64>() + sizes[argument].degree;
             Size { degree, bits: 2.0 * degree, denominator: Some(1), ..Size::default() }

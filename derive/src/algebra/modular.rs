@@ -7,8 +7,8 @@
 //! so builds repeat and no fixed prime can be aimed at.
 //!
 //! A non-zero residue proves that an expression of these atoms is not zero. Zero residues at every
-//! point leave an error bound, [`error_exponent`]; where square roots occur it is 2⁻⁶⁴ at best, since a wrong
-//! sign shows at half of the points. Functions other than sine, cosine and square
+//! point leave an error bound ([`bounded_zero_test`]); with m square roots a wrong pattern of signs shows at one
+//! point in 2^m at worst, so points multiply, and beyond four roots no bound is claimed. Functions other than sine, cosine and square
 //! root are taken as independent atoms: with them a non-zero residue proves nothing, and the answer
 //! is [`ZeroTest::Undecided`].
 
@@ -22,8 +22,13 @@ use std::hash::{Hash, Hasher};
 
 /// Random points, half of them in each field, at which zeros must be seen.
 pub const POINTS: usize = 4;
-/// The same where square roots occur, whose signs are seen with probability 1/2 a point.
-const POINTS_WITH_ROOTS: usize = 64;
+/// The same for one square root; each further one doubles it, since a wrong pattern of m signs may show at one point in
+/// 2^m only: (1 − 2^−m)^(44·2^m) < 2^−63.
+const POINTS_WITH_ROOTS: usize = 44;
+/// More roots than this are not tested to that bound.
+const MOST_ROOTS: u32 = 4;
+/// Evaluations of terms that one zero test may cost.
+const WORK: usize = 4_000_000;
 
 /// The answer to "is it zero?".
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -103,10 +108,18 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
     let fields = [Field::random(&mut generator), Field::random(&mut generator)];
     let mut evaluated = 0;
     // √x² is x or −x, evenly: each point sees a wrong sign with probability 1/2 only.
-    let wanted = if has_roots(arena, &parts) { POINTS_WITH_ROOTS } else { POINTS };
+    let roots = count_roots(arena, &parts).min(MOST_ROOTS);
+    let wanted = if roots == 0 { POINTS } else { POINTS_WITH_ROOTS << roots };
     // A point where a root or an inverse does not exist is drawn again.
-    for attempt in 0..200 * wanted {
-        let point = Point { field: fields[attempt % 2], seed: generator.next() };
+    // The sign of a number's root hangs on the prime alone: then each point has a prime of its own.
+    let primes = if roots > 0 && has_roots_of_numbers(arena, &parts) { 1 } else { 8 };
+    let mut fresh = fields[0];
+    for attempt in 0..(WORK / parts.len()).clamp(8, 400 * wanted) {
+        if roots > 0 && attempt % primes == 0 {
+            fresh = Field::random(&mut generator);
+        }
+        let field = if roots > 0 { fresh } else { fields[evaluated % 2] };
+        let point = Point { field, seed: generator.next() };
         match values_at(arena, &parts, &denominators, &point).map(|values| values[&e]) {
             Some(0) => evaluated += 1,
             Some(_) => return if opaque { ZeroTest::Undecided } else { ZeroTest::NonZero },
@@ -123,13 +136,43 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
 #[must_use]
 pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
     let parts = arena.reachable(&[e]);
-    let exponent = error_exponent(arena, &parts, e);
-    let exponent = if has_roots(arena, &parts) { exponent.min(64.0) } else { exponent };
+    let exponent = error_exponent(arena, &parts, &angle_denominators(arena, &parts), e);
+    let roots = count_roots(arena, &parts);
+    let exponent = match roots {
+        0 => exponent,
+        1..=MOST_ROOTS => exponent.min(63.0),
+        _ => 0.0,
+    };
     match zero_test(arena, e) {
         // A bound that bounds nothing is no answer.
         ZeroTest::Zero if exponent < 32.0 => (ZeroTest::Undecided, exponent),
         answer => (answer, exponent),
     }
+}
+
+/// How many different square roots and absolute values occur.
+fn count_roots(arena: &Arena, parts: &[Expr]) -> u32 {
+    let mut arguments: Vec<(bool, Expr)> = parts
+        .iter()
+        .filter_map(|p| match arena.node(*p) {
+            Node::Apply(Function::Sqrt, argument) => Some((true, *argument)),
+            Node::Apply(Function::Abs | Function::Sign, argument) => Some((false, *argument)),
+            _ => None,
+        })
+        .collect();
+    arguments.sort_unstable();
+    arguments.dedup();
+    u32::try_from(arguments.len()).unwrap_or(u32::MAX)
+}
+
+/// Whether a square root of a number occurs that is no rational.
+fn has_roots_of_numbers(arena: &Arena, parts: &[Expr]) -> bool {
+    parts.iter().any(|p| match arena.node(*p) {
+        Node::Apply(Function::Sqrt | Function::Abs | Function::Sign, argument) => {
+            arena.reachable(&[*argument]).iter().all(|inner| arena.symbol_name(*inner).is_none())
+        }
+        _ => false,
+    })
 }
 
 /// Whether square roots or absolute values occur among these terms.
@@ -216,7 +259,7 @@ fn values_at(
         let value = match arena.node(e) {
             Node::Number(value) => f.rational(value)?,
             Node::Symbol(id) => {
-                let residue = point.residue(("symbol", *id));
+                let residue = point.residue(("symbol", &arena.symbol_names()[*id as usize]));
                 if arena.is_positive(e) { f.mul(residue, residue) } else { residue }
             }
             Node::Pi => point.residue("pi"),
@@ -273,7 +316,7 @@ fn values_at(
 /// zero: the largest of several points is returned. `None` if no point could be evaluated.
 #[must_use]
 pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
-    let ranks = at_random_points(arena, matrix).into_iter().map(|(field, rows)| {
+    let ranks = in_fields(arena, matrix).into_iter().map(|(field, rows)| {
         let (basis, dependent) = eliminate(field, rows);
         Rank { rank: basis.len(), dependent }
     });
@@ -285,7 +328,7 @@ pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
 #[must_use]
 pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
     let mut best: Option<Basis> = None;
-    for (field, rows) in at_random_points(arena, matrix) {
+    for (field, rows) in in_fields(arena, matrix) {
         let (basis, _) = eliminate(field, rows);
         if best.as_ref().is_none_or(|known| known.len() < basis.len()) {
             best = Some(basis);
@@ -301,7 +344,8 @@ pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize
 }
 
 /// A matrix at four random points, each modulo another prime.
-fn at_random_points(arena: &Arena, matrix: &[Vec<Expr>]) -> Vec<(Field, Vec<Vec<u64>>)> {
+#[must_use]
+pub(crate) fn in_fields(arena: &Arena, matrix: &[Vec<Expr>]) -> Vec<(Field, Vec<Vec<u64>>)> {
     let parts = arena.reachable(&matrix.concat());
     let denominators = angle_denominators(arena, &parts);
     let mut generator = seeded(arena, &parts);
@@ -361,7 +405,7 @@ fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> (Basis, Option<usize>) {
 /// A generator seeded with the terms, by the names of their symbols and not by their handles.
 fn seeded(arena: &Arena, parts: &[Expr]) -> Generator {
     let mut hashes: FxHashMap<Expr, u64> = FxHashMap::default();
-    let mut last = 0;
+    let mut all = 0_u64;
     for part in parts {
         let mut hasher = FxHasher::default();
         match arena.node(*part) {
@@ -370,15 +414,28 @@ fn seeded(arena: &Arena, parts: &[Expr]) -> Generator {
             Node::Pi => "pi".hash(&mut hasher),
             Node::Sum(constant, terms) => {
                 ("sum", constant).hash(&mut hasher);
-                terms.iter().for_each(|(term, k)| (hashes[term], k).hash(&mut hasher));
+                // In no order: handles differ from run to run, meanings do not.
+                unordered(terms.iter().map(|(term, k)| (hashes[term], k))).hash(&mut hasher);
             }
-            Node::Product(factors) => factors.iter().for_each(|(base, n)| (hashes[base], n).hash(&mut hasher)),
+            Node::Product(factors) => {
+                ("product", unordered(factors.iter().map(|(base, n)| (hashes[base], n)))).hash(&mut hasher);
+            }
             Node::Apply(f, argument) => (*f, hashes[argument]).hash(&mut hasher),
         }
-        last = Generator(hasher.finish() ^ last).next();
-        hashes.insert(*part, last);
+        let hash = Generator(hasher.finish()).next();
+        all = all.wrapping_add(hash);
+        hashes.insert(*part, hash);
     }
-    Generator(last)
+    Generator(all)
+}
+
+/// One hash for all items, whatever their order.
+fn unordered(items: impl Iterator<Item = impl Hash>) -> u64 {
+    items.fold(0, |sum: u64, item| {
+        let mut hasher = FxHasher::default();
+        item.hash(&mut hasher);
+        sum.wrapping_add(Generator(hasher.finish()).next())
+    })
 }
 
 #[cfg(test)]

@@ -187,7 +187,10 @@ impl Normalizer {
         let one = Poly::constant(&Rational::ONE);
         let mut total = (Poly::default(), one);
         for (atom, k) in self.expanded_angle(arena, argument)? {
-            let d = self.parts_of_turn.get(&atom).copied().unwrap_or(1);
+            let mut d = self.parts_of_turn.get(&atom).copied().unwrap_or(1);
+            if *arena.node(atom) == Node::Pi && 12 % d == 0 {
+                d = 12;
+            }
             let multiple = k.mul(&Rational::integer(d)).to_i64().filter(|n| n.unsigned_abs() <= 64)?;
             let base = arena.scale(atom, &Rational::fraction(1, d)?);
             let turn = self.multiple(arena, base, multiple)?;
@@ -210,7 +213,11 @@ impl Normalizer {
 
     /// (sin, cos) of n times a base angle.
     fn multiple(&mut self, arena: &mut Arena, base: Expr, n: i64) -> Option<(Poly, Poly)> {
-        let (sine, cosine) = (arena.sin(base), arena.cos(base));
+        let (mut sine, mut cosine) = (arena.sin(base), arena.cos(base));
+        let pi = arena.pi();
+        if base == arena.scale(pi, &Rational::fraction(1, 12)?) {
+            (sine, cosine) = twelfth_of_pi(arena);
+        }
         let is_generator = |e: Expr| matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _));
         if !is_generator(sine) || !is_generator(cosine) {
             // A multiple of π with exact values.
@@ -282,4 +289,12 @@ impl Normalizer {
         }
         result
     }
+}
+
+/// sin and cos of π/12: √2 (√3 ∓ 1)/4.
+fn twelfth_of_pi(arena: &mut Arena) -> (Expr, Expr) {
+    let [two, three] = [2, 3].map(|n| arena.integer(n)).map(|n| arena.apply(Function::Sqrt, n));
+    let quarter = arena.ratio(1, 4);
+    let (less, more) = (arena.sub(three, Expr::ONE), arena.add(three, Expr::ONE));
+    [less, more].map(|factor| arena.product(&[two, factor, quarter])).into()
 }

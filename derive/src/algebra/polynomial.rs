@@ -97,6 +97,11 @@ impl Polynomial {
     /// `None` beyond `limit` terms.
     #[must_use]
     pub fn pythagoras(&self, f: Expr, g: Expr, limit: usize) -> Option<Self> {
+        // Each power becomes as many terms as half its exponent: high powers in many terms are left alone.
+        let halves = self.terms.keys().flatten().filter(|(e, _)| *e == f).map(|(_, n)| n.unsigned_abs() as usize / 2);
+        if halves.sum::<usize>() > 10 * limit {
+            return None;
+        }
         let mut complement = Self::constant(&Rational::ONE);
         complement.add_term(vec![(g, 2)], &Rational::MINUS_ONE);
         let mut result = Self::default();

@@ -1,6 +1,6 @@
 //! Expressions as people write them: text (which parses back to the same term), LaTeX and `MathML`.
 //!
-//! Printing stops at [`BUDGET`] nodes: nobody reads further.
+//! Printing for people stops at [`BUDGET`] nodes, since nobody reads further; [`whole_text`] is for programs.
 
 use super::view::{View, view};
 use super::{Arena, Expr};
@@ -18,6 +18,14 @@ pub fn text(arena: &Arena, e: Expr) -> String {
     out
 }
 
+/// [`text`] for programs that read it on: cut only beyond two million nodes, where a shared term has grown out of hand.
+#[must_use]
+pub fn whole_text(arena: &Arena, e: Expr) -> String {
+    let mut out = String::new();
+    write_text(&view(arena, e, &FxHashMap::default(), 100 * BUDGET), &mut out);
+    out
+}
+
 /// LaTeX, for math mode.
 #[must_use]
 pub fn latex(arena: &Arena, e: Expr) -> String {
@@ -29,8 +37,14 @@ pub fn latex(arena: &Arena, e: Expr) -> String {
 /// Presentation `MathML`: one `mrow` element, to be put inside `math`.
 #[must_use]
 pub fn mathml(arena: &Arena, e: Expr) -> String {
+    mathml_of(&view_of(arena, e))
+}
+
+/// [`mathml`] of marks that come from elsewhere.
+#[must_use]
+pub fn mathml_of(view: &View) -> String {
     let mut out = String::from("<mrow>");
-    write_mathml(&view_of(arena, e), &mut out);
+    write_mathml(view, &mut out);
     out.push_str("</mrow>");
     out
 }

@@ -24,8 +24,9 @@ pub fn relations(
     let mut matrix = coefficients(arena, normalizer, list, constants)?;
     matrix.sort_by_key(|row| arena.reachable(row).len());
     matrix.dedup();
+    let forced = forced_zeros(&mut matrix, list.len());
     let (rows, columns) = if matrix.is_empty() { (Vec::new(), Vec::new()) } else { echelon(arena, &matrix)? };
-    let free: Vec<usize> = (0..list.len()).filter(|c| !columns.contains(c)).collect();
+    let free: Vec<usize> = (0..list.len()).filter(|c| !columns.contains(c) && !forced[*c]).collect();
     let solved = if rows.is_empty() || free.is_empty() {
         Vec::new()
     } else {
@@ -43,6 +44,31 @@ pub fn relations(
         basis.push(vector);
     }
     Some(basis)
+}
+
+/// Coefficients that a row of one entry makes zero, again and again; those rows and columns are taken out, which
+/// leaves little to eliminate.
+fn forced_zeros(matrix: &mut Vec<Vec<Expr>>, columns: usize) -> Vec<bool> {
+    let mut forced = vec![false; columns];
+    loop {
+        let mut changed = false;
+        for row in &mut *matrix {
+            let mut entries = (0..columns).filter(|c| row[*c] != Expr::ZERO);
+            if let (Some(only), None) = (entries.next(), entries.next()) {
+                forced[only] = true;
+                changed = true;
+            }
+            for (entry, zero) in row.iter_mut().zip(&forced) {
+                if *zero {
+                    *entry = Expr::ZERO;
+                }
+            }
+        }
+        matrix.retain(|row| row.iter().any(|e| *e != Expr::ZERO));
+        if !changed {
+            return forced;
+        }
+    }
 }
 
 /// One row for each monomial in what is not constant, one column for each expression.

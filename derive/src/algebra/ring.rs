@@ -217,6 +217,7 @@ impl Ring {
     fn reduce_into(&mut self, sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) -> Option<()> {
         let mut pending = vec![(powers, k)];
         while let Some((powers, k)) = pending.pop() {
+            self.spend(1)?;
             let square = self
                 .generators
                 .iter()

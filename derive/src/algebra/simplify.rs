@@ -6,6 +6,7 @@
 //! never longer. What would expand beyond [`Simplifier::LIMIT`] terms, or has more than
 //! [`Simplifier::PARTS`] to begin with, is returned as it was.
 
+use super::elementary::angle_atoms;
 use super::normal::Normalizer;
 use super::polynomial::{Monomial, Polynomial, monomial_expr};
 use super::{Arena, Expr, Function, Node, Rational};
@@ -23,6 +24,8 @@ impl Simplifier {
     pub const LIMIT: usize = 600;
     /// Multiplications of terms that bringing an expression over one denominator may cost.
     pub const FRACTION_BUDGET: u64 = 50_000;
+    /// The same for bringing multiple angles and sums of angles to single ones.
+    pub const ANGLE_BUDGET: u64 = 5_000;
     /// Different terms in an expression above which it is not even looked at.
     pub const PARTS: usize = 5000;
 
@@ -43,7 +46,13 @@ impl Simplifier {
         if reduced.terms.is_empty() {
             return Expr::ZERO;
         }
-        let fraction = if divides_by_sums(arena, &reduced) { as_fraction(arena, e) } else { None };
+        let fraction = if divides_by_sums(arena, &reduced) {
+            as_fraction(arena, e, Self::FRACTION_BUDGET)
+        } else if mixes_angles(arena, &reduced) {
+            as_fraction(arena, e, Self::ANGLE_BUDGET)
+        } else {
+            None
+        };
         let mut best = (cost(arena, e), e);
         for polynomial in [&reduced, &expanded] {
             for candidate in [factor(arena, &polynomial.terms), common_factor_only(arena, polynomial)] {
@@ -130,9 +139,18 @@ fn divides_by_sums(arena: &Arena, polynomial: &Polynomial) -> bool {
     polynomial.terms.len() > 1 && polynomial.terms.keys().flatten().any(inverse_sum)
 }
 
+/// Whether an angle occurs both as such and in a multiple or a sum: sin 2q beside sin q may cancel.
+fn mixes_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
+    let mut seen: BTreeMap<Expr, Expr> = BTreeMap::new();
+    polynomial
+        .angles(arena)
+        .into_iter()
+        .any(|angle| angle_atoms(arena, angle).into_iter().any(|(atom, _)| *seen.entry(atom).or_insert(angle) != angle))
+}
+
 /// The normal form, its numerator and the factors of its denominator each in short form.
-fn as_fraction(arena: &mut Arena, e: Expr) -> Option<Expr> {
-    let mut normalizer = Normalizer::new(Simplifier::FRACTION_BUDGET);
+fn as_fraction(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
+    let mut normalizer = Normalizer::new(budget);
     let form = normalizer.fraction(arena, e)?;
     let short = |arena: &mut Arena, p: &Polynomial| {
         let reduced = reduce(arena, p);
@@ -316,6 +334,7 @@ mod tests {
             ("1/(u1 - u2) - 1/(u1 + u2) - 2*u2/(u1^2 - u2^2)", "0"),
             ("(u1^2 - u2^2)/(u1 - u2) + u2", "u1 + 2*u2"),
             ("u1/(1 + tan(q1)^2) - u1*cos(q1)^2", "0"),
+            ("M*g*sin(q1) + R*u1*(2*sin(q1)*cos(q1) - sin(2*q1))", "M*g*sin(q1)"),
         ] {
             assert_eq!(simplified(input), expected, "{input}");
         }

@@ -122,10 +122,14 @@ fn judged_determinant(
         return None;
     }
     let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
-    // Rows in the order in which they were matched, each with its factor.
+    // Rows in the order in which they were matched, each with its factor; two that match one row leave another out.
     let mut rows = Vec::new();
+    let mut taken = vec![false; matched.matrix.len()];
     for by in &matched.rows {
         let Match::Row { at, factor } = by else { return None };
+        if std::mem::replace(&mut taken[*at], true) {
+            return None;
+        }
         rows.push(matched.matrix[*at].iter().map(|e| arena.mul(*factor, *e)).collect::<Vec<_>>());
     }
     let printed = determinant(arena, simplifier, &motion.matrix);

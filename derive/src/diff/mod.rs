@@ -6,12 +6,14 @@
 mod consequences;
 mod entries;
 mod initial;
+mod models;
 pub mod motion;
 mod printed;
 pub mod rows;
 mod systems;
 
 pub use consequences::{Agreement, Consequences, Rate};
+pub use models::{Change, Derived, ModelDifference, diff_models};
 pub use printed::printed_equations;
 
 use crate::algebra::Expr;
@@ -179,8 +181,9 @@ pub fn motions(model: &Model, derivations: &mut Derivations, report: &Report) ->
         match &entry.kind {
             EntryKind::System(system) => list.extend(systems::system_motion(&mut quantities, &names, entry, system)),
             EntryKind::Listing(listing) => {
-                let (motion, whole) = systems::listing_motion(&mut quantities, &names, entry, listing);
-                list.extend(whole.then_some(motion));
+                if let Ok((motion, true)) = systems::listing_motion(&mut quantities, &names, entry, listing) {
+                    list.push(motion);
+                }
             }
             _ => {}
         }

@@ -1,13 +1,15 @@
 //! Linear systems compared row by row: each printed row may carry a factor of its own.
 //!
 //! The factor is found, not given: every ratio of a printed entry to a derived one is tried, and the ratio that
-//! explains most entries wins. So a row with one wrong entry is still matched, and that entry named.
+//! explains most entries wins. So a row with one wrong entry is still matched, and that entry named. The search
+//! itself runs modulo random primes and proves nothing; what it finds is then proved entry by entry.
 
 use crate::algebra::compare::{Comparer, Engine, Verdict};
 use crate::algebra::linear::solve;
-use crate::algebra::modular::{ZeroTest, rank, zero_test};
+use crate::algebra::modular::{echelon, has_roots, in_fields};
+use crate::algebra::print::text;
 use crate::algebra::simplify::Simplifier;
-use crate::algebra::{Arena, Expr};
+use crate::algebra::{Arena, Expr, Function, Node};
 
 /// A row of a linear system: entries, then the right-hand side.
 pub type Row = Vec<Expr>;
@@ -24,7 +26,7 @@ pub enum Match {
     },
     /// A combination of derived rows, exactly.
     Combination {
-        /// One multiplier for each derived row; empty where they are too large to be stated.
+        /// One multiplier for each derived row; empty where there are too many to be stated.
         multipliers: Vec<Expr>,
     },
 }
@@ -48,10 +50,12 @@ impl RowJudgement {
     }
 }
 
-/// Largest system whose combinations of rows are written out.
+/// Largest system whose combinations of rows are written out and proved entry by entry.
 const WRITTEN: usize = 6;
+/// Multipliers longer than this are not stated.
+const LONGEST: usize = 200;
 
-/// Judges the printed row number `index`.
+/// Judges the printed row number `index`; all rows have one length.
 pub fn judge(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -60,84 +64,121 @@ pub fn judge(
     derived: &[Row],
     index: usize,
 ) -> RowJudgement {
-    let (at, factor, explained) = best_factor(arena, printed, derived, index);
-    if explained < printed.len() && is_combination(arena, printed, derived) {
-        let multipliers = multipliers(arena, simplifier, printed, derived);
-        let entries = vec![Verdict::Equal(Engine::NormalForm); printed.len()];
-        return RowJudgement { by: Match::Combination { multipliers }, entries, expected: printed.clone() };
-    }
+    let (at, factor) = best_factor(arena, printed, derived, index);
     let factor = simplifier.simplify(arena, factor);
     let mut expected = Vec::new();
     for entry in &derived[at] {
         let product = arena.mul(factor, *entry);
         expected.push(simplifier.simplify(arena, product));
     }
-    let entries = printed.iter().zip(&expected).map(|(p, e)| comparer.compare(arena, *p, *e)).collect();
-    RowJudgement { by: Match::Row { at, factor }, entries, expected }
-}
-
-/// (derived row, factor, entries that agree): the row of the same number first, any other only if it explains more.
-fn best_factor(arena: &mut Arena, printed: &Row, derived: &[Row], index: usize) -> (usize, Expr, usize) {
-    let own = index.min(derived.len() - 1);
-    let mut best = (own, Expr::ONE, 0, 0);
-    let order = std::iter::once(own).chain((0..derived.len()).filter(|at| *at != own));
-    for at in order {
-        // Entries of the matrix come before the right-hand side: of two equally good factors theirs is taken.
-        let mut tried: Vec<Expr> = Vec::new();
-        for (p, d) in printed.iter().zip(&derived[at]) {
-            if zero_test(arena, *p) != ZeroTest::NonZero || zero_test(arena, *d) != ZeroTest::NonZero {
-                continue;
-            }
-            let Some(factor) = arena.div(*p, *d) else { continue };
-            let known = tried.iter().any(|other| {
-                let difference = arena.sub(factor, *other);
-                zero_test(arena, difference) == ZeroTest::Zero
-            });
-            if known {
-                continue;
-            }
-            tried.push(factor);
-            let (mut agree, mut weight) = (0, 0);
-            for (p, d) in printed.iter().zip(&derived[at]) {
-                let product = arena.mul(factor, *d);
-                let difference = arena.sub(*p, product);
-                if zero_test(arena, difference) == ZeroTest::Zero {
-                    agree += 1;
-                    // Two zeros agree with any factor: they count, but little.
-                    weight += if *p == Expr::ZERO { 1 } else { 100 };
-                }
-            }
-            if weight > best.3 {
-                best = (at, factor, agree, weight);
-            }
-        }
-        if best.2 == printed.len() {
-            break;
+    let entries: Vec<Verdict> = printed.iter().zip(&expected).map(|(p, e)| comparer.compare(arena, *p, *e)).collect();
+    let judged = RowJudgement { by: Match::Row { at, factor }, entries, expected };
+    if judged.is_right() {
+        return judged;
+    }
+    match combination(arena, simplifier, comparer, printed, derived) {
+        Ok(Some(multipliers)) => RowJudgement {
+            by: Match::Combination { multipliers },
+            entries: vec![Verdict::Equal(Engine::NormalForm); printed.len()],
+            expected: printed.clone(),
+        },
+        Ok(None) => judged,
+        // It may still be a combination: then no entry is wrong.
+        Err(why) => {
+            let open = |v: Verdict| if v.is_equal() { v } else { Verdict::Undecided(why.clone()) };
+            RowJudgement { entries: judged.entries.into_iter().map(open).collect(), ..judged }
         }
     }
-    (best.0, best.1, best.2)
 }
 
-/// Whether the printed row follows from the derived ones, which are independent: it adds nothing to their rank.
-fn is_combination(arena: &Arena, printed: &Row, derived: &[Row]) -> bool {
+/// (derived row, factor): the row of the same number first, any other only if it explains more.
+fn best_factor(arena: &mut Arena, printed: &Row, derived: &[Row], index: usize) -> (usize, Expr) {
+    let own = index.min(derived.len() - 1);
     let mut all = derived.to_vec();
     all.push(printed.clone());
-    let entries: Vec<Expr> = all.concat();
-    // Functions without rules could make independent rows look dependent only by chance, but dependent ones independent.
-    let is_zero_row = printed.iter().all(|e| zero_test(arena, *e) == ZeroTest::Zero);
-    !is_zero_row && !entries.is_empty() && rank(arena, &all).is_some_and(|found| found.rank == derived.len())
+    let points = in_fields(arena, &all);
+    let order = std::iter::once(own).chain((0..derived.len()).filter(|at| *at != own));
+    let mut best = (own, None, 0);
+    for at in order {
+        // Entries of the matrix come before the right-hand side: of two equally good factors theirs is taken.
+        for j in 0..printed.len() {
+            let (p, d) = (printed[j], derived[at][j]);
+            let both = points.iter().all(|(_, rows)| rows[derived.len()][j] != 0 && rows[at][j] != 0);
+            if points.is_empty() || !both || is_one_sided(arena, p) || is_one_sided(arena, d) {
+                continue;
+            }
+            let mut weight = 0;
+            for k in 0..printed.len() {
+                // p_k : d_k = p_j : d_j at every point.
+                let agrees = points.iter().all(|(f, rows)| {
+                    let (p, d) = (&rows[derived.len()], &rows[at]);
+                    f.mul(p[k], d[j]) == f.mul(p[j], d[k])
+                });
+                if agrees {
+                    // Two zeros agree with any factor: they count, but little.
+                    weight += if printed[k] == Expr::ZERO { 1 } else { 100 };
+                }
+            }
+            if weight > best.2 {
+                best = (at, arena.div(p, d), weight);
+            }
+        }
+    }
+    (best.0, best.1.unwrap_or(Expr::ONE))
 }
 
-/// λ with λᵀ A = the entries of the row.
-fn multipliers(arena: &mut Arena, simplifier: &mut Simplifier, printed: &Row, derived: &[Row]) -> Vec<Expr> {
-    let n = derived.len();
-    if n > WRITTEN {
-        return Vec::new();
+/// Whether a term may vanish on one side of a surface, so that a row with it as a factor says nothing there.
+fn is_one_sided(arena: &Arena, e: Expr) -> bool {
+    arena.reachable(&[e]).iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Abs | Function::Sign, _)))
+}
+
+/// The multipliers with Σ λ_i derived_i = printed, if the printed row follows from the derived ones; none that are
+/// stated for large systems. An error says why it is not known.
+fn combination(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    comparer: &mut Comparer,
+    printed: &Row,
+    derived: &[Row],
+) -> Result<Option<Vec<Expr>>, String> {
+    if printed.iter().all(|e| *e == Expr::ZERO) {
+        return Ok(None);
     }
-    let transposed: Vec<Row> = (0..n).map(|c| derived.iter().map(|row| row[c]).collect()).collect();
-    let right: Vec<Row> = printed[..n].iter().map(|e| vec![*e]).collect();
-    match solve(arena, simplifier, &transposed, &right) {
-        Ok((values, _)) => values.into_iter().map(|row| row[0]).collect(),
-        Err(_) => Vec::new(),
+    let unknown = || "whether the row is a combination of derived rows is not known".to_owned();
+    // Of more rows than there are unknowns some follow from the others.
+    let (independent, columns) = echelon(arena, derived).ok_or_else(unknown)?;
+    let mut rows: Vec<Row> = independent.iter().map(|at| derived[*at].clone()).collect();
+    rows.push(printed.clone());
+    let (found, _) = echelon(arena, &rows).ok_or_else(unknown)?;
+    let follows = found.len() < rows.len();
+    let all = arena.reachable(&rows.concat());
+    if !has_roots(arena, &all) {
+        if !follows {
+            return Ok(None);
+        }
+        if independent.len() > WRITTEN {
+            return Ok(Some(Vec::new()));
+        }
+    } else if independent.len() > WRITTEN {
+        return Err(unknown());
     }
+    let transposed: Vec<Row> =
+        columns.iter().map(|c| independent.iter().map(|at| derived[*at][*c]).collect()).collect();
+    let right: Vec<Row> = columns.iter().map(|c| vec![printed[*c]]).collect();
+    let (values, _) = solve(arena, simplifier, &transposed, &right).map_err(|_| unknown())?;
+    let mut multipliers = vec![Expr::ZERO; derived.len()];
+    for (at, value) in independent.iter().zip(values) {
+        multipliers[*at] = value[0];
+    }
+    for (column, entry) in printed.iter().enumerate() {
+        let terms: Vec<Expr> = derived.iter().zip(&multipliers).map(|(row, m)| arena.mul(row[column], *m)).collect();
+        let sum = arena.sum(&terms);
+        match comparer.compare(arena, sum, *entry) {
+            Verdict::Equal(_) => {}
+            Verdict::Different(_) => return Ok(None),
+            Verdict::Undecided(why) => return Err(why),
+        }
+    }
+    let short = multipliers.iter().all(|m| text(arena, *m).len() <= LONGEST);
+    Ok(Some(if short { multipliers } else { Vec::new() }))
 }

@@ -7,6 +7,7 @@ use super::{Finding, Judgement};
 use crate::algebra::Expr;
 use crate::algebra::compare::Verdict;
 use crate::algebra::linear::{LinearForm, solve};
+use crate::algebra::modular::rank;
 use crate::algebra::print::text;
 use crate::mechanics::{Formulation, Kinematics, Quantities, balances};
 use crate::report::{Entry, Listing, System};
@@ -131,12 +132,12 @@ pub fn listing_motion(
     names: &Names,
     entry: &Entry,
     listing: &Listing,
-) -> (Motion, bool) {
+) -> Result<(Motion, bool), String> {
     let n = listing.state.len() / 2;
     let in_rates = listing.formulation == Formulation::Lagrange;
     let (coordinates, variables) = places(quantities, listing);
-    let mut resolved = |e: Expr| value(quantities, names, e, in_rates).unwrap_or(e);
-    let derivative: Vec<Expr> = listing.derivative.iter().map(|e| resolved(*e)).collect();
+    let mut resolved = |e: Expr| value(quantities, names, e, in_rates);
+    let derivative: Vec<Expr> = listing.derivative.iter().map(|e| resolved(*e)).collect::<Result<_, _>>()?;
     let of_state = |at: &Option<usize>| at.map_or(Expr::ZERO, |at| derivative[at]);
     let count = variables.len();
     let unit = |i: usize| (0..count).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
@@ -146,7 +147,7 @@ pub fn listing_motion(
             let mut ordered = Vec::new();
             for row in matrix {
                 let row = variables.iter().map(|at| at.map_or(Expr::ZERO, |at| row[at - n]));
-                ordered.push(row.map(&mut resolved).collect());
+                ordered.push(row.map(&mut resolved).collect::<Result<_, _>>()?);
             }
             (ordered, derivative[n..].to_vec())
         }
@@ -154,7 +155,7 @@ pub fn listing_motion(
     };
     let coordinate_rates = coordinates.iter().map(of_state).collect();
     let whole = coordinates.iter().chain(&variables).all(Option::is_some);
-    (Motion { id: entry.id.clone(), in_rates, coordinate_rates, matrix, right }, whole)
+    Ok((Motion { id: entry.id.clone(), in_rates, coordinate_rates, matrix, right }, whole))
 }
 
 impl Judge<'_, '_> {
@@ -191,6 +192,7 @@ impl Judge<'_, '_> {
             }
             matches.push(judged.by);
         }
+        self.completeness(&mut findings, entry, system, &rows, order.unknowns.len());
         let whole = order.unknowns.iter().all(|u| system.unknowns.contains(u)) && rows.len() == order.unknowns.len();
         let motion = whole.then(|| {
             let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
@@ -199,15 +201,43 @@ impl Judge<'_, '_> {
         Judged { findings, motion }
     }
 
+    /// A row that is right may still say nothing new: then an equation is missing.
+    fn completeness(&self, findings: &mut [Finding], entry: &Entry, system: &System, rows: &[Row], unknowns: usize) {
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let Some(first) = findings.first_mut() else { return };
+        if rows.len() < unknowns {
+            first.remarks.push(format!(
+                "the system has {} of {unknowns} equations: it does not determine the motion",
+                rows.len()
+            ));
+        }
+        let Some(row) = rank(arena, rows).and_then(|found| found.dependent) else { return };
+        let id = system.row_id(&entry.id, row);
+        let Some(finding) = findings.iter_mut().find(|f| f.id == id) else { return };
+        if rows.len() <= unknowns && matches!(finding.judgement, Judgement::Equal | Judgement::Scaled) {
+            finding.judgement = Judgement::Different;
+            finding.remarks.push("it follows from the rows above: an equation of motion is missing".to_owned());
+        }
+    }
+
     /// Judges a program: its q̇ by the kinematic equations, its system row by row or its accelerations one by one.
     pub fn listing(&mut self, entry: &Entry, listing: &Listing) -> Judged {
-        let (motion, whole) = listing_motion(self.quantities, self.names, entry, listing);
-        let order = match derived(self.quantities, listing.formulation, None) {
+        let undecided = |why: String| {
+            let finding = Finding { judgement: Judgement::Undecided(why), ..stated(&entry.id, entry, "") };
+            Judged { findings: vec![finding], motion: None }
+        };
+        let (motion, whole) = match listing_motion(self.quantities, self.names, entry, listing) {
+            Ok(found) => found,
+            Err(why) => return undecided(why),
+        };
+        // A program that eliminates the reactions is compared with equations that have none.
+        let alike = match listing.formulation {
+            Formulation::NewtonEuler => Formulation::Kane,
+            other => other,
+        };
+        let order = match derived(self.quantities, alike, None) {
             Ok(order) => order,
-            Err(why) => {
-                let finding = Finding::new(&entry.id, &entry.section, Judgement::Undecided(why), "");
-                return Judged { findings: vec![finding], motion: None };
-            }
+            Err(why) => return undecided(why),
         };
         let n = listing.state.len() / 2;
         let model = self.quantities.model;
@@ -250,12 +280,6 @@ impl Judge<'_, '_> {
 
     /// Accelerations that a program states outright, against those that the derived system gives.
     fn accelerations(&mut self, entry: &Entry, listing: &Listing, motion: &Motion, order: &Ordered) -> Vec<Finding> {
-        // The shortest system that determines them: Newton–Euler's unknowns have the same accelerations as Kane's.
-        let kane = derived(self.quantities, Formulation::Kane, None);
-        let order = match (&kane, listing.formulation) {
-            (Ok(kane), Formulation::NewtonEuler) => kane,
-            _ => order,
-        };
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
         let a: Vec<Row> = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
         let b: Vec<Row> = order.rows.iter().map(|row| vec![row[row.len() - 1]]).collect();
@@ -333,7 +357,6 @@ impl Judge<'_, '_> {
             (None, Some(why)) => Judgement::Undecided(why),
             _ => Judgement::Different,
         };
-        finding.witness = witness;
         let wrong = judged.entries.iter().enumerate().filter(|(_, v)| !v.is_equal());
         let arena = &self.quantities.derivations.kinematics.arena;
         let places: Vec<String> = wrong
@@ -345,7 +368,13 @@ impl Judge<'_, '_> {
         finding.remarks.push(format!("wrong: {}", places.join(", ")));
         let printed = as_term(self, row);
         let expected = as_term(self, &judged.expected);
-        let difference = self.quantities.derivations.kinematics.arena.sub(printed, expected);
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let difference = arena.sub(printed, expected);
+        // The row as a whole at one state, its unknowns included; else the entry that is wrong.
+        finding.witness = match self.comparer.compare(arena, printed, expected) {
+            Verdict::Different(whole) => Some(whole),
+            _ => witness,
+        };
         finding.difference = Some(self.simplify(difference));
         finding
     }

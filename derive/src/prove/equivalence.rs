@@ -7,7 +7,7 @@
 //! Newton–Euler again.
 
 use super::all;
-use crate::algebra::calculus::Differential;
+use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::linear::solve;
 use crate::algebra::modular::rank;
@@ -211,7 +211,12 @@ fn kane_and_lagrange(
         transposed(&maps.j).iter().map(|row| row.iter().map(|e| to_rates.apply(arena, *e)).collect()).collect();
     let backward = combine(arena, &j, &in_rates);
     let backward = equal_systems(arena, comparer, &backward, lagrange, 0);
-    let map = "Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, with q' = W u and u = J q'".to_owned();
+    // At rest in q̇, a speed that is not homogeneous has an offset.
+    let pairs: Vec<_> = model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
+    let mut at_rest = Substitution::new(&pairs);
+    let homogeneous = model.speeds.iter().all(|s| at_rest.apply(arena, s.definition) == Expr::ZERO);
+    let with = if homogeneous { "q' = W u and u = J q'" } else { "q' = W u + w and u = J q' + d" };
+    let map = format!("Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, with {with}");
     Pair { left: Formulation::Kane, right: Formulation::Lagrange, verdict: all([forward, backward]), map }
 }
 

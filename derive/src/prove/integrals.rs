@@ -30,7 +30,8 @@ pub struct Integral {
 
 /// Finds first integrals: the energy T + V and of forces with a polynomial potential; the momenta of coordinates;
 /// of translations along the inertial axes and rotations about them through the mass centre and through the
-/// origin, of the whole and of each body; and of all fields ξ = A q + b. Of those only functionally independent ones are kept.
+/// origin, of the whole and of each body; and of all fields ξ = A q + b. Of the momenta only functionally independent
+/// ones are kept.
 ///
 /// The second value says in words what was searched.
 pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Comparer) -> (Vec<Integral>, String) {
@@ -41,7 +42,7 @@ pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Compare
     };
     let lagrangian = Lagrangian::new(model, derivations, lagrange.kinetic_energy, lagrange.potential_energy);
     let kinematics = &mut derivations.kinematics;
-    let mut search = Search { model, kane: &kane, gradients: Vec::new(), found: Vec::new() };
+    let mut search = Search { model, kane: &kane, gradients: Vec::new(), found: Vec::new(), no_potential: false };
     search.energy(kinematics, comparer, &lagrangian, &lagrange);
     let mut fields = lagrangian.units(model);
     fields.extend(motions::fields(model, kinematics));
@@ -53,6 +54,11 @@ pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Compare
             if list.is_empty() { "" } else { ", among those listed or combinations of them" }
         ),
         None => "symmetries q' = A q + b were not searched: the conditions are too large".to_owned(),
+    };
+    let covered = if search.no_potential {
+        format!("{covered}; no energy: a potential of the applied forces was not found")
+    } else {
+        covered
     };
     fields.extend(affine.unwrap_or_default());
     for field in fields {
@@ -67,6 +73,8 @@ struct Search<'a> {
     /// ∂I/∂(q, u) of what was found.
     gradients: Vec<Vec<Expr>>,
     found: Vec<Integral>,
+    /// Whether forces work and no potential of them was found.
+    no_potential: bool,
 }
 
 impl Search<'_> {
@@ -84,7 +92,10 @@ impl Search<'_> {
             lagrangian.forces.iter().zip(&lagrange.variables).map(|(f, v)| arena.mul(*f, *v)).collect();
         let power = arena.sum(&power);
         if zero_test(arena, power) != ZeroTest::Zero {
-            let Some(of_forces) = potential_of(arena, model, &lagrangian.forces) else { return };
+            let Some(of_forces) = potential_of(arena, model, &lagrangian.forces) else {
+                self.no_potential = true;
+                return;
+            };
             potential = arena.add(potential, of_forces);
             name = "energy T + V, the potential of the applied forces included";
         }
@@ -151,12 +162,19 @@ impl Search<'_> {
         }
         let variables = [self.model.q(), self.model.u()].concat();
         let gradient = variables.iter().map(|x| Differential::partial(*x).apply(arena, value)).collect();
-        self.gradients.push(gradient);
-        if rank(arena, &self.gradients).is_none_or(|found| found.dependent.is_some()) {
-            self.gradients.pop();
+        let mut gradients = self.gradients.clone();
+        gradients.push(gradient);
+        if rank(arena, &gradients).is_none_or(|found| found.dependent.is_some()) {
             return;
         }
         let verdict = self.prove(arena, comparer, value, multipliers);
+        if !verdict.is_equal() {
+            return;
+        }
+        // The energy of a free body is a function of its momenta, and is listed all the same.
+        if !name.starts_with("energy") {
+            self.gradients = gradients;
+        }
         self.found.push(Integral { name: name.to_owned(), expression: value, verdict });
     }
 

@@ -8,9 +8,11 @@ mod equivalence;
 mod fields;
 mod integrals;
 mod motions;
+mod singular;
 
 pub use equivalence::{Pair, ReactionEquation};
 pub use integrals::Integral;
+pub use singular::{Place, Singularity, There, singularity, zeros};
 
 use crate::algebra::Expr;
 use crate::algebra::compare::{Comparer, Engine, Verdict};

@@ -85,10 +85,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let f2_part = l1 * u2 * u2 * sin_q1_minus_q2;
     // g*sin(q1); used 2 times
     let g_s1 = g * s1;
-    // l0*u1^2*sin(q1 - q2); used 2 times
-    let f3_part = l0 * u1 * u1 * sin_q1_minus_q2;
     // g*sin(q2); used 2 times
     let g_s2 = g * s2;
+    // l0*u1^2*sin(q1 - q2); used 2 times
+    let f3_part = l0 * u1 * u1 * sin_q1_minus_q2;
     // Values.
     // f1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
     //   l1*u2^2*sin(q2) + l2*u3^2*sin(q3))

@@ -80,10 +80,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
     let f2_part = l1 * q2_dot * q2_dot * sin_q1_minus_q2;
     // g*sin(q1); used 2 times
     let g_s1 = g * s1;
-    // l0*q1'^2*sin(q1 - q2); used 2 times
-    let f3_part = l0 * q1_dot * q1_dot * sin_q1_minus_q2;
     // g*sin(q2); used 2 times
     let g_s2 = g * s2;
+    // l0*q1'^2*sin(q1 - q2); used 2 times
+    let f3_part = l0 * q1_dot * q1_dot * sin_q1_minus_q2;
     // Values.
     // f1 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*q3'^2*sin(q3)
     let f1 = F - l0 * q1_dot * q1_dot * s1 * (m1 + m2 + m3)

@@ -1,0 +1,81 @@
+//! How long it takes to derive, to prove and to judge.
+//!
+//! `cargo bench --bench derivation`
+
+#![allow(missing_docs, reason = "`criterion_group!` makes a public function")]
+
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::diff::diff;
+use tripos_derive::mechanics::{Derivations, derive_all};
+use tripos_derive::prove::{Proof, prove};
+use tripos_derive::report::{Report, load};
+use tripos_derive::{Formulation, Model, derive};
+
+fn folder(model: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model)
+}
+
+fn read(model: &str) -> Model {
+    Model::read(&folder(model).join("model.toml")).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Shows what one build of a model costs, method by method; the kinematics, which all share, are part of each.
+fn formulations(c: &mut Criterion) {
+    let mut group = c.benchmark_group("derive the disk");
+    let model = read("disk");
+    for formulation in Formulation::ALL {
+        group.bench_function(formulation.name(), |b| {
+            b.iter(|| derive(black_box(&model), formulation).unwrap_or_else(|e| panic!("{e}")));
+        });
+    }
+}
+
+fn derived_and_proved(model: &Model) -> (Derivations, Proof) {
+    let mut derivations = derive_all(model).unwrap_or_else(|e| panic!("{e}"));
+    let proof = prove(model, &mut derivations);
+    (derivations, proof)
+}
+
+/// Shows what `tripos prove` waits for: all formulations, their equivalence and the first integrals. For the disk the aim
+/// is 50 ms, at which the answer seems to be there at once.
+fn proofs(c: &mut Criterion) {
+    let mut group = c.benchmark_group("derive_all + prove");
+    for name in ["disk", "cart_pendulum_3", "chaotic_pendulum"] {
+        let model = read(name);
+        assert!(derived_and_proved(&model).1.is_equivalent(), "{name}");
+        group.bench_function(name, |b| b.iter(|| derived_and_proved(black_box(&model))));
+    }
+}
+
+fn course_report() -> (Model, Report) {
+    let mut model = read("disk");
+    let source = Source::read(&folder("disk").join("report.toml")).unwrap_or_else(|e| panic!("{e}"));
+    let report = load(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    (model, report)
+}
+
+/// Shows what `tripos diff` adds to that: the verdicts on every entry of the course report, and what its systems make of
+/// the motion.
+fn course_report_judged(c: &mut Criterion) {
+    let (model, report) = course_report();
+    let judge = |(mut derivations, proof): (Derivations, Proof)| diff(&model, &mut derivations, &report, &proof);
+    assert!(!judge(derived_and_proved(&model)).is_clean(), "the report has errors");
+    c.bench_function("diff the course report", |b| {
+        b.iter_batched(|| derived_and_proved(&model), judge, BatchSize::PerIteration);
+    });
+    c.bench_function("read the course report", |b| b.iter(course_report));
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default()
+        .sample_size(20)
+        .warm_up_time(Duration::from_secs(1))
+        .measurement_time(Duration::from_secs(5));
+    targets = formulations, proofs, course_report_judged
+}
+criterion_main!(benches);

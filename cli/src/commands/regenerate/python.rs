@@ -1,0 +1,163 @@
+//! A Python that has the SymPy of `tests/sympy/requirements.txt`, and programs that get only so much time.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+use tripos_derive::reference::environment_name;
+
+/// Importing SymPy takes a second or two, on a cold disk more.
+const TIME_TO_IMPORT: Duration = Duration::from_secs(60);
+/// More than any program here writes.
+const MOST_BYTES: u64 = 64 << 20;
+
+/// The interpreter that runs the reference: the variable `TRIPOS_PYTHON`; else the environment that the tests made, if they did;
+/// else `python3`. Why there is none, otherwise.
+pub fn find(root: &Path) -> Result<PathBuf, String> {
+    let requirements = root.join("tests/sympy/requirements.txt");
+    let requirements =
+        std::fs::read_to_string(&requirements).map_err(|error| format!("{}: {error}", requirements.display()))?;
+    let mut why = String::new();
+    for python in candidates(root, &requirements) {
+        match check(&python, &requirements) {
+            Ok(()) => return Ok(python),
+            Err(reason) => why = reason,
+        }
+    }
+    Err(why)
+}
+
+fn candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
+    if let Some(python) = std::env::var_os("TRIPOS_PYTHON").filter(|path| !path.is_empty()) {
+        return vec![python.into()];
+    }
+    // Cargo marks its folder for what it builds; this program stands in it, whatever it is called.
+    let program = std::env::current_exe().unwrap_or_default();
+    let built = program.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file());
+    let python = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
+    let environment = Path::new("tmp").join(environment_name(requirements)).join(python);
+    let targets = built.map(Path::to_owned).into_iter().chain([root.join("target")]);
+    let mut list: Vec<PathBuf> = targets.map(|target| target.join(&environment)).filter(|path| path.exists()).collect();
+    list.push("python3".into());
+    list
+}
+
+/// Whether it imports the pinned SymPy: of another version the reference would have another text.
+fn check(python: &Path, requirements: &str) -> Result<(), String> {
+    let name = python.display();
+    let program = "import tomllib, sympy; print(sympy.__version__)";
+    let output = run(Command::new(python).args(["-c", program]), TIME_TO_IMPORT)
+        .map_err(|why| format!("`{name}` cannot be run: {why}"))?;
+    if !output.status.success() {
+        return Err(format!("`{name}` has no SymPy: {}", output.last_line()));
+    }
+    let pinned = requirements.lines().find_map(|line| line.strip_prefix("sympy==")?.split_whitespace().next());
+    match pinned {
+        Some(pinned) if output.stdout.trim() != pinned => {
+            Err(format!("`{name}` has SymPy {}, not {pinned}", output.stdout.trim()))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// How a program ended, and what it wrote.
+pub struct Output {
+    /// The exit status.
+    pub status: ExitStatus,
+    /// Standard output.
+    pub stdout: String,
+    /// Standard error.
+    pub stderr: String,
+}
+
+impl Output {
+    /// The last line on standard error, where Python says what went wrong; else how it ended.
+    pub fn last_line(&self) -> String {
+        let line = self.stderr.lines().map(str::trim).rfind(|line| !line.is_empty());
+        line.map_or_else(|| self.status.to_string(), str::to_owned)
+    }
+}
+
+/// Runs a program to its end, which is brought about when the time is over.
+pub fn run(command: &mut Command, limit: Duration) -> Result<Output, String> {
+    let end = Instant::now() + limit;
+    let command = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(|error| error.to_string())?;
+    let (stdout, stderr) = (reader(child.stdout.take()), reader(child.stderr.take()));
+    let late = || format!("it took more than {} s and was stopped", limit.as_secs_f64());
+    let Some(status) = wait(&mut child, end).map_err(|error| error.to_string())? else {
+        // It may have ended just now; either way nothing of it stays.
+        let _ = child.kill();
+        let _ = child.wait();
+        return Err(late());
+    };
+    // A program that it started may hold the pipes open: that gets no more time either.
+    let collect = |text: Receiver<Vec<u8>>| {
+        let left = end.saturating_duration_since(Instant::now()).max(Duration::from_millis(100));
+        let bytes = text.recv_timeout(left).map_err(|_| late())?;
+        String::from_utf8(bytes).map_err(|_| "what it wrote is not UTF-8".to_owned())
+    };
+    Ok(Output { status, stdout: collect(stdout)?, stderr: collect(stderr)? })
+}
+
+fn wait(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitStatus>> {
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok(Some(status));
+        }
+        if Instant::now() >= end {
+            return Ok(None);
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+/// Reads beside the program, so that a full pipe does not stop it.
+fn reader(pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || {
+        let mut bytes = Vec::new();
+        if let Some(mut pipe) = pipe {
+            let _ = pipe.by_ref().take(MOST_BYTES).read_to_end(&mut bytes);
+            // Nobody waits for what comes after.
+            let _ = std::io::copy(&mut pipe, &mut std::io::sink());
+        }
+        let _ = sender.send(bytes);
+    });
+    receiver
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    fn shell(script: &str, limit: Duration) -> Result<Output, String> {
+        run(Command::new("sh").args(["-c", script]), limit)
+    }
+
+    #[test]
+    fn what_takes_too_long_is_stopped() {
+        let start = Instant::now();
+        let why = shell("exec sleep 60", Duration::from_millis(200)).err().unwrap();
+        assert!(why.contains("more than 0.2 s"), "{why}");
+        // Here the program ends at once, but what it started keeps the pipe.
+        let why = shell("sleep 60 & echo done", Duration::from_millis(500)).err().unwrap();
+        assert!(why.contains("more than 0.5 s"), "{why}");
+        assert!(start.elapsed() < Duration::from_secs(20));
+    }
+
+    #[test]
+    fn more_than_a_pipe_holds_is_read() {
+        let output = shell("head -c 1000000 /dev/zero | tr '\\0' x; echo why >&2", Duration::from_secs(30)).unwrap();
+        assert!(output.status.success());
+        assert_eq!((output.stdout.len(), output.last_line()), (1_000_000, "why".to_owned()));
+    }
+
+    #[test]
+    fn a_program_that_is_not_there_is_an_error() {
+        assert!(run(&mut Command::new("/no/such/python"), Duration::from_secs(1)).is_err());
+        let why = check(Path::new("/no/such/python"), "").unwrap_err();
+        assert!(why.starts_with("`/no/such/python` cannot be run: "), "{why}");
+    }
+}

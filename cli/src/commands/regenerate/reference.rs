@@ -1,0 +1,161 @@
+//! The reference beside each model, derived by SymPy: renewed where there is a Python, recorded only where it agrees.
+
+use super::python::{find, run};
+use crate::failure::{Failure, print, status, warn};
+use std::fmt::Write;
+use std::path::Path;
+use std::process::Command;
+use std::time::Duration;
+use tripos_derive::Model;
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::compare::Verdict;
+use tripos_derive::algebra::print::text;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::mechanics::derive_all;
+use tripos_derive::reference::{Compared, Reference, compare};
+
+/// What SymPy gets for one model; the models of the library take seconds.
+const TIME: Duration = Duration::from_secs(120);
+
+/// What came of one model.
+enum Outcome {
+    /// It agrees in so many entries, and is recorded now.
+    Recorded(usize),
+    /// It agrees in so many entries, as recorded.
+    Unchanged(usize),
+    /// There is none, for a reason that says nothing about the equations.
+    NotRenewed(String),
+    /// It disagrees, or cannot be compared: lines for people.
+    Refused(String),
+}
+
+/// Derives every model anew by SymPy and records what agrees; exit status 1 if anything does not.
+pub fn renew(root: &Path, models: &[String]) -> Result<u8, Failure> {
+    let python = match find(root) {
+        Ok(python) => python,
+        Err(why) => {
+            let count = if models.len() == 1 { "1 model".to_owned() } else { format!("{} models", models.len()) };
+            warn(&format!("the SymPy reference of {count} was not renewed: {why}"));
+            return Ok(0);
+        }
+    };
+    let mut answer = 0;
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    for some in models.chunks(workers) {
+        let outcomes: Vec<Outcome> = std::thread::scope(|scope| {
+            let tasks: Vec<_> = some.iter().map(|model| scope.spawn(|| outcome(root, &python, model))).collect();
+            let defect =
+                |_| Outcome::Refused("the comparison failed unexpectedly: please report this model".to_owned());
+            tasks.into_iter().map(|task| task.join().unwrap_or_else(defect)).collect()
+        });
+        for (model, outcome) in some.iter().zip(outcomes) {
+            match outcome {
+                Outcome::Recorded(n) => print(&format!("{model}: SymPy agrees in {n} entries; reference recorded\n"))?,
+                Outcome::Unchanged(n) => print(&format!("{model}: SymPy agrees in {n} entries\n"))?,
+                Outcome::NotRenewed(why) => warn(&format!("the SymPy reference of {model} was not renewed: {why}")),
+                Outcome::Refused(lines) => {
+                    answer = status::NO;
+                    print(&format!("{model}: {}\n", lines.trim_end()))?;
+                }
+            }
+        }
+    }
+    Ok(answer)
+}
+
+fn outcome(root: &Path, python: &Path, name: &str) -> Outcome {
+    let path = root.join("models").join(name).join("model.toml");
+    let script = root.join("tests/sympy/reference.py");
+    let output = match run(Command::new(python).arg(script).arg(&path), TIME) {
+        Ok(output) if output.status.success() => output,
+        Ok(output) => return Outcome::NotRenewed(output.last_line()),
+        Err(why) => return Outcome::NotRenewed(why),
+    };
+    let source = Source { path: path.with_file_name("reference.json"), text: output.stdout };
+    match disagreements(&path, &source) {
+        Err(why) => Outcome::Refused(format!("the SymPy reference cannot be compared\n  {why}")),
+        Ok((count, lines)) if lines.is_empty() => record(&source, count),
+        Ok((count, lines)) => Outcome::Refused(format!(
+            "SymPy DISAGREES in {} of {count} entries; the reference is not recorded\n{}",
+            lines.len(),
+            lines.concat()
+        )),
+    }
+}
+
+fn record(reference: &Source, count: usize) -> Outcome {
+    if std::fs::read(&reference.path).is_ok_and(|old| old == reference.text.as_bytes()) {
+        return Outcome::Unchanged(count);
+    }
+    match std::fs::write(&reference.path, &reference.text) {
+        Ok(()) => Outcome::Recorded(count),
+        Err(error) => Outcome::Refused(format!("cannot write `{}`: {error}", reference.path.display())),
+    }
+}
+
+/// How many entries there are, and some lines for each that does not agree.
+fn disagreements(model: &Path, reference: &Source) -> Result<(usize, Vec<String>), String> {
+    let model = Model::read(model).map_err(|error| error.to_string())?;
+    let reference = Reference::read(reference).map_err(|error| error.to_string())?;
+    let mut derivations = derive_all(&model).map_err(|error| error.to_string())?;
+    let found = compare(&model, &mut derivations, &reference).map_err(|error| error.to_string())?;
+    let arena = &derivations.kinematics.arena;
+    let wrong = found.iter().filter(|entry| !entry.verdict.is_equal());
+    Ok((found.len(), wrong.map(|entry| describe(arena, entry)).collect()))
+}
+
+fn describe(arena: &Arena, entry: &Compared) -> String {
+    let mut out = format!("  {}\n", entry.name);
+    for (label, e) in [("derived    ", entry.derived), ("SymPy      ", entry.reference)] {
+        if let Some(e) = e {
+            let _ = writeln!(out, "    {label} {}", shortened(&text(arena, e)));
+        }
+    }
+    let _ = match &entry.verdict {
+        Verdict::Different(witness) => {
+            let at: Vec<String> = witness.at.iter().map(|(name, x)| format!("{name} = {x}")).collect();
+            let place = if at.is_empty() { String::new() } else { format!(" at {}", at.join(", ")) };
+            writeln!(out, "    witness     {} derived, {} by SymPy{place}", witness.right, witness.left)
+        }
+        Verdict::Undecided(why) => writeln!(out, "    undecided   {why}"),
+        Verdict::Equal(_) => Ok(()),
+    };
+    out
+}
+
+/// The start of a formula: its name says where the rest is.
+fn shortened(formula: &str) -> String {
+    const MOST: usize = 200;
+    match formula.char_indices().nth(MOST) {
+        Some((at, _)) => format!("{} … ({} characters)", &formula[..at], formula.chars().count()),
+        None => formula.to_owned(),
+    }
+}
+
+/// Recorded references that are missing, broken or of another model text, each in a line. Runs no Python.
+pub fn check(root: &Path, models: &[String]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for name in models {
+        let path = root.join("models").join(name).join("reference.json");
+        let file = format!("models/{name}/reference.json");
+        if !path.exists() {
+            lines.push(format!("missing  {file}"));
+            continue;
+        }
+        // A model that cannot be read is an error of its own.
+        let Ok(model) = Source::read(&path.with_file_name("model.toml")) else { continue };
+        let reference = match Source::read(&path) {
+            Ok(source) => Reference::read(&Source { path: file.clone().into(), ..source }),
+            Err(error) => {
+                lines.push(format!("broken   {file}: {}", error.list.first().map_or("", |d| &d.message)));
+                continue;
+            }
+        };
+        match reference.map(|reference| reference.check_text(&model.text)) {
+            Ok(Ok(())) => {}
+            Ok(Err(_)) => lines.push(format!("stale    {file}: it is of another model text")),
+            Err(error) => lines.push(format!("broken   {error}")),
+        }
+    }
+    lines
+}

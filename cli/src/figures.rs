@@ -1,0 +1,165 @@
+//! What the figures of a scene show: panels from runs.
+
+use crate::catalogue::By;
+use crate::invariants::{Course, Watch};
+use crate::plot::{Panel, Scale, Series};
+use crate::run::Run;
+use tripos_derive::{Formulation, Model};
+
+/// A run with what was watched along it, and how its curves look.
+pub struct Curve<'a> {
+    /// The run.
+    pub run: &'a Run,
+    /// What was watched.
+    pub course: &'a Course,
+    /// Colour, dashes and marker, the same in every figure.
+    pub style: usize,
+}
+
+impl Curve<'_> {
+    /// The name in a legend.
+    pub fn label(&self) -> String {
+        match self.run.by.name.strip_prefix("printed:") {
+            Some(id) => format!("printed {id}"),
+            None => self.run.by.title.clone(),
+        }
+    }
+
+    fn series(&self, values: impl IntoIterator<Item = f64>) -> Series {
+        let points = self.run.solution.t.iter().copied().zip(values).collect();
+        Series { label: self.label(), style: self.style, points }
+    }
+}
+
+/// Formulations keep their colours, whichever a model supports.
+pub fn style(by: &By) -> usize {
+    Formulation::ALL.iter().position(|f| by.formulation() == Some(*f)).unwrap_or(0)
+}
+
+/// Where a run ended that did not arrive.
+fn note(curves: &[Curve]) -> Option<String> {
+    let early = curves.iter().map(|curve| curve.run).filter(|run| run.solution.stop.code() != "end");
+    let notes: Vec<String> = early
+        .map(|run| format!("{} ends at {:.4} s: {}", run.by.name, run.solution.t_end, run.solution.stop.code()))
+        .collect();
+    (!notes.is_empty()).then(|| notes.join("; "))
+}
+
+/// Total energy, on a linear axis.
+pub fn energy(curves: &[Curve]) -> Panel {
+    Panel {
+        title: "Total energy".to_owned(),
+        x_label: "t [s]".to_owned(),
+        y_label: "T + V [J]".to_owned(),
+        scale: Scale::Linear,
+        series: curves.iter().map(|curve| curve.series(curve.run.energies.iter().map(|(k, p)| k + p))).collect(),
+        note: note(curves),
+    }
+}
+
+/// Every coordinate and speed, a panel each.
+pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
+    // An angle's plain unit is shown as radians.
+    let radians = |unit: String| match unit.as_str() {
+        "1" => "rad".to_owned(),
+        other => other.strip_prefix("1/").map_or(other.to_owned(), |rest| format!("rad/{rest}")),
+    };
+    let coordinates = model.coordinates.iter().map(|c| (&c.name, &c.unit));
+    let quantities = coordinates.chain(model.speeds.iter().map(|s| (&s.name, &s.unit)));
+    let labels: Vec<String> =
+        quantities.map(|(name, unit)| format!("{name} [{}]", radians(unit.to_string()))).collect();
+    let panel = |(at, label): (usize, &String)| Panel {
+        title: label.split(' ').next().unwrap_or_default().to_owned(),
+        x_label: "t [s]".to_owned(),
+        y_label: label.clone(),
+        scale: Scale::Linear,
+        series: curves.iter().map(|curve| curve.series(curve.run.states.iter().map(|state| state[at]))).collect(),
+        note: None,
+    };
+    labels.iter().enumerate().map(panel).collect()
+}
+
+/// |I(t) − I(t₀)| of every first integral, a panel each, on logarithmic axes.
+pub fn integrals(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
+    let panel = |(at, (name, unit)): (usize, &(String, String))| {
+        let (least, most) = shown(curves, at);
+        let symbol = format!("I{}", at + 1);
+        // The first sample is the one that the others are compared with.
+        let series = |curve: &Curve| {
+            let mut series = curve.series(clamped(curve.course.changes(at), least, most));
+            series.points.drain(..series.points.len().min(1));
+            series
+        };
+        Panel {
+            title: format!("{symbol} : {}", name.split(';').next().unwrap_or_default()),
+            x_label: "t [s]".to_owned(),
+            y_label: format!("| {symbol} − {symbol} (t₀) | [{unit}]"),
+            scale: Scale::Logarithmic,
+            series: curves.iter().map(series).collect(),
+            note: None,
+        }
+    };
+    watch.integrals.iter().enumerate().map(panel).collect()
+}
+
+/// The smallest and the largest change of a first integral that a figure tells apart, by the size that the derived runs
+/// give it: from below its rounding error to a million times itself. A printed run that explodes must not hide the others.
+fn shown(curves: &[Curve], integral: usize) -> (f64, f64) {
+    let largest = |of: &dyn Fn(&Curve) -> bool| {
+        let values = curves.iter().filter(|curve| of(curve)).flat_map(|curve| &curve.course.integrals[integral]);
+        values.filter(|x| x.is_finite()).fold(0.0, |largest: f64, x| largest.max(x.abs()))
+    };
+    let derived = largest(&|curve| curve.run.by.formulation().is_some());
+    let size = if derived > 0.0 { derived } else { largest(&|_| true) };
+    let decade = size.log10().floor();
+    if decade.is_finite() { (10_f64.powf(decade - 17.0), 10_f64.powf(decade + 6.0)) } else { (1e-17, 1e6) }
+}
+
+/// Values outside at the edges; what is not a number stays so.
+fn clamped(values: Vec<f64>, least: f64, most: f64) -> impl Iterator<Item = f64> {
+    values.into_iter().map(move |x| {
+        if x < least {
+            least
+        } else if x > most {
+            most
+        } else {
+            x
+        }
+    })
+}
+
+/// Determinants, condition numbers and the divisors of the kinematic equations, on logarithmic axes.
+pub fn nearness(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
+    let panel = |title: &str, y_label: String, series: Vec<Series>| Panel {
+        title: title.to_owned(),
+        x_label: "t [s]".to_owned(),
+        y_label,
+        scale: Scale::Logarithmic,
+        series,
+        note: None,
+    };
+    let each = |values: &dyn Fn(&Course) -> Vec<f64>| -> Vec<Series> {
+        curves.iter().map(|curve| curve.series(clamped(values(curve.course), 1e-20, 1e20))).collect()
+    };
+    let mut panels = vec![
+        panel("Determinant", "| det A / det A (t₀) |".to_owned(), each(&Course::relative_determinant)),
+        panel("Condition", "1 / cond A , rows and columns scaled".to_owned(), each(&|course| course.condition.clone())),
+    ];
+    panels.extend(watch.divisors.iter().enumerate().map(|(at, divisor)| {
+        let title = "Divisor of the kinematic equations";
+        panel(title, format!("|{divisor}|"), each(&|course| course.divisors[at].clone()))
+    }));
+    panels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_outside_stand_at_the_edges() {
+        let values: Vec<f64> = clamped(vec![0.0, 0.5, 9.0, f64::INFINITY, f64::NAN], 0.1, 1.0).collect();
+        assert_eq!(values[..4], [0.1, 0.5, 1.0, 1.0]);
+        assert!(values[4].is_nan());
+    }
+}

@@ -1,0 +1,129 @@
+//! What is watched along a run beside its state: first integrals, determinants, condition numbers, and what the kinematic
+//! equations divide by.
+//!
+//! Invariant: nothing here can stop a run or a page. A value that does not exist is not a number, and extremes pass it over.
+
+use crate::catalogue::Code;
+use crate::run::Run;
+use tripos_derive::Model;
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::print::text;
+use tripos_derive::prove::Integral;
+use tripos_derive::scene::Scene;
+use tripos_sim::Dynamics;
+
+/// Functions of the state that are watched, as tapes.
+pub struct Watch {
+    /// What each first integral is, and its unit.
+    pub integrals: Vec<(String, String)>,
+    /// What the kinematic equations divide by, as text.
+    pub divisors: Vec<String>,
+    tape: Option<Tape>,
+}
+
+/// What was watched, sample by sample.
+pub struct Course {
+    /// The times, s.
+    pub t: Vec<f64>,
+    /// The values of each first integral.
+    pub integrals: Vec<Vec<f64>>,
+    /// det A of the system A x = b that is solved.
+    pub determinant: Vec<f64>,
+    /// Reciprocal condition number of A with its rows and columns scaled.
+    pub condition: Vec<f64>,
+    /// The absolute value of each divisor of the kinematic equations.
+    pub divisors: Vec<Vec<f64>>,
+}
+
+impl Watch {
+    /// The first integrals of a model, whose terms are in `arena`, and the divisors of its kinematic equations.
+    pub fn new(model: &Model, arena: &Arena, integrals: &[Integral]) -> Self {
+        let divisors = &model.kinematic_equations.divisors;
+        let outputs: Vec<_> = integrals.iter().map(|i| i.expression).chain(divisors.iter().copied()).collect();
+        let inputs = [model.p(), model.q(), model.u()].concat();
+        let unit = |integral: &Integral| match model.unit_of(arena, integral.expression).map(|unit| unit.to_string()) {
+            Some(unit) if unit == "kg*m^2/s^2" => "J".to_owned(),
+            Some(unit) => unit,
+            None => "SI".to_owned(),
+        };
+        Self {
+            integrals: integrals.iter().map(|i| (i.name.clone(), unit(i))).collect(),
+            divisors: divisors.iter().map(|e| text(arena, *e)).collect(),
+            tape: Tape::new(arena, &inputs, &outputs).ok(),
+        }
+    }
+
+    /// Everything watched, along a run by these equations.
+    pub fn along(&self, scene: &Scene, code: &Code, run: &Run) -> Course {
+        let mut list = vec![Vec::with_capacity(run.states.len()); self.integrals.len() + self.divisors.len()];
+        let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; list.len()]);
+        for state in &run.states {
+            if let Some(tape) = &self.tape {
+                tape.evaluate_into(&[scene.parameters.as_slice(), state].concat(), &mut scratch, &mut out);
+            }
+            for (values, value) in list.iter_mut().zip(&out) {
+                values.push(*value);
+            }
+        }
+        let divisors = list.split_off(self.integrals.len());
+        let divisors = divisors.into_iter().map(|values| values.into_iter().map(f64::abs).collect()).collect();
+        let (mut determinant, mut condition) = (Vec::new(), Vec::new());
+        if let Ok(mut dynamics) = Dynamics::new(code.system(), &scene.parameters) {
+            for y in &run.solution.y {
+                let (q, v) = y.split_at(code.system().coordinates().min(y.len()));
+                determinant.push(dynamics.determinant(q, v));
+                condition.push(dynamics.reciprocal_condition(q, v));
+            }
+        }
+        Course { t: run.solution.t.clone(), integrals: list, determinant, condition, divisors }
+    }
+}
+
+impl Course {
+    /// (least value, its time) of what was watched; nothing if no value is a number.
+    pub fn least(&self, values: &[f64]) -> Option<(f64, f64)> {
+        let pairs = values.iter().copied().zip(self.t.iter().copied()).filter(|(x, _)| !x.is_nan());
+        pairs.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// |det A| in units of its value at the start, sample by sample.
+    pub fn relative_determinant(&self) -> Vec<f64> {
+        let start = self.determinant.first().copied().unwrap_or(f64::NAN);
+        self.determinant.iter().map(|det| (det / start).abs()).collect()
+    }
+
+    /// How far each sample of a first integral is from the first one.
+    pub fn changes(&self, integral: usize) -> Vec<f64> {
+        let values = &self.integrals[integral];
+        values.iter().map(|x| (x - values[0]).abs()).collect()
+    }
+
+    /// The largest change of each first integral; not a number if a sample has no value.
+    pub fn largest_changes(&self) -> Vec<f64> {
+        let larger = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
+        (0..self.integrals.len()).map(|at| self.changes(at).into_iter().fold(0.0, larger)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extremes_pass_over_what_has_no_value() {
+        let course = Course {
+            t: vec![0.0, 1.0, 2.0],
+            integrals: vec![vec![1.0, 3.0, 0.5], vec![1.0, f64::NAN, 1.0], vec![2.0; 3]],
+            determinant: vec![-4.0, -1.0, -2.0],
+            condition: vec![f64::NAN, 0.5, 0.25],
+            divisors: vec![vec![f64::NAN; 3]],
+        };
+        assert_eq!(course.least(&course.condition), Some((0.25, 2.0)));
+        assert_eq!(course.least(&course.divisors[0]), None);
+        assert_eq!(course.relative_determinant(), [1.0, 0.25, 0.5]);
+        assert_eq!(course.changes(0), [0.0, 2.0, 0.5]);
+        let changes = course.largest_changes();
+        assert_eq!(format!("{changes:?}"), "[2.0, NaN, 0.0]", "a sample without a value is no change of 0");
+    }
+}

@@ -1,0 +1,165 @@
+//! What is proved: the formulations say the same, what a motion conserves, where matrices are singular.
+
+use super::errata::value;
+use super::html::{each, escape, head, table};
+use super::math::{decimal, formula, inline, symbol, wrapped};
+use crate::study::Study;
+use std::fmt::Write;
+use tripos_derive::algebra::compare::{Verdict, Witness};
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::prove::{Integral, Pair, Singularity, There};
+use tripos_derive::{Formulation, Model};
+
+/// The section.
+pub fn section(model: &Model, study: &Study) -> String {
+    let arena = &study.derivations.kinematics.arena;
+    let proof = &study.proof;
+    let mut out = String::from(
+        "<section id=\"proof\">\n<h2>Proof</h2>\n<p>Every statement here is an identity between expressions, decided by exact \
+         arithmetic; nothing is sampled in floating point.</p>\n",
+    );
+    out += "<h3>The derivations say the same</h3>\n";
+    if !proof.pairs.is_empty() {
+        let rows: Vec<_> = proof.pairs.iter().map(pair).collect();
+        out += &table("Formulations, pair by pair", &["Pair", "Verdict", "How one follows from the other"], &rows);
+    }
+    for (formulation, why) in &proof.missing {
+        let _ = writeln!(out, "<p>{}: not derived: {}.</p>", escape(formulation.title()), escape(&why.to_string()));
+    }
+    if proof.singular_where.is_empty() {
+        out += "<p>Valid everywhere: the kinematic equations divide by nothing.</p>\n";
+    } else {
+        let list: Vec<_> = proof.singular_where.iter().map(|e| inline(&vanishing(arena, *e))).collect();
+        let _ = writeln!(
+            out,
+            "<p>Valid except where {}: there the generalized speeds do not determine the rates of the coordinates.</p>",
+            list.join(" or ")
+        );
+    }
+    if !proof.reactions.is_empty() {
+        out += "<h3>Reactions</h3>\n<p>From the equations that Kane's method leaves over.</p>\n";
+        let values = each(&proof.reactions, |reaction| {
+            format!("<div>{}</div>\n", wrapped(&[symbol(&reaction.name), formula(arena, reaction.value)]))
+        });
+        let _ = writeln!(out, "<div class=\"formula\">\n{values}</div>");
+    }
+    out += "<h3>First integrals</h3>\n";
+    out += if proof.integrals.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
+    for (at, integral) in proof.integrals.iter().enumerate() {
+        out += &first_integral(model, arena, at, integral);
+    }
+    let _ = writeln!(out, "<p class=\"quiet\">Search: {}.</p>", typed(&proof.search));
+    out += &singular(arena, &study.singular);
+    out + "</section>\n"
+}
+
+fn pair(pair: &Pair) -> Vec<String> {
+    let (left, right) = (escape(pair.left.title()), escape(pair.right.title()));
+    vec![format!("{left} ⇔ {right}"), verdict(&pair.verdict), typed(&pair.map)]
+}
+
+/// A verdict in words, with what decided.
+fn verdict(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Equal(engine) => format!("proved <span class=\"quiet\">({})</span>", escape(&engine.to_string())),
+        Verdict::Different(found) => {
+            format!("<strong class=\"wrong\">different</strong>: {}", witness(found, ["left", "right"]))
+        }
+        Verdict::Undecided(why) => format!("<strong class=\"wrong\">undecided</strong>: {}", escape(why)),
+    }
+}
+
+/// The two values, with what they are, and where they occur.
+pub fn witness(witness: &Witness, [left, right]: [&str; 2]) -> String {
+    let last = witness.at.len().saturating_sub(1);
+    let at = witness.at.iter().enumerate().map(|(at, (name, x))| {
+        let comma = if at < last { "," } else { "" };
+        format!("<span class=\"keep\">{}{comma}</span>", inline(&format!("{}<mo>=</mo>{}", symbol(name), decimal(*x))))
+    });
+    let at: Vec<String> = at.collect();
+    let place = if at.is_empty() { String::new() } else { format!(" at {}", at.join(" ")) };
+    let value = |x: f64| inline(&decimal(x));
+    format!("{left} {}, {right} {}{place}", value(witness.left), value(witness.right))
+}
+
+/// Plain text with rates as a person writes them.
+fn typed(text: &str) -> String {
+    escape(text).replace("q'", "q̇")
+}
+
+/// e = 0.
+fn vanishing(arena: &Arena, e: Expr) -> String {
+    format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(arena, e))
+}
+
+fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) -> String {
+    let verdict = verdict(&integral.verdict);
+    format!(
+        "<h4>{}: {}, {verdict}</h4>\n<div class=\"formula\">{}</div>\n",
+        inline(&integral_symbol(at)),
+        integral_name(model, &integral.name),
+        wrapped(&[integral_symbol(at), formula(arena, integral.expression)])
+    )
+}
+
+/// I with its number, which counts from 0 here.
+pub fn integral_symbol(at: usize) -> String {
+    format!("<msub><mi>I</mi><mn>{}</mn></msub>", at + 1)
+}
+
+/// The name of a first integral, with a momentum's definition typeset.
+pub fn integral_name(model: &Model, name: &str) -> String {
+    let coordinate = model.coordinates.iter().find(|c| name.contains(&format!("p_{0} = ∂L/∂{0}'", c.name)));
+    let Some(coordinate) = coordinate else { return escape(name) };
+    let definition = format!(
+        "<mrow><msub><mi>p</mi><mrow>{}</mrow></msub><mo>=</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>L</mi></mrow><mrow>\
+         <mo form=\"prefix\">∂</mo>{}</mrow></mfrac></mrow>",
+        symbol(&coordinate.name),
+        symbol(&format!("{}'", coordinate.name)),
+    );
+    escape(name).replace(&escape(&format!("p_{0} = ∂L/∂{0}'", coordinate.name)), &inline(&definition))
+}
+
+fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
+    if list.is_empty() {
+        return String::new();
+    }
+    let row = |(formulation, s): &(Formulation, Singularity)| {
+        format!(
+            "<tr><th scope=\"row\">{}</th><td><div class=\"formula\">{}</div></td><td>{}</td></tr>\n",
+            escape(formulation.title()),
+            value(arena, s.determinant),
+            zeros(arena, s)
+        )
+    };
+    format!(
+        "<h3>Where the matrices are singular</h3>\n<p>A place where the matrix of the accelerations is singular is one thing, \
+         a place where the kinematic equations divide by zero another.</p>\n<table class=\"effects\">\n<caption>Determinants, as \
+         formulas</caption>\n<colgroup><col class=\"name\"><col><col class=\"name\"></colgroup>\n{}<tbody>\n{}</tbody>\n</table>\n",
+        head(&["Equations", "Determinant", "Where it is zero"]),
+        each(list, row)
+    )
+}
+
+/// What is proved of the zeros of a determinant, and where entries of its matrix have no value.
+pub fn zeros(arena: &Arena, singularity: &Singularity) -> String {
+    if singularity.determinant == Expr::ZERO {
+        return "everywhere".to_owned();
+    }
+    let mut statements = Vec::new();
+    if singularity.never {
+        statements.push("nowhere".to_owned());
+    }
+    for place in &singularity.at {
+        let (divisor, vanishing) = (formula(arena, place.divisor), inline(&vanishing(arena, place.divisor)));
+        match place.determinant {
+            There::Zero => statements.push(format!("wherever {vanishing}")),
+            There::NotZero if !singularity.never => statements.push(format!("not where {vanishing}")),
+            There::NotZero | There::Open => {}
+        }
+        if place.entries_divide {
+            statements.push(format!("entries of the matrix divide by {}", inline(&divisor)));
+        }
+    }
+    if statements.is_empty() { "nothing is proved".to_owned() } else { statements.join("; ") }
+}

@@ -1,0 +1,156 @@
+//! Transcribed formulas as MathML, term by term as they are printed.
+//!
+//! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do: a reader finds the printed
+//! formula again. What is not a formula is left to be shown as text.
+
+use super::math::spaced;
+use tripos_derive::algebra::print::mathml_of;
+use tripos_derive::algebra::view::View;
+
+/// Parentheses inside one another beyond this many are shown as text.
+const DEEPEST: usize = 40;
+
+const FUNCTIONS: [&str; 16] = [
+    "sin", "cos", "tan", "sec", "csc", "cot", "exp", "log", "asin", "acos", "atan", "sinh", "cosh", "tanh", "abs",
+    "sign",
+];
+
+/// The sides of `left = right`, or one formula, as MathML; nothing if the text is not in the language of model files.
+pub fn typeset(text: &str) -> Option<Vec<String>> {
+    text.split(" = ").map(|side| Some(spaced(&mathml_of(&formula(side)?)))).collect()
+}
+
+fn formula(text: &str) -> Option<View> {
+    let mut parser = Parser { rest: text.trim(), depth: 0 };
+    let view = parser.sum()?;
+    parser.rest.is_empty().then_some(view)
+}
+
+struct Parser<'a> {
+    rest: &'a str,
+    depth: usize,
+}
+
+impl<'a> Parser<'a> {
+    /// Takes `token` if it comes next.
+    fn take(&mut self, token: char) -> bool {
+        let next = self.rest.strip_prefix(token);
+        self.rest = next.unwrap_or(self.rest).trim_start();
+        next.is_some()
+    }
+
+    /// Takes what comes next as far as its characters belong.
+    fn word(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
+        let end = self.rest.find(|c| !belongs(c)).unwrap_or(self.rest.len());
+        let (word, rest) = self.rest.split_at(end);
+        self.rest = rest.trim_start();
+        word
+    }
+
+    fn sum(&mut self) -> Option<View> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return None;
+        }
+        let mut terms = Vec::new();
+        loop {
+            // In `a + -b` the first sign says nothing.
+            let negative = self.take('-');
+            terms.push((negative, self.product()?));
+            if !self.take('+') && !self.rest.starts_with('-') {
+                break;
+            }
+        }
+        self.depth -= 1;
+        Some(match terms.as_slice() {
+            [(false, _)] => terms.remove(0).1,
+            _ => View::Sum(terms),
+        })
+    }
+
+    fn product(&mut self) -> Option<View> {
+        let mut factors = vec![self.factor()?];
+        loop {
+            if self.take('*') {
+                factors.push(self.factor()?);
+            } else if self.take('/') {
+                let above = one(factors);
+                factors = vec![View::Fraction(Box::new(above), Box::new(self.factor()?))];
+            } else {
+                return Some(one(factors));
+            }
+        }
+    }
+
+    fn factor(&mut self) -> Option<View> {
+        if self.take('-') {
+            return Some(View::Sum(vec![(true, self.factor()?)]));
+        }
+        let base = self.atom()?;
+        if !self.take('^') {
+            return Some(base);
+        }
+        let exponent = self.word(|c| c.is_ascii_digit()).parse().ok()?;
+        Some(View::Power(Box::new(base), exponent))
+    }
+
+    fn atom(&mut self) -> Option<View> {
+        if self.take('(') {
+            let inner = self.sum()?;
+            return self.take(')').then_some(inner);
+        }
+        if self.rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+            return Some(View::Number(self.word(|c| c.is_ascii_digit() || c == '.').to_owned()));
+        }
+        let name = self.word(|c| c.is_ascii_alphanumeric() || c == '_' || c == '\'');
+        if self.rest.starts_with('(') {
+            let argument = Box::new(self.atom()?);
+            return match FUNCTIONS.iter().find(|f| **f == name) {
+                Some(f) => Some(View::Call(f, argument)),
+                None => (name == "sqrt").then_some(View::Root(argument)),
+            };
+        }
+        match name {
+            "" => None,
+            "pi" => Some(View::Pi),
+            _ => Some(View::Name(name.to_owned())),
+        }
+    }
+}
+
+fn one(mut factors: Vec<View>) -> View {
+    if factors.len() == 1 { factors.remove(0) } else { View::Product(factors) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// MathML without tags: enough to see the order of what is printed.
+    fn plain(text: &str) -> String {
+        let mathml = typeset(text).unwrap_or_else(|| panic!("{text} is a formula")).join("<mo>=</mo>");
+        mathml.split('<').map(|piece| piece.split_once('>').map_or("", |(_, text)| text)).collect()
+    }
+
+    #[test]
+    fn terms_and_factors_stay_where_they_are_printed() {
+        assert_eq!(plain("u2*R - R*u2"), "u2R−Ru2");
+        assert_eq!(plain("a - (b - c)*0.5"), "a−(b−c)·0.5");
+        assert_eq!(plain("5*R*u1' + -4*c1*u5' = -3*u2 - 0"), "5Ru˙1−4c1u˙5=−3u2−0");
+        assert_eq!(plain("c2*-s2 - -1"), "c2(−s2)−(−1)");
+        assert_eq!(plain("tan(q2)^2/sqrt(x)"), "tan2&#8289;q2x");
+    }
+
+    #[test]
+    fn quotients_are_fractions_of_what_stands_before() {
+        let fraction = &typeset("R^2/2*x").unwrap()[0];
+        assert!(fraction.contains("</mfrac><mspace") && fraction.ends_with("<mi>x</mi></mrow>"), "{fraction}");
+    }
+
+    #[test]
+    fn what_is_no_formula_is_left_as_text() {
+        for text in ["", "v = v1 b1 + v2 b2", "f(x)", "2 ** 3", "x^y", "a < b", "(a", &"(".repeat(100)] {
+            assert_eq!(typeset(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! How curves look, and the strokes that figures are made of.
+
+use super::{PlotError, axis::whole};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+pub type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// Units of the canvas in a pixel.
+const FINE: f64 = 4.0;
+const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
+pub const GRID: RGBColor = RGBColor(0xe3, 0xe3, 0xe3);
+pub const EDGE: RGBColor = RGBColor(0x88, 0x88, 0x88);
+/// Width of a marker's outline, unlike that of any curve.
+const OUTLINE: f64 = 1.5;
+
+/// Line colour, width and dashes, marker colour and outline in units of its radius; no outline: a circle.
+pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
+
+/// Colours of Okabe and Ito, then of Tol. A thick light line lies under thin dashed ones, so equal curves all show.
+const LOOKS: [Look; 8] = [
+    Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
+    Look(
+        RGBColor(0xd5, 0x5e, 0x00),
+        2.0,
+        "28 16",
+        RGBColor(0xd5, 0x5e, 0x00),
+        &[&[(-1.0, 0.8), (1.0, 0.8), (0.0, -1.0), (-1.0, 0.8), (1.0, 0.8)]],
+    ),
+    Look(
+        RGBColor(0x00, 0x00, 0x00),
+        1.25,
+        "5 13",
+        RGBColor(0x00, 0x00, 0x00),
+        &[&[(-0.9, -0.9), (0.9, 0.9)], &[(-0.9, 0.9), (0.9, -0.9)]],
+    ),
+    Look(
+        RGBColor(0x00, 0x9e, 0x73),
+        2.0,
+        "40 12 8 12",
+        RGBColor(0x00, 0x9e, 0x73),
+        &[&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9), (-0.9, -0.9), (0.9, -0.9)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x79, 0xa7),
+        2.0,
+        "12 12",
+        RGBColor(0xcc, 0x79, 0xa7),
+        &[&[(0.0, -1.2), (1.2, 0.0), (0.0, 1.2), (-1.2, 0.0), (0.0, -1.2), (1.2, 0.0)]],
+    ),
+    Look(
+        RGBColor(0xe6, 0x9f, 0x00),
+        2.0,
+        "52 12",
+        RGBColor(0xe6, 0x9f, 0x00),
+        &[&[(-1.1, 0.0), (1.1, 0.0)], &[(0.0, -1.1), (0.0, 1.1)]],
+    ),
+    Look(
+        RGBColor(0x88, 0x22, 0x55),
+        2.0,
+        "20 8",
+        RGBColor(0x88, 0x22, 0x55),
+        &[&[(-1.0, -0.8), (1.0, -0.8), (0.0, 1.0), (-1.0, -0.8), (1.0, -0.8)]],
+    ),
+    Look(RGBColor(0x33, 0x22, 0x88), 2.0, "4 8 24 8", RGBColor(0x33, 0x22, 0x88), &[&[(0.0, -1.2), (0.0, 1.2)]]),
+];
+
+/// The look of a style; beyond the last one they begin again.
+pub fn look(style: usize) -> &'static Look {
+    &LOOKS[style % LOOKS.len()]
+}
+
+/// Plotters cuts a dashed line into elements; one attribute does the same. Only curves have such a stroke.
+pub fn dashed(svg: String) -> String {
+    let mut out = svg;
+    for Look(RGBColor(r, g, b), width, dashes, ..) in LOOKS.iter().filter(|look| !look.2.is_empty()) {
+        let stroke = format!("stroke=\"#{r:02X}{g:02X}{b:02X}\" stroke-width=\"{}\"", extent(*width));
+        out = out.replace(&stroke, &format!("{stroke} stroke-dasharray=\"{dashes}\""));
+    }
+    out
+}
+
+pub fn curve(canvas: &Canvas, points: &[(f64, f64)], look: &Look) -> Result<(), PlotError> {
+    line(canvas, points, look.1, look.0)
+}
+
+pub fn marker(canvas: &Canvas, (x, y): (f64, f64), look: &Look) -> Result<(), PlotError> {
+    let radius = 3.6;
+    if look.4.is_empty() {
+        let style = ShapeStyle { color: look.3.into(), filled: false, stroke_width: extent(OUTLINE) };
+        canvas.draw(&Circle::new((fine(x), fine(y)), fine(radius), style))?;
+    }
+    for outline in look.4 {
+        let points: Vec<_> = outline.iter().map(|(dx, dy)| (x + radius * dx, y + radius * dy)).collect();
+        line(canvas, &points, OUTLINE, look.3)?;
+    }
+    Ok(())
+}
+
+pub fn line(canvas: &Canvas, points: &[(f64, f64)], width: f64, color: RGBColor) -> Result<(), PlotError> {
+    let mut points: Vec<_> = points.iter().map(|(x, y)| (fine(*x), fine(*y))).collect();
+    points.dedup();
+    let style = ShapeStyle { color: color.into(), filled: false, stroke_width: extent(width) };
+    Ok(canvas.draw(&PathElement::new(points, style))?)
+}
+
+pub fn write(canvas: &Canvas, text: &str, at: (f64, f64), side: HPos, style: FontStyle) -> Result<(), PlotError> {
+    // Plotters divides a size by 1.24.
+    let font = FontDesc::new(FontFamily::SansSerif, 12.5 * 1.24 * FINE, style);
+    let style = TextStyle::from(font).color(&TEXT).pos(Pos::new(side, VPos::Center));
+    Ok(canvas.draw(&Text::new(text, (fine(at.0), fine(at.1)), style))?)
+}
+
+/// Pixels in units of the canvas.
+fn fine(pixels: f64) -> i32 {
+    whole((pixels * FINE).round())
+}
+
+/// A size in units of the canvas.
+pub fn extent(pixels: f64) -> u32 {
+    fine(pixels).unsigned_abs()
+}

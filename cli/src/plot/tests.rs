@@ -1,0 +1,46 @@
+//! Figures: whatever the values, they draw, and the same each time.
+
+use super::*;
+
+fn panel(curves: &[Vec<(f64, f64)>]) -> Panel {
+    let series =
+        |(at, points): (usize, &Vec<_>)| Series { label: format!("curve {at}"), style: at, points: points.clone() };
+    Panel {
+        title: "Energy".to_owned(),
+        x_label: "t [s]".to_owned(),
+        y_label: "T + V [J]".to_owned(),
+        scale: Scale::Linear,
+        series: curves.iter().enumerate().map(series).collect(),
+        note: None,
+    }
+}
+
+#[test]
+fn degenerate_panels_draw() {
+    let nan = f64::NAN;
+    for curves in [
+        vec![],
+        vec![vec![]],
+        vec![vec![(0.0, 1.0)]],
+        vec![vec![(nan, 1.0), (0.0, nan), (f64::INFINITY, 2.0)]],
+        vec![vec![(0.0, 7.0), (1.0, 7.0)]],
+        vec![vec![(0.0, 0.0), (0.0, 0.0)]],
+        vec![vec![(0.0, 1e-16), (1.0, 1e5)], vec![(0.0, -1e299), (1.0, 1e299)]],
+        vec![vec![(0.0, 5e-324), (1.0, 1e-310)]],
+    ] {
+        for scale in [Scale::Linear, Scale::Logarithmic] {
+            let svg = draw(&[Panel { scale, ..panel(&curves) }], 1).unwrap();
+            assert!(svg.starts_with("<svg role=\"img\"") && svg.trim_end().ends_with("</svg>"));
+            assert!(!svg.contains("NaN") && !svg.contains("inf") && !svg.contains("2147483647"), "{svg}");
+        }
+    }
+    assert!(draw(&[], 0).is_ok());
+}
+
+#[test]
+fn a_figure_is_the_same_each_time() {
+    let points: Vec<_> = (0..9000).map(|i| (f64::from(i), f64::from(i).sin())).collect();
+    let figure = || draw(&[panel(&[points.clone(), points.clone()]), panel(std::slice::from_ref(&points))], 2).unwrap();
+    assert_eq!(figure(), figure());
+    assert!(figure().len() < 300_000, "a long curve is thinned: {}", figure().len());
+}

@@ -1,0 +1,117 @@
+//! Everything that is derived, proved and judged of a model for its page.
+//!
+//! The terms of proofs and verdicts live in one store, apart from those of the equations that are shown and run: what a
+//! report prints can never change what is derived.
+
+use crate::catalogue::{By, Code, code_of, compiled_code};
+use crate::failure::Failure;
+use tripos_codegen::workspace::report_beside;
+use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::diff::{Difference, diff, printed_equations};
+use tripos_derive::mechanics::{Derivation, Derivations, derive_all};
+use tripos_derive::prove::{Proof, Singularity, prove, singularity, zeros};
+use tripos_derive::report::Report;
+use tripos_derive::{Equations, Formulation, Model};
+
+/// What is known of a model without running it.
+pub struct Study {
+    /// The store of all terms below.
+    pub derivations: Derivations,
+    /// What was proved.
+    pub proof: Proof,
+    /// Where each formulation's matrix is singular, unless it is too large to say.
+    pub singular: Vec<(Formulation, Singularity)>,
+    /// The report beside the model.
+    pub published: Option<Published>,
+}
+
+/// A printed system and its code, or why it cannot run.
+pub type Printed = (By, Result<Code, Failure>);
+
+/// A published derivation, judged.
+pub struct Published {
+    /// What was printed.
+    pub report: Report,
+    /// How it compares.
+    pub difference: Difference,
+    /// Where the matrix of each printed system is singular, in the order of `difference.consequences`.
+    pub singular: Vec<Option<Singularity>>,
+    /// The printed systems as equations of motion.
+    pub printed: Vec<Equations>,
+}
+
+impl Study {
+    /// Derives, proves, and judges the report beside the model, if there is one.
+    ///
+    /// A report with errors is given back beside a study without it.
+    ///
+    /// # Errors
+    /// [`Failure`] if the model cannot be derived.
+    pub fn new(model: &Model) -> Result<(Self, Option<Diagnostics>), Failure> {
+        let mut with_report = model.clone();
+        let (report, broken) = match report_beside(&model.source.path, &mut with_report) {
+            Ok(report) => (report, None),
+            Err(diagnostics) => (None, Some(diagnostics)),
+        };
+        let model = if broken.is_some() { model } else { &with_report };
+        let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
+        let proof = prove(model, &mut derivations);
+        let matrices = derivations.list.iter().filter_map(|(f, e)| Some((*f, e.as_ref().ok()?.matrix.clone())));
+        let matrices: Vec<_> = matrices.collect();
+        let kinematics = &mut derivations.kinematics;
+        let singular =
+            matrices.into_iter().filter_map(|(f, matrix)| Some((f, singularity(model, kinematics, &matrix)?)));
+        let singular = singular.collect();
+        let published = report.map(|report| Published::new(model, &mut derivations, &proof, report));
+        Ok((Self { derivations, proof, singular, published }, broken))
+    }
+
+    /// The printed systems of the report ready to be run, or why one cannot be.
+    pub fn printed(&self, model: &Model) -> Result<Vec<Printed>, Failure> {
+        let Some(published) = &self.published else { return Ok(Vec::new()) };
+        let mut list = Vec::new();
+        // The store is copied once, and only if something has to be interpreted.
+        let mut derivation: Option<Derivation> = None;
+        for equations in &published.printed {
+            let by = By::printed(equations);
+            let code = match compiled_code(model, &by)? {
+                Some(code) => Ok(code),
+                None => {
+                    let arena = || self.derivations.kinematics.arena.clone();
+                    let derivation =
+                        derivation.get_or_insert_with(|| Derivation { arena: arena(), equations: equations.clone() });
+                    derivation.equations = equations.clone();
+                    code_of(model, derivation)
+                }
+            };
+            list.push((by, code));
+        }
+        Ok(list)
+    }
+}
+
+impl Published {
+    fn new(model: &Model, derivations: &mut Derivations, proof: &Proof, report: Report) -> Self {
+        let difference = diff(model, derivations, &report, proof);
+        let equations = printed_equations(model, derivations, &report);
+        let singular = difference.consequences.iter().map(|c| {
+            let (printed, ..) = c.determinant.as_ref()?;
+            let matrix = &printed_of(&equations, &c.system)?.matrix;
+            Some(zeros(model, &mut derivations.kinematics, matrix, *printed))
+        });
+        let singular = singular.collect();
+        Self { report, difference, singular, printed: equations }
+    }
+
+    /// The id of the first printed system that is proved to give the same motion as this one: itself, if there is none
+    /// before it.
+    pub fn first_alike<'a>(&'a self, id: &'a str) -> &'a str {
+        let agreements = &self.difference.agreements;
+        agreements.iter().find(|a| a.right == id && a.verdict.is_equal()).map_or(id, |a| &a.left)
+    }
+}
+
+/// The printed equations of a system, by its id.
+fn printed_of<'a>(list: &'a [Equations], id: &str) -> Option<&'a Equations> {
+    list.iter().find(|equations| equations.name.strip_prefix("printed:") == Some(id))
+}

@@ -1,0 +1,170 @@
+//! Where a matrix of accelerations is singular, and whether it is where the kinematic equations are.
+//!
+//! A statement is made only where it is proved for every real state with positive parameters: by the range of the
+//! determinant's values, or by the determinant with the divisor put to zero. Everything else is open.
+
+use crate::algebra::calculus::Substitution;
+use crate::algebra::linear::determinant;
+use crate::algebra::range::never_zero;
+use crate::algebra::{Arena, Expr, Function, Node};
+use crate::mechanics::Kinematics;
+use crate::model::Model;
+
+/// Matrices beyond this many rows are not expanded.
+const MOST_ROWS: usize = 8;
+
+/// What is known of a matrix's singular places.
+#[derive(Clone, Debug)]
+pub struct Singularity {
+    /// The determinant, simplified.
+    pub determinant: Expr,
+    /// Whether the determinant is proved to be zero nowhere.
+    pub never: bool,
+    /// What becomes of the matrix where a divisor of the kinematic equations vanishes, for each divisor.
+    pub at: Vec<Place>,
+}
+
+/// The zeros of a divisor of the kinematic equations.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// The divisor.
+    pub divisor: Expr,
+    /// The determinant there.
+    pub determinant: There,
+    /// Whether entries of the matrix divide by zero there: near it they are large, and the matrix is ill-conditioned even
+    /// where its determinant is far from zero.
+    pub entries_divide: bool,
+}
+
+/// A determinant where a divisor vanishes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum There {
+    /// It is zero there.
+    Zero,
+    /// It is not zero there.
+    NotZero,
+    /// Neither is proved.
+    Open,
+}
+
+/// The determinant of a matrix and what is known of its zeros; nothing for a matrix that is too large.
+pub fn singularity(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Expr>]) -> Option<Singularity> {
+    if matrix.len() > MOST_ROWS {
+        return None;
+    }
+    let determinant = determinant(&mut kinematics.arena, &mut kinematics.simplifier, matrix);
+    Some(zeros(model, kinematics, matrix, determinant))
+}
+
+/// What is known of the zeros of the determinant of a matrix.
+pub fn zeros(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant: Expr) -> Singularity {
+    let divisors = &model.kinematic_equations.divisors;
+    let at = divisors.iter().map(|divisor| place(kinematics, matrix, determinant, *divisor)).collect();
+    Singularity { determinant, never: never_zero(&kinematics.arena, determinant), at }
+}
+
+fn place(kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant: Expr, divisor: Expr) -> Place {
+    let Kinematics { arena, simplifier, .. } = kinematics;
+    let mut place = Place { divisor, determinant: There::Open, entries_divide: false };
+    let Some(roots) = roots(arena, divisor) else { return place };
+    let (mut zero, mut nonzero) = (true, true);
+    for root in roots {
+        let mut put = Substitution::new(&root);
+        for entry in matrix.iter().flatten() {
+            put.apply(arena, *entry);
+        }
+        place.entries_divide |= put.undefined.is_some();
+        let mut put = Substitution::new(&root);
+        let value = put.apply(arena, determinant);
+        let value = simplifier.simplify(arena, value);
+        zero &= put.undefined.is_none() && value == Expr::ZERO;
+        nonzero &= put.undefined.is_none() && never_zero(arena, value);
+    }
+    place.determinant = match (zero, nonzero) {
+        (true, _) => There::Zero,
+        (_, true) => There::NotZero,
+        _ => There::Open,
+    };
+    place
+}
+
+/// All zeros of a divisor, each as replacements; only those of a sine, a cosine or a symbol are known.
+fn roots(arena: &mut Arena, divisor: Expr) -> Option<Vec<Vec<(Expr, Expr)>>> {
+    let (_, divisor) = arena.split_content(divisor);
+    let factors: Vec<Expr> = match arena.node(divisor) {
+        Node::Product(factors) if factors.iter().all(|(_, n)| *n > 0) => {
+            factors.iter().map(|(base, _)| *base).collect()
+        }
+        _ => vec![divisor],
+    };
+    let mut roots = Vec::new();
+    for factor in factors.into_iter().filter(|factor| !never_zero(arena, *factor)).collect::<Vec<_>>() {
+        match *arena.node(factor) {
+            Node::Symbol(_) => roots.push(vec![(factor, Expr::ZERO)]),
+            Node::Apply(f @ (Function::Sin | Function::Cos), angle) => {
+                let other = arena.apply(if f == Function::Sin { Function::Cos } else { Function::Sin }, angle);
+                for sign in [Expr::ONE, Expr::MINUS_ONE] {
+                    roots.push(vec![(factor, Expr::ZERO), (other, sign)]);
+                }
+            }
+            _ => return None,
+        }
+    }
+    (!roots.is_empty()).then_some(roots)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::print::text;
+    use crate::diagnostic::Source;
+    use crate::mechanics::{Formulation, derive_all};
+
+    /// A ball on an arm, turned by heading q1 and elevation q2, with body speeds that lose q1' where cos q2 = 0.
+    const GIMBAL: &str = r#"
+name = "Gimbal"
+[parameters]
+m = { unit = "kg", positive = true }
+l = { unit = "m", positive = true }
+[coordinates]
+q1 = { unit = "rad" }
+q2 = { unit = "rad" }
+[speeds]
+u1 = "q1'*cos(q2)"
+u2 = "q2'"
+[inertial]
+frame = "A"
+origin = "O"
+[frames]
+H = { from = "A", axis = 3, angle = "q1" }
+B = { from = "H", axis = 2, angle = "-q2" }
+[points]
+P = { from = "O", frame = "B", position = ["l", 0, 0] }
+[particles.ball]
+point = "P"
+mass = "m"
+"#;
+
+    #[test]
+    fn a_singular_matrix_is_told_from_singular_kinematic_equations() {
+        let model = crate::model::load(&Source::from_text("gimbal.toml", GIMBAL)).unwrap();
+        let mut derivations = derive_all(&model).unwrap();
+        let [kane, lagrange] = [Formulation::Kane, Formulation::Lagrange].map(|f| {
+            let matrix = derivations.get(f).unwrap().matrix.clone();
+            singularity(&model, &mut derivations.kinematics, &matrix).unwrap()
+        });
+        let arena = &derivations.kinematics.arena;
+        assert_eq!(text(arena, kane.determinant), "m^2*l^4");
+        assert_eq!((kane.never, kane.at[0].determinant), (true, There::NotZero));
+        assert_eq!(text(arena, lagrange.determinant), "m^2*l^4*cos(q2)^2");
+        assert_eq!((lagrange.never, lagrange.at[0].determinant), (false, There::Zero));
+        assert_eq!(text(arena, lagrange.at[0].divisor), "cos(q2)");
+    }
+
+    #[test]
+    fn nothing_is_said_of_divisors_whose_zeros_are_not_known() {
+        let mut arena = Arena::new();
+        let e = crate::algebra::parse::parse_free(&mut arena, "cos(q) - 1/2").unwrap();
+        assert_eq!(roots(&mut arena, e), None);
+    }
+}

@@ -1,0 +1,226 @@
+//! An independent derivation of the same model file, as data, and whether it says what is derived here.
+//!
+//! `tests/sympy/reference.py` writes it, `models/*/reference.json` records it; `tests/sympy/README.md` describes the keys.
+//! Everything is compared by meaning and nothing by text: see [`compare`].
+//!
+//! Invariant: a reference agrees only if it is whole. What it leaves out is reported, never passed over.
+//! Absent on purpose: running Python. That is done by those who call this, and by nobody else.
+
+mod compare;
+
+pub use compare::{Compared, compare};
+
+use crate::algebra::parse::ParseError;
+use crate::diagnostic::{Source, shown};
+use crate::mechanics::{Formulation, QuantityError};
+use crate::model::text_hash;
+use serde_json::{Map, Value};
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// What another program derived from a model file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reference {
+    /// The file it was read from, or what stands for one.
+    pub file: PathBuf,
+    /// The short name of the model.
+    pub model: String,
+    /// The hash of the model text that it was derived from, as [`crate::model::text_hash`] makes it.
+    pub text_hash: String,
+    /// The version of SymPy.
+    pub sympy: String,
+    /// (name, formula), in the order of the file.
+    pub quantities: Vec<(String, String)>,
+    /// The equations of motion by each formulation that is there; always by Kane and by Lagrange.
+    pub systems: Vec<System>,
+}
+
+/// matrix · unknowns = forcing, as formulas.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct System {
+    /// The formulation.
+    pub formulation: Formulation,
+    /// The names of the unknowns.
+    pub unknowns: Vec<String>,
+    /// Square: one row and one column for each unknown.
+    pub matrix: Vec<Vec<String>>,
+    /// One entry for each unknown.
+    pub forcing: Vec<String>,
+}
+
+/// Why a reference cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ReferenceError {
+    /// The text is not JSON.
+    NotJson {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong, with line and column.
+        why: String,
+    },
+    /// A key is missing, or holds something else than it should.
+    Form {
+        /// The file.
+        file: PathBuf,
+        /// The key, as in `kane.matrix`.
+        key: String,
+        /// What should be there.
+        expected: String,
+    },
+    /// It was derived from another model text.
+    OtherText {
+        /// The file.
+        file: PathBuf,
+        /// The hash in the reference.
+        recorded: String,
+        /// The hash of the model text.
+        current: String,
+    },
+    /// It states a quantity that the model does not have.
+    Quantity {
+        /// The file.
+        file: PathBuf,
+        /// The name.
+        name: String,
+        /// What is wrong with it.
+        error: QuantityError,
+    },
+    /// A formula cannot be read.
+    Formula {
+        /// The file.
+        file: PathBuf,
+        /// The entry that it is the value of.
+        name: String,
+        /// What is wrong with it.
+        error: ParseError,
+    },
+}
+
+impl std::error::Error for ReferenceError {}
+
+impl fmt::Display for ReferenceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotJson { file, why } => write!(f, "{}: this is not JSON: {why}", file.display()),
+            Self::Form { file, key, expected } => write!(f, "{}: `{key}` must be {expected}", file.display()),
+            Self::OtherText { file, recorded, current } => {
+                let recorded = shown(recorded);
+                write!(f, "{}: derived from the model text {recorded}, which now is {current}", file.display())
+            }
+            Self::Quantity { file, name, error } => {
+                write!(f, "{}: `{}`: {} ({})", file.display(), shown(name), error.message, error.help)
+            }
+            Self::Formula { file, name, error } => {
+                write!(f, "{}: the value of `{}`: {}", file.display(), shown(name), error.message)
+            }
+        }
+    }
+}
+
+impl Reference {
+    /// Reads the text of a reference; `source.path` is what errors call it.
+    ///
+    /// # Errors
+    /// [`ReferenceError::NotJson`] and [`ReferenceError::Form`].
+    pub fn read(source: &Source) -> Result<Self, ReferenceError> {
+        let file = &source.path;
+        let not_json =
+            |error: serde_json::Error| ReferenceError::NotJson { file: file.clone(), why: error.to_string() };
+        let value: Value = serde_json::from_str(&source.text).map_err(not_json)?;
+        let file_table = value.as_object().ok_or_else(|| form(file, "the file", "an object"))?;
+        let table = Table { file, path: "", entries: file_table };
+        let mut systems = Vec::new();
+        for (formulation, key) in SYSTEMS {
+            if formulation != Formulation::NewtonEuler || file_table.contains_key(key) {
+                systems.push(table.table(key)?.system(formulation)?);
+            }
+        }
+        Ok(Self {
+            file: file.clone(),
+            model: table.text("model")?,
+            text_hash: table.text("text_hash")?,
+            sympy: table.text("sympy")?,
+            quantities: table.table("quantities")?.formulas()?,
+            systems,
+        })
+    }
+
+    /// Whether it was derived from this model text.
+    ///
+    /// # Errors
+    /// [`ReferenceError::OtherText`].
+    pub fn check_text(&self, text: &str) -> Result<(), ReferenceError> {
+        let current = text_hash(text);
+        if self.text_hash == current {
+            return Ok(());
+        }
+        Err(ReferenceError::OtherText { file: self.file.clone(), recorded: self.text_hash.clone(), current })
+    }
+}
+
+/// The folder, in cargo's folder for the tests, of the Python environment that has what `tests/sympy/requirements.txt` says.
+#[must_use]
+pub fn environment_name(requirements: &str) -> String {
+    format!("sympy-{}", text_hash(requirements))
+}
+
+/// The formulations with their keys.
+const SYSTEMS: [(Formulation, &str); 3] =
+    [(Formulation::Kane, "kane"), (Formulation::Lagrange, "lagrange"), (Formulation::NewtonEuler, "newton_euler")];
+
+fn form(file: &Path, key: &str, expected: &str) -> ReferenceError {
+    ReferenceError::Form { file: file.to_owned(), key: shown(key), expected: expected.to_owned() }
+}
+
+/// A JSON object and where it stands.
+struct Table<'a> {
+    file: &'a Path,
+    /// The key that leads to it; empty for the file itself.
+    path: &'a str,
+    entries: &'a Map<String, Value>,
+}
+
+impl<'a> Table<'a> {
+    fn wrong(&self, key: &str, expected: &str) -> ReferenceError {
+        let dot = if self.path.is_empty() { "" } else { "." };
+        form(self.file, &format!("{}{dot}{key}", self.path), expected)
+    }
+
+    fn text(&self, key: &str) -> Result<String, ReferenceError> {
+        let text = self.entries.get(key).and_then(Value::as_str);
+        text.map(str::to_owned).ok_or_else(|| self.wrong(key, "a string"))
+    }
+
+    fn table(&self, key: &'a str) -> Result<Table<'a>, ReferenceError> {
+        let entries = self.entries.get(key).and_then(Value::as_object);
+        Ok(Table { file: self.file, path: key, entries: entries.ok_or_else(|| self.wrong(key, "an object"))? })
+    }
+
+    fn formulas(&self) -> Result<Vec<(String, String)>, ReferenceError> {
+        let entries = self.entries.iter().map(|(name, value)| {
+            let formula = value.as_str().ok_or_else(|| self.wrong(name, "a string"))?;
+            Ok((name.clone(), formula.to_owned()))
+        });
+        entries.collect()
+    }
+
+    fn list(&self, key: &str, count: Option<usize>) -> Result<Vec<String>, ReferenceError> {
+        let found = self.entries.get(key).and_then(strings).filter(|list| count.is_none_or(|n| n == list.len()));
+        found.ok_or_else(|| self.wrong(key, "strings, one for each unknown"))
+    }
+
+    fn system(&self, formulation: Formulation) -> Result<System, ReferenceError> {
+        let unknowns = self.list("unknowns", None)?;
+        let n = unknowns.len();
+        let rows = self.entries.get("matrix").and_then(Value::as_array);
+        let rows = rows.and_then(|rows| rows.iter().map(strings).collect::<Option<Vec<_>>>());
+        let matrix = rows.filter(|rows| rows.len() == n && rows.iter().all(|row| row.len() == n));
+        let matrix =
+            matrix.ok_or_else(|| self.wrong("matrix", "rows of strings, as many as unknowns, each as long"))?;
+        Ok(System { formulation, unknowns, matrix, forcing: self.list("forcing", Some(n))? })
+    }
+}
+
+fn strings(value: &Value) -> Option<Vec<String>> {
+    value.as_array()?.iter().map(|entry| entry.as_str().map(str::to_owned)).collect()
+}

@@ -1,0 +1,249 @@
+//! A reference against what is derived, entry by entry.
+
+use super::{Reference, ReferenceError, System};
+use crate::algebra::Expr;
+use crate::algebra::compare::{Comparer, Verdict};
+use crate::algebra::parse::parse_primed;
+use crate::diagnostic::nearest;
+use crate::diff::rows::{Match, Row as Entries, judge};
+use crate::mechanics::{
+    Derivations, Energy, Formulation, Kinematics, Quantities, Quantity, QuantityKind, Row, VectorName,
+};
+use crate::model::Model;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// One entry of a reference, judged.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// The name of the quantity, or the place in a system, as in `kane matrix[1,2]`.
+    pub name: String,
+    /// What the reference says; nothing if it leaves the entry out.
+    pub reference: Option<Expr>,
+    /// What is derived here; nothing if it cannot be had.
+    pub derived: Option<Expr>,
+    /// Reference against derived. What only one of the two has is undecided.
+    pub verdict: Verdict,
+}
+
+/// Judges every entry of a reference: its quantities, then its systems in the order of the formulations. Those that it lacks
+/// are judged too.
+///
+/// Kane's and Lagrange's equations have to agree entry by entry, signs and factors included; a row of Newton–Euler may
+/// stand at another place or carry a factor. The terms of the result are in the arena of the derivations.
+///
+/// # Errors
+/// [`ReferenceError`] if the reference is of another model text, or is not written in the names of the model.
+pub fn compare(
+    model: &Model,
+    derivations: &mut Derivations,
+    reference: &Reference,
+) -> Result<Vec<Compared>, ReferenceError> {
+    reference.check_text(&model.source.text)?;
+    let names = names(model);
+    let quantities = Quantities::new(model, derivations);
+    let mut judge = Judge { reference, names, quantities, comparer: Comparer::default(), found: Vec::new() };
+    let mut stated = FxHashSet::default();
+    for (name, formula) in &reference.quantities {
+        let wrong = |error| ReferenceError::Quantity { file: reference.file.clone(), name: name.clone(), error };
+        let quantity = Quantity::parse(name, model).map_err(wrong)?;
+        judge.quantity(&quantity, formula)?;
+        stated.insert(quantity);
+    }
+    for quantity in expected(model) {
+        if !stated.contains(&quantity) {
+            judge.missing(quantity.name(), "the reference leaves it out");
+        }
+    }
+    for formulation in Formulation::ALL {
+        judge.formulation(formulation)?;
+    }
+    Ok(judge.found)
+}
+
+struct Judge<'a, 'b> {
+    reference: &'a Reference,
+    names: FxHashMap<String, Expr>,
+    quantities: Quantities<'b>,
+    comparer: Comparer,
+    found: Vec<Compared>,
+}
+
+impl Judge<'_, '_> {
+    fn read(&mut self, name: &str, formula: &str) -> Result<Expr, ReferenceError> {
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let names = &self.names;
+        let result = parse_primed(arena, formula, 2, &mut |_, word| {
+            let unknown = || (format!("unknown name `{word}`"), Some(nearest(word, names.keys().map(String::as_str))));
+            names.get(word).copied().ok_or_else(unknown)
+        });
+        let wrong = |error| ReferenceError::Formula { file: self.reference.file.clone(), name: name.to_owned(), error };
+        result.map_err(wrong)
+    }
+
+    fn quantity(&mut self, quantity: &Quantity, formula: &str) -> Result<(), ReferenceError> {
+        let stated = self.read(quantity.name(), formula)?;
+        match self.quantities.value(quantity) {
+            Ok(derived) => {
+                let in_rates = self.quantities.mentions_rates(derived);
+                self.compare(quantity.name().to_owned(), stated, derived, in_rates);
+            }
+            Err(why) => self.missing(quantity.name(), &why),
+        }
+        Ok(())
+    }
+
+    fn compare(&mut self, name: String, stated: Expr, derived: Expr, in_rates: bool) {
+        let stated = self.rewrite(stated, in_rates);
+        let derived = self.rewrite(derived, in_rates);
+        let verdict = self.comparer.compare(&mut self.quantities.derivations.kinematics.arena, stated, derived);
+        self.found.push(Compared { name, reference: Some(stated), derived: Some(derived), verdict });
+    }
+
+    /// Both sides in q and q̇, or both in q and u.
+    fn rewrite(&mut self, e: Expr, in_rates: bool) -> Expr {
+        if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) }
+    }
+
+    fn missing(&mut self, name: &str, why: &str) {
+        let verdict = Verdict::Undecided(why.to_owned());
+        self.found.push(Compared { name: name.to_owned(), reference: None, derived: None, verdict });
+    }
+
+    fn formulation(&mut self, formulation: Formulation) -> Result<(), ReferenceError> {
+        let reference = self.reference;
+        let stated = reference.systems.iter().find(|system| system.formulation == formulation);
+        let derived = self.quantities.derivations.list.iter().find(|(f, _)| *f == formulation);
+        match (stated, derived.map(|(_, result)| result.clone())) {
+            (Some(system), Some(Ok(equations))) => {
+                let mut rows = equations.matrix;
+                rows.iter_mut().zip(equations.forcing).for_each(|(row, right)| row.push(right));
+                self.system(system, &rows)?;
+            }
+            (Some(_), Some(Err(why))) => self.missing(formulation.name(), &format!("not derived here: {why}")),
+            (None, Some(Ok(_))) => self.missing(formulation.name(), "the reference leaves it out"),
+            (None, _) | (_, None) => {}
+        }
+        Ok(())
+    }
+
+    /// Entry by entry; `derived` are rows with the right-hand side at their end.
+    fn system(&mut self, system: &System, derived: &[Entries]) -> Result<(), ReferenceError> {
+        let (name, in_rates) = (system.formulation.name(), system.formulation == Formulation::Lagrange);
+        let unknowns = unknowns(self.quantities.model, system.formulation);
+        if system.unknowns != unknowns {
+            let expected = format!("{}, in this order", unknowns.join(", "));
+            return Err(super::form(&self.reference.file, &format!("unknowns of {name}"), &expected));
+        }
+        let first = self.found.len();
+        let mut stated = Vec::new();
+        for (i, (formulas, right)) in system.matrix.iter().zip(&system.forcing).enumerate() {
+            let mut row = Entries::new();
+            for (j, formula) in formulas.iter().chain([right]).enumerate() {
+                let entry = if j == unknowns.len() {
+                    format!("{name} forcing[{}]", i + 1)
+                } else {
+                    format!("{name} matrix[{},{}]", i + 1, j + 1)
+                };
+                let e = self.read(&entry, formula)?;
+                self.compare(entry, e, derived[i][j], in_rates);
+                row.push(self.rewrite(e, in_rates));
+            }
+            stated.push(row);
+        }
+        if system.formulation == Formulation::NewtonEuler {
+            self.match_rows(first, &stated, derived);
+        }
+        Ok(())
+    }
+
+    /// Rows that differ from the derived one of the same number may be another one, or carry a factor; no two of them the same.
+    fn match_rows(&mut self, first: usize, stated: &[Entries], derived: &[Entries]) {
+        let width = stated.len() + 1;
+        let place = |i: usize| first + i * width..first + (i + 1) * width;
+        let is_own = |judge: &Self, i: usize| judge.found[place(i)].iter().all(|entry| entry.verdict.is_equal());
+        let (mut taken, others): (FxHashSet<usize>, Vec<usize>) = {
+            let (own, others): (Vec<_>, Vec<_>) = (0..stated.len()).partition(|i| is_own(self, *i));
+            (own.into_iter().collect(), others)
+        };
+        for i in others {
+            let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+            let judged = judge(arena, simplifier, &mut self.comparer, &stated[i], derived, i);
+            let Match::Row { at, .. } = judged.by else { continue };
+            if !judged.is_right() || !taken.insert(at) {
+                continue;
+            }
+            for (entry, (verdict, expected)) in
+                self.found[place(i)].iter_mut().zip(judged.entries.into_iter().zip(judged.expected))
+            {
+                entry.verdict = verdict;
+                entry.derived = Some(expected);
+            }
+        }
+    }
+}
+
+/// Every name that a formula of a reference may use.
+fn names(model: &Model) -> FxHashMap<String, Expr> {
+    let mut names = FxHashMap::default();
+    names.extend(model.parameters.iter().map(|p| (p.name.clone(), p.symbol)));
+    for c in &model.coordinates {
+        let all =
+            [(c.name.clone(), c.symbol), (format!("{}'", c.name), c.rate), (format!("{}''", c.name), c.second_rate)];
+        names.extend(all);
+    }
+    for s in &model.speeds {
+        names.extend([(s.name.clone(), s.symbol), (format!("{}'", s.name), s.rate)]);
+    }
+    names.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
+    names
+}
+
+/// The names of what a formulation solves for.
+fn unknowns(model: &Model, formulation: Formulation) -> Vec<String> {
+    if formulation == Formulation::Lagrange {
+        return model.coordinates.iter().map(|c| format!("{}''", c.name)).collect();
+    }
+    let mut names: Vec<String> = model.speeds.iter().map(|s| format!("{}'", s.name)).collect();
+    if formulation == Formulation::NewtonEuler {
+        names.extend(model.reactions.iter().map(|r| r.name.clone()));
+    }
+    names
+}
+
+/// What every reference of a model states: see `tests/sympy/README.md`.
+fn expected(model: &Model) -> Vec<Quantity> {
+    let mut kinds = Vec::new();
+    for (to, frame) in model.frames.iter().enumerate() {
+        if let Some((from, ..)) = frame.rotation {
+            let entries = (0..9).map(|n| QuantityKind::Rotation { from, to, entry: (n / 3, n % 3) });
+            kinds.extend(entries);
+        }
+    }
+    for (at, body) in model.bodies.iter().enumerate() {
+        let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+        let mut vectors = vec![
+            (VectorName::Velocity, body.centre),
+            (VectorName::Acceleration, body.centre),
+            (VectorName::InertiaForce, at),
+        ];
+        if let Some((own, _)) = body.rigid {
+            vectors.push((VectorName::AngularVelocity, own));
+            vectors.push((VectorName::AngularAcceleration, own));
+            vectors.push((VectorName::InertiaTorque, at));
+        }
+        for (vector, of) in vectors {
+            kinds.extend((0..3).map(|axis| QuantityKind::Component { vector, of, frame, axis }));
+            if matches!(vector, VectorName::Velocity | VectorName::AngularVelocity) {
+                let speeds = (0..model.speeds.len()).flat_map(|speed| (0..3).map(move |axis| (speed, axis)));
+                let partial = |(speed, axis)| QuantityKind::Partial { vector, of, frame, axis, speed };
+                kinds.extend(speeds.map(partial));
+            }
+        }
+    }
+    for at in 0..model.speeds.len() {
+        kinds.extend([QuantityKind::Row(Row::ActiveForce, at), QuantityKind::Row(Row::InertiaForce, at)]);
+    }
+    kinds.extend([QuantityKind::Energy(Energy::Kinetic), QuantityKind::Energy(Energy::Potential)]);
+    kinds.extend((0..model.coordinates.len()).map(QuantityKind::Rate));
+    kinds.into_iter().map(|kind| Quantity::new(kind, model)).collect()
+}

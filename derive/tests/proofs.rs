@@ -1,0 +1,234 @@
+//! What `prove` proves, and that it proves nothing else.
+
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::compare::{Engine, Verdict};
+use tripos_derive::algebra::print::text;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::mechanics::{Derivations, derive_all};
+use tripos_derive::prove::{Proof, prove};
+use tripos_derive::{Equations, Formulation, Model, model};
+
+fn read(path: &str) -> Model {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
+    Model::read(&path).unwrap()
+}
+
+fn proof_of(path: &str) -> (Derivations, Proof) {
+    let model = read(path);
+    let mut derivations = derive_all(&model).unwrap();
+    let proof = prove(&model, &mut derivations);
+    (derivations, proof)
+}
+
+const MODELS: [&str; 10] = [
+    "models/disk/model.toml",
+    "models/cart_pendulum_3/model.toml",
+    "models/chaotic_pendulum/model.toml",
+    "derive/tests/models/free_body.toml",
+    "derive/tests/models/k01.toml",
+    "derive/tests/models/k02.toml",
+    "derive/tests/models/k06a.toml",
+    "derive/tests/models/k06b.toml",
+    "derive/tests/models/k11.toml",
+    "derive/tests/models/k17a.toml",
+];
+
+#[test]
+fn every_model_is_proved_by_the_normal_form() {
+    for path in MODELS {
+        let (_, proof) = proof_of(path);
+        assert_eq!(proof.pairs.len(), if proof.missing.is_empty() { 3 } else { 1 }, "{path}");
+        for pair in &proof.pairs {
+            assert_eq!(pair.verdict, Verdict::Equal(Engine::NormalForm), "{path}: {:?}", (pair.left, pair.right));
+        }
+        for integral in &proof.integrals {
+            assert_eq!(integral.verdict, Verdict::Equal(Engine::NormalForm), "{path}: {}", integral.name);
+        }
+    }
+}
+
+#[test]
+fn the_disk_has_its_six_integrals() {
+    let (derivations, proof) = proof_of("models/disk/model.toml");
+    let names: Vec<&str> = proof.integrals.iter().map(|i| i.name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "energy T + V",
+            "momentum p_q3 = ∂L/∂q3'",
+            "momentum p_q4 = ∂L/∂q4'; linear momentum along a1",
+            "momentum p_q5 = ∂L/∂q5'; linear momentum along a2",
+            "angular momentum about a3 through the mass centre",
+            "angular momentum about a3 through O",
+        ]
+    );
+    let arena = &derivations.kinematics.arena;
+    // H·a3 with H = M R²/4 (u1, u2, 2 u3) and a3 = cos q2 b2 + sin q2 b3.
+    assert_eq!(text(arena, proof.integrals[4].expression), "M*R^2*(u2*cos(q2) + 2*u3*sin(q2))/4");
+    assert_eq!(text(arena, proof.integrals[1].expression), "M*R^2*u3/2");
+    // Vertical balance of the mass centre, whose height is R cos q2: N = M (g + d²/dt² R cos q2), u1 = −q2'.
+    assert_eq!(text(arena, proof.reactions[0].value), "M*(g + R*(u1'*sin(q2) - u1^2*cos(q2)))");
+    assert_eq!(proof.singular_where.iter().map(|e| text(arena, *e)).collect::<Vec<_>>(), ["cos(q2)"]);
+}
+
+#[test]
+fn a_free_body_keeps_energy_and_both_momenta() {
+    let (_, proof) = proof_of("derive/tests/models/free_body.toml");
+    // Weightless: energy, momentum and angular momentum, and the angular momentum about O, of which one
+    // component follows from the rest.
+    assert_eq!(proof.integrals.len(), 9, "{:?}", proof.integrals.iter().map(|i| &i.name).collect::<Vec<_>>());
+}
+
+/// Damped or driven motion keeps no energy, and nothing is claimed.
+#[test]
+fn nothing_is_conserved_where_a_force_works() {
+    for path in ["derive/tests/models/k01.toml", "derive/tests/models/k17a.toml"] {
+        let (_, proof) = proof_of(path);
+        assert!(
+            proof.integrals.is_empty(),
+            "{path}: {:?}",
+            proof.integrals.iter().map(|i| &i.name).collect::<Vec<_>>()
+        );
+    }
+}
+
+/// A bead on a line, drawn by a spring to the origin, with a constant force: x'' = −k/m x + F/m.
+const BEAD: &str = r#"
+name = "Bead"
+[parameters]
+m = { unit = "kg", positive = true }
+k = { unit = "N/m", positive = true }
+F = { unit = "N" }
+[coordinates]
+x = { unit = "m" }
+[speeds]
+u = "x'"
+[inertial]
+frame = "N"
+origin = "O"
+[points]
+P = { from = "O", frame = "N", position = ["x", 0, 0] }
+[particles]
+bead = { point = "P", mass = "m" }
+[forces.spring]
+on = "bead"
+frame = "N"
+vector = ["F - k*x", 0, 0]
+"#;
+
+#[test]
+fn forces_with_a_potential_join_the_energy() {
+    let model = model::load(&Source::from_text("bead.toml", BEAD)).unwrap();
+    let mut derivations = derive_all(&model).unwrap();
+    let proof = prove(&model, &mut derivations);
+    let arena = &derivations.kinematics.arena;
+    assert_eq!(text(arena, proof.integrals[0].expression), "k*x^2/2 - F*x + m*u^2/2");
+    assert!(proof.integrals[0].verdict.is_equal());
+}
+
+/// A symmetry with a coefficient that depends on a parameter: of two particles joined by a spring along a
+/// line, x1' = 1, x2' = 1; and with x2 measured in another length, x2' = 1/s.
+#[test]
+fn affine_symmetries_are_found_over_the_field_of_the_parameters() {
+    let text_of = r#"
+name = "Two beads"
+[parameters]
+m = { unit = "kg", positive = true }
+k = { unit = "N/m", positive = true }
+s = { unit = "1", positive = true }
+[coordinates]
+x = { unit = "m" }
+y = { unit = "m" }
+[speeds]
+u = "x'"
+v = "y'"
+[inertial]
+frame = "N"
+origin = "O"
+[points]
+P = { from = "O", frame = "N", position = ["x", 0, 0] }
+Q = { from = "O", frame = "N", position = ["s*y", 0, 0] }
+[particles]
+left = { point = "P", mass = "m" }
+right = { point = "Q", mass = "m" }
+[forces.spring]
+on = "left"
+against = "right"
+frame = "N"
+vector = ["k*(s*y - x)", 0, 0]
+"#;
+    let model = model::load(&Source::from_text("beads.toml", text_of)).unwrap();
+    let mut derivations = derive_all(&model).unwrap();
+    let proof = prove(&model, &mut derivations);
+    assert!(proof.search.contains("1 of them"), "{}", proof.search);
+    let momentum = proof.integrals.iter().find(|i| i.name.contains("linear momentum along n1")).unwrap();
+    assert_eq!(text(&derivations.kinematics.arena, momentum.expression), "m*(u + s*v)");
+}
+
+fn change(derivations: &mut Derivations, formulation: Formulation, edit: impl Fn(&mut Arena, &mut Equations)) {
+    let arena = &mut derivations.kinematics.arena;
+    for (f, equations) in &mut derivations.list {
+        if *f == formulation
+            && let Ok(equations) = equations
+        {
+            edit(arena, equations);
+        }
+    }
+}
+
+/// Goal: a proof must be able to fail. Method: one sign changed in one row of one formulation.
+#[test]
+fn equations_that_differ_in_a_sign_are_not_proved() {
+    let model = read("models/disk/model.toml");
+    for formulation in Formulation::ALL {
+        let mut derivations = derive_all(&model).unwrap();
+        change(&mut derivations, formulation, |arena, e| e.forcing[1] = arena.neg(e.forcing[1]));
+        let proof = prove(&model, &mut derivations);
+        for pair in &proof.pairs {
+            let touched = pair.left == formulation || pair.right == formulation;
+            assert_eq!(pair.verdict.is_equal(), !touched, "{formulation:?}: {:?}", (pair.left, pair.right));
+            if let Verdict::Different(witness) = &pair.verdict {
+                assert!((witness.left - witness.right).abs() > 1e-9, "{witness:?}");
+            }
+        }
+    }
+}
+
+/// Integrals are proved along the equations as they are: a wrong force in Kane's equations breaks the energy.
+#[test]
+fn an_integral_of_other_equations_is_not_proved() {
+    let model = read("models/disk/model.toml");
+    let mut derivations = derive_all(&model).unwrap();
+    change(&mut derivations, Formulation::Kane, |arena, e| {
+        let twice = arena.scale(e.forcing[0], &tripos_derive::algebra::Rational::integer(2));
+        e.forcing[0] = twice;
+    });
+    let proof = prove(&model, &mut derivations);
+    let kept: Vec<&str> = proof.integrals.iter().map(|i| i.name.as_str()).collect();
+    assert!(!kept.contains(&"energy T + V"), "{kept:?}");
+    assert!(kept.contains(&"momentum p_q3 = ∂L/∂q3'"), "its equation is untouched");
+    assert!(!proof.pairs[0].verdict.is_equal());
+}
+
+/// Three momenta are independent, and the energy, which is a function of them, is listed all the same. A force that acts on
+/// one side only, through |x| and |v|, takes energy out of it: random signs must not hide that.
+#[test]
+fn a_free_particle_keeps_three_momenta_and_one_sided_forces_take_their_share() {
+    let free = BEAD
+        .replace("x = { unit = \"m\" }", "x = { unit = \"m\" }\ny = { unit = \"m\" }\nz = { unit = \"m\" }")
+        .replace("u = \"x'\"", "u = \"x'\"\nv = \"y'\"\nw = \"z'\"")
+        .replace("[\"x\", 0, 0] }", "[\"x\", \"y\", \"z\"] }");
+    let integrals = |force: &str| {
+        let text = free.replace("F - k*x", force);
+        let model = model::load(&Source::from_text("particle.toml", &text)).unwrap_or_else(|e| panic!("{e}"));
+        let mut derivations = derive_all(&model).unwrap();
+        prove(&model, &mut derivations).integrals.into_iter().map(|i| i.name).collect::<Vec<_>>()
+    };
+    let free = integrals("0*F");
+    for name in ["energy T + V", "p_x", "p_y", "p_z"] {
+        assert!(free.iter().any(|i| i.contains(name)), "{name}: {free:?}");
+    }
+    let sided = integrals("F*(abs(x)/x-1)*(abs(u)/u-1)");
+    assert!(!sided.iter().any(|i| i.contains("energy") || i.contains("p_x")), "{sided:?}");
+    assert!(sided.iter().any(|i| i.contains("p_y")), "{sided:?}");
+}

@@ -1,0 +1,155 @@
+//! The page of `tripos report` as a whole: proofs, errata and printed runs beside the derived ones.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
+}
+
+fn tripos(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tripos")).args(arguments).current_dir(root()).output().unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn json(output: &Output) -> serde_json::Value {
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// Exit status and page.
+fn page(model: &str) -> (Option<i32>, String, Output) {
+    let folder = tempfile::tempdir().unwrap();
+    let output = tripos(&["report", model, "--out", folder.path().to_str().unwrap()]);
+    let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap_or_default();
+    (output.status.code(), page, output)
+}
+
+/// Goal: nothing that `prove` and `diff` find is missing from the page. Method: their JSON against its text.
+#[test]
+fn the_page_of_the_disk_has_every_erratum_integral_and_printed_run() {
+    let (status, page, output) = page("models/disk");
+    assert_eq!(status, Some(0), "{}", stderr(&output));
+    let difference = json(&tripos(&["diff", "models/disk", "models/disk/report.toml", "--json"]));
+    let (_, errata) = page.split_once("<table class=\"errata\">").expect("there are errata");
+    let (errata, rest) = errata.split_once("</table>").unwrap();
+    let (_, all) = rest.split_once("All entries").unwrap();
+    let mut wrong = 0;
+    for entry in difference["equations"].as_array().unwrap() {
+        let id = entry["id"].as_str().unwrap().replace('-', "-<wbr>");
+        let is_wrong = ["different", "undecided"].contains(&entry["verdict"].as_str().unwrap());
+        assert_eq!(errata.contains(&format!("<code>{id}</code>")), is_wrong, "{id}");
+        assert!(all.contains(&format!("<code>{id}</code>")), "{id} is listed");
+        wrong += usize::from(is_wrong);
+    }
+    assert!(wrong >= 30 && errata.matches("<th scope=\"rowgroup\"").count() == wrong, "{wrong} errata");
+
+    let systems = difference["systems"].as_array().unwrap();
+    assert_eq!(systems.len(), 6);
+    let scenes = page.matches("<article id=\"scene-").count();
+    for system in systems {
+        let row = format!(
+            "<tr class=\"printed\"><th scope=\"row\"><code>printed:{}</code></th>",
+            system["system"].as_str().unwrap()
+        );
+        // In each scene: among the runs, the first integrals and the extremes.
+        assert_eq!(page.matches(&row).count(), 3 * scenes, "{row}");
+    }
+    let proof = json(&tripos(&["prove", "models/disk", "--json"]));
+    let integrals = proof["integrals"].as_array().unwrap().len();
+    assert_eq!(integrals, 6);
+    for at in 1..=integrals {
+        let subscript = char::from_digit(u32::try_from(at).unwrap(), 10).unwrap();
+        assert!(page.contains(&format!("<h4><math><msub><mi>I</mi><mn>{subscript}</mn></msub></math>: ")), "I{at}");
+    }
+    assert!(page.contains("I₆ : angular momentum about a₃ through O"), "every integral has its panel");
+}
+
+/// The report's explanation of its failure, tested: Kane's determinant is never zero, Lagrange's is.
+#[test]
+fn the_page_of_the_disk_says_where_determinants_vanish() {
+    let (_, page, _) = page("models/disk");
+    let row = |name: &str| {
+        let (_, row) = page
+            .split_once(&format!("<tr><th scope=\"row\">{name}</th><td><div class=\"formula\">"))
+            .unwrap_or_else(|| panic!("{name} has a determinant"));
+        row.split_once("</tr>").unwrap().0.to_owned()
+    };
+    assert!(row("Kane's method").contains("<td>nowhere; entries of the matrix divide by"));
+    assert!(row("Lagrange's equations").contains("<td>wherever <math>"));
+    assert!(page.contains("Does a matrix become singular?"));
+    let never = "zero in no configuration, whatever the parameters, for: Kane's method, Newton–Euler equations, \
+                 <code>printed:kane-final</code>";
+    assert!(page.contains(never));
+}
+
+const MODEL: &str = r#"
+name = "Slider"
+parameters.m = { unit = "kg", value = 1, positive = true }
+parameters.k = { unit = "N/m", value = 1 }
+coordinates.x = { unit = "m" }
+speeds.u = "x'"
+inertial = { frame = "A", origin = "O" }
+points.P = { from = "O", frame = "A", position = ["x", 0, 0] }
+particles.slider = { point = "P", mass = "m" }
+[forces.spring]
+on = "slider"
+at = "P"
+frame = "A"
+vector = ["-k*x", 0, 0]
+"#;
+
+const SCENE: &str = "span = [0, 2]\n[start]\nx = 1\nu = 0\n";
+
+/// A slider with this report beside it.
+fn slider(report: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("scenes")).unwrap();
+    for (name, text) in [("model.toml", MODEL), ("report.toml", report), ("scenes/run.toml", SCENE)] {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    folder
+}
+
+fn system(id: &str, matrix: &str, right: &str) -> String {
+    format!(
+        "[[system]]\nid = \"{id}\"\nsection = \"1\"\nformulation = \"kane\"\nunknowns = [\"u'\"]\nmatrix = [[\"{matrix}\"]]\n\
+         right = [\"{right}\"]\n"
+    )
+}
+
+/// Printed equations end as they like: that is shown, and the command succeeds.
+#[test]
+fn printed_equations_that_fail_do_not_fail_the_page() {
+    let report = [
+        "title = \"Errors\"\n".to_owned(),
+        system("right", "m", "-k*x"),
+        system("explodes", "m", "x^3*1000000"),
+        system("singular", "0", "-k*x"),
+        system("singular-later", "x", "-x^2 - x*0.1"),
+        system("not-finite", "m", "1/(x - 1)"),
+    ];
+    let folder = slider(&report.concat());
+    let (status, page, output) = page(folder.path().to_str().unwrap());
+    assert_eq!(status, Some(0), "{}", stderr(&output));
+    assert!(!stderr(&output).contains("warning"), "the derived runs are fine: {}", stderr(&output));
+    for id in ["right", "explodes", "singular", "singular-later", "not-finite"] {
+        assert!(page.contains(&format!("printed:{id}</code></th>")), "{id}");
+    }
+    let (_, rows) = page.split_once("<tr class=\"group\">").unwrap();
+    let (rows, _) = rows.split_once("</table>").unwrap();
+    assert!(rows.contains("singular"), "how runs end is said: {rows}");
+    assert!(page.contains("id=\"errata\"") && !page.contains("NaN"));
+}
+
+#[test]
+fn a_report_with_errors_is_answered_and_the_page_goes_without_it() {
+    let folder =
+        slider("title = \"Errors\"\n[[equation]]\nid = \"1\"\nsection = \"1\"\nquantity = \"T\"\nprinted = \"m*y\"\n");
+    let (status, page, output) = page(folder.path().to_str().unwrap());
+    assert_eq!(status, Some(2));
+    assert!(stderr(&output).contains("unknown name `y`"), "{}", stderr(&output));
+    assert!(page.contains("id=\"proof\"") && !page.contains("id=\"errata\""));
+}
