@@ -20,7 +20,9 @@ fn accelerations_match_the_independent_references() {
         let model = tripos::MODELS.iter().find(|m| m.name == name).unwrap();
         let order = parameter_names(name);
         let p: Vec<f64> = order.iter().map(|n| case["parameters"][n].as_f64().unwrap()).collect();
-        for (formulation, compiled) in model.systems {
+        // Printed equations are compiled too, and need not be right.
+        let derived = model.systems.iter().filter(|(name, _)| !name.starts_with("printed:"));
+        for (formulation, compiled) in derived {
             for state in case["states"].as_array().unwrap() {
                 let (q, u) = (numbers(&state["q"]), numbers(&state["u"]));
                 let found = accelerations(*compiled, &p, &q, &u);
@@ -31,7 +33,7 @@ fn accelerations_match_the_independent_references() {
             }
         }
     }
-    assert_eq!(compared, 3 * 2 + 3 * 3 + 4 * 3, "K05 by two formulations, K07 and K19 by three");
+    assert_eq!(compared, 3 * 3 + 3 * 3 + 4 * 3, "K05, K07 and K19 by three formulations");
 }
 
 /// Energies too: T as it is, V in its differences, since each file chooses its own zero.

@@ -10,7 +10,7 @@ pub fn judge(pairs: &[(String, String)], positive: &[String]) -> Option<Vec<Stri
     if pairs.is_empty() {
         return Some(Vec::new());
     }
-    if is_left_out(&format!("SymPy's word on {pairs:#?}")) {
+    if is_left_out("SymPy's word on a mutant that is not called different") {
         return None;
     }
     let mut child = Command::new(python())
