@@ -94,10 +94,6 @@ pub struct Row {
     pub entries: Vec<String>,
 }
 
-/// Rewritings of rows leave angles alone: whether a row combines others is not seen through angles such as
-/// q (1 + tan² y) cos² y, where a value would be expanded.
-const ROWS_ENTER: fn(&View) -> bool = |node| !matches!(node, View::Call(..));
-
 /// The rows of a system in another order, each with a factor, plus a multiple of another row, or rewritten entry by entry.
 pub fn of_rows(printed: &Printed, system: &System, random: &mut Random) -> Vec<Row> {
     let n = system.rows.len();
@@ -111,7 +107,7 @@ pub fn of_rows(printed: &Printed, system: &System, random: &mut Random) -> Vec<R
         let mut rules = Vec::new();
         for (entry, added) in system.rows[own].iter().zip(&system.rows[other]) {
             let rule = &RULES[random.below(RULES.len())];
-            let entry = match rewritten(entry, &[rule], ROWS_ENTER, printed, random) {
+            let entry = match rewritten(entry, &[rule], |_| true, printed, random) {
                 Some((used, new)) => {
                     rules.extend(used);
                     new

@@ -64,6 +64,10 @@ pub fn judge(
     derived: &[Row],
     index: usize,
 ) -> RowJudgement {
+    // Equal angles must be equal terms: the search runs modulo primes, where other angles are unrelated.
+    let mut plain = |row: &Row| row.iter().map(|e| comparer.with_plain_angles(arena, *e)).collect::<Row>();
+    let (printed, derived) = (&plain(printed), derived.iter().map(&mut plain).collect::<Vec<Row>>());
+    let derived = derived.as_slice();
     let (at, factor) = best_factor(arena, printed, derived, index);
     let factor = simplifier.simplify(arena, factor);
     let mut expected = Vec::new();
