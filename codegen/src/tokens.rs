@@ -37,7 +37,7 @@ pub fn expression(view: &View, cost: &mut Cost) -> TokenStream {
     match view {
         View::Number(text) => number(text, "1"),
         View::Name(name) | View::Shared(name) => ident(name),
-        View::Pi => quote!(S::from_f64(core::f64::consts::PI)),
+        View::Pi => quote!(S::pi()),
         View::Sum(terms) => sum(terms, cost),
         View::Product(factors) => product(factors, cost),
         View::Fraction(above, below) => fraction(above, below, cost),

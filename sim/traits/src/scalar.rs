@@ -18,9 +18,20 @@ pub trait Scalar:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// The distance from 1 to the next larger value.
+    const EPSILON: f64;
     /// The nearest value to `x`.
     #[must_use]
     fn from_f64(x: f64) -> Self;
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+    /// The nearest value to a number in decimal notation, such as `"-5.26e-2"`: coefficients of methods are
+    /// written with more digits than an `f64` holds. Not a number if `text` is none.
+    #[must_use]
+    fn decimal(text: &str) -> Self;
+    /// π.
+    #[must_use]
+    fn pi() -> Self;
     /// The whole number `n`.
     #[must_use]
     fn int(n: i64) -> Self {
@@ -87,9 +98,21 @@ macro_rules! float_scalar {
      $sinh:path, $cosh:path, $tanh:path) => {
         #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
         impl Scalar for $type {
+            const EPSILON: f64 = <$type>::EPSILON as f64;
             #[inline]
             fn from_f64(x: f64) -> Self {
                 x as Self
+            }
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+            fn decimal(text: &str) -> Self {
+                text.parse().unwrap_or(<$type>::NAN)
+            }
+            #[inline]
+            fn pi() -> Self {
+                core::f64::consts::PI as Self
             }
             #[inline]
             fn ratio(numerator: i64, denominator: i64) -> Self {
