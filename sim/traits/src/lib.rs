@@ -2,13 +2,15 @@
 //!
 //! Two traits: [`Scalar`], the arithmetic a generated function body needs, so that one text serves
 //! `f64`, `f32` and every wider or narrower type; and [`System`], one formulation of one model as
-//! mass matrix, forcing and kinematic equations.
+//! mass matrix, forcing and kinematic equations. And one wider number, [`DoubleDouble`], of 32 digits.
 //!
 //! Absent on purpose: names, units and files. They belong to the model, not to its numbers.
 #![no_std]
 
+mod double_double;
 mod scalar;
 mod system;
 
+pub use double_double::DoubleDouble;
 pub use scalar::Scalar;
 pub use system::{CompiledModel, System};
