@@ -1,12 +1,12 @@
-//! Step sizes, by the rules of `ode45`.
+//! Step sizes: the rules of `ode45`, and those of Hairer's codes, as data.
 //!
-//! Sizes are positive whichever way the run goes. Source: the published behaviour of `ode45`
-//! (L. F. Shampine & M. W. Reichelt, "The MATLAB ODE Suite", SIAM J. Sci. Comput. 18 (1997) 1–22).
+//! Sizes are positive whichever way the run goes. A step that fails is never tried again below 16 ulp of t,
+//! whatever the rules.
 
 use crate::tolerance::ErrorTest;
 
 /// The distance from |t| to the next larger number: MATLAB's `eps(t)`.
-fn ulp(t: f64) -> f64 {
+pub(crate) fn ulp(t: f64) -> f64 {
     t.abs().next_up() - t.abs()
 }
 
@@ -15,32 +15,137 @@ pub(crate) fn smallest(t: f64) -> f64 {
     16.0 * ulp(t)
 }
 
-/// The first step: small enough that y' alone would change y by about rtol^(1/order).
-pub(crate) fn initial(test: &ErrorTest, order: u32, longest: f64, t: f64, slope_norm: f64) -> f64 {
-    let rate = slope_norm / (0.8 * root(test.tolerance, order));
-    let size = if longest * rate > 1.0 { 1.0 / rate } else { longest };
-    size.max(smallest(t))
+/// How the sizes of steps follow from their errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Rules {
+    /// Those of `ode45`: L. F. Shampine & M. W. Reichelt, "The MATLAB ODE Suite", SIAM J. Sci. Comput. 18 (1997)
+    /// 1–22.
+    Ode45 {
+        /// Sizes follow the root of this degree.
+        order: u32,
+    },
+    /// Those of `dopri5` and `dop853`, with the stabilization of Lund and Gustafsson: E. Hairer, S. P. Nørsett & G.
+    /// Wanner, *Solving Ordinary Differential Equations I* (1993), §II.4 and §IV.2 of volume II.
+    Hairer {
+        /// Degree of the root in the choice of the first step.
+        order: u32,
+        /// The size is divided by errorᵃ / previous errorᵇ: a.
+        exponent: f64,
+        /// b.
+        beta: f64,
+        /// A step shrinks at most by this factor.
+        shrink: f64,
+        /// A step grows at most by this factor.
+        grow: f64,
+    },
 }
 
-/// The next step after one with this error, if it was accepted at the first attempt.
-pub(crate) fn after_success(test: &ErrorTest, order: u32, size: f64, error: f64) -> f64 {
-    let shrink = 1.25 * root(error / test.tolerance, order);
-    if shrink > 0.2 { size / shrink } else { 5.0 * size }
+/// In Hairer's rules, how much smaller than the error would allow a step is made.
+const SAFETY: f64 = 0.9;
+
+impl Rules {
+    /// Longest step as a part of the span, unless the caller says otherwise.
+    pub(crate) fn longest_part(self) -> f64 {
+        match self {
+            Self::Ode45 { .. } => 0.1,
+            Self::Hairer { .. } => 1.0,
+        }
+    }
+
+    /// A step is stretched by up to this factor to reach the end of the run.
+    pub(crate) fn stretch(self) -> f64 {
+        match self {
+            Self::Ode45 { .. } => 1.1,
+            Self::Hairer { .. } => 1.01,
+        }
+    }
 }
 
-/// The next attempt after the first failure of a step, by its error.
-pub(crate) fn after_first_failure(test: &ErrorTest, order: u32, size: f64, error: f64) -> f64 {
-    size * (0.8 * root(test.tolerance / error, order)).max(0.1)
+/// Rules and what they remember of earlier steps.
+#[derive(Clone, Debug)]
+pub(crate) struct Control {
+    rules: Rules,
+    tolerance: f64,
+    /// Whether the step being tried failed before.
+    failed: bool,
+    /// Hairer: the error of the step before, at least 1e-4.
+    previous: f64,
+}
+
+impl Control {
+    pub(crate) fn new(rules: Rules, test: &ErrorTest) -> Self {
+        Self { rules, tolerance: test.tolerance, failed: false, previous: 1e-4 }
+    }
+
+    /// The size of the next step after one of this size with this error, which is small enough.
+    pub(crate) fn after_success(&mut self, size: f64, error: f64) -> f64 {
+        let failed = std::mem::replace(&mut self.failed, false);
+        match self.rules {
+            Rules::Ode45 { .. } if failed => size,
+            Rules::Ode45 { order } => {
+                let shrink = 1.25 * root(error / self.tolerance, order);
+                if shrink > 0.2 { size / shrink } else { 5.0 * size }
+            }
+            Rules::Hairer { exponent, beta, shrink, grow, .. } => {
+                let memory = if beta > 0.0 { self.previous.powf(beta) } else { 1.0 };
+                let divisor = power(error, exponent) / memory / SAFETY;
+                self.previous = error.max(1e-4);
+                let next = size / divisor.min(1.0 / shrink).max(1.0 / grow);
+                if failed { next.min(size) } else { next }
+            }
+        }
+    }
+
+    /// The size to try after a failure with this error; without one, f had no value somewhere.
+    pub(crate) fn after_failure(&mut self, size: f64, error: Option<f64>) -> f64 {
+        let failed = std::mem::replace(&mut self.failed, true);
+        match (self.rules, error) {
+            (Rules::Ode45 { order }, Some(error)) if !failed => {
+                size * (0.8 * root(self.tolerance / error, order)).max(0.1)
+            }
+            (Rules::Hairer { exponent, shrink, .. }, Some(error)) => {
+                size / (power(error, exponent) / SAFETY).min(1.0 / shrink)
+            }
+            _ => 0.5 * size,
+        }
+    }
 }
 
 fn root(x: f64, order: u32) -> f64 {
     x.powf(1.0 / f64::from(order))
 }
 
+/// xᵃ; for the eighth root, by square roots, which cost less.
+fn power(x: f64, exponent: f64) -> f64 {
+    if crate::stepper::same(exponent, 0.125) { x.sqrt().sqrt().sqrt() } else { x.powf(exponent) }
+}
+
+/// `ode45`: the first step is small enough that y' alone would change y by about rtol^(1/order).
+pub(crate) fn initial(test: &ErrorTest, order: u32, longest: f64, t: f64, slope_norm: f64) -> f64 {
+    let rate = slope_norm / (0.8 * root(test.tolerance, order));
+    let size = if longest * rate > 1.0 { 1.0 / rate } else { longest };
+    size.max(smallest(t))
+}
+
+/// Hairer's first guess: a step of Euler's method that changes y by a hundredth of its size. `y` and `slope` are
+/// norms over the allowed errors.
+pub(crate) fn first_guess(y: f64, slope: f64, longest: f64) -> f64 {
+    let tiny = 1e-5; // their squares are compared with 1e-10
+    let guess = if y <= tiny || slope <= tiny { 1e-6 } else { 0.01 * (y / slope) };
+    guess.min(longest)
+}
+
+/// Hairer's first step, by the larger of the norms of y' and y'': sizeᵒʳᵈᵉʳ times that is 0.01.
+pub(crate) fn second_guess(guess: f64, slope: f64, curvature: f64, order: u32, longest: f64) -> f64 {
+    let larger = slope.max(curvature);
+    let size = if larger <= 1e-15 { (1e-3 * guess).max(1e-6) } else { root(0.01 / larger, order) };
+    size.min(100.0 * guess).min(longest)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tolerance::AbsoluteTolerance;
+    use crate::tolerance::{AbsoluteTolerance, Norm};
 
     #[test]
     fn ulp_is_the_spacing_of_numbers() {
@@ -49,15 +154,47 @@ mod tests {
         assert_eq!(ulp(0.0), f64::from_bits(1));
     }
 
+    fn control(rules: Rules) -> Control {
+        let (test, _) = ErrorTest::new::<f64>(Norm::Largest, 0.0, &AbsoluteTolerance::Uniform(1.0), 1).unwrap();
+        Control::new(rules, &test)
+    }
+
+    fn near(a: f64, b: f64) -> bool {
+        (a / b - 1.0).abs() < 4.0 * f64::EPSILON
+    }
+
     /// Order 5 and errors of 32, 1/32 … times the tolerance give round numbers; 4 ε for the powers.
     #[test]
     fn sizes_follow_the_fifth_root_of_the_error_within_bounds() {
-        let (test, _) = ErrorTest::new(0.0, &AbsoluteTolerance::Uniform(1.0), 1).unwrap();
-        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 4.0 * f64::EPSILON;
-        assert!(near(after_success(&test, 5, 1.0, 1.0), 0.8));
-        assert!(near(after_success(&test, 5, 1.0, 1.0 / 32.0), 1.6));
-        assert!(near(after_success(&test, 5, 1.0, 0.0), 5.0));
-        assert!(near(after_first_failure(&test, 5, 1.0, 32.0), 0.4));
-        assert!(near(after_first_failure(&test, 5, 1.0, f64::INFINITY), 0.1));
+        let fresh = || control(Rules::Ode45 { order: 5 });
+        for (error, size) in [(1.0, 0.8), (1.0 / 32.0, 1.6), (0.0, 5.0)] {
+            assert!(near(fresh().after_success(1.0, error), size));
+        }
+        for (error, size) in [(Some(32.0), 0.4), (Some(f64::INFINITY), 0.1), (None, 0.5)] {
+            assert!(near(fresh().after_failure(1.0, error), size));
+        }
+    }
+
+    #[test]
+    fn after_a_failure_ode45_halves_and_does_not_grow() {
+        let mut control = control(Rules::Ode45 { order: 5 });
+        control.after_failure(1.0, Some(32.0));
+        assert_eq!((control.after_failure(1.0, Some(32.0)), control.after_success(1.0, 1e-9)), (0.5, 1.0));
+        assert!(control.after_success(1.0, 1e-9) > 4.0);
+    }
+
+    /// Errors of 1, 2⁻⁸ and 2⁸ with the eighth root, and bounds of 1/3 and 6.
+    #[test]
+    fn hairer_divides_by_the_root_over_the_safety_within_bounds() {
+        let rules = Rules::Hairer { order: 8, exponent: 0.125, beta: 0.0, shrink: 1.0 / 3.0, grow: 6.0 };
+        for (error, size) in [(1.0, 0.9), (1.0 / 256.0, 1.8), (0.0, 6.0)] {
+            assert!(near(control(rules).after_success(1.0, error), size));
+        }
+        for (error, size) in [(256.0, 0.45), (f64::INFINITY, 1.0 / 3.0)] {
+            assert!(near(control(rules).after_failure(1.0, Some(error)), size));
+        }
+        let mut control = control(rules);
+        control.after_failure(1.0, None);
+        assert_eq!(control.after_success(1.0, 1e-9), 1.0);
     }
 }

@@ -40,6 +40,16 @@ pub enum SimError {
         /// What it must be.
         must: &'static str,
     },
+    /// A method without an error estimate is to choose its steps.
+    NoStep {
+        /// The method's name.
+        method: &'static str,
+    },
+    /// A method that needs ∂f/∂y is to run a right-hand side that has none.
+    NoJacobian {
+        /// The method's name.
+        method: &'static str,
+    },
     /// An output time lies outside the span or before its predecessor.
     OutputTime {
         /// Its position in the list, from 0.
@@ -61,6 +71,16 @@ impl fmt::Display for SimError {
             }
             Self::Tolerance { what } => f.write_str(what),
             Self::Option { name, must } => write!(f, "option `{name}` must be {must}"),
+            Self::NoStep { method } => {
+                write!(f, "method {method} estimates no error, so it cannot choose its steps: give it a fixed `step`")
+            }
+            Self::NoJacobian { method } => {
+                write!(
+                    f,
+                    "method {method} needs the derivatives of the right-hand side (`RightHandSide::jacobian`), which \
+                     these equations do not give; choose an explicit method, such as dop853"
+                )
+            }
             Self::OutputTime { index, t } => {
                 write!(f, "output time {index}, t = {t} s, lies outside the run or before the previous one")
             }

@@ -1,19 +1,21 @@
 //! Keeps the samples of a solution that were asked for.
 
+use tripos_traits::Scalar;
+
 use crate::solution::Output;
-use crate::stepper::{DenseStep, same};
+use crate::stepper::{DenseStep, Interpolant, same};
 
 /// Samples so far.
-pub(crate) struct Recorder<'a> {
+pub(crate) struct Recorder<'a, S> {
     output: &'a Output,
     next: usize,
     pub(crate) t: Vec<f64>,
-    pub(crate) y: Vec<Vec<f64>>,
+    pub(crate) y: Vec<Vec<S>>,
 }
 
-impl<'a> Recorder<'a> {
+impl<'a, S: Scalar> Recorder<'a, S> {
     /// Starts at (t0, y0). `Output::At` must have been checked to be in order.
-    pub(crate) fn new(output: &'a Output, t0: f64, y0: &[f64]) -> Self {
+    pub(crate) fn new(output: &'a Output, t0: f64, y0: &[S]) -> Self {
         let mut recorder = Self { output, next: 0, t: Vec::new(), y: Vec::new() };
         match output {
             Output::Steps { .. } | Output::Ends => recorder.push(t0, y0.to_vec()),
@@ -27,20 +29,27 @@ impl<'a> Recorder<'a> {
         recorder
     }
 
-    fn push(&mut self, t: f64, y: Vec<f64>) {
+    fn push(&mut self, t: f64, y: Vec<S>) {
         self.t.push(t);
         self.y.push(y);
     }
 
-    fn sample(&mut self, step: &dyn DenseStep, t: f64, theta: f64, n: usize) {
-        let mut y = vec![0.0; n];
-        step.interpolate(theta, &mut y);
-        self.push(t, y);
+    fn sample(&mut self, step: &impl Interpolant<Scalar = S>, t: f64, theta: f64) {
+        self.push(t, step.sample(theta, t));
     }
 
-    /// Records an accepted step of `n` components, up to its fraction `end` (1 unless an event ends
-    /// the run inside the step).
-    pub(crate) fn step(&mut self, step: &dyn DenseStep, end: f64, n: usize) {
+    /// Whether samples inside a step from `t_old` to `t_new` are to be kept.
+    pub(crate) fn looks_inside(&self, (t_old, t_new): (f64, f64)) -> bool {
+        match self.output {
+            Output::Ends => false,
+            Output::Steps { refine } => *refine > 1,
+            // Times up to t_old are kept already, so that the next one need only come before the end.
+            Output::At(times) => times.get(self.next).is_some_and(|t| (t_new - t) * (t_new - t_old).signum() > 0.0),
+        }
+    }
+
+    /// Records an accepted step up to its fraction `end` (1 unless an event ends the run inside the step).
+    pub(crate) fn step(&mut self, step: &impl Interpolant<Scalar = S>, end: f64) {
         if end == 0.0 {
             return; // the run ends where the step began
         }
@@ -49,9 +58,9 @@ impl<'a> Recorder<'a> {
             Output::Steps { refine } => {
                 for i in 1..*refine {
                     let theta = end * (i as f64 / *refine as f64);
-                    self.sample(step, step.time_at(theta), theta, n);
+                    self.sample(step, step.time_at(theta), theta);
                 }
-                self.sample(step, step.time_at(end), end, n);
+                self.sample(step, step.time_at(end), end);
             }
             Output::At(times) => {
                 let (t_old, t_new) = step.times();
@@ -59,7 +68,7 @@ impl<'a> Recorder<'a> {
                 let beyond = |t: f64| (t - t_stop) * h.signum() > 0.0;
                 while let Some(&t) = times.get(self.next).filter(|t| !beyond(**t)) {
                     let theta = if same(t, t_stop) { end } else { ((t - t_old) / h).clamp(0.0, end) };
-                    self.sample(step, t, theta, n);
+                    self.sample(step, t, theta);
                     self.next += 1;
                 }
             }
@@ -67,7 +76,7 @@ impl<'a> Recorder<'a> {
     }
 
     /// Adds the end of the run where only the ends are kept.
-    pub(crate) fn finish(&mut self, t_end: f64, y_end: &[f64], steps: u64) {
+    pub(crate) fn finish(&mut self, t_end: f64, y_end: &[S], steps: u64) {
         if matches!(self.output, Output::Ends) && steps > 0 {
             self.push(t_end, y_end.to_vec());
         }

@@ -77,13 +77,18 @@ pub enum Stop {
         /// Component of the state, from 0.
         component: usize,
     },
+    /// The equations of an implicit step are not solved, however small the step.
+    NotConverged {
+        /// Iterations of Newton's method that were made.
+        iterations: u32,
+    },
     /// The right-hand side (or an event function) has no value, however small the step.
     Failed(Failure),
 }
 
 impl Stop {
     /// A stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`,
-    /// `step-limit`, `not-finite`, or the code of the [`Failure`], such as `singular`.
+    /// `step-limit`, `not-finite`, `not-converged`, or the code of the [`Failure`], such as `singular`.
     #[must_use]
     pub fn code(&self) -> String {
         match self {
@@ -93,6 +98,7 @@ impl Stop {
             Self::StepTooSmall { .. } => "step-too-small".to_owned(),
             Self::StepLimit { .. } => "step-limit".to_owned(),
             Self::NotFinite { .. } => "not-finite".to_owned(),
+            Self::NotConverged { .. } => "not-converged".to_owned(),
             Self::Failed(failure) => failure.code.to_owned(),
         }
     }
@@ -118,6 +124,9 @@ impl fmt::Display for Stop {
             Self::NotFinite { component } => {
                 write!(f, "component {component} of the state or its derivative is not finite")
             }
+            Self::NotConverged { iterations } => {
+                write!(f, "Newton's method does not solve the equations of the step in {iterations} iterations")
+            }
             Self::Failed(failure) => failure.fmt(f),
         }
     }
@@ -125,21 +134,23 @@ impl fmt::Display for Stop {
 
 /// The result of a run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Solution {
+pub struct Solution<S = f64> {
     /// Times of the samples, in s, in the direction of the run.
     pub t: Vec<f64>,
     /// States at those times.
-    pub y: Vec<Vec<f64>>,
+    pub y: Vec<Vec<S>>,
     /// Last time of the solution, in s.
     pub t_end: f64,
     /// State at `t_end`.
-    pub y_end: Vec<f64>,
+    pub y_end: Vec<S>,
     /// Accepted steps.
     pub steps: u64,
     /// Rejected steps: too inaccurate, or without a finite result.
     pub rejected: u64,
     /// Calls of the right-hand side; those made by event functions are not counted.
     pub evaluations: u64,
+    /// Evaluations of the Jacobian; only implicit methods need it.
+    pub jacobians: u64,
     /// Why the run ended.
     pub stop: Stop,
     /// What happened on the way, in order of time.
@@ -149,7 +160,7 @@ pub struct Solution {
 }
 
 /// When, after how many steps, why: "stopped at t = 3.181 s after 412 steps (19 rejected): …".
-impl fmt::Display for Solution {
+impl<S> fmt::Display for Solution<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let verb = if self.stop == Stop::End { "ended" } else { "stopped" };
         let plural = if self.steps == 1 { "" } else { "s" };
@@ -172,6 +183,7 @@ mod tests {
             steps: 412,
             rejected: 19,
             evaluations: 0,
+            jacobians: 0,
             stop,
             events: vec![],
             warnings: vec![],
@@ -197,6 +209,7 @@ mod tests {
             (Stop::StepTooSmall { step: 1.0 }, "step-too-small", true),
             (Stop::StepLimit { limit: 1 }, "step-limit", true),
             (Stop::NotFinite { component: 0 }, "not-finite", true),
+            (Stop::NotConverged { iterations: 9 }, "not-converged", true),
             (Stop::Failed(failure), "singular", true),
         ] {
             assert_eq!((stop.code().as_str(), stop.is_failure()), (code, failed));

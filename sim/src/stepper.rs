@@ -1,6 +1,9 @@
 //! What the driver asks of a one-step method: a trial step, its error, and the solution inside it.
 
+use tripos_traits::Scalar;
+
 use crate::error::Failure;
+use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
 
 /// Why a trial step has no result.
@@ -13,14 +16,30 @@ pub(crate) enum Trouble {
     },
     /// The right-hand side has no value.
     Failed(Failure),
+    /// The equations of an implicit step were not solved.
+    NotConverged {
+        /// Iterations made.
+        iterations: u32,
+    },
 }
 
 /// Position of the first entry that is not finite.
-pub(crate) fn check_finite(values: &[f64]) -> Result<(), Trouble> {
-    match values.iter().position(|x| !x.is_finite()) {
+pub(crate) fn check_finite<S: Scalar>(values: &[S]) -> Result<(), Trouble> {
+    match values.iter().position(|x| !x.to_f64().is_finite()) {
         Some(component) => Err(Trouble::NotFinite { component }),
         None => Ok(()),
     }
+}
+
+/// f(t, y), which must be finite.
+#[inline]
+pub(crate) fn evaluate<S, R>(rhs: &mut R, t: f64, y: &[S], out: &mut [S]) -> Result<(), Trouble>
+where
+    S: Scalar,
+    R: RightHandSide<S>,
+{
+    rhs.rhs(t, y, out).map_err(Trouble::Failed)?;
+    check_finite(out)
 }
 
 /// Whether two numbers are the same number.
@@ -29,7 +48,23 @@ pub(crate) fn same(a: f64, b: f64) -> bool {
     a == b
 }
 
-/// The solution inside one step.
+/// A step that is being tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Trial {
+    /// Signed size, in s, as the step control chose it.
+    pub(crate) h: f64,
+    /// Time at the end, in s: t + h rounded, or the end of the run.
+    pub(crate) t_new: f64,
+}
+
+impl Trial {
+    /// The distance from `t` to the end, without the rounding of t + h: in a scalar wider than `f64` it is exact.
+    pub(crate) fn exact<S: Scalar>(self, t: f64) -> S {
+        S::from_f64(self.t_new) - S::from_f64(t)
+    }
+}
+
+/// The solution inside one step, rounded to `f64`: what events look at.
 pub(crate) trait DenseStep {
     /// Start and end of the step, in s; the end is smaller when integrating backward.
     fn times(&self) -> (f64, f64);
@@ -43,27 +78,89 @@ pub(crate) trait DenseStep {
     }
 }
 
+/// The solution inside one step, in the scalar of the run.
+pub(crate) trait Interpolant {
+    /// The scalar of the run.
+    type Scalar: Scalar;
+    /// Start and end of the step, in s.
+    fn span(&self) -> (f64, f64);
+    /// States at the start and at the end of the step.
+    fn ends(&self) -> (&[Self::Scalar], &[Self::Scalar]);
+    /// Hands each component of the state at the fraction `theta` to `put`.
+    fn inside(&self, theta: Self::Scalar, put: impl FnMut(usize, Self::Scalar));
+
+    /// The state at the fraction `theta`, which is at the time `t`.
+    fn sample(&self, theta: f64, t: f64) -> Vec<Self::Scalar> {
+        let (y, y_new) = self.ends();
+        let mut out = if same(theta, 1.0) { y_new.to_vec() } else { y.to_vec() };
+        if !same(theta, 0.0) && !same(theta, 1.0) {
+            self.inside(self.fraction(theta, t), |i, value| out[i] = value);
+        }
+        out
+    }
+
+    /// The fraction of the step at the time `t`, as exactly as the scalar can tell; `theta` is its `f64`.
+    fn fraction(&self, theta: f64, t: f64) -> Self::Scalar {
+        let wide = <Self::Scalar as Scalar>::from_f64;
+        if <Self::Scalar as Scalar>::EPSILON < f64::EPSILON {
+            let (start, end) = self.span();
+            (wide(t) - wide(start)) / (wide(end) - wide(start))
+        } else {
+            wide(theta)
+        }
+    }
+}
+
+impl<I: Interpolant> DenseStep for I {
+    fn times(&self) -> (f64, f64) {
+        self.span()
+    }
+
+    fn interpolate(&self, theta: f64, out: &mut [f64]) {
+        let (y, y_new) = self.ends();
+        let mut round = |values: &[I::Scalar]| {
+            for (o, value) in out.iter_mut().zip(values) {
+                *o = value.to_f64();
+            }
+        };
+        if same(theta, 0.0) {
+            round(y);
+        } else if same(theta, 1.0) {
+            round(y_new);
+        } else {
+            self.inside(I::Scalar::from_f64(theta), |i, value| out[i] = value.to_f64());
+        }
+    }
+}
+
 /// A one-step method. The driver alone knows about step sizes, events and output.
-pub(crate) trait Stepper: DenseStep {
+pub(crate) trait Stepper: Interpolant {
     /// Puts the method at (t, y) and evaluates the derivative there.
-    fn start<F>(&mut self, rhs: &mut F, t: f64, y: &[f64]) -> Result<(), Trouble>
+    fn start<R>(&mut self, rhs: &mut R, t: f64, y: &[Self::Scalar]) -> Result<(), Trouble>
     where
-        F: FnMut(f64, &[f64], &mut [f64]) -> Result<(), Failure>;
-    /// Tries the step from the current point over `h` to `t_end` (which is t + h, but exact at the
-    /// end of a run), and returns its error in the norm of `test`.
-    fn attempt<F>(&mut self, rhs: &mut F, h: f64, t_end: f64, test: &ErrorTest) -> Result<f64, Trouble>
+        R: RightHandSide<Self::Scalar>;
+    /// Tries a step from the current point, and returns its error in the norm of `test`; 0 without a test. A step
+    /// that passes the test has a derivative at its end.
+    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
     where
-        F: FnMut(f64, &[f64], &mut [f64]) -> Result<(), Failure>;
+        R: RightHandSide<Self::Scalar>;
+    /// Evaluates what only the solution inside the step last tried needs. Says no if f has no value there; the
+    /// solution inside is then of lower order.
+    fn prepare_inside<R>(&mut self, rhs: &mut R) -> bool
+    where
+        R: RightHandSide<Self::Scalar>,
+    {
+        let _ = rhs;
+        true
+    }
     /// Moves to the end of the step last tried.
     fn accept(&mut self);
-    /// Order that the step size is controlled with.
-    fn order(&self) -> u32;
-    /// Current time.
-    fn time(&self) -> f64;
-    /// Current state.
-    fn state(&self) -> &[f64];
     /// Derivative at the current point.
-    fn slope(&self) -> &[f64];
+    fn slope(&self) -> &[Self::Scalar];
     /// Calls of the right-hand side so far.
     fn evaluations(&self) -> u64;
+    /// Evaluations of the Jacobian so far.
+    fn jacobians(&self) -> u64 {
+        0
+    }
 }

@@ -4,6 +4,8 @@
 //! order conditions can therefore be tested exactly, and another number type can round them better.
 //! Absent on purpose: any arithmetic of a step; that is [`crate::explicit`].
 
+use tripos_traits::Scalar;
+
 /// The fraction numerator / denominator.
 pub type Fraction = (i64, i64);
 
@@ -15,7 +17,7 @@ pub type Fraction = (i64, i64);
 /// step is y(t + θ h) = y + h Σ kᵢ (dᵢ₀ θ + dᵢ₁ θ² + dᵢ₂ θ³ + dᵢ₃ θ⁴).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tableau<const S: usize> {
-    /// Order of the new point; the step size is controlled with the exponent 1 / order.
+    /// Order of the new point.
     pub order: u32,
     /// Order of the solution the error is estimated against.
     pub embedded_order: u32,
@@ -29,16 +31,16 @@ pub struct Tableau<const S: usize> {
     pub dense: [[Fraction; 4]; S],
 }
 
-/// A [`Tableau`] rounded to `f64`.
+/// A [`Tableau`] rounded to a scalar.
 #[derive(Clone, Debug)]
-pub(crate) struct Coefficients<const S: usize> {
-    pub(crate) a: [[f64; S]; S],
+pub(crate) struct Coefficients<T, const S: usize> {
+    pub(crate) a: [[T; S]; S],
     pub(crate) c: [f64; S],
-    pub(crate) error: [f64; S],
-    pub(crate) dense: [[f64; 4]; S],
+    pub(crate) error: [T; S],
+    pub(crate) dense: [[T; 4]; S],
 }
 
-impl<const S: usize> Coefficients<S> {
+impl<T: Scalar, const S: usize> Coefficients<T, S> {
     pub(crate) fn new(tableau: &Tableau<S>) -> Self {
         Self {
             a: tableau.a.map(|row| row.map(round)),
@@ -49,8 +51,8 @@ impl<const S: usize> Coefficients<S> {
     }
 }
 
-fn round((numerator, denominator): Fraction) -> f64 {
-    numerator as f64 / denominator as f64
+fn round<T: Scalar>((numerator, denominator): Fraction) -> T {
+    T::ratio(numerator, denominator)
 }
 
 /// The exact sum; the entries of one row are small enough for 128 bits.

@@ -1,5 +1,7 @@
 //! How large an error a step may have: relative and absolute tolerances, and the norm they define.
 
+use tripos_traits::Scalar;
+
 use crate::error::SimError;
 use crate::solution::Warning;
 
@@ -22,63 +24,90 @@ impl AbsoluteTolerance {
     }
 }
 
-/// The smallest relative tolerance that is taken at its word, 100 ε, as in `ode45`.
+/// The smallest relative tolerance that is taken at its word in `f64`, 100 ε, as in `ode45`. Other scalars have their
+/// own ε.
 pub const SMALLEST_RTOL: f64 = 100.0 * f64::EPSILON;
 
+/// How the errors of the components become one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Norm {
+    /// The largest. As in `ode45`, error eᵢ is divided by max(|yᵢ|, |yᵢ new|, atolᵢ / rtol) and compared with
+    /// rtol; without a relative tolerance it is divided by atolᵢ and compared with 1.
+    Largest,
+    /// The root of the mean square. As in Hairer's codes, error eᵢ is divided by atolᵢ + rtol max(|yᵢ|, |yᵢ new|)
+    /// and compared with 1.
+    MeanSquare,
+}
+
 /// The test a step must pass: norm ≤ `tolerance`.
-///
-/// As in `ode45`, error eᵢ is divided by max(|yᵢ|, |yᵢ new|, atolᵢ / rtol) and the largest quotient
-/// compared with rtol. Without a relative tolerance it is divided by atolᵢ and compared with 1.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ErrorTest {
+    norm: Norm,
     /// Largest acceptable norm.
     pub(crate) tolerance: f64,
-    /// 1 if errors are relative to the state, else 0.
-    magnitude_weight: f64,
-    thresholds: Vec<f64>,
+    /// Part of |y| in the weight of a component.
+    relative: f64,
+    /// The part that does not depend on |y|.
+    absolute: Vec<f64>,
 }
 
 impl ErrorTest {
     /// # Errors
     /// [`SimError::Tolerance`] for a tolerance that is negative or not finite, or a component with
     /// none; [`SimError::Length`] for a wrong number of absolute tolerances.
-    pub(crate) fn new(rtol: f64, atol: &AbsoluteTolerance, n: usize) -> Result<(Self, Option<Warning>), SimError> {
-        if !(rtol.is_finite() && rtol >= 0.0) {
-            let what = format!("relative tolerance {rtol} must be finite and not negative");
-            return Err(SimError::Tolerance { what });
-        }
-        let mut thresholds = atol.per_component(n)?;
-        for (i, &a) in thresholds.iter().enumerate() {
-            if !(a.is_finite() && a >= 0.0) {
-                let what = format!("absolute tolerance {a} of component {i} must be finite and not negative");
-                return Err(SimError::Tolerance { what });
-            }
-            if a == 0.0 && rtol == 0.0 {
-                let what = format!("component {i} has neither a relative nor an absolute tolerance");
-                return Err(SimError::Tolerance { what });
-            }
+    pub(crate) fn new<S: Scalar>(
+        norm: Norm,
+        rtol: f64,
+        atol: &AbsoluteTolerance,
+        n: usize,
+    ) -> Result<(Self, Option<Warning>), SimError> {
+        check_relative(rtol)?;
+        let mut absolute = atol.per_component(n)?;
+        for (i, &a) in absolute.iter().enumerate() {
+            check_absolute(i, a, rtol)?;
         }
         if rtol == 0.0 {
-            return Ok((Self { tolerance: 1.0, magnitude_weight: 0.0, thresholds }, None));
+            return Ok((Self { norm, tolerance: 1.0, relative: 0.0, absolute }, None));
         }
-        let raised = rtol.max(SMALLEST_RTOL);
-        let warning = (rtol < SMALLEST_RTOL).then_some(Warning::RtolRaised { from: rtol, to: raised });
-        for a in &mut thresholds {
-            *a /= raised;
-        }
-        Ok((Self { tolerance: raised, magnitude_weight: 1.0, thresholds }, warning))
+        let smallest = 100.0 * S::EPSILON;
+        let raised = rtol.max(smallest);
+        let warning = (rtol < smallest).then_some(Warning::RtolRaised { from: rtol, to: raised });
+        let test = match norm {
+            Norm::Largest => {
+                for a in &mut absolute {
+                    *a /= raised;
+                }
+                Self { norm, tolerance: raised, relative: 1.0, absolute }
+            }
+            Norm::MeanSquare => Self { norm, tolerance: 1.0, relative: raised, absolute },
+        };
+        Ok((test, warning))
     }
 
-    /// maxᵢ |eᵢ| / wᵢ, the largest error by its weight. An error of exactly 0 counts as 0 even
-    /// where the weight is 0.
-    pub(crate) fn norm(&self, error: &[f64], y: &[f64], y_new: &[f64]) -> f64 {
+    /// The norm of an error. An error of exactly 0 counts as 0 even where the weight is 0.
+    pub(crate) fn norm<S: Scalar>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
+        match self.norm {
+            Norm::Largest => self.largest(error, y, y_new),
+            Norm::MeanSquare => {
+                let mut sum = 0.0;
+                for (i, e) in error.iter().enumerate() {
+                    let quotient = e.to_f64() * self.inverse_weight(i, y[i].to_f64(), y_new[i].to_f64());
+                    sum += quotient * quotient;
+                }
+                (sum / error.len().max(1) as f64).sqrt()
+            }
+        }
+    }
+
+    fn largest<S: Scalar>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
         let mut norm = 0.0_f64;
-        for (i, &e) in error.iter().enumerate() {
+        for (i, e) in error.iter().enumerate() {
+            let e = e.to_f64();
             if e.is_nan() {
                 return f64::NAN;
             }
             if e != 0.0 {
-                norm = norm.max(e.abs() / self.weight(i, y[i].abs().max(y_new[i].abs())));
+                norm = norm.max(e.abs() / self.weight(i, y[i].to_f64().abs().max(y_new[i].to_f64().abs())));
             }
         }
         norm
@@ -86,18 +115,54 @@ impl ErrorTest {
 
     /// maxᵢ |y′ᵢ| / wᵢ, leaving out components without a weight: there is nothing to
     /// compare them with, and the error test will see to them after the first step.
-    pub(crate) fn slope_norm(&self, slope: &[f64], y: &[f64]) -> f64 {
-        slope
-            .iter()
+    pub(crate) fn slope_norm<S: Scalar>(&self, slope: &[S], y: &[S]) -> f64 {
+        self.weighed(slope, y).fold(0.0, f64::max)
+    }
+
+    /// √Σᵢ (xᵢ / wᵢ)², leaving out components without a weight: the norm by which Hairer's codes choose the first
+    /// step, a sum rather than a mean.
+    pub(crate) fn root_sum<S: Scalar>(&self, x: &[S], y: &[S]) -> f64 {
+        self.weighed(x, y).map(|q| q * q).sum::<f64>().sqrt()
+    }
+
+    fn weighed<'a, S: Scalar>(&'a self, x: &'a [S], y: &'a [S]) -> impl Iterator<Item = f64> + 'a {
+        x.iter()
             .enumerate()
-            .map(|(i, s)| (s.abs(), self.weight(i, y[i].abs())))
+            .map(|(i, x)| (x.to_f64().abs(), self.weight(i, y[i].to_f64().abs())))
             .filter(|&(_, weight)| weight > 0.0)
-            .fold(0.0, |norm: f64, (s, weight)| norm.max(s / weight))
+            .map(|(x, weight)| x / weight)
     }
 
     fn weight(&self, i: usize, magnitude: f64) -> f64 {
-        (self.magnitude_weight * magnitude).max(self.thresholds[i])
+        match self.norm {
+            Norm::Largest => (self.relative * magnitude).max(self.absolute[i]),
+            Norm::MeanSquare => self.absolute[i] + self.relative * magnitude,
+        }
     }
+
+    /// 1 / weight; so large where there is no weight that any error but 0 is too large.
+    #[inline]
+    fn inverse_weight(&self, i: usize, y: f64, y_new: f64) -> f64 {
+        1.0 / self.weight(i, y.abs().max(y_new.abs())).max(f64::MIN_POSITIVE)
+    }
+}
+
+fn check_relative(rtol: f64) -> Result<(), SimError> {
+    if rtol.is_finite() && rtol >= 0.0 {
+        return Ok(());
+    }
+    Err(SimError::Tolerance { what: format!("relative tolerance {rtol} must be finite and not negative") })
+}
+
+fn check_absolute(i: usize, atol: f64, rtol: f64) -> Result<(), SimError> {
+    let what = if !(atol.is_finite() && atol >= 0.0) {
+        format!("absolute tolerance {atol} of component {i} must be finite and not negative")
+    } else if atol == 0.0 && rtol == 0.0 {
+        format!("component {i} has neither a relative nor an absolute tolerance")
+    } else {
+        return Ok(());
+    };
+    Err(SimError::Tolerance { what })
 }
 
 #[cfg(test)]
@@ -117,20 +182,21 @@ mod tests {
             (0.0, AbsoluteTolerance::Each(vec![1e-6, 0.0])),
             (1e-3, AbsoluteTolerance::Each(vec![1e-6])),
         ] {
-            assert!(ErrorTest::new(rtol, &atol, 2).is_err(), "{rtol} {atol:?}");
+            assert!(ErrorTest::new::<f64>(Norm::Largest, rtol, &atol, 2).is_err(), "{rtol} {atol:?}");
         }
     }
 
     #[test]
     fn an_absolute_tolerance_alone_is_compared_directly() {
-        let (test, _) = ErrorTest::new(0.0, &AbsoluteTolerance::Each(vec![0.5, 0.25]), 2).unwrap();
+        let (test, _) =
+            ErrorTest::new::<f64>(Norm::Largest, 0.0, &AbsoluteTolerance::Each(vec![0.5, 0.25]), 2).unwrap();
         assert_eq!(test.norm(&[1.0, 1.0], &[100.0, 100.0], &[0.0, 0.0]), 4.0);
         assert_eq!(test.tolerance, 1.0);
     }
 
     #[test]
     fn a_component_at_rest_at_zero_needs_no_absolute_tolerance() {
-        let (test, _) = ErrorTest::new(1e-3, &AbsoluteTolerance::Uniform(0.0), 1).unwrap();
+        let (test, _) = ErrorTest::new::<f64>(Norm::Largest, 1e-3, &AbsoluteTolerance::Uniform(0.0), 1).unwrap();
         assert_eq!(test.norm(&[0.0], &[0.0], &[0.0]), 0.0);
         assert_eq!(test.norm(&[1.0], &[0.0], &[0.0]), f64::INFINITY);
     }

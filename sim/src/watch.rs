@@ -1,5 +1,7 @@
 //! All events of a run, step by step, in order of time.
 
+use tripos_traits::Scalar;
+
 use crate::error::Failure;
 use crate::events::{Direction, Effect, Event, EventRecord, Kind};
 use crate::samples::Probe;
@@ -24,11 +26,13 @@ impl<'w, 'e> Watch<'w, 'e> {
     }
 
     /// Evaluates the events at the start; returns a reason not to start.
-    pub(crate) fn start(&mut self, t: f64, y: &[f64]) -> Option<Stop> {
-        self.y.copy_from_slice(y);
+    pub(crate) fn start<S: Scalar>(&mut self, t: f64, y: &[S]) -> Option<Stop> {
+        for (rounded, y) in self.y.iter_mut().zip(y) {
+            *rounded = y.to_f64();
+        }
         self.note_magnitudes();
         for event in self.events.iter_mut() {
-            let value = (event.function)(t, y);
+            let value = (event.function)(t, &self.y);
             if value.is_nan() {
                 return Some(Stop::Failed(not_a_number(&event.name, t)));
             }
@@ -45,7 +49,7 @@ impl<'w, 'e> Watch<'w, 'e> {
     /// Looks at an accepted step, and records what happened up to its end or to the first terminal
     /// event, which is returned with its fraction of the step.
     pub(crate) fn look(&mut self, step: &dyn DenseStep) -> Result<Option<(f64, Stop)>, Failure> {
-        if self.events.is_empty() {
+        if self.is_empty() {
             return Ok(None);
         }
         step.interpolate(1.0, &mut self.y);
@@ -77,6 +81,11 @@ impl<'w, 'e> Watch<'w, 'e> {
             }
         }
         Ok(end.map(|(i, f)| (f.theta, stop_for(&self.events[i]))))
+    }
+
+    /// Whether there is anything to watch.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.events.is_empty()
     }
 
     fn note_magnitudes(&mut self) {

@@ -1,0 +1,70 @@
+//! The methods by name.
+
+use crate::control::Rules;
+use crate::tolerance::Norm;
+
+/// A method of integration.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Method {
+    /// The classical Runge–Kutta method of order 4, with a fixed step only. W. Kutta, Z. Math. Phys. 46 (1901)
+    /// 435–453.
+    Rk4,
+    /// Dormand–Prince 5(4) with the step control of `ode45`; see [`crate::DORMAND_PRINCE_54`].
+    #[default]
+    Ode45,
+    /// Dormand–Prince 5(4) with the step control of Hairer's `dopri5`.
+    Dopri5,
+}
+
+impl Method {
+    /// All methods, in the order in which they are always listed.
+    pub const ALL: [Self; 3] = [Self::Rk4, Self::Ode45, Self::Dopri5];
+
+    /// The name used on the command line, in files and in tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rk4 => "rk4",
+            Self::Ode45 => "ode45",
+            Self::Dopri5 => "dopri5",
+        }
+    }
+
+    /// Order of the solution at the end of a step.
+    #[must_use]
+    pub const fn order(self) -> u32 {
+        match self {
+            Self::Rk4 => 4,
+            Self::Ode45 | Self::Dopri5 => 5,
+        }
+    }
+
+    /// Order of the solution inside a step.
+    #[must_use]
+    pub const fn dense_order(self) -> u32 {
+        match self {
+            Self::Rk4 => 3,
+            Self::Ode45 | Self::Dopri5 => 4,
+        }
+    }
+
+    /// How step sizes follow from errors; `None` for a method that estimates no error.
+    pub(crate) fn rules(self) -> Option<Rules> {
+        match self {
+            Self::Rk4 => None,
+            Self::Ode45 => Some(Rules::Ode45 { order: 5 }),
+            Self::Dopri5 => {
+                let beta = 0.04;
+                Some(Rules::Hairer { order: 5, exponent: 0.2 - 0.75 * beta, beta, shrink: 0.2, grow: 10.0 })
+            }
+        }
+    }
+
+    pub(crate) fn norm(self) -> Norm {
+        match self {
+            Self::Ode45 => Norm::Largest,
+            Self::Rk4 | Self::Dopri5 => Norm::MeanSquare,
+        }
+    }
+}

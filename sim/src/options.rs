@@ -1,0 +1,95 @@
+//! How a run is to be made, and which questions make no sense.
+
+use tripos_traits::Scalar;
+
+use crate::control;
+use crate::error::SimError;
+use crate::method::Method;
+use crate::solution::Output;
+use crate::tolerance::AbsoluteTolerance;
+
+/// How to integrate. The default is that of `ode45`, with a limit of a million steps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// The method.
+    pub method: Method,
+    /// Relative tolerance, 0 or more; positive ones below 100 ε are raised to that, with a warning.
+    pub rtol: f64,
+    /// Absolute tolerance, 0 or more, in the units of the state. Not 0 where `rtol` is.
+    pub atol: AbsoluteTolerance,
+    /// Longest step, in s; unless given, a tenth of the span for `ode45`, the span for the others. Never below 16
+    /// ulp of t.
+    pub max_step: Option<f64>,
+    /// First step to try, in s; chosen from the derivative at the start unless given.
+    pub initial_step: Option<f64>,
+    /// A fixed step, in s: the span is divided into equal steps, as few as are no longer than this. Errors are not
+    /// estimated then, and tolerances, `max_step` and `initial_step` play no part; a step that fails ends the run.
+    pub step: Option<f64>,
+    /// Largest number of attempted steps, accepted and rejected together.
+    pub step_limit: u64,
+    /// Which points to keep.
+    pub output: Output,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            method: Method::default(),
+            rtol: 1e-3,
+            atol: AbsoluteTolerance::Uniform(1e-6),
+            max_step: None,
+            initial_step: None,
+            step: None,
+            step_limit: 1_000_000,
+            output: Output::Steps { refine: 4 },
+        }
+    }
+}
+
+/// Refuses what cannot be run, tolerances aside.
+pub(crate) fn check<S: Scalar>((t0, t1): (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
+    if !(t0.is_finite() && t1.is_finite() && (t1 - t0).is_finite()) {
+        return Err(SimError::NotFinite { what: format!("the span from {t0} s to {t1} s") });
+    }
+    if t1 - t0 == 0.0 {
+        return Err(SimError::EmptySpan { t: t0 });
+    }
+    if let Some(i) = y0.iter().position(|y| !y.to_f64().is_finite()) {
+        return Err(SimError::NotFinite { what: format!("component {i} of the initial state") });
+    }
+    check_steps((t0, t1), options)?;
+    match &options.output {
+        Output::Steps { refine: 0 } => Err(SimError::Option { name: "refine", must: "at least 1" }),
+        Output::At(times) => check_times(times, t0, t1),
+        Output::Steps { .. } | Output::Ends => Ok(()),
+    }
+}
+
+fn check_steps((t0, t1): (f64, f64), options: &Options) -> Result<(), SimError> {
+    let sizes = [("max_step", options.max_step), ("initial_step", options.initial_step), ("step", options.step)];
+    for (name, size) in sizes {
+        if size.is_some_and(|h| !(h > 0.0 && h.is_finite())) {
+            return Err(SimError::Option { name, must: "positive and finite" });
+        }
+    }
+    match options.step {
+        None if options.method.rules().is_none() => Err(SimError::NoStep { method: options.method.name() }),
+        Some(step) if step.min((t1 - t0).abs()) < control::ulp(t0.abs().max(t1.abs())) => {
+            Err(SimError::Option { name: "step", must: "longer than the rounding of t" })
+        }
+        _ => Ok(()),
+    }
+}
+
+fn check_times(times: &[f64], t0: f64, t1: f64) -> Result<(), SimError> {
+    let mut previous = t0;
+    for (index, &t) in times.iter().enumerate() {
+        // Both products are 0 or of the sign of the run; a NaN fails the test.
+        let ordered = (t - previous) * (t1 - t0).signum() >= 0.0;
+        if !(ordered && (t1 - t) * (t1 - t0).signum() >= 0.0) {
+            return Err(SimError::OutputTime { index, t });
+        }
+        previous = t;
+    }
+    Ok(())
+}

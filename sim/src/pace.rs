@@ -1,0 +1,189 @@
+//! The sizes of the steps of a run: equal ones, or as large as their errors allow.
+
+use tripos_traits::Scalar;
+
+use crate::control::{self, Control, Rules};
+use crate::error::SimError;
+use crate::options::Options;
+use crate::rhs::RightHandSide;
+use crate::solution::Warning;
+use crate::stepper::{Trial, evaluate, same};
+use crate::tolerance::ErrorTest;
+
+/// What becomes of an attempted step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Verdict {
+    /// It is part of the solution.
+    Accepted {
+        /// Whether it reached the end of the span.
+        last: bool,
+    },
+    /// A smaller one is to be tried.
+    Again,
+    /// No smaller one may be tried.
+    GiveUp,
+}
+
+/// The step that is being tried, and what the next ones depend on.
+pub(crate) struct Pace {
+    pub(crate) t0: f64,
+    t1: f64,
+    /// The test a step must pass; none where all steps are equal.
+    pub(crate) test: Option<ErrorTest>,
+    kind: Kind,
+    pub(crate) trial: Trial,
+    last: bool,
+    /// Evaluations of the right-hand side that the choice of the first step took.
+    pub(crate) evaluations: u64,
+}
+
+enum Kind {
+    /// The span is divided into this many equal steps.
+    Equal(f64),
+    Adaptive(Adaptive),
+}
+
+struct Adaptive {
+    rules: Rules,
+    control: Control,
+    longest: f64,
+    /// The smallest size that is tried from the current point.
+    smallest: f64,
+    /// Size to try next.
+    size: f64,
+}
+
+impl Pace {
+    /// # Errors
+    /// [`SimError`] for tolerances that make no sense, and for a method that cannot choose its steps.
+    pub(crate) fn new<S: Scalar>(
+        (t0, t1): (f64, f64),
+        n: usize,
+        options: &Options,
+    ) -> Result<(Self, Option<Warning>), SimError> {
+        let trial = Trial { h: 0.0, t_new: t0 };
+        let pace = |kind, test| Self { t0, t1, test, kind, trial, last: false, evaluations: 0 };
+        if let Some(step) = options.step {
+            return Ok((pace(Kind::Equal(equal_steps((t1 - t0).abs() / step)), None), None));
+        }
+        let Some(rules) = options.method.rules() else {
+            return Err(SimError::NoStep { method: options.method.name() });
+        };
+        let (test, warning) = ErrorTest::new::<S>(options.method.norm(), options.rtol, &options.atol, n)?;
+        let length = (t1 - t0).abs();
+        let longest = options.max_step.unwrap_or(rules.longest_part() * length).min(length);
+        let control = Control::new(rules, &test);
+        let adaptive = Adaptive { rules, control, longest, smallest: 0.0, size: 0.0 };
+        Ok((pace(Kind::Adaptive(adaptive), Some(test)), warning))
+    }
+
+    /// Chooses the size of the first step, where that is open, from y' at the start.
+    pub(crate) fn start<S, R>(&mut self, rhs: &mut R, y: &[S], slope: &[S], initial: Option<f64>)
+    where
+        S: Scalar,
+        R: RightHandSide<S>,
+    {
+        let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return };
+        let longest = adaptive.longest;
+        adaptive.size = match (initial, adaptive.rules) {
+            (Some(size), _) => size,
+            (None, Rules::Ode45 { order }) => {
+                control::initial(test, order, longest, self.t0, test.slope_norm(slope, y))
+            }
+            (None, Rules::Hairer { order, .. }) => {
+                self.evaluations += 1;
+                let norm = test.root_sum(slope, y);
+                let guess = control::first_guess(test.root_sum(y, y), norm, longest);
+                let h = guess * (self.t1 - self.t0).signum();
+                let curvature = curvature(rhs, (self.t0, h), y, slope, test);
+                curvature.map_or(guess, |c| control::second_guess(guess, norm, c, order, longest))
+            }
+        };
+    }
+
+    /// Chooses the first trial of the step that begins at `t`, after `done` accepted ones.
+    pub(crate) fn begin(&mut self, t: f64, done: u64) {
+        match &mut self.kind {
+            Kind::Equal(count) => {
+                let next = done as f64 + 1.0;
+                self.last = next >= *count;
+                let t_new = if self.last { self.t1 } else { self.t0 + (self.t1 - self.t0) * (next / *count) };
+                self.trial = Trial { h: t_new - t, t_new };
+            }
+            Kind::Adaptive(adaptive) => {
+                adaptive.smallest = control::smallest(t);
+                let size = adaptive.size.min(adaptive.longest).max(adaptive.smallest);
+                // Stretch or shorten the step if the end is within the stretch of it.
+                self.last = adaptive.rules.stretch() * size >= (self.t1 - t).abs();
+                let size = if self.last { (self.t1 - t).abs() } else { size };
+                self.aim(t, size);
+            }
+        }
+    }
+
+    fn aim(&mut self, t: f64, size: f64) {
+        let h = (self.t1 - self.t0).signum() * size;
+        self.trial = Trial { h, t_new: if self.last { self.t1 } else { t + h } };
+    }
+
+    /// What becomes of the trial with this error (`None`: it has no result). If it is to be tried again, the trial is
+    /// a smaller one afterwards.
+    pub(crate) fn judge(&mut self, t: f64, error: Option<f64>) -> Verdict {
+        let Kind::Adaptive(adaptive) = &mut self.kind else {
+            return if error.is_some() { Verdict::Accepted { last: self.last } } else { Verdict::GiveUp };
+        };
+        let size = self.trial.h.abs();
+        let tolerance = self.test.as_ref().map_or(f64::INFINITY, |test| test.tolerance);
+        if let Some(error) = error
+            && error <= tolerance
+        {
+            adaptive.size = adaptive.control.after_success(size, error);
+            return Verdict::Accepted { last: self.last };
+        }
+        if size <= adaptive.smallest {
+            return Verdict::GiveUp;
+        }
+        let smaller = adaptive.control.after_failure(size, error).max(adaptive.smallest);
+        self.last = false;
+        self.aim(t, smaller);
+        Verdict::Again
+    }
+}
+
+/// As few equal steps as are no longer than the one asked for, given how often that fits into the span. What fits
+/// whole times but for rounding is not divided further.
+fn equal_steps(quotient: f64) -> f64 {
+    let nearest = quotient.round();
+    let whole = (quotient - nearest).abs() <= 4.0 * f64::EPSILON * quotient;
+    if whole { nearest.max(1.0) } else { quotient.ceil() }
+}
+
+/// Norm of y'' from a step of Euler's method; `None` if f has no value at its end.
+fn curvature<S, R>(rhs: &mut R, (t, h): (f64, f64), y: &[S], slope: &[S], test: &ErrorTest) -> Option<f64>
+where
+    S: Scalar,
+    R: RightHandSide<S>,
+{
+    let step = S::from_f64(h);
+    let probe: Vec<S> = y.iter().zip(slope).map(|(y, f)| *y + step * *f).collect();
+    let mut change = vec![S::from_f64(0.0); y.len()];
+    evaluate(rhs, t + h, &probe, &mut change).ok()?;
+    for (c, f) in change.iter_mut().zip(slope) {
+        *c = *c - *f;
+    }
+    let curvature = test.root_sum(&change, y) / h.abs();
+    (!same(h, 0.0) && curvature.is_finite()).then_some(curvature)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_step_that_fits_but_for_rounding_is_not_divided() {
+        assert_eq!(equal_steps(1.0 / 0.1), 10.0);
+        assert_eq!(equal_steps(0.3 / 0.1), 3.0); // 2.9999999999999996
+        assert_eq!(equal_steps(0.7 / 0.1), 7.0); // 6.999999999999999
+        assert_eq!((equal_steps(2.5), equal_steps(0.1), equal_steps(1e-300)), (3.0, 1.0, 1.0));
+    }
+}

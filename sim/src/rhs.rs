@@ -1,0 +1,70 @@
+//! What is integrated: y' = f(t, y), and ∂f/∂y where a method needs it.
+
+use tripos_traits::Scalar;
+
+use crate::error::Failure;
+
+/// A right-hand side. Every closure `|t: f64, y: &[S], dydt: &mut [S]| -> Result<(), Failure>` is one.
+///
+/// The time is in s and always an `f64`; the state has the scalar type that the run computes in.
+pub trait RightHandSide<S = f64> {
+    /// Writes f(t, y) to `dydt`, which comes with old contents; both slices have the state's length.
+    ///
+    /// # Errors
+    /// [`Failure`] if f has no value there.
+    fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure>;
+
+    /// Writes ∂f/∂y row by row to `out`, n² entries: `out[i * n + j]` is ∂fᵢ/∂yⱼ. `None` if it is not known,
+    /// which rules out the implicit methods.
+    fn jacobian(&mut self, t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
+        let _ = (t, y, out);
+        None
+    }
+}
+
+impl<S, F> RightHandSide<S> for F
+where
+    F: FnMut(f64, &[S], &mut [S]) -> Result<(), Failure>,
+{
+    #[inline]
+    fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
+        self(t, y, dydt)
+    }
+}
+
+/// A closure with its Jacobian, another closure of the same form that writes n² entries.
+pub struct WithJacobian<F, J> {
+    /// f(t, y).
+    pub rhs: F,
+    /// ∂f/∂y at (t, y), row by row.
+    pub jacobian: J,
+}
+
+impl<S, F, J> RightHandSide<S> for WithJacobian<F, J>
+where
+    F: FnMut(f64, &[S], &mut [S]) -> Result<(), Failure>,
+    J: FnMut(f64, &[S], &mut [S]) -> Result<(), Failure>,
+{
+    #[inline]
+    fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
+        (self.rhs)(t, y, dydt)
+    }
+
+    fn jacobian(&mut self, t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
+        Some((self.jacobian)(t, y, out))
+    }
+}
+
+/// A right-hand side that is lent to a run and used again afterwards.
+pub struct Lent<'a, R>(pub &'a mut R);
+
+impl<S: Scalar, R: RightHandSide<S>> RightHandSide<S> for Lent<'_, R> {
+    #[inline]
+    fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
+        self.0.rhs(t, y, dydt)
+    }
+
+    fn jacobian(&mut self, t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
+        self.0.jacobian(t, y, out)
+    }
+}

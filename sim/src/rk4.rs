@@ -1,0 +1,110 @@
+//! The classical Runge–Kutta method, with the cubic through the ends of a step as its dense output.
+//!
+//! W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", Z. Math. Phys. 46 (1901)
+//! 435–453: k₁ = f(t, y), k₂ = f(t + h/2, y + h/2 k₁), k₃ = f(t + h/2, y + h/2 k₂), k₄ = f(t + h, y + h k₃), and
+//! the new point is y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).
+
+use tripos_traits::Scalar;
+
+use crate::rhs::RightHandSide;
+use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
+use crate::tolerance::ErrorTest;
+
+/// State of the method. `k[0]` is the derivative at the start of the step, `k[4]` that at its end.
+pub(crate) struct Rk4<S> {
+    t: f64,
+    t_new: f64,
+    y: Vec<S>,
+    y_new: Vec<S>,
+    k: [Vec<S>; 5],
+    evaluations: u64,
+}
+
+impl<S: Scalar> Rk4<S> {
+    /// The method for `n` equations.
+    pub(crate) fn new(n: usize) -> Self {
+        let zeros = || vec![S::from_f64(0.0); n];
+        Self { t: 0.0, t_new: 0.0, y: zeros(), y_new: zeros(), k: [(); 5].map(|()| zeros()), evaluations: 0 }
+    }
+
+    fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), Trouble> {
+        check_finite(&self.y_new)?;
+        self.evaluations += 1;
+        evaluate(rhs, t, &self.y_new, &mut self.k[stage])
+    }
+
+    /// The next point to evaluate: y + h k of the stage.
+    fn follow(&mut self, stage: usize, h: S) {
+        for ((y_new, y), k) in self.y_new.iter_mut().zip(&self.y).zip(&self.k[stage]) {
+            *y_new = *y + h * *k;
+        }
+    }
+}
+
+impl<S: Scalar> Interpolant for Rk4<S> {
+    type Scalar = S;
+
+    fn span(&self) -> (f64, f64) {
+        (self.t, self.t_new)
+    }
+
+    fn ends(&self) -> (&[S], &[S]) {
+        (&self.y, &self.y_new)
+    }
+
+    fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
+        let h = S::from_f64(self.t_new) - S::from_f64(self.t);
+        let rest = S::int(1) - theta;
+        for (i, (y, y_new)) in self.y.iter().zip(&self.y_new).enumerate() {
+            // Hermite's cubic: y + θ Δ + θ (1 − θ) ((1 − θ) (h f − Δ) − θ (h f_new − Δ))
+            let rise = *y_new - *y;
+            let bend = rest * (h * self.k[0][i] - rise) - theta * (h * self.k[4][i] - rise);
+            put(i, *y + theta * (rise + rest * bend));
+        }
+    }
+}
+
+impl<S: Scalar> Stepper for Rk4<S> {
+    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+        (self.t, self.t_new) = (t, t);
+        self.y.copy_from_slice(y);
+        self.y_new.copy_from_slice(y);
+        self.evaluate(rhs, 0, t)
+    }
+
+    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, _test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    where
+        R: RightHandSide<S>,
+    {
+        let h: S = trial.exact(self.t);
+        let half = h * S::ratio(1, 2);
+        for (stage, step, t) in
+            [(1, half, self.t + 0.5 * trial.h), (2, half, self.t + 0.5 * trial.h), (3, h, trial.t_new)]
+        {
+            self.follow(stage - 1, step);
+            self.evaluate(rhs, stage, t)?;
+        }
+        let (sixth, two) = (h * S::ratio(1, 6), S::int(2));
+        for i in 0..self.y.len() {
+            let [k1, k2, k3, k4, _] = &self.k;
+            self.y_new[i] = self.y[i] + sixth * (k1[i] + two * (k2[i] + k3[i]) + k4[i]);
+        }
+        self.t_new = trial.t_new;
+        self.evaluate(rhs, 4, trial.t_new)?;
+        Ok(0.0)
+    }
+
+    fn accept(&mut self) {
+        self.t = self.t_new;
+        std::mem::swap(&mut self.y, &mut self.y_new);
+        self.k.swap(0, 4);
+    }
+
+    fn slope(&self) -> &[S] {
+        &self.k[0]
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+}

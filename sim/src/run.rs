@@ -1,0 +1,155 @@
+//! The driver: one loop serves every method.
+//!
+//! A method is a [`Stepper`]; which sizes its steps have is decided by [`crate::pace`]. The loop takes a step, lets
+//! the events look at it, records it, and stops at the first reason to.
+
+use crate::events::Event;
+use crate::options::Options;
+use crate::pace::{Pace, Verdict};
+use crate::recorder::Recorder;
+use crate::rhs::RightHandSide;
+use crate::solution::{Solution, Stop};
+use crate::stepper::{DenseStep, Stepper, Trouble};
+use crate::watch::Watch;
+
+/// A run under way: the method, the sizes of its steps, and counts.
+struct Run<'o, M> {
+    stepper: M,
+    pace: Pace,
+    options: &'o Options,
+    steps: u64,
+    rejected: u64,
+}
+
+/// Runs a method from (t0, y0) to the end of the span or to the first reason to stop.
+pub(crate) fn solve<M, R>(
+    stepper: M,
+    pace: Pace,
+    rhs: &mut R,
+    y0: &[M::Scalar],
+    options: &Options,
+    events: &mut [Event<'_>],
+) -> Solution<M::Scalar>
+where
+    M: Stepper,
+    R: RightHandSide<M::Scalar>,
+{
+    let t0 = pace.t0;
+    let mut run = Run { stepper, pace, options, steps: 0, rejected: 0 };
+    let mut recorder = Recorder::new(&options.output, t0, y0);
+    let mut watch = Watch::new(events, y0.len());
+    let mut y_end = y0.to_vec();
+    let (stop, t_end) = match run.start(rhs, y0, &mut watch) {
+        Some(stop) => (stop, t0),
+        None => run.walk(rhs, &mut watch, &mut recorder, &mut y_end),
+    };
+    recorder.finish(t_end, &y_end, run.steps);
+    Solution {
+        t: recorder.t,
+        y: recorder.y,
+        t_end,
+        y_end,
+        steps: run.steps,
+        rejected: run.rejected,
+        evaluations: run.stepper.evaluations() + run.pace.evaluations,
+        jacobians: run.stepper.jacobians(),
+        stop,
+        events: watch.records,
+        warnings: Vec::new(),
+    }
+}
+
+impl<M: Stepper> Run<'_, M> {
+    /// Prepares the first step; returns a reason not to take it.
+    fn start<R>(&mut self, rhs: &mut R, y0: &[M::Scalar], watch: &mut Watch<'_, '_>) -> Option<Stop>
+    where
+        R: RightHandSide<M::Scalar>,
+    {
+        let t0 = self.pace.t0;
+        if let Some(stop) = watch.start(t0, y0) {
+            return Some(stop);
+        }
+        if let Err(trouble) = self.stepper.start(rhs, t0, y0) {
+            return Some(stop_for(trouble));
+        }
+        self.pace.start(rhs, y0, self.stepper.slope(), self.options.initial_step);
+        None
+    }
+
+    /// Steps until there is a reason to stop, which is returned with the last time of the solution.
+    fn walk<R>(
+        &mut self,
+        rhs: &mut R,
+        watch: &mut Watch<'_, '_>,
+        recorder: &mut Recorder<'_, M::Scalar>,
+        y_end: &mut [M::Scalar],
+    ) -> (Stop, f64)
+    where
+        R: RightHandSide<M::Scalar>,
+    {
+        let stop = loop {
+            let last = match self.advance(rhs) {
+                Ok(last) => last,
+                Err(stop) => break stop,
+            };
+            if !watch.is_empty() || recorder.looks_inside(self.stepper.span()) {
+                self.stepper.prepare_inside(rhs);
+            }
+            match watch.look(&self.stepper) {
+                Ok(None) => recorder.step(&self.stepper, 1.0),
+                Ok(Some((theta, stop))) => {
+                    recorder.step(&self.stepper, theta);
+                    let t_end = self.stepper.time_at(theta);
+                    y_end.copy_from_slice(&self.stepper.sample(theta, t_end));
+                    return (stop, t_end);
+                }
+                Err(failure) => break Stop::Failed(failure),
+            }
+            self.stepper.accept();
+            if last {
+                break Stop::End;
+            }
+        };
+        // Until a step is accepted, both ends are the start; afterwards `ends` begins with the current state.
+        y_end.copy_from_slice(self.stepper.ends().0);
+        (stop, self.stepper.span().0)
+    }
+
+    /// Takes one step, with as many attempts as it needs; says whether it reached the end of the
+    /// span.
+    fn advance<R>(&mut self, rhs: &mut R) -> Result<bool, Stop>
+    where
+        R: RightHandSide<M::Scalar>,
+    {
+        self.pace.begin(self.stepper.span().0, self.steps);
+        loop {
+            if self.steps + self.rejected >= self.options.step_limit {
+                return Err(Stop::StepLimit { limit: self.options.step_limit });
+            }
+            let tried = self.pace.trial.h.abs();
+            let attempt = self.stepper.attempt(rhs, self.pace.trial, self.pace.test.as_ref());
+            match self.pace.judge(self.stepper.span().0, attempt.as_ref().ok().copied()) {
+                Verdict::Accepted { last } => {
+                    self.steps += 1;
+                    return Ok(last);
+                }
+                Verdict::Again => self.rejected += 1,
+                Verdict::GiveUp => {
+                    self.rejected += 1;
+                    return Err(match attempt {
+                        Ok(_) => Stop::StepTooSmall { step: tried },
+                        Err(trouble) => stop_for(trouble),
+                    });
+                }
+            }
+        }
+    }
+}
+
+fn stop_for(trouble: Trouble) -> Stop {
+    match trouble {
+        Trouble::NotFinite { component } => Stop::NotFinite { component },
+        Trouble::Failed(failure) => Stop::Failed(failure),
+        Trouble::NotConverged { iterations } => Stop::NotConverged { iterations },
+    }
+}
