@@ -7,14 +7,14 @@ use tripos_codegen::workspace::report_beside;
 use tripos_derive::algebra::Arena;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{Derivation, derive_all};
+use tripos_derive::mechanics::{Derivation, Distance, derive_all, in_distance};
 use tripos_derive::{Equations, Formulation, Model, derive};
-use tripos_traits::{CompiledModel, System};
+use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
 
 /// Equations ready to run.
 pub enum Code {
     /// Generated Rust, compiled in.
-    Compiled(&'static (dyn System<f64> + Sync)),
+    Compiled(&'static CompiledSystem),
     /// A tape made just now.
     Interpreted(Box<Interpreted>),
 }
@@ -23,8 +23,16 @@ impl Code {
     /// The equations.
     pub fn system(&self) -> &dyn System<f64> {
         match self {
-            Self::Compiled(system) => *system,
+            Self::Compiled(system) => system.double,
             Self::Interpreted(system) => system.as_ref(),
+        }
+    }
+
+    /// The same in twice the precision of a double, which only compiled code has.
+    pub fn extended(&self) -> Option<&dyn System<DoubleDouble>> {
+        match self {
+            Self::Compiled(system) => Some(system.extended),
+            Self::Interpreted(_) => None,
         }
     }
 
@@ -132,28 +140,44 @@ fn printed_derivation(model: &Model) -> Result<Option<(Arena, Vec<Equations>)>, 
 
 /// The equations of a model: compiled in if they were derived from this very text.
 ///
-/// Compiled equations of a workspace model whose text has changed since are refused, never run.
-pub fn code(model: &Model, by: &By) -> Result<Code, Failure> {
-    match compiled_code(model, by)? {
-        Some(code) => Ok(code),
-        None => code_of(model, &derivation(model, by)?),
+/// In a distance, if one is given. Compiled equations of a workspace model whose text has changed since are refused,
+/// never run.
+pub fn code(model: &Model, by: &By, distance: Option<Distance>) -> Result<Code, Failure> {
+    if let Some(code) = compiled_code(model, by, distance)? {
+        return Ok(code);
     }
+    let derivation = derivation(model, by)?;
+    code_of(
+        model,
+        by,
+        &match distance {
+            Some(distance) => in_distance(model, derivation, distance),
+            None => derivation,
+        },
+    )
 }
 
 /// The equations of a model that were compiled in, if there are such and they are current.
-pub fn compiled_code(model: &Model, by: &By) -> Result<Option<Code>, Failure> {
+pub fn compiled_code(model: &Model, by: &By, distance: Option<Distance>) -> Result<Option<Code>, Failure> {
     let Some(compiled) = compiled(model)? else { return Ok(None) };
-    let found = compiled.systems.iter().find(|(name, _)| *name == by.name);
+    let name = match distance {
+        Some(distance) => format!("{}@{}", by.name, distance.name(model)),
+        None => by.name.clone(),
+    };
+    let found = compiled.systems.iter().find(|system| system.name == name);
     let current = by.derived.is_some() || report_hash(model) == compiled.report_hash;
-    Ok(found.filter(|_| current).map(|(_, system)| Code::Compiled(*system)))
+    Ok(found.filter(|_| current).map(Code::Compiled))
 }
 
 /// Equations made ready to be run by interpretation.
 ///
 /// # Errors
 /// As [`interpreted`].
-pub fn code_of(model: &Model, derivation: &Derivation) -> Result<Code, Failure> {
-    Ok(Code::Interpreted(Box::new(interpreted(model, derivation)?)))
+pub fn code_of(model: &Model, by: &By, derivation: &Derivation) -> Result<Code, Failure> {
+    let code = interpreted(model, derivation)?;
+    // Printed equations are run as they stand.
+    let code = if by.derived.is_some() { code.solved(derivation) } else { code };
+    Ok(Code::Interpreted(Box::new(code)))
 }
 
 /// Equations made ready to be interpreted.

@@ -1,8 +1,10 @@
 //! Derived equations as a [`System`] by interpretation: for models that are not compiled in.
 
 use std::cell::RefCell;
+use tripos_codegen::formulation::Solved;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::elimination::Definition;
 use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
 use tripos_derive::mechanics::Derivation;
 use tripos_traits::System;
@@ -10,16 +12,22 @@ use tripos_traits::System;
 /// One formulation, interpreted.
 pub struct Interpreted {
     sizes: [usize; 4],
+    /// Parameters, coordinates and motion variables: what most tapes read.
+    state: Vec<Expr>,
     symmetric: bool,
     coordinate_rates: Tape,
     mass_matrix: Tape,
     forcing: Tape,
+    /// v̇, then q̇ and v̇, then the Jacobian; none for printed equations, which are run as they stand.
+    solved: Option<[Tape; 3]>,
     generalized_speeds: Tape,
     generalized_speed_rates: Tape,
     motion_variables: Tape,
     kinetic_energy: Tape,
     potential_energy: Tape,
     work: RefCell<(Vec<f64>, Vec<f64>)>,
+    /// Room for q̇ and v̇.
+    derivative: RefCell<Vec<f64>>,
 }
 
 impl Interpreted {
@@ -29,11 +37,14 @@ impl Interpreted {
     /// [`UnknownSymbol`] if an equation has a symbol that is no input of it: derived ones never do.
     pub fn new(model: &Model, derivation: &Derivation) -> Result<Self, UnknownSymbol> {
         let Derivation { arena, equations: e } = derivation;
-        let (p, q) = (model.p(), model.q());
+        let (p, q) = (model.p(), e.coordinates.clone());
+        let q_length = q.len();
         let state = [p.clone(), q.clone(), e.variables.clone()].concat();
         let tape = |inputs: &[Expr], outputs: &[Expr]| Tape::new(arena, inputs, outputs);
         let speed_rates = e.unknowns[..e.variables.len()].to_vec();
         Ok(Self {
+            solved: None,
+            state: state.clone(),
             sizes: [p.len(), q.len(), e.variables.len(), e.unknowns.len() - e.variables.len()],
             symmetric: e.symmetric,
             coordinate_rates: tape(&state, &e.coordinate_rates)?,
@@ -45,7 +56,22 @@ impl Interpreted {
             kinetic_energy: tape(&state, &[e.kinetic_energy])?,
             potential_energy: tape(&[p, q].concat(), &[e.potential_energy])?,
             work: RefCell::default(),
+            derivative: RefCell::new(vec![0.0; q_length + e.variables.len()]),
         })
+    }
+
+    /// With the accelerations eliminated, where they are determined.
+    pub fn solved(mut self, derivation: &Derivation) -> Self {
+        let Derivation { mut arena, equations: e } = derivation.clone();
+        let Ok(Solved { accelerations, jacobian }) = Solved::new(&mut arena, &e) else { return self };
+        let rates = &e.unknowns[..e.variables.len()];
+        let both = [&e.coordinate_rates, rates].concat();
+        let tape = |steps: &[Definition], outputs: &[Expr]| Tape::stepwise(&arena, &self.state, steps, outputs).ok();
+        self.solved = tape(&accelerations.steps, rates)
+            .zip(tape(&accelerations.steps, &both))
+            .zip(tape(&jacobian.steps, &jacobian.entries.concat()))
+            .map(|((accelerations, derivative), jacobian)| [accelerations, derivative, jacobian]);
+        self
     }
 
     fn run(&self, tape: &Tape, inputs: &[&[f64]], out: &mut [f64]) {
@@ -82,6 +108,31 @@ impl System<f64> for Interpreted {
     }
     fn forcing(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
         self.run(&self.forcing, &[p, q, v], out);
+    }
+    fn has_accelerations(&self) -> bool {
+        self.solved.is_some()
+    }
+    fn accelerations(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
+        match &self.solved {
+            Some([accelerations, ..]) => self.run(accelerations, &[p, q, v], out),
+            None => out.fill(f64::NAN),
+        }
+    }
+    fn derivative(&self, p: &[f64], q: &[f64], v: &[f64], q_dot: &mut [f64], v_dot: &mut [f64]) {
+        let Some([_, derivative, _]) = &self.solved else {
+            q_dot.fill(f64::NAN);
+            return v_dot.fill(f64::NAN);
+        };
+        let mut both = self.derivative.borrow_mut();
+        self.run(derivative, &[p, q, v], &mut both);
+        q_dot.copy_from_slice(&both[..q.len()]);
+        v_dot.copy_from_slice(&both[q.len()..]);
+    }
+    fn jacobian(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
+        match &self.solved {
+            Some([.., jacobian]) => self.run(jacobian, &[p, q, v], out),
+            None => out.fill(f64::NAN),
+        }
     }
     fn generalized_speeds(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
         self.run(&self.generalized_speeds, &[p, q, v], out);

@@ -8,6 +8,7 @@ mod interpreted;
 mod invariants;
 mod page;
 mod plot;
+mod problem;
 mod run;
 mod study;
 
@@ -101,9 +102,16 @@ struct Simulate {
     /// formulation that the model supports if not given
     #[arg(long)]
     by: Option<String>,
-    /// The method of integration: ode45
+    /// The method of integration: rk4, ode45, dopri5, dop853 or gauss6
     #[arg(long)]
     method: Option<String>,
+    /// How accelerations are found: eliminated (solved for when the code was generated) or numeric (the linear
+    /// system at each state)
+    #[arg(long)]
+    solve: Option<String>,
+    /// The length of every step, s, instead of steps chosen by the error
+    #[arg(long)]
+    step: Option<f64>,
     /// Relative tolerance
     #[arg(long)]
     rtol: Option<f64>,

@@ -2,12 +2,12 @@
 
 use crate::catalogue::{By, Code, code};
 use crate::failure::Failure;
+use crate::problem::Problem;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::scene::{Crossing, Scene};
+use tripos_derive::scene::{AbsoluteTolerance as Tolerance, Crossing, Scene, Solve};
 use tripos_derive::{Formulation, Model};
-use tripos_sim::{AbsoluteTolerance, Direction, Dynamics, Effect, Event, Method, Options, Output, Solution, integrate};
-use tripos_traits::System;
+use tripos_sim::{AbsoluteTolerance, Direction, Dynamics, Effect, Event, Method, Options, Output, SimError, Solution};
 
 /// What came out of a run.
 pub struct Run {
@@ -15,6 +15,8 @@ pub struct Run {
     pub by: By,
     /// Whether compiled code ran.
     pub code: &'static str,
+    /// How accelerations were found.
+    pub solve: Solve,
     /// The integrator's result.
     pub solution: Solution,
     /// Coordinates, then generalized speeds, at each sample.
@@ -51,45 +53,46 @@ pub fn state_names(model: &Model) -> Vec<String> {
 /// # Errors
 /// [`Failure`] if the formulation is not to be had, or the scene asks for what it cannot give.
 pub fn run(model: &Model, scene: &Scene, by: &By) -> Result<Run, Failure> {
-    run_code(model, scene, by, &code(model, by)?)
+    run_code(model, scene, by, &code(model, by, scene.integration.distance)?)
 }
 
-/// Runs a scene by one set of equations that is ready.
+/// Runs a scene by one set of equations that is ready, in the scene's distance if it has one.
 ///
 /// # Errors
 /// As [`run`].
 pub fn run_code(model: &Model, scene: &Scene, by: &By, code: &Code) -> Result<Run, Failure> {
+    let problem = Problem::new(model, scene, by, code, None)?;
     let balance = Balance::new(model, scene, by)?;
-    let system = code.system();
-    let request = |error: tripos_sim::SimError| {
-        Failure::Request(error.to_string(), format!("check {}", scene.source.path.display()))
-    };
-    let label = format!("{}, {}", model.title, by.name);
-    let mut dynamics = Dynamics::new(system, &scene.parameters).map_err(request)?.labelled(label);
-    let mut v = vec![0.0; system.speeds()];
-    system.motion_variables(&scene.parameters, &scene.q, &scene.u, &mut v);
-    if let Some(at) = v.iter().position(|x| !x.is_finite()) {
-        return Err(Failure::Stopped(format!(
-            "the run cannot start: motion variable {} of {} is {} there, since the generalized speeds do not determine q'",
-            at + 1,
-            by.name,
-            v[at]
-        )));
-    }
-    let y0 = dynamics.state(&scene.q, &v).map_err(request)?;
-    let mut events = events(model, scene, system, &balance)?;
-    let options = Options {
-        method: method(&scene.method)?,
-        rtol: scene.rtol,
-        atol: AbsoluteTolerance::Uniform(scene.atol),
-        step_limit: scene.step_limit,
+    let y0 = problem.start()?;
+    let mut events = events(&problem, &balance)?;
+    let solution = problem.integrate(&y0, &options(scene)?, &mut events).map_err(|error| refused(scene, &error))?;
+    drop(events);
+    finish(&problem, solution)
+}
+
+/// A scene that the simulator refuses.
+pub fn refused(scene: &Scene, error: &SimError) -> Failure {
+    Failure::Request(error.to_string(), format!("check {}", scene.source.path.display()))
+}
+
+/// How a scene is integrated.
+///
+/// # Errors
+/// [`Failure::Request`] if there is no such method.
+pub fn options(scene: &Scene) -> Result<Options, Failure> {
+    let how = &scene.integration;
+    Ok(Options {
+        method: method(&how.method)?,
+        rtol: how.rtol,
+        atol: match &how.atol {
+            Tolerance::Uniform(atol) => AbsoluteTolerance::Uniform(*atol),
+            Tolerance::Each(each) => AbsoluteTolerance::Each(each.clone()),
+        },
+        step: how.step,
+        step_limit: how.step_limit,
         output: output(scene),
         ..Options::default()
-    };
-    let rhs = |t: f64, y: &[f64], dydt: &mut [f64]| dynamics.rhs(t, y, dydt);
-    let solution = integrate(rhs, scene.span, &y0, &options, &mut events).map_err(request)?;
-    drop(events);
-    Ok(finish(model, scene, code, &dynamics, by.clone(), solution))
+    })
 }
 
 /// The method of this name.
@@ -100,8 +103,20 @@ pub fn method(name: &str) -> Result<Method, Failure> {
     })
 }
 
+/// The method and what its steps are made by: "ode45 with rtol 1e-3, atol 1e-5".
+pub fn how(scene: &Scene) -> String {
+    let how = &scene.integration;
+    let steps = match (how.step, &how.atol) {
+        (Some(step), _) => format!("steps of {step:e} s"),
+        (None, Tolerance::Uniform(atol)) => format!("rtol {:e}, atol {atol:e}", how.rtol),
+        (None, Tolerance::Each(_)) => format!("rtol {:e}, an atol for each state", how.rtol),
+    };
+    let distance = how.distance.map_or_else(String::new, |_| ", in the distance from a singular surface".to_owned());
+    format!("{} with {steps}{distance}", how.method)
+}
+
 fn output(scene: &Scene) -> Output {
-    match scene.samples {
+    match scene.integration.samples {
         None => Output::Steps { refine: 4 },
         Some(n) => {
             let (from, to) = scene.span;
@@ -112,14 +127,10 @@ fn output(scene: &Scene) -> Output {
     }
 }
 
-fn finish(model: &Model, scene: &Scene, code: &Code, dynamics: &Dynamics<'_>, by: By, solution: Solution) -> Run {
-    let (system, p) = (code.system(), dynamics.parameters());
-    let state = |y: &[f64]| {
-        let (q, v) = dynamics.split(y);
-        let mut u = vec![0.0; v.len()];
-        system.generalized_speeds(p, q, v, &mut u);
-        [q, &u].concat()
-    };
+fn finish(problem: &Problem<'_>, solution: Solution) -> Result<Run, Failure> {
+    let Problem { model, scene, .. } = *problem;
+    let (system, p) = (problem.system(), scene.parameters.as_slice());
+    let dynamics = problem.dynamics().map_err(|error| refused(scene, &error))?;
     let energy = |y: &[f64]| {
         let (q, v) = dynamics.split(y);
         (system.kinetic_energy(p, q, v), system.potential_energy(p, q))
@@ -128,16 +139,17 @@ fn finish(model: &Model, scene: &Scene, code: &Code, dynamics: &Dynamics<'_>, by
     let energy_drift = dynamics.energy_drift(&solution);
     let mut warnings: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
     warnings.extend(drift_warning(model, scene, &energies, energy_drift));
-    Run {
-        by,
-        code: code.name(),
-        states: solution.y.iter().map(|y| state(y)).collect(),
+    Ok(Run {
+        by: problem.by.clone(),
+        code: problem.code.name(),
+        solve: problem.solve,
+        states: solution.y.iter().map(|y| problem.state(y)).collect(),
         energies,
-        end: state(&solution.y_end),
+        end: problem.state(&solution.y_end),
         energy_drift,
         warnings,
         solution,
-    }
+    })
 }
 
 /// Where nothing but gravity works, total energy is constant: says so if it was not.
@@ -148,7 +160,7 @@ fn drift_warning(model: &Model, scene: &Scene, energies: &[(f64, f64)], drift: f
     // What kinetic energy can honestly reach: a run that blows up must not raise its own allowance.
     let start = energies.first().map_or(0.0, |(kinetic, potential)| (kinetic + potential).abs());
     let scale = energies.iter().fold(start, |m, (_, potential)| m.max(start + potential.abs()));
-    let allowed = scene.atol + scene.rtol * scale;
+    let allowed = scene.integration.smallest_atol() + scene.integration.rtol * scale;
     // A run that ended where energy has no value says so by its stop.
     (drift > ALLOWED_DRIFT * allowed).then(|| {
         format!(
@@ -160,17 +172,21 @@ fn drift_warning(model: &Model, scene: &Scene, energies: &[(f64, f64)], drift: f
 
 /// The force balance that gives reactions, whichever formulation runs: needed only if a watched
 /// expression mentions one.
-struct Balance {
+pub struct Balance {
     code: Option<Code>,
 }
 
 impl Balance {
-    fn new(model: &Model, scene: &Scene, by: &By) -> Result<Self, Failure> {
+    /// For what is watched in a scene.
+    ///
+    /// # Errors
+    /// [`Failure::Request`] if a reaction is watched that cannot be had.
+    pub fn new(model: &Model, scene: &Scene, by: &By) -> Result<Self, Failure> {
         let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
         let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
         for (name, e) in watched {
             let Some(reaction) = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol)) else { continue };
-            return match code(model, &Formulation::NewtonEuler.into()) {
+            return match code(model, &Formulation::NewtonEuler.into(), None) {
                 Ok(code) => Ok(Self { code: Some(code) }),
                 Err(error) => Err(Failure::Request(
                     format!(
@@ -186,24 +202,20 @@ impl Balance {
 }
 
 /// The domain's conditions and the scene's events as functions of the integrated state.
-fn events<'a>(
-    model: &Model,
-    scene: &Scene,
-    system: &'a dyn System<f64>,
-    balance: &'a Balance,
-) -> Result<Vec<Event<'a>>, Failure> {
+pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Result<Vec<Event<'a>>, Failure> {
+    let Problem { model, scene, .. } = *problem;
     let mut events = Vec::new();
     for condition in &model.domain {
-        let function = watch(model, scene, system, balance, condition.positive)?;
+        let function = watch(problem, balance, condition.positive)?;
         let name = format!("{} ({})", condition.name, condition.text);
-        if scene.domain_stops {
+        if scene.integration.domain_stops {
             events.push(Event::domain(name, function));
         } else {
             events.push(Event::recorded(name, Direction::Falling, function));
         }
     }
     for event in &scene.events {
-        let function = watch(model, scene, system, balance, event.function)?;
+        let function = watch(problem, balance, event.function)?;
         let direction = match event.crossing {
             Crossing::Rising => Direction::Rising,
             Crossing::Falling => Direction::Falling,
@@ -217,19 +229,18 @@ fn events<'a>(
 
 /// An expression in parameters, q, q̇, u and reactions as a function of (t, y).
 fn watch<'a>(
-    model: &Model,
-    scene: &Scene,
-    system: &'a dyn System<f64>,
+    problem: &'a Problem<'_>,
     balance: &'a Balance,
     e: Expr,
 ) -> Result<impl FnMut(f64, &[f64]) -> f64 + 'a, Failure> {
+    let (model, system) = (problem.model, problem.system());
     let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
     let inputs = [model.p(), model.q(), model.q_dot(), model.u(), reactions.clone()].concat();
     let tape = Tape::new(&model.arena, &inputs, &[e]).map_err(|unknown| {
         let what = format!("a watched expression mentions `{}`, which has no value during a run", unknown.0);
         Failure::Request(what, "use parameters, coordinates, q', speeds and reactions".to_owned())
     })?;
-    let p = scene.parameters.clone();
+    let p = problem.scene.parameters.clone();
     let (n, m) = (system.coordinates(), system.speeds());
     let needs_reactions = reactions.iter().any(|r| model.arena.mentions(e, *r));
     let mut dynamics = match &balance.code {
@@ -238,13 +249,14 @@ fn watch<'a>(
     };
     let (mut q_dot, mut u, mut scratch) = (vec![0.0; n], vec![0.0; m], Vec::new());
     Ok(move |_t: f64, y: &[f64]| {
-        let (q, v) = y.split_at(n);
-        system.coordinate_rates(&p, q, v, &mut q_dot);
-        system.generalized_speeds(&p, q, v, &mut u);
-        let mut values = [p.as_slice(), q, &q_dot, &u].concat();
+        let (variables, v) = y.split_at(n);
+        system.coordinate_rates(&p, variables, v, &mut q_dot);
+        system.generalized_speeds(&p, variables, v, &mut u);
+        let q = problem.coordinates(y);
+        let mut values = [p.as_slice(), &q, &q_dot, &u].concat();
         match &mut dynamics {
             // The state has no reaction where the balance is singular: not a number, said by the integrator.
-            Some(balance) => match balance.unknowns(q, &u) {
+            Some(balance) => match balance.unknowns(&q, &u) {
                 Ok(x) => values.extend_from_slice(&x[m..]),
                 Err(_) => return f64::NAN,
             },

@@ -74,14 +74,14 @@ impl Study {
         let mut derivation: Option<Derivation> = None;
         for equations in &published.printed {
             let by = By::printed(equations);
-            let code = match compiled_code(model, &by)? {
+            let code = match compiled_code(model, &by, None)? {
                 Some(code) => Ok(code),
                 None => {
                     let arena = || self.derivations.kinematics.arena.clone();
                     let derivation =
                         derivation.get_or_insert_with(|| Derivation { arena: arena(), equations: equations.clone() });
                     derivation.equations = equations.clone();
-                    code_of(model, derivation)
+                    code_of(model, &by, derivation)
                 }
             };
             list.push((by, code));

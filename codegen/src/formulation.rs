@@ -5,22 +5,50 @@ use crate::identifiers::{Variables, spelled, type_name};
 use crate::system;
 use crate::tokens::format;
 use quote::quote;
+use tripos_derive::algebra::elimination::Elimination;
+use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::{Jacobian, accelerations, jacobian};
 use tripos_derive::{Equations, Formulation, Model};
+
+/// The accelerations and the Jacobian of a set of equations.
+pub struct Solved {
+    /// v̇, step by step.
+    pub accelerations: Elimination,
+    /// ∂(q̇, v̇)/∂(q, v).
+    pub jacobian: Jacobian,
+}
+
+impl Solved {
+    /// Solves the equations in their arena.
+    ///
+    /// # Errors
+    /// [`Singular`] if v̇ is not determined in any configuration.
+    pub fn new(arena: &mut Arena, equations: &Equations) -> Result<Self, Singular> {
+        let mut simplifier = Simplifier::default();
+        let accelerations = accelerations(arena, &mut simplifier, equations)?;
+        let jacobian = jacobian(arena, &mut simplifier, equations, &accelerations);
+        Ok(Self { accelerations, jacobian })
+    }
+}
 
 /// Emits the file of one formulation, such as `kane.rs`, from a source such as `models/disk/model.toml`.
 #[must_use]
-pub fn file(model: &Model, source: &str, arena: &Arena, equations: &Equations) -> String {
+pub fn file(model: &Model, source: &str, arena: &Arena, equations: &Equations, solved: Option<&Solved>) -> String {
     let writer = Writer { model, arena, equations, variables: Variables::new(arena, &type_name(&equations.name)) };
     let mut functions = linear_system(&writer);
+    if let Some(solved) = solved {
+        functions.extend(eliminated(&writer, solved));
+    }
     functions.extend(kinematics_and_energies(&writer));
     if equations.formulation == Formulation::Lagrange {
         functions.extend(conversions(&writer));
     }
-    let header = header(&writer, source, &functions);
+    let header = header(&writer, source, &functions, solved);
     let functions = functions.into_iter().map(|f| f.tokens);
-    let system = system::system(model, equations);
+    let system = system::system(model, equations, solved.is_some());
     format(
         &header,
         quote! {
@@ -56,6 +84,57 @@ fn linear_system(writer: &Writer<'_>) -> Vec<Function> {
     vec![
         writer.function("mass_matrix", &matrix_about, Arguments::State, returns, &entries),
         writer.function("forcing", &forcing_about, Arguments::State, Returns::Vector, &forcing),
+    ]
+}
+
+/// `accelerations`, `derivative` and `jacobian`.
+fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> {
+    let e = writer.equations;
+    let unknowns = &e.unknowns[..e.variables.len()];
+    let names = |list: &[Expr]| {
+        list.iter().map(|s| writer.arena.symbol_name(*s).unwrap_or_default().to_owned()).collect::<Vec<_>>()
+    };
+    let v_dot = named(names(unknowns).into_iter(), unknowns);
+    let q_dot = named(writer.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
+    let state = [names(&e.coordinates), names(&e.variables)].concat();
+    let rates = q_dot.iter().chain(&v_dot).map(|(_, label, _)| label.clone());
+    let slopes: Vec<Value> = rates
+        .zip(&solved.jacobian.entries)
+        .flat_map(|(rate, row)| {
+            let entry = |(by, value): (&String, &Expr)| {
+                (format!("{}_by_{}_value", spelled(&rate), spelled(by)), format!("d({rate})/d({by})"), *value)
+            };
+            state.iter().zip(row).map(entry).collect::<Vec<_>>()
+        })
+        .collect();
+    let steps = &solved.accelerations.steps;
+    let both = [q_dot.clone(), v_dot.clone()].concat();
+    let unknown_text = vector_text(writer.arena, unknowns);
+    vec![
+        writer.stepwise(
+            "accelerations",
+            &format!("The accelerations {unknown_text}, solved for when this code was generated."),
+            Arguments::State,
+            Returns::Vector,
+            steps,
+            &v_dot,
+        ),
+        writer.stepwise(
+            "derivative",
+            "The derivative of the state: the rates of the coordinates, and the accelerations.",
+            Arguments::State,
+            Returns::Pair(q_dot.len()),
+            steps,
+            &both,
+        ),
+        writer.stepwise(
+            "jacobian",
+            &format!("Jacobian of the derivative by the state; columns {}.", state.join(", ")),
+            Arguments::State,
+            Returns::Matrix { symmetric: false },
+            &solved.jacobian.steps,
+            &slopes,
+        ),
     ]
 }
 
@@ -121,7 +200,7 @@ fn equation_text(formulation: Formulation) -> &'static str {
     }
 }
 
-fn header(writer: &Writer<'_>, source: &str, functions: &[Function]) -> Vec<String> {
+fn header(writer: &Writer<'_>, source: &str, functions: &[Function], solved: Option<&Solved>) -> Vec<String> {
     let (e, model) = (writer.equations, writer.model);
     let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
     let mut counts = vec![
@@ -133,7 +212,8 @@ fn header(writer: &Writer<'_>, source: &str, functions: &[Function]) -> Vec<Stri
     if reactions > 0 {
         counts.push(plural(reactions, "reaction"));
     }
-    let costs: Vec<String> = functions.iter().take(2).map(|f| format!("{} {}", f.name, f.cost)).collect();
+    let shown = if solved.is_some() { 3 } else { 2 };
+    let costs: Vec<String> = functions.iter().take(shown).map(|f| format!("{} {}", f.name, f.cost)).collect();
     vec![
         format!("{}: {}, {}.", model.title, e.title, equation_text(e.formulation)),
         String::new(),
@@ -142,6 +222,18 @@ fn header(writer: &Writer<'_>, source: &str, functions: &[Function]) -> Vec<Stri
         format!("Cost: {}.", costs.join("; ")),
         singular_text(writer.arena, e),
     ]
+    .into_iter()
+    .chain(solved.map(|solved| divisors_text(writer.arena, &solved.accelerations.divisors)))
+    .collect()
+}
+
+/// What the eliminated accelerations divide by.
+fn divisors_text(arena: &Arena, divisors: &[Expr]) -> String {
+    if divisors.is_empty() {
+        return "The accelerations divide by nothing.".to_owned();
+    }
+    let list: Vec<String> = divisors.iter().map(|d| text(arena, *d)).collect();
+    format!("The accelerations divide by {}.", list.join(", by "))
 }
 
 fn singular_text(arena: &Arena, e: &Equations) -> String {

@@ -5,6 +5,7 @@ use crate::program::{Output, program};
 use crate::tokens::{Cost, section, statements};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
+use tripos_derive::algebra::elimination::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Formulation, Model};
 
@@ -28,6 +29,8 @@ pub enum Returns {
     Number,
     /// An array of this many.
     Vector,
+    /// Two arrays: the first this long, the second of what is left.
+    Pair(usize),
     /// A square array, row by row; symmetric ones are computed from their upper triangle.
     Matrix { symmetric: bool },
 }
@@ -68,17 +71,41 @@ impl Writer<'_> {
         returns: Returns,
         values: &[Value],
     ) -> Function {
+        self.stepwise(name, about, arguments, returns, &[], values)
+    }
+
+    /// The same with steps of an elimination before the values.
+    pub fn stepwise(
+        &self,
+        name: &'static str,
+        about: &str,
+        arguments: Arguments,
+        returns: Returns,
+        steps: &[Definition],
+        values: &[Value],
+    ) -> Function {
+        // A step whose value is 0 or another symbol stands in the values as such.
+        let value_of = |at: usize| match steps.iter().find(|step| step.symbol == values[at].2) {
+            Some(step) if step.value == Expr::ZERO => Expr::ZERO,
+            _ => values[at].2,
+        };
+        let steps = needed(self.arena, steps, &(0..values.len()).map(value_of).collect::<Vec<_>>());
+        let is_step = |at: usize| steps.iter().any(|step| step.symbol == values[at].2);
         let side = values.len().isqrt();
         let mirrored = |at: usize| matches!(returns, Returns::Matrix { symmetric: true }) && at % side < at / side;
-        let wanted = |at: usize| !mirrored(at) && values[at].2 != Expr::ZERO;
+        let wanted = |at: usize| !mirrored(at) && !is_step(at) && value_of(at) != Expr::ZERO;
         let outputs: Vec<Output> = (0..values.len())
             .filter(|at| wanted(*at))
             .map(|at| Output { name: values[at].0.clone(), label: values[at].1.clone(), value: values[at].2 })
             .collect();
-        let program = program(self.arena, &self.variables, &outputs);
+        let program = program(self.arena, &self.variables, &steps, &outputs);
         let mut computed = program.outputs.iter().map(|s| s.name.as_str());
-        let names: Vec<&str> =
-            (0..values.len()).map(|at| if wanted(at) { computed.next().unwrap_or("zero") } else { "zero" }).collect();
+        let name_of = |at: usize| match value_of(at) {
+            _ if wanted(at) => computed.next().unwrap_or("zero"),
+            Expr::ZERO => "zero",
+            symbol => self.variables.of.get(&symbol).map_or("zero", String::as_str),
+        };
+        let names: Vec<&str> = (0..values.len()).map(name_of).collect();
         let mut cost = Cost::default();
         let head = statements(&program, &mut cost);
         let heading = match returns {
@@ -91,7 +118,7 @@ impl Writer<'_> {
             let at = if mirrored(at) { (at % side) * side + at / side } else { at };
             format_ident!("{}", names[at])
         };
-        let has_zero = (0..values.len()).any(|at| values[at].2 == Expr::ZERO);
+        let has_zero = (0..values.len()).any(|at| value_of(at) == Expr::ZERO);
         let zero = if has_zero { quote!(let zero = S::int(0);) } else { TokenStream::new() };
         let count = Literal::usize_unsuffixed(values.len());
         let (kind, result) = match returns {
@@ -102,6 +129,11 @@ impl Writer<'_> {
             Returns::Vector => {
                 let entries = (0..values.len()).map(entry);
                 (quote!([S; #count]), quote!([#(#entries),*]))
+            }
+            Returns::Pair(first) => {
+                let [one, two] = [first, values.len() - first].map(Literal::usize_unsuffixed);
+                let (front, back) = ((0..first).map(entry), (first..values.len()).map(entry));
+                (quote!(([S; #one], [S; #two])), quote!(([#(#front),*], [#(#back),*])))
             }
             Returns::Matrix { .. } => {
                 let rows = (0..side).map(|i| {
@@ -161,7 +193,7 @@ impl Writer<'_> {
         } else {
             (format_ident!("p"), quote!(let Parameters { #(#fields),* #rest } = *p;))
         };
-        let (q, q_unpack) = unpack_array(&self.model.q(), "q");
+        let (q, q_unpack) = unpack_array(&self.equations.coordinates, "q");
         let variables_name = if self.equations.formulation == Formulation::Lagrange { "q_dot" } else { "u" };
         let (v, v_unpack) = unpack_array(&self.equations.variables, variables_name);
         let (u, u_unpack) = unpack_array(&self.model.u(), "u");

@@ -39,7 +39,7 @@ pub fn file(model: &Model, folder: &str, report_hash: &str, equations: &[String]
     let (speed_type, speeds) = list_of(model.speeds.iter().map(|s| s.name.as_str()).collect());
     let systems = equations.iter().map(|name| {
         let (module, unit) = (format_ident!("{}", module_name(name)), format_ident!("{}", type_name(name)));
-        quote!((#name, &#module::#unit))
+        quote!(CompiledSystem { name: #name, double: &#module::#unit, extended: &#module::#unit })
     });
     let hash = model.text_hash();
     let unused = if count == 0 { quote!(_p) } else { quote!(p) };
@@ -52,7 +52,7 @@ pub fn file(model: &Model, folder: &str, report_hash: &str, equations: &[String]
     let items = quote! {
         #(#modules)*
 
-        use tripos_traits::{CompiledModel, Scalar};
+        use tripos_traits::{CompiledModel, CompiledSystem, Scalar};
 
         #[doc = " The parameters, in the order of the model file."]
         #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,6 +3,7 @@
 
 use crate::identifiers::{Allocator, Variables, spelled};
 use rustc_hash::{FxHashMap, FxHashSet};
+use tripos_derive::algebra::elimination::Definition;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::view::{View, view};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
@@ -35,6 +36,8 @@ pub enum Line {
     },
     /// A shared term.
     Let(Statement),
+    /// A step of an elimination.
+    Step(Statement),
 }
 
 /// The body of one generated function.
@@ -59,35 +62,51 @@ pub struct Output {
     pub value: Expr,
 }
 
-/// Orders, shares and names everything that the outputs need.
+/// Orders, shares and names everything that the outputs need. The symbols of `steps` are no inputs: each is
+/// computed after the ones before it, and before what mentions it.
 #[must_use]
-pub fn program(arena: &Arena, variables: &Variables, outputs: &[Output]) -> Program {
-    let roots: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
+pub fn program(arena: &Arena, variables: &Variables, steps: &[Definition], outputs: &[Output]) -> Program {
+    let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
+    let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(values.iter().copied()).collect();
     let parts = arena.reachable(&roots);
     let uses = use_counts(arena, &parts, &roots);
     let mut names = Names { allocator: variables.allocator.clone(), circular: FxHashMap::default() };
     let output_names: Vec<String> = outputs.iter().map(|o| names.allocator.unique(&o.name)).collect();
     let mut shared = variables.of.clone();
     let mut lines = Lines::default();
-    for &e in &parts {
-        match arena.node(e) {
-            Node::Apply(f @ (Function::Sin | Function::Cos), angle) => {
-                let (sine, cosine) = names.circular(arena, *angle);
-                shared.insert(e, if *f == Function::Sin { sine.clone() } else { cosine.clone() });
-                if lines.known.insert(*angle) {
-                    let view = lines.resolve(arena, &mut names, operand(arena, *angle, &shared));
-                    lines.circular.push((view.clone(), *angle));
-                    lines.list.push(Line::Circular { sine, cosine, angle: view });
+    let mut done: FxHashSet<Expr> = FxHashSet::default();
+    let stages = steps.iter().map(|step| (vec![step.value], Some(step))).chain([(values, None)]);
+    for (roots, step) in stages {
+        for e in arena.reachable(&roots) {
+            if !done.insert(e) {
+                continue;
+            }
+            match arena.node(e) {
+                Node::Apply(f @ (Function::Sin | Function::Cos), angle) => {
+                    let (sine, cosine) = names.circular(arena, *angle);
+                    shared.insert(e, if *f == Function::Sin { sine.clone() } else { cosine.clone() });
+                    if lines.known.insert(*angle) {
+                        let view = lines.resolve(arena, &mut names, operand(arena, *angle, &shared));
+                        lines.circular.push((view.clone(), *angle));
+                        lines.list.push(Line::Circular { sine, cosine, angle: view });
+                    }
                 }
+                Node::Sum(..) | Node::Product(_) | Node::Apply(..) if uses.get(&e).copied().unwrap_or(0) > 1 => {
+                    let name = names.descriptive(arena, variables, e, steps, outputs);
+                    let value = lines.resolve(arena, &mut names, view(arena, e, &shared, BUDGET));
+                    let comment = format!("{}; used {} times", text(arena, e), uses[&e]);
+                    shared.insert(e, name.clone());
+                    lines.list.push(Line::Let(Statement { name, value, comment }));
+                }
+                _ => {}
             }
-            Node::Sum(..) | Node::Product(_) | Node::Apply(..) if uses.get(&e).copied().unwrap_or(0) > 1 => {
-                let name = names.descriptive(arena, variables, e, outputs);
-                let value = lines.resolve(arena, &mut names, view(arena, e, &shared, BUDGET));
-                let comment = format!("{}; used {} times", text(arena, e), uses[&e]);
-                shared.insert(e, name.clone());
-                lines.list.push(Line::Let(Statement { name, value, comment }));
-            }
-            _ => {}
+        }
+        if let Some(step) = step {
+            let name = variables.of[&step.symbol].clone();
+            let value = lines.resolve(arena, &mut names, operand(arena, step.value, &shared));
+            let symbol = arena.symbol_name(step.symbol).unwrap_or_default();
+            let comment = format!("{symbol} = {}", text(arena, step.value));
+            lines.list.push(Line::Step(Statement { name, value, comment }));
         }
     }
     let mut result = Vec::new();
@@ -96,11 +115,13 @@ pub fn program(arena: &Arena, variables: &Variables, outputs: &[Output]) -> Prog
         let comment = format!("{} = {}", output.label, text(arena, output.value));
         result.push(Statement { name, value, comment });
     }
-    let inputs = parts.into_iter().filter(|e| matches!(arena.node(*e), Node::Symbol(_))).collect();
+    let computed: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
+    let is_input = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_)) && !computed.contains(e);
+    let inputs: FxHashSet<Expr> = parts.into_iter().filter(is_input).collect();
     // Sines and cosines of inputs first: that is where a reader looks for them.
     let needs_nothing = |line: &Line| match line {
         Line::Circular { angle, .. } => matches!(angle, View::Shared(name) if variables.of.values().any(|v| v == name)),
-        Line::Let(_) => false,
+        Line::Let(_) | Line::Step(_) => false,
     };
     let (mut first, rest): (Vec<Line>, Vec<Line>) = lines.list.into_iter().partition(needs_nothing);
     first.extend(rest);
@@ -196,7 +217,14 @@ impl Names {
     }
 
     /// A name after what the term holds, or after the output that needs it first.
-    fn descriptive(&mut self, arena: &Arena, variables: &Variables, e: Expr, outputs: &[Output]) -> String {
+    fn descriptive(
+        &mut self,
+        arena: &Arena,
+        variables: &Variables,
+        e: Expr,
+        steps: &[Definition],
+        outputs: &[Output],
+    ) -> String {
         let factors: Vec<(Expr, i32)> = match arena.node(e) {
             Node::Product(factors) => factors.to_vec(),
             Node::Sum(constant, terms) if constant_free(constant) && terms.len() == 1 => match arena.node(terms[0].0) {
@@ -228,8 +256,10 @@ impl Names {
         if let Some(word) = identifier(&text(arena, e), 16) {
             return self.allocator.unique(&word);
         }
-        let first = outputs.iter().find(|o| arena.reachable(&[o.value]).binary_search(&e).is_ok());
-        let stem = first.map_or("shared".to_owned(), |o| o.name.clone());
+        let steps = steps.iter().map(|step| (step.value, &variables.of[&step.symbol]));
+        let mut needing = steps.chain(outputs.iter().map(|o| (o.value, &o.name)));
+        let first = needing.find(|(value, _)| arena.reachable(&[*value]).binary_search(&e).is_ok());
+        let stem = first.map_or("shared".to_owned(), |(_, name)| name.clone());
         self.allocator.unique(&format!("{stem}_part"))
     }
 

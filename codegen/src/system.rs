@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use tripos_derive::{Equations, Formulation, Model};
 
 /// The `System` that hands slices to the functions above.
-pub fn system(model: &Model, e: &Equations) -> TokenStream {
+pub fn system(model: &Model, e: &Equations, eliminated: bool) -> TokenStream {
     let name = format_ident!("{}", type_name(&e.name));
     let about = format!(" {} of this model as a [`System`].", e.title);
     let symmetric = e.symmetric;
@@ -45,6 +45,24 @@ pub fn system(model: &Model, e: &Equations) -> TokenStream {
             }
         }
     };
+    let eliminated = if eliminated {
+        quote! {
+            fn has_accelerations(&self) -> bool { true }
+            fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(&accelerations(#state));
+            }
+            fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+                let (of_q, of_v) = derivative(#state);
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            }
+            fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(jacobian(#state).as_flattened());
+            }
+        }
+    } else {
+        TokenStream::new()
+    };
     quote! {
         #[doc = #about]
         #[derive(Clone, Copy, Debug)]
@@ -65,6 +83,7 @@ pub fn system(model: &Model, e: &Equations) -> TokenStream {
             fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
                 out.copy_from_slice(&forcing(#state));
             }
+            #eliminated
             #conversions
             fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
                 kinetic_energy(#state)

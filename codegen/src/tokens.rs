@@ -199,11 +199,12 @@ pub fn statements(program: &Program, cost: &mut Cost) -> TokenStream {
                 let (sine, cosine) = (pattern(sine, uses(program, sine)), pattern(cosine, uses(program, cosine)));
                 ("Sines and cosines.", quote!(let (#sine, #cosine) = #angle.sin_cos();))
             }
-            Line::Let(statement) => {
+            Line::Let(statement) | Line::Step(statement) => {
                 let name = format_ident!("{}", statement.name);
                 let value = expression(&statement.value, cost);
                 let equation = comment(&statement.comment);
-                ("Shared terms.", quote!(#equation let #name = #value;))
+                let heading = if matches!(line, Line::Let(_)) { "Shared terms." } else { "Elimination, step by step." };
+                (heading, quote!(#equation let #name = #value;))
             }
         };
         if wanted != heading {
@@ -255,7 +256,7 @@ fn uses(program: &Program, name: &str) -> bool {
     }
     let mut values = program.lines.iter().map(|line| match line {
         Line::Circular { angle, .. } => angle,
-        Line::Let(statement) => &statement.value,
+        Line::Let(statement) | Line::Step(statement) => &statement.value,
     });
     values.any(|v| occurs(v, name)) || program.outputs.iter().any(|s| occurs(&s.value, name))
 }

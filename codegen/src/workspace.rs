@@ -1,5 +1,6 @@
 //! All models of a workspace, and what stands in `generated/`.
 
+use crate::formulation::Solved;
 use crate::identifiers::module_name;
 use crate::tokens::format;
 use crate::{formulation, module};
@@ -8,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{Derivation, derive_all};
+use tripos_derive::mechanics::{Derivation, derive_all, distances, in_distance};
 use tripos_derive::model::text_hash;
 use tripos_derive::report::Report;
 use tripos_derive::{Formulation, Model, derive};
@@ -82,10 +83,15 @@ pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, D
     for f in Formulation::ALL {
         // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
         match derive(&model, f) {
-            Ok(Derivation { arena, equations }) => {
-                let text = formulation::file(&model, &source, &arena, &equations);
-                files.push((format!("{}.rs", module_name(&equations.name)), text));
-                names.push(equations.name);
+            Ok(derivation) => {
+                let near = distances(&model).into_iter().map(|d| in_distance(&model, derivation.clone(), d));
+                for Derivation { mut arena, equations } in std::iter::once(derivation.clone()).chain(near) {
+                    // The matrix has full rank by meaning, so it is never singular identically.
+                    let solved = Solved::new(&mut arena, &equations).ok();
+                    let text = formulation::file(&model, &source, &arena, &equations, solved.as_ref());
+                    files.push((format!("{}.rs", module_name(&equations.name)), text));
+                    names.push(equations.name);
+                }
             }
             Err(error) if error.is_unsupported() => {}
             Err(error) => return Err(model.diagnose(&error)),
@@ -101,7 +107,10 @@ pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, D
                 let diagnostic = Diagnostic::of_file(message, "let ids differ in more than signs");
                 return Err(Diagnostics::new(report.source.clone(), vec![diagnostic]));
             }
-            files.push((file, formulation::file(&with_report, &source, &derivations.kinematics.arena, &equations)));
+            files.push((
+                file,
+                formulation::file(&with_report, &source, &derivations.kinematics.arena, &equations, None),
+            ));
             names.push(equations.name);
         }
     }

@@ -1,5 +1,7 @@
 //! Scenes: what to run, from where, how accurately, what to look at. States: one instant of it.
 
+mod extended;
+mod integration;
 mod values;
 
 use crate::algebra::Expr;
@@ -9,7 +11,10 @@ use crate::read::{Located, Reader};
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use values::Values;
+use values::{Number, Start, Values, doubles};
+
+pub use extended::Extended;
+pub use integration::{AbsoluteTolerance, Integration, METHODS, Solve};
 
 /// Which way an event function must cross zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +58,32 @@ pub struct Figure {
     pub caption: String,
 }
 
+/// The start of a scene as its file states it, beyond the precision of a double.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Exact {
+    /// The parameters, in the order of the model.
+    pub parameters: Vec<Extended>,
+    /// The coordinates.
+    pub q: Vec<Extended>,
+    /// What moves.
+    pub motion: Motion,
+}
+
+/// How a file states the motion at an instant.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Motion {
+    /// By every generalized speed u.
+    Speeds(Vec<Extended>),
+    /// By every q′.
+    Rates(Vec<Extended>),
+}
+
+impl Default for Motion {
+    fn default() -> Self {
+        Self::Speeds(Vec::new())
+    }
+}
+
 /// A run to be made.
 #[derive(Clone, Debug)]
 pub struct Scene {
@@ -70,18 +101,10 @@ pub struct Scene {
     pub u: Vec<f64>,
     /// First and last instant, s.
     pub span: (f64, f64),
-    /// Relative tolerance of the integration.
-    pub rtol: f64,
-    /// Absolute tolerance of the integration.
-    pub atol: f64,
-    /// The method of integration.
-    pub method: String,
-    /// Steps after which a run is given up.
-    pub step_limit: u64,
-    /// Number of equally spaced samples of the output; by default four points for each step.
-    pub samples: Option<usize>,
-    /// Whether leaving the model's domain ends the run.
-    pub domain_stops: bool,
+    /// Parameters and start to 32 digits, for reference runs.
+    pub exact: Exact,
+    /// How to integrate.
+    pub integration: Integration,
     /// What to notice.
     pub events: Vec<SceneEvent>,
     /// What to draw.
@@ -115,32 +138,18 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     values.reader.allow(table, "a scene file", &KEYS);
     let parameters = values.parameters(table);
     let start = values.section(table, "start");
-    let (q, u) = match (start, &parameters) {
+    let Start { q, u, exact } = match (start, &parameters) {
         (None, _) => {
             let help = "add [start] with every coordinate and every speed or every q'";
             values.reader.errors.push(Diagnostic::of_file("the scene has no `start`", help));
-            (Vec::new(), Vec::new())
+            Start::default()
         }
         (Some(start), Some(parameters)) => values.state(start, parameters).unwrap_or_default(),
-        (Some(_), None) => (Vec::new(), Vec::new()),
+        (Some(_), None) => Start::default(),
     };
     let p = parameters.clone().unwrap_or_default();
     let span = values.span(table, &p);
-    let integration = values.section(table, "integration");
-    if let Some(integration) = integration {
-        let keys = ["method", "rtol", "atol", "step_limit", "samples", "domain"];
-        values.reader.allow(integration, "`integration`", &keys);
-    }
-    let rtol = values.tolerance(integration, "rtol", 1e-6, &p);
-    let atol = values.tolerance(integration, "atol", 1e-9, &p);
-    if rtol == 0.0 && atol == 0.0 {
-        let help = "give at least one tolerance above zero";
-        values.reader.errors.push(Diagnostic::of_file("rtol and atol are both zero", help));
-    }
-    let method = values.choice(integration, "method", &["ode45"]).unwrap_or("ode45").to_owned();
-    let domain_stops = values.choice(integration, "domain", &["stop", "watch"]) != Some("watch");
-    let step_limit = values.count(integration, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000);
-    let samples = values.count(integration, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok());
+    let integration = values.integration(table, &p);
     let events = values.events(table);
     let figures = values.figures(table);
     let title = values.text(table, "title").unwrap_or_default();
@@ -150,16 +159,12 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
         source: source.clone(),
         title,
         about,
-        parameters: p,
+        parameters: doubles(&p),
         q,
         u,
+        exact,
         span: span.expect("reported if missing"),
-        rtol,
-        atol,
-        method,
-        step_limit,
-        samples,
-        domain_stops,
+        integration,
         events,
         figures,
     })
@@ -191,14 +196,14 @@ pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnosti
         let help = "add [state] with every coordinate and every speed or every q'";
         values.reader.errors.push(Diagnostic::of_file("the file has no `state`", help));
     }
-    let state = state.and_then(|state| values.state(state, parameters.as_ref()?));
+    let state = state.and_then(|state| values.state(state, parameters.as_deref()?));
     values.reader.finish()?;
-    let (q, u) = state.expect("reported if missing");
-    Ok(State { parameters: parameters.expect("reported if missing"), q, u })
+    let Start { q, u, .. } = state.expect("reported if missing");
+    Ok(State { parameters: doubles(&parameters.expect("reported if missing")), q, u })
 }
 
 impl<'a> Values<'a, '_> {
-    fn span(&mut self, table: &'a DeTable<'a>, p: &[f64]) -> Option<(f64, f64)> {
+    fn span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(f64, f64)> {
         let Some(value) = self.reader.get(table, "span") else {
             let help = "add span = [0, 1], in seconds";
             self.reader.errors.push(Diagnostic::of_file("the scene has no `span`", help));
@@ -212,7 +217,7 @@ impl<'a> Values<'a, '_> {
             .iter()
             .map(|v| {
                 let formula = self.reader.formula(v, "an instant")?;
-                self.number(&formula, p, "an instant")
+                Some(self.number(&formula, p, "an instant")?.double)
             })
             .collect();
         let [from, to] = ends.as_slice() else {
@@ -226,46 +231,6 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         Some((from, to))
-    }
-
-    fn tolerance(&mut self, section: Option<&'a DeTable<'a>>, key: &str, default: f64, p: &[f64]) -> f64 {
-        let Some(value) = section.and_then(|s| self.reader.get(s, key)) else { return default };
-        let Some(formula) = self.reader.formula(value, &format!("`{key}`")) else { return default };
-        let Some(number) = self.number(&formula, p, "a tolerance") else { return default };
-        if number < 0.0 {
-            self.reader.error(formula.span, format!("`{key}` is negative"), "a tolerance is zero or above");
-        }
-        number
-    }
-
-    fn choice(
-        &mut self,
-        section: Option<&'a DeTable<'a>>,
-        key: &str,
-        allowed: &[&'static str],
-    ) -> Option<&'static str> {
-        let value = section.and_then(|s| self.reader.get(s, key))?;
-        let text = self.reader.string(value, &format!("`{key}`"))?;
-        let found = allowed.iter().find(|a| **a == text.text).copied();
-        if found.is_none() {
-            let help = crate::diagnostic::nearest(&text.text, allowed.iter().copied());
-            self.reader.error(text.span, format!("`{}` is not a value of `{key}`", text.text), help);
-        }
-        found
-    }
-
-    fn count(&mut self, section: Option<&'a DeTable<'a>>, key: &str, least: u64, most: u64) -> Option<u64> {
-        let value = section.and_then(|s| self.reader.get(s, key))?;
-        let number = match value.get_ref() {
-            DeValue::Integer(n) if n.radix() == 10 => n.as_str().replace('_', "").parse::<u64>().ok(),
-            _ => None,
-        };
-        let number = number.filter(|n| (least..=most).contains(n));
-        if number.is_none() {
-            let help = format!("write a whole number from {least} to {most}");
-            self.reader.error(value.span(), format!("`{key}` is out of range"), help);
-        }
-        number
     }
 
     /// The entries of an array of tables.

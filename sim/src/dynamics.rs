@@ -7,6 +7,7 @@ use tripos_traits::System;
 
 use crate::error::{Failure, SimError};
 use crate::linear::{self, Shape, Unsolvable};
+use crate::rhs::RightHandSide;
 use crate::solution::Solution;
 
 /// One formulation of one model with its parameters.
@@ -96,23 +97,6 @@ impl<'a> Dynamics<'a> {
         }
     }
 
-    /// y' = [q̇; v̇] for the integrator; the time is not used.
-    ///
-    /// # Errors
-    /// As [`Dynamics::unknowns`].
-    pub fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
-        let (n, speeds) = (self.system.coordinates(), self.system.speeds());
-        let (q, v) = self.split(y);
-        self.check_lengths(q, v)?;
-        if dydt.len() != y.len() {
-            return Err(wrong_length());
-        }
-        let (q_dot, v_dot) = dydt.split_at_mut(n);
-        self.system.coordinate_rates(&self.parameters, q, v, q_dot);
-        v_dot.copy_from_slice(&self.unknowns(q, v)?[..speeds]);
-        Ok(())
-    }
-
     /// How far the matrix A(q, v) is from a singular one, see [`linear::reciprocal_condition`]; 0
     /// also for lengths that are not the system's.
     pub fn reciprocal_condition(&mut self, q: &[f64], v: &[f64]) -> f64 {
@@ -180,6 +164,34 @@ impl<'a> Dynamics<'a> {
         };
         let message = format!("{label}{matrix} of order {order} {fact}");
         Failure { code: "singular", message }
+    }
+}
+
+/// y' = [q̇; v̇], the accelerations from the linear system at each state; the time is not used. The Jacobian is that of
+/// the eliminated accelerations, where there are such.
+impl RightHandSide<f64> for Dynamics<'_> {
+    fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
+        let (n, speeds) = (self.system.coordinates(), self.system.speeds());
+        let (q, v) = self.split(y);
+        self.check_lengths(q, v)?;
+        if dydt.len() != y.len() {
+            return Err(wrong_length());
+        }
+        let (q_dot, v_dot) = dydt.split_at_mut(n);
+        self.system.coordinate_rates(&self.parameters, q, v, q_dot);
+        v_dot.copy_from_slice(&self.unknowns(q, v)?[..speeds]);
+        Ok(())
+    }
+
+    fn jacobian(&mut self, _t: f64, y: &[f64], out: &mut [f64]) -> Option<Result<(), Failure>> {
+        let (q, v) = self.split(y);
+        if let Err(failure) = self.check_lengths(q, v) {
+            return Some(Err(failure));
+        }
+        self.system.has_accelerations().then(|| {
+            self.system.jacobian(&self.parameters, q, v, out);
+            Ok(())
+        })
     }
 }
 

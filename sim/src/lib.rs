@@ -34,6 +34,7 @@
 mod control;
 mod dormand_prince;
 mod dynamics;
+mod eliminated;
 mod error;
 pub mod events;
 mod explicit;
@@ -57,6 +58,7 @@ mod watch;
 
 pub use dormand_prince::DORMAND_PRINCE_54;
 pub use dynamics::Dynamics;
+pub use eliminated::Eliminated;
 pub use error::{Failure, SimError};
 pub use events::{Direction, Effect, Event, EventFunction, EventRecord, Kind};
 pub use integrate::integrate;

@@ -1,7 +1,7 @@
 //! Equations of motion through `Dynamics`: hand-written systems with exact answers.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{AbsoluteTolerance, Direction, Dynamics, Event, Options, SimError, integrate};
+use tripos_sim::{AbsoluteTolerance, Direction, Dynamics, Event, Options, RightHandSide, SimError, integrate};
 use tripos_traits::System;
 
 /// What a small system must say; speeds are the coordinate rates.

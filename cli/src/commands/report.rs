@@ -6,13 +6,13 @@ use crate::figures::{self, Curve};
 use crate::invariants::{Course, Watch};
 use crate::page::{self, Figure, Nearest, Page, RunRow, SceneSection};
 use crate::plot::{self, Panel};
-use crate::run::{Run, run_code, state_names};
+use crate::run::{Run, how, run_code, state_names};
 use crate::study::{Printed, Study};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::Derivation;
-use tripos_derive::scene::{FigureKind, Scene, load, model_path};
+use tripos_derive::scene::{FigureKind, Scene, Solve, load, model_path};
 use tripos_derive::{Formulation, Model, derive};
 
 /// Steps after which a run of printed equations is given up: such equations may creep to a place that they never reach.
@@ -36,7 +36,7 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
     let mut derived = Vec::new();
     for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
         let by = By::from(*f);
-        let code = code(&model, &by)?;
+        let code = code(&model, &by, None)?;
         derived.push((by, code));
     }
     let work = Work {
@@ -149,12 +149,20 @@ impl Work<'_> {
         let mut runs = Runs { derived: Vec::new(), printed: Vec::new(), not_run: Vec::new() };
         for (by, code) in &self.derived {
             bar.set_message(message(by));
+            let own = match scene.integration.distance {
+                None => None,
+                distance => Some(crate::catalogue::code(self.model, by, distance)?),
+            };
+            let code = own.as_ref().unwrap_or(code);
             let run = run_code(self.model, scene, by, code)?;
             let course = self.watch.along(scene, code, &run);
             runs.derived.push((run, course));
             bar.inc(1);
         }
-        let limited = Scene { step_limit: scene.step_limit.min(MOST_PRINTED_STEPS), ..scene.clone() };
+        let mut limited = scene.clone();
+        limited.integration.step_limit = scene.integration.step_limit.min(MOST_PRINTED_STEPS);
+        limited.integration.solve = Some(Solve::Numeric);
+        limited.integration.distance = None;
         for (by, code) in &self.printed {
             bar.set_message(message(by));
             let why = match code {
@@ -269,7 +277,7 @@ fn facts(model: &Model, scene: &Scene) -> Vec<(String, String)> {
         ("Parameters".to_owned(), pairs(parameters, &scene.parameters)),
         ("Start".to_owned(), pairs(state_names(model), &start)),
         ("Span".to_owned(), format!("{} s to {} s", scene.span.0, scene.span.1)),
-        ("Integration".to_owned(), format!("{}, rtol {:e}, atol {:e}", scene.method, scene.rtol, scene.atol)),
+        ("Integration".to_owned(), how(scene)),
         ("Domain".to_owned(), model.domain.iter().map(|c| c.text.clone()).collect::<Vec<_>>().join(", ")),
     ];
     facts.retain(|(_, value)| !value.is_empty());
@@ -281,7 +289,7 @@ fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
     RunRow {
         title: run.by.title.clone(),
         printed: run.by.name.strip_prefix("printed:").map(str::to_owned),
-        method: scene.method.clone(),
+        method: scene.integration.method.clone(),
         code: run.code.to_owned(),
         steps: solution.steps,
         rejected: solution.rejected,

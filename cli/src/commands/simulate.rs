@@ -3,12 +3,12 @@
 use crate::Simulate;
 use crate::catalogue::{By, by, read_model, short_name};
 use crate::failure::{Failure, print, say, status, warn};
-use crate::run::{Run, method, run, state_names};
+use crate::run::{Run, how, method, run, state_names};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Scene, load, model_path};
+use tripos_derive::scene::{AbsoluteTolerance, Scene, Solve, load, model_path};
 use tripos_derive::{Formulation, Model, derive};
 
 /// Runs the scene and prints how it ended.
@@ -51,19 +51,32 @@ pub fn read_scene(path: &Path) -> Result<(Model, Scene), Failure> {
 /// Puts the options of the command line in place of the scene's values.
 fn change(scene: &mut Scene, request: &Simulate) -> Result<(), Failure> {
     if let Some(name) = &request.method {
-        method(name)?.name().clone_into(&mut scene.method);
+        method(name)?.name().clone_into(&mut scene.integration.method);
     }
-    for (option, value, place) in [("--rtol", request.rtol, &mut scene.rtol), ("--atol", request.atol, &mut scene.atol)]
-    {
+    if let Some(name) = &request.solve {
+        scene.integration.solve = Some(solve(name)?);
+    }
+    if let Some(step) = request.step {
+        if !(step.is_finite() && step > 0.0) {
+            let help = "give the length of a step in seconds, above zero";
+            return Err(Failure::Request(format!("--step is {step}"), help.to_owned()));
+        }
+        scene.integration.step = Some(step);
+    }
+    let tolerances = [("--rtol", request.rtol), ("--atol", request.atol)];
+    for (option, value) in tolerances {
         if let Some(value) = value {
             if !value.is_finite() || value < 0.0 {
                 let help = "give a finite number, zero or above";
                 return Err(Failure::Request(format!("{option} is {value}"), help.to_owned()));
             }
-            *place = value;
+            match option {
+                "--rtol" => scene.integration.rtol = value,
+                _ => scene.integration.atol = AbsoluteTolerance::Uniform(value),
+            }
         }
     }
-    if scene.rtol == 0.0 && scene.atol == 0.0 {
+    if scene.integration.rtol == 0.0 && scene.integration.smallest_atol() == 0.0 {
         let help = "give at least one tolerance above zero";
         return Err(Failure::Request("rtol and atol are both zero".to_owned(), help.to_owned()));
     }
@@ -75,6 +88,14 @@ fn change(scene: &mut Scene, request: &Simulate) -> Result<(), Failure> {
         scene.span.1 = until;
     }
     Ok(())
+}
+
+/// How accelerations are found, by this name.
+fn solve(name: &str) -> Result<Solve, Failure> {
+    Solve::ALL.into_iter().find(|solve| solve.name() == name).ok_or_else(|| {
+        let help = tripos_derive::diagnostic::nearest(name, Solve::ALL.map(Solve::name));
+        Failure::Request(format!("accelerations are not found by `{name}`"), help)
+    })
 }
 
 fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
@@ -89,7 +110,8 @@ fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
     json!({
         "model": short_name(model),
         "formulation": run.by.name,
-        "method": scene.method,
+        "method": scene.integration.method,
+        "solve": run.solve.name(),
         "compiled": run.code == "compiled",
         "t": solution.t_end,
         "state": state,
@@ -105,8 +127,12 @@ fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
 
 fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
     let mut out = format!(
-        "{}, {}, {} code, {} with rtol {:e}, atol {:e}\n",
-        model.title, run.by.title, run.code, scene.method, scene.rtol, scene.atol
+        "{}, {}, {} code, accelerations {}, {}\n",
+        model.title,
+        run.by.title,
+        run.code,
+        run.solve.name(),
+        how(scene)
     );
     let _ = writeln!(out, "{}", run.solution);
     for event in &run.solution.events {

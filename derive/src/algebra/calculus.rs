@@ -93,6 +93,11 @@ impl Differential {
         Self::along(&[(x, Expr::ONE)])
     }
 
+    /// Gives a symbol a rate before the first expression that mentions it is differentiated.
+    pub fn set_rate(&mut self, symbol: Expr, rate: Expr) {
+        self.map.insert(symbol, rate);
+    }
+
     /// The derivative of `e`.
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if let Some(&done) = self.map.get(&e) {

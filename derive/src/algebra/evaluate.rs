@@ -1,5 +1,6 @@
 //! Interpretation: expressions as a straight-line tape of floating-point operations.
 
+use super::elimination::Definition;
 use super::{Arena, Expr, Function, Node};
 use rustc_hash::FxHashMap;
 
@@ -32,10 +33,43 @@ impl Tape {
     /// # Errors
     /// [`UnknownSymbol`] if an output depends on a symbol that is no input.
     pub fn new(arena: &Arena, inputs: &[Expr], outputs: &[Expr]) -> Result<Self, UnknownSymbol> {
+        Self::stepwise(arena, inputs, &[], outputs)
+    }
+
+    /// Compiles `outputs` as functions of `inputs` and of what the steps define, each by those before it.
+    ///
+    /// # Errors
+    /// [`UnknownSymbol`] if a step or an output depends on a symbol that is neither.
+    pub fn stepwise(
+        arena: &Arena,
+        inputs: &[Expr],
+        steps: &[Definition],
+        outputs: &[Expr],
+    ) -> Result<Self, UnknownSymbol> {
         let position: FxHashMap<Expr, usize> = inputs.iter().enumerate().map(|(i, e)| (*e, i)).collect();
+        let mut tape = Self { ops: Vec::new(), outputs: Vec::new(), inputs: inputs.len() };
         let mut slots: FxHashMap<Expr, u32> = FxHashMap::default();
-        let mut ops = Vec::new();
-        for e in arena.reachable(outputs) {
+        for step in steps {
+            tape.extend(arena, &position, &mut slots, &[step.value])?;
+            slots.insert(step.symbol, slots[&step.value]);
+        }
+        tape.extend(arena, &position, &mut slots, outputs)?;
+        tape.outputs = outputs.iter().map(|e| slots[e]).collect();
+        Ok(tape)
+    }
+
+    /// Appends what computes these expressions, unless it is there.
+    fn extend(
+        &mut self,
+        arena: &Arena,
+        position: &FxHashMap<Expr, usize>,
+        slots: &mut FxHashMap<Expr, u32>,
+        expressions: &[Expr],
+    ) -> Result<(), UnknownSymbol> {
+        for e in arena.reachable(expressions) {
+            if slots.contains_key(&e) {
+                continue;
+            }
             let op = match arena.node(e) {
                 _ if position.contains_key(&e) => Op::Input(position[&e]),
                 Node::Symbol(_) => {
@@ -49,10 +83,10 @@ impl Tape {
                 Node::Product(factors) => Op::Product(factors.iter().map(|(b, n)| (slots[b], *n)).collect()),
                 Node::Apply(f, argument) => Op::Apply(*f, slots[argument]),
             };
-            slots.insert(e, u32::try_from(ops.len()).expect("as many slots as terms"));
-            ops.push(op);
+            slots.insert(e, u32::try_from(self.ops.len()).expect("as many slots as terms"));
+            self.ops.push(op);
         }
-        Ok(Self { ops, outputs: outputs.iter().map(|e| slots[e]).collect(), inputs: inputs.len() })
+        Ok(())
     }
 
     /// Number of outputs.

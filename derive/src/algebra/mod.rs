@@ -7,6 +7,7 @@ pub mod calculus;
 pub mod compare;
 mod construct;
 mod elementary;
+pub mod elimination;
 pub mod evaluate;
 pub(crate) mod field;
 mod fraction;

@@ -286,8 +286,14 @@ fn most_shared(polynomial: &Polynomial) -> Option<(Expr, bool)> {
 /// Operations in an expression, each shared term counted once: what "shorter" means here.
 #[must_use]
 pub fn cost(arena: &Arena, e: Expr) -> usize {
+    cost_of_all(arena, &[e])
+}
+
+/// Operations in several expressions together.
+#[must_use]
+pub fn cost_of_all(arena: &Arena, list: &[Expr]) -> usize {
     arena
-        .reachable(&[e])
+        .reachable(list)
         .into_iter()
         .map(|part| match arena.node(part) {
             Node::Number(_) | Node::Symbol(_) | Node::Pi => 0,

@@ -1,5 +1,7 @@
 //! Equations of motion by three methods that share nothing but the kinematics.
 
+mod accelerations;
+mod distance;
 mod kane;
 mod kinematics;
 mod lagrange;
@@ -7,9 +9,11 @@ mod newton_euler;
 mod quantities;
 mod vector;
 
+pub use accelerations::{Jacobian, accelerations, jacobian};
+pub use distance::{Distance, distances, in_distance};
 pub use kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds, speeds_to_rates};
 pub use lagrange::generalized_forces;
-pub use newton_euler::{Balance, balances};
+pub use newton_euler::{Balance, balances, partial_velocities};
 pub use quantities::{Energy, Owner, Quantities, Quantity, QuantityError, QuantityKind, Row, VectorName};
 pub use vector::{Frames, Vector};
 
@@ -72,6 +76,8 @@ pub struct Equations {
     pub title: String,
     /// The method they come from; it tells what the motion variables are.
     pub formulation: Formulation,
+    /// The generalized coordinates q, or the distance that stands for one ([`in_distance`]).
+    pub coordinates: Vec<Expr>,
     /// The motion variables v that are integrated beside q: u, or q̇ for Lagrange.
     pub variables: Vec<Expr>,
     /// Their time derivatives, then the reactions.
@@ -84,6 +90,9 @@ pub struct Equations {
     pub forcing: Vec<Expr>,
     /// Whether the matrix is symmetric by construction, and positive definite where it is regular.
     pub symmetric: bool,
+    /// Multipliers of the rows, one list for each motion variable, under which the reactions cancel and a
+    /// symmetric, positive definite system is left: the partial velocities. Empty without reactions.
+    pub projection: Vec<Vec<Expr>>,
     /// q̇ in q and v.
     pub coordinate_rates: Vec<Expr>,
     /// u in q and v.

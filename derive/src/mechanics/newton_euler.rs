@@ -7,6 +7,7 @@ use super::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
 use super::vector::Vector;
 use super::{DeriveError, Equations, Formulation, Step};
 use crate::algebra::Expr;
+use crate::algebra::calculus::Differential;
 use crate::algebra::linear::LinearForm;
 use crate::model::{Body, Model, Place, ReactionKind};
 
@@ -24,7 +25,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
     let mut unknowns: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
     unknowns.extend(model.reactions.iter().map(|r| r.symbol));
     let mut form = LinearForm::new(&unknowns);
-    let (mut rows, mut matrix, mut forcing) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut rows, mut matrix, mut forcing) = (Vec::<Balance>::new(), Vec::new(), Vec::new());
     for balance in balances(model, kinematics, &velocities, None) {
         let Kinematics { arena, simplifier, .. } = kinematics;
         let (row, rest) = form.coefficients(arena, balance.residual).map_err(|_| DeriveError::NotLinear)?;
@@ -34,7 +35,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         if row.iter().all(|e| *e == Expr::ZERO) && right == Expr::ZERO {
             continue;
         }
-        rows.push(balance.label(model));
+        rows.push(balance);
         matrix.push(row);
         forcing.push(right);
     }
@@ -49,12 +50,14 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         name: Formulation::NewtonEuler.name().to_owned(),
         title: Formulation::NewtonEuler.title().to_owned(),
         formulation: Formulation::NewtonEuler,
+        coordinates: model.q(),
         variables: model.u(),
         unknowns,
-        rows,
+        rows: rows.iter().map(|row| row.label(model)).collect(),
         matrix,
         forcing,
         symmetric: false,
+        projection: partial_velocities(model, kinematics, &velocities, &rows, &model.u()),
         coordinate_rates: model.kinematic_equations.rates.clone(),
         generalized_speeds: model.u(),
         generalized_speed_rates: model.speeds.iter().map(|s| s.rate).collect(),
@@ -113,6 +116,35 @@ pub fn balances(
         }
     }
     list
+}
+
+/// For each motion variable the partial velocities that belong to the rows: of the mass centre for
+/// forces, of the body's frame for moments. As multipliers of the rows they cancel every reaction.
+pub fn partial_velocities(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+    rows: &[Balance],
+    variables: &[Expr],
+) -> Vec<Vec<Expr>> {
+    let mut result = Vec::new();
+    for variable in variables {
+        let mut partial = Differential::partial(*variable);
+        let mut entries = Vec::new();
+        for row in rows {
+            let body = &model.bodies[row.body];
+            let velocity = match &body.rigid {
+                Some((frame, _)) if row.moments => &velocities.angular[*frame],
+                _ => &velocities.linear[body.centre],
+            };
+            let Kinematics { arena, frames, simplifier, .. } = kinematics;
+            let slope = velocity.differentiate(arena, &mut partial);
+            let component = frames.express(arena, &slope, row.frame)[row.axis];
+            entries.push(simplifier.simplify(arena, component));
+        }
+        result.push(entries);
+    }
+    result
 }
 
 /// m a − ΣF and, for a rigid body, dH/dt − ΣM.

@@ -13,7 +13,7 @@ use crate::algebra::linear::solve;
 use crate::algebra::modular::rank;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{
-    Balance, Derivations, Equations, Formulation, Kinematics, Vector, Velocities, balances, rates_to_speeds,
+    Balance, Derivations, Equations, Formulation, Kinematics, Vector, balances, partial_velocities, rates_to_speeds,
     speeds_to_rates,
 };
 use crate::model::{Model, ReactionKind};
@@ -58,11 +58,10 @@ pub fn prove(
     let Some(newton_euler) = newton_euler else { return (pairs, reactions) };
     let rows = rows_of(model, kinematics, &newton_euler);
     if let Some(kane) = &kane {
-        let velocities = kinematics.in_speeds(model);
-        let partial = partials(model, kinematics, &velocities, &rows, &model.u());
-        let combined = combine(&mut kinematics.arena, &partial, &newton_euler);
+        let partial = &newton_euler.projection;
+        let combined = combine(&mut kinematics.arena, partial, &newton_euler);
         let identity = equal_systems(&mut kinematics.arena, comparer, &combined, kane, model.reactions.len());
-        let (back, equations) = reactions_from(model, kinematics, &rows, &partial, &newton_euler);
+        let (back, equations) = reactions_from(model, kinematics, &rows, &newton_euler);
         let names: Vec<&str> = model.reactions.iter().map(|r| r.name.as_str()).collect();
         let given = if names.is_empty() {
             "both have the same number of rows".to_owned()
@@ -81,7 +80,7 @@ pub fn prove(
     }
     if let Some(lagrange) = &lagrange {
         let velocities = kinematics.in_rates.clone();
-        let partial = partials(model, kinematics, &velocities, &rows, &model.q_dot());
+        let partial = partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
         let in_rates = maps.to_rates(model, &mut kinematics.arena, &newton_euler);
         let combined = combine(&mut kinematics.arena, &partial, &in_rates);
         let identity = equal_systems(&mut kinematics.arena, comparer, &combined, lagrange, model.reactions.len());
@@ -228,45 +227,15 @@ fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations)
     rows
 }
 
-/// For each motion variable the partial velocities that belong to the rows: of the mass centre for
-/// forces, of the body's frame for moments.
-fn partials(
-    model: &Model,
-    kinematics: &mut Kinematics,
-    velocities: &Velocities,
-    rows: &[Balance],
-    variables: &[Expr],
-) -> Matrix {
-    let mut result = Vec::new();
-    for variable in variables {
-        let mut partial = Differential::partial(*variable);
-        let mut entries = Vec::new();
-        for row in rows {
-            let body = &model.bodies[row.body];
-            let velocity = match &body.rigid {
-                Some((frame, _)) if row.moments => &velocities.angular[*frame],
-                _ => &velocities.linear[body.centre],
-            };
-            let Kinematics { arena, frames, simplifier, .. } = kinematics;
-            let slope = velocity.differentiate(arena, &mut partial);
-            let component = frames.express(arena, &slope, row.frame)[row.axis];
-            entries.push(simplifier.simplify(arena, component));
-        }
-        result.push(entries);
-    }
-    result
-}
-
 /// Proves that Kane's rows and one further row for each reaction are Newton–Euler again, and solves those
 /// for the reactions.
 fn reactions_from(
     model: &Model,
     kinematics: &mut Kinematics,
     rows: &[Balance],
-    partial: &Matrix,
     newton_euler: &Equations,
 ) -> (Verdict, Vec<ReactionEquation>) {
-    let mut basis = partial.clone();
+    let mut basis = newton_euler.projection.clone();
     let mut further: Matrix = Vec::new();
     let unit = |at: usize| (0..rows.len()).map(|k| if k == at { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
     let directions: Vec<Vec<Expr>> = directions(model, kinematics, rows);

@@ -1,5 +1,7 @@
 //! Numbers in scene and state files: exact formulas in parameters, evaluated once.
 
+use super::extended::{Extended, exact_value};
+use super::{Exact, Motion};
 use crate::algebra::evaluate::Tape;
 use crate::algebra::parse::parse;
 use crate::algebra::{Expr, Rational};
@@ -7,6 +9,41 @@ use crate::diagnostic::nearest;
 use crate::model::Model;
 use crate::read::{Located, Reader};
 use toml::de::DeTable;
+
+/// A number of a file.
+#[derive(Clone, Debug)]
+pub struct Number {
+    /// Rounded.
+    pub double: f64,
+    /// As it is, where that is known: not for function values such as √2.
+    pub exact: Option<Rational>,
+}
+
+impl Number {
+    fn exact(value: Rational) -> Self {
+        Self { double: value.to_f64(), exact: Some(value) }
+    }
+}
+
+/// Rounded to doubles.
+pub fn doubles(numbers: &[Number]) -> Vec<f64> {
+    numbers.iter().map(|n| n.double).collect()
+}
+
+fn extended(numbers: &[Number]) -> Vec<Extended> {
+    numbers.iter().map(|n| n.exact.as_ref().map_or(n.double.into(), Extended::of)).collect()
+}
+
+/// A state at one instant, with what the file says of it beyond the precision of a double.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// Coordinates.
+    pub q: Vec<f64>,
+    /// Generalized speeds.
+    pub u: Vec<f64>,
+    /// The same to 32 digits.
+    pub exact: Exact,
+}
 
 /// Reads values that belong to a model.
 pub struct Values<'a, 'm> {
@@ -25,9 +62,9 @@ impl<'a> Values<'a, '_> {
     }
 
     /// Values of all parameters: those stated, the model's defaults for the rest.
-    pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Option<Vec<f64>> {
-        let mut values: Vec<Option<f64>> =
-            self.model.parameters.iter().map(|p| p.value.as_ref().map(Rational::to_f64)).collect();
+    pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Option<Vec<Number>> {
+        let mut values: Vec<Option<Number>> =
+            self.model.parameters.iter().map(|p| p.value.clone().map(Number::exact)).collect();
         let section = self.section(table, "parameters");
         for (name, value) in section.map_or(Vec::new(), |s| self.reader.entries(s)) {
             let Some(at) = self.model.parameters.iter().position(|p| p.name == name.text) else {
@@ -38,8 +75,8 @@ impl<'a> Values<'a, '_> {
             let Some(formula) = self.reader.formula(value, "a parameter's value") else { continue };
             let Some(number) = self.constant(&formula) else { continue };
             let parameter = &self.model.parameters[at];
-            if parameter.positive && number <= 0.0 {
-                let message = format!("`{}` is stated to be positive but is {number}", parameter.name);
+            if parameter.positive && number.double <= 0.0 {
+                let message = format!("`{}` is stated to be positive but is {}", parameter.name, number.double);
                 self.reader.error(formula.span, message, "give a value above zero");
             }
             values[at] = Some(number);
@@ -55,7 +92,7 @@ impl<'a> Values<'a, '_> {
     }
 
     /// Every coordinate, and every speed or every q′: as (q, u).
-    pub fn state(&mut self, table: &'a DeTable<'a>, parameters: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+    pub fn state(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
         let before = self.reader.errors.len();
         let n = self.model.coordinates.len();
         let (mut q, mut rates, mut u) = (vec![None; n], vec![None; n], vec![None; n]);
@@ -86,27 +123,31 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         self.complete(table, &q, &rates, &u)?;
-        let q: Vec<f64> = q.into_iter().flatten().collect();
-        self.check_constrained(&constrained, parameters, &q);
+        let exact_q: Vec<Number> = q.into_iter().flatten().collect();
+        let (p, q) = (doubles(parameters), doubles(&exact_q));
+        self.check_constrained(&constrained, &p, &q);
         let given =
-            |list: Vec<Option<(f64, Located)>>| list.into_iter().flatten().map(|(x, _)| x).collect::<Vec<f64>>();
-        let (rates, u) = (given(rates), given(u));
-        let u = if rates.is_empty() { u } else { self.speeds_from_rates(parameters, &q, &rates) };
+            |list: Vec<Option<(Number, Located)>>| list.into_iter().flatten().map(|(x, _)| x).collect::<Vec<Number>>();
+        let (rates, exact_u) = (given(rates), given(u));
+        let by_rates = !rates.is_empty();
+        let u = if by_rates { self.speeds_from_rates(&p, &q, &doubles(&rates)) } else { doubles(&exact_u) };
         if let Some(at) = u.iter().position(|x| !x.is_finite()) {
             let message = format!("the speed `{}` is not finite at this state", self.model.speeds[at].name);
             self.reader.errors.push(crate::diagnostic::Diagnostic::of_file(message, "choose another state"));
             return None;
         }
-        Some((q, u))
+        let motion = if by_rates { Motion::Rates(extended(&rates)) } else { Motion::Speeds(extended(&exact_u)) };
+        let exact = Exact { parameters: extended(parameters), q: extended(&exact_q), motion };
+        Some(Start { q, u, exact })
     }
 
     /// Reports what is missing; speeds and rates must not be mixed.
     fn complete(
         &mut self,
         table: &'a DeTable<'a>,
-        q: &[Option<f64>],
-        rates: &[Option<(f64, Located)>],
-        u: &[Option<(f64, Located)>],
+        q: &[Option<Number>],
+        rates: &[Option<(Number, Located)>],
+        u: &[Option<(Number, Located)>],
     ) -> Option<()> {
         let model = &self.model;
         let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
@@ -134,14 +175,14 @@ impl<'a> Values<'a, '_> {
         None
     }
 
-    fn check_constrained(&mut self, stated: &[(usize, f64, std::ops::Range<usize>)], parameters: &[f64], q: &[f64]) {
+    fn check_constrained(&mut self, stated: &[(usize, Number, std::ops::Range<usize>)], parameters: &[f64], q: &[f64]) {
         for (at, number, span) in stated {
             let constraint = self.model.constraints[*at].clone();
             let inputs = [parameters, q].concat();
             let symbols = [self.model.p(), self.model.q()].concat();
             let Ok(tape) = Tape::new(&self.model.arena, &symbols, &[constraint.value]) else { continue };
             let value = tape.evaluate(&inputs)[0];
-            let residual = number - value;
+            let residual = number.double - value;
             if residual.is_nan() || residual.abs() > RESIDUAL * (1.0 + value.abs()) {
                 let message = format!(
                     "the constraint `{}` is broken: `{}` is off by {residual:e}",
@@ -164,16 +205,16 @@ impl<'a> Values<'a, '_> {
     }
 
     /// A formula of numbers, `deg` and `pi`.
-    pub fn constant(&mut self, formula: &Located) -> Option<f64> {
+    pub fn constant(&mut self, formula: &Located) -> Option<Number> {
         self.evaluate(formula, &[], "a parameter's value")
     }
 
     /// A formula of numbers, `deg`, `pi` and parameters.
-    pub fn number(&mut self, formula: &Located, parameters: &[f64], what: &str) -> Option<f64> {
+    pub fn number(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
         self.evaluate(formula, parameters, what)
     }
 
-    fn evaluate(&mut self, formula: &Located, parameters: &[f64], what: &str) -> Option<f64> {
+    fn evaluate(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
         let model = &mut *self.model;
         let known: Vec<(String, Expr)> =
             model.parameters.iter().take(parameters.len()).map(|p| (p.name.clone(), p.symbol)).collect();
@@ -196,7 +237,7 @@ impl<'a> Values<'a, '_> {
             }
         };
         let symbols: Vec<Expr> = known.iter().map(|(_, e)| *e).collect();
-        let value = Tape::new(&model.arena, &symbols, &[e]).ok()?.evaluate(parameters)[0];
+        let value = Tape::new(&model.arena, &symbols, &[e]).ok()?.evaluate(&doubles(parameters))[0];
         if !value.is_finite() {
             self.reader.error(
                 formula.span.clone(),
@@ -205,7 +246,9 @@ impl<'a> Values<'a, '_> {
             );
             return None;
         }
-        Some(value)
+        let pairs = symbols.iter().zip(parameters).filter_map(|(s, p)| Some((*s, p.exact.clone()?)));
+        let exact = exact_value(&model.arena, e, &pairs.collect::<Vec<_>>());
+        Some(exact.map_or(Number { double: value, exact: None }, Number::exact))
     }
 
     /// A formula in everything that has a value during a run.

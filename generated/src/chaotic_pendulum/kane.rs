@@ -2,8 +2,9 @@
 //!
 //! Generated from `models/chaotic_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
 //! 2 coordinates, 2 speeds, 9 parameters. Unknowns: (omega', alpha').
-//! Cost: mass_matrix 12 operations, 1 sine and cosine; forcing 17 operations, 2 sines and cosines.
+//! Cost: mass_matrix 12 operations, 1 sine and cosine; forcing 17 operations, 2 sines and cosines; accelerations 31 operations, 2 sines and cosines.
 //! The kinematic equations are singular nowhere.
+//! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2, by IBzz.
 
 use super::Parameters;
 use tripos_traits::{Scalar, System};
@@ -52,6 +53,147 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     // f2 = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
     let f2 = omega * omega * sin_phi * cos_phi * ibxx_minus_ibyy;
     [f1, f2]
+}
+
+/// The accelerations (omega', alpha'), solved for when this code was generated.
+///
+/// 31 operations, 2 sines and cosines.
+#[must_use]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
+    let [theta, phi] = *q;
+    let [omega, alpha] = *u;
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_theta, _) = theta.sin_cos();
+    // Shared terms.
+    // IBxx - IByy; used 2 times
+    let ibxx_minus_ibyy = IBxx - IByy;
+    // Elimination, step by step.
+    // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
+    //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
+    let omega_dot = -(g * sin_theta * (mA * lA + mB * lB)
+        + S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy)
+        / (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi);
+    // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
+    let alpha_dot = omega * omega * sin_phi * cos_phi * ibxx_minus_ibyy / IBzz;
+    [omega_dot, alpha_dot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 31 operations, 2 sines and cosines.
+#[must_use]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    u: &[S; 2],
+) -> ([S; 2], [S; 2]) {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
+    let [theta, phi] = *q;
+    let [omega, alpha] = *u;
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_theta, _) = theta.sin_cos();
+    // Shared terms.
+    // IBxx - IByy; used 2 times
+    let ibxx_minus_ibyy = IBxx - IByy;
+    // Elimination, step by step.
+    // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
+    //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
+    let omega_dot = -(g * sin_theta * (mA * lA + mB * lB)
+        + S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy)
+        / (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi);
+    // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
+    let alpha_dot = omega * omega * sin_phi * cos_phi * ibxx_minus_ibyy / IBzz;
+    // Values.
+    // theta' = omega
+    let theta_dot_value = omega;
+    // phi' = alpha
+    let phi_dot_value = alpha;
+    ([theta_dot_value, phi_dot_value], [omega_dot, alpha_dot])
+}
+
+/// Jacobian of the derivative by the state; columns theta, phi, omega, alpha.
+///
+/// 81 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
+    let [theta, phi] = *q;
+    let [omega, alpha] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // mA*lA + mB*lB; used 2 times
+    let ma_la_plus_mb_lb = mA * lA + mB * lB;
+    // mA*lA^2; used 2 times
+    let ma_la_sq = mA * lA * lA;
+    // mB*lB^2; used 2 times
+    let mb_lb_sq = mB * lB * lB;
+    // IByy*cos(phi)^2; used 2 times
+    let ibyy_cos_phi_sq = IByy * cos_phi * cos_phi;
+    // cos(phi)^2; used 2 times
+    let cos_phi_sq = cos_phi * cos_phi;
+    // Elimination, step by step.
+    // omega_dot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
+    //   IBxx*(1 - cos(phi)^2))
+    let omega_dot_by_theta = -g * cos_theta * ma_la_plus_mb_lb
+        / (ma_la_sq + mb_lb_sq + IAxx + ibyy_cos_phi_sq
+            + IBxx * (S::int(1) - cos_phi_sq));
+    // Shared terms.
+    // mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2; used 4 times
+    let omega_dot_by_phi_part = ma_la_sq + mb_lb_sq + IAxx + IBxx * sin_phi * sin_phi
+        + ibyy_cos_phi_sq;
+    // IBxx - IByy; used 6 times
+    let ibxx_minus_ibyy = IBxx - IByy;
+    // Elimination, step by step.
+    // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) - IByy*sin(phi)*cos(phi))*(g*sin(theta)*(mA*lA + mB*lB)
+    //   + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 +
+    //   IByy*cos(phi)^2)^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx -
+    //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
+    let omega_dot_by_phi = S::int(2)
+        * (IBxx * sin_phi * cos_phi - IByy * sin_phi * cos_phi)
+        * (g * sin_theta * ma_la_plus_mb_lb
+            + S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy)
+        / (omega_dot_by_phi_part * omega_dot_by_phi_part)
+        + S::int(2)
+            * (omega * alpha * sin_phi * sin_phi * ibxx_minus_ibyy
+                - omega * alpha * cos_phi * cos_phi * ibxx_minus_ibyy)
+            / omega_dot_by_phi_part;
+    // Shared terms.
+    // 2*cos(phi)^2 - 1; used 2 times
+    let alpha_dot_by_phi_part = S::int(2) * cos_phi_sq - S::int(1);
+    // Elimination, step by step.
+    // alpha_dot_by_phi = omega^2*(IBxx*(2*cos(phi)^2 - 1) + IByy*(1 - 2*cos(phi)^2))/IBzz
+    let alpha_dot_by_phi = omega * omega
+        * (IBxx * alpha_dot_by_phi_part - IByy * alpha_dot_by_phi_part) / IBzz;
+    // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
+    //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
+    let omega_dot_by_omega = -S::int(2) * alpha * sin_phi * cos_phi * ibxx_minus_ibyy
+        / omega_dot_by_phi_part;
+    // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
+    let alpha_dot_by_omega = S::int(2) * omega * sin_phi * cos_phi * ibxx_minus_ibyy
+        / IBzz;
+    // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
+    //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
+    let omega_dot_by_alpha = -S::int(2) * omega * sin_phi * cos_phi * ibxx_minus_ibyy
+        / omega_dot_by_phi_part;
+    // Entries that are not zero.
+    // d(theta')/d(omega) = 1
+    let theta_dot_by_omega_value = S::int(1);
+    // d(phi')/d(alpha) = 1
+    let phi_dot_by_alpha_value = S::int(1);
+    [
+        [zero, zero, theta_dot_by_omega_value, zero],
+        [zero, zero, zero, phi_dot_by_alpha_value],
+        [omega_dot_by_theta, omega_dot_by_phi, omega_dot_by_omega, omega_dot_by_alpha],
+        [zero, alpha_dot_by_phi, alpha_dot_by_omega, zero],
+    ]
 }
 
 /// Kinematic equations: the time derivatives of the coordinates.
@@ -137,6 +279,24 @@ impl<S: Scalar> System<S> for Kane {
     }
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

@@ -6,9 +6,15 @@
 #[rustfmt::skip]
 pub mod kane;
 #[rustfmt::skip]
+pub mod kane_q2_90deg;
+#[rustfmt::skip]
 pub mod lagrange;
 #[rustfmt::skip]
+pub mod lagrange_q2_90deg;
+#[rustfmt::skip]
 pub mod newton_euler;
+#[rustfmt::skip]
+pub mod newton_euler_q2_90deg;
 #[rustfmt::skip]
 pub mod printed_kane_final;
 #[rustfmt::skip]
@@ -21,7 +27,7 @@ pub mod printed_listing_5_4;
 pub mod printed_listing_5_5;
 #[rustfmt::skip]
 pub mod printed_listing_5_6;
-use tripos_traits::{CompiledModel, Scalar};
+use tripos_traits::{CompiledModel, CompiledSystem, Scalar};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,17 +66,65 @@ pub const MODEL: CompiledModel = CompiledModel {
     text_hash: "54a1cd4035aa304c",
     report_hash: "e3e31532fb92edb5",
     systems: &[
-        ("kane", &kane::Kane),
-        ("lagrange", &lagrange::Lagrange),
-        ("newton-euler", &newton_euler::NewtonEuler),
-        ("printed:kane-final", &printed_kane_final::PrintedKaneFinal),
-        ("printed:lagrange-final", &printed_lagrange_final::PrintedLagrangeFinal),
-        (
-            "printed:newton-euler-final",
-            &printed_newton_euler_final::PrintedNewtonEulerFinal,
-        ),
-        ("printed:listing-5.4", &printed_listing_5_4::PrintedListing54),
-        ("printed:listing-5.5", &printed_listing_5_5::PrintedListing55),
-        ("printed:listing-5.6", &printed_listing_5_6::PrintedListing56),
+        CompiledSystem {
+            name: "kane",
+            double: &kane::Kane,
+            extended: &kane::Kane,
+        },
+        CompiledSystem {
+            name: "kane@q2-90deg",
+            double: &kane_q2_90deg::KaneQ290deg,
+            extended: &kane_q2_90deg::KaneQ290deg,
+        },
+        CompiledSystem {
+            name: "lagrange",
+            double: &lagrange::Lagrange,
+            extended: &lagrange::Lagrange,
+        },
+        CompiledSystem {
+            name: "lagrange@q2-90deg",
+            double: &lagrange_q2_90deg::LagrangeQ290deg,
+            extended: &lagrange_q2_90deg::LagrangeQ290deg,
+        },
+        CompiledSystem {
+            name: "newton-euler",
+            double: &newton_euler::NewtonEuler,
+            extended: &newton_euler::NewtonEuler,
+        },
+        CompiledSystem {
+            name: "newton-euler@q2-90deg",
+            double: &newton_euler_q2_90deg::NewtonEulerQ290deg,
+            extended: &newton_euler_q2_90deg::NewtonEulerQ290deg,
+        },
+        CompiledSystem {
+            name: "printed:kane-final",
+            double: &printed_kane_final::PrintedKaneFinal,
+            extended: &printed_kane_final::PrintedKaneFinal,
+        },
+        CompiledSystem {
+            name: "printed:lagrange-final",
+            double: &printed_lagrange_final::PrintedLagrangeFinal,
+            extended: &printed_lagrange_final::PrintedLagrangeFinal,
+        },
+        CompiledSystem {
+            name: "printed:newton-euler-final",
+            double: &printed_newton_euler_final::PrintedNewtonEulerFinal,
+            extended: &printed_newton_euler_final::PrintedNewtonEulerFinal,
+        },
+        CompiledSystem {
+            name: "printed:listing-5.4",
+            double: &printed_listing_5_4::PrintedListing54,
+            extended: &printed_listing_5_4::PrintedListing54,
+        },
+        CompiledSystem {
+            name: "printed:listing-5.5",
+            double: &printed_listing_5_5::PrintedListing55,
+            extended: &printed_listing_5_5::PrintedListing55,
+        },
+        CompiledSystem {
+            name: "printed:listing-5.6",
+            double: &printed_listing_5_6::PrintedListing56,
+            extended: &printed_listing_5_6::PrintedListing56,
+        },
     ],
 };

@@ -13,4 +13,4 @@ mod system;
 
 pub use double_double::DoubleDouble;
 pub use scalar::Scalar;
-pub use system::{CompiledModel, System};
+pub use system::{CompiledModel, CompiledSystem, System};

@@ -1,6 +1,6 @@
 //! One formulation of one model, as numbers.
 
-use crate::Scalar;
+use crate::{DoubleDouble, Scalar};
 
 /// Equations of motion  A(q, v) x = b(q, v),  q̇ = k(q, v).
 ///
@@ -24,6 +24,26 @@ pub trait System<S: Scalar = f64> {
     }
     /// Whether `mass_matrix` is symmetric and, away from singular configurations, positive definite.
     fn symmetric(&self) -> bool;
+
+    /// Whether v̇ was solved for when the code was generated, so that [`System::accelerations`],
+    /// [`System::derivative`] and [`System::jacobian`] have values; without it they are not numbers.
+    fn has_accelerations(&self) -> bool {
+        false
+    }
+    /// v̇ by exact elimination at derivation time: the first `speeds` unknowns of A x = b; `out` has as many entries.
+    fn accelerations(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
+        out.fill(S::from_f64(f64::NAN));
+    }
+    /// q̇ and v̇ together, which share terms; `q_dot` has `coordinates` entries and `v_dot` `speeds`.
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        self.coordinate_rates(p, q, v, q_dot);
+        self.accelerations(p, q, v, v_dot);
+    }
+    /// The Jacobian ∂(q̇, v̇)/∂(q, v) of [`System::derivative`], row by row; `out` has
+    /// (`coordinates` + `speeds`)² entries.
+    fn jacobian(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
+        out.fill(S::from_f64(f64::NAN));
+    }
 
     /// q̇ = k(q, v); `out` has `coordinates` entries.
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
@@ -53,7 +73,17 @@ pub struct CompiledModel {
     pub text_hash: &'static str,
     /// Hash of the text of the report whose printed equations are compiled in; empty if there is none.
     pub report_hash: &'static str,
-    /// Equations by name: each supported formulation (`kane`, `lagrange`, `newton-euler`), then those of the
-    /// report (`printed:ID`).
-    pub systems: &'static [(&'static str, &'static (dyn System<f64> + Sync))],
+    /// Equations: each supported formulation (`kane`, `lagrange`, `newton-euler`), also in the distances that are
+    /// worth having, then those of the report (`printed:ID`).
+    pub systems: &'static [CompiledSystem],
+}
+
+/// One set of compiled equations, ready for each kind of number that runs are made in.
+pub struct CompiledSystem {
+    /// Its name; behind an `@` the distance that stands for a coordinate, as in `kane@q2-90deg`.
+    pub name: &'static str,
+    /// In doubles.
+    pub double: &'static (dyn System<f64> + Sync),
+    /// In twice that precision, for reference runs.
+    pub extended: &'static (dyn System<DoubleDouble> + Sync),
 }

@@ -1,0 +1,196 @@
+//! A scene made ready to be integrated by one set of equations.
+//!
+//! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
+//! that people see hold the coordinate.
+
+use crate::catalogue::{By, Code, code};
+use crate::failure::Failure;
+use tripos_derive::scene::{Extended, Motion, Scene, Solve};
+use tripos_derive::{Formulation, Model};
+use tripos_sim::{Dynamics, Eliminated, Event, Options, RightHandSide, SimError, Solution, integrate};
+use tripos_traits::{DoubleDouble, Scalar, System};
+
+/// A scene, the equations that run it, and how.
+pub struct Problem<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Which equations.
+    pub by: &'a By,
+    /// The equations, in the scene's distance if it has one.
+    pub code: &'a Code,
+    /// How accelerations are found.
+    pub solve: Solve,
+    origin: Option<Origin>,
+}
+
+/// The integrated variable at this place is the coordinate minus the origin.
+#[derive(Clone, Copy)]
+struct Origin {
+    at: usize,
+    value: DoubleDouble,
+}
+
+/// A number of a scene in twice the precision of a double.
+fn wide(number: &Extended) -> DoubleDouble {
+    DoubleDouble::sum(number.high, number.low)
+}
+
+fn rounded(numbers: &[DoubleDouble]) -> Vec<f64> {
+    numbers.iter().map(|x| x.to_f64()).collect()
+}
+
+impl<'a> Problem<'a> {
+    /// By these equations, which are in the scene's distance if it has one. Without `solve` the scene decides, then the
+    /// equations: eliminated accelerations where there are such.
+    ///
+    /// # Errors
+    /// [`Failure::Request`] if accelerations are to be eliminated that are not.
+    pub fn new(
+        model: &'a Model,
+        scene: &'a Scene,
+        by: &'a By,
+        code: &'a Code,
+        solve: Option<Solve>,
+    ) -> Result<Self, Failure> {
+        let eliminated = code.system().has_accelerations();
+        let wanted = solve.or(scene.integration.solve);
+        if wanted == Some(Solve::Eliminated) && !eliminated {
+            let what = format!("the accelerations of {} are not eliminated", by.name);
+            let help = "printed equations are solved as they stand: use solve = \"numeric\"".to_owned();
+            return Err(Failure::Request(what, help));
+        }
+        let natural = if eliminated { Solve::Eliminated } else { Solve::Numeric };
+        let origin = scene.integration.distance.map(|distance| Origin {
+            at: distance.coordinate,
+            value: DoubleDouble::pi() * DoubleDouble::ratio(i64::from(distance.quarter_turns), 2),
+        });
+        Ok(Self { model, scene, by, code, solve: wanted.unwrap_or(natural), origin })
+    }
+
+    /// The equations in doubles.
+    pub fn system(&self) -> &'a dyn System<f64> {
+        self.code.system()
+    }
+
+    /// Coordinates as the equations have them.
+    fn to_variables<S: Scalar>(&self, q: &mut [S], origin: impl Fn(DoubleDouble) -> S) {
+        if let Some(Origin { at, value }) = self.origin {
+            q[at] = q[at] - origin(value);
+        }
+    }
+
+    /// The coordinates of an integrated state.
+    pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
+        let mut q = y[..self.system().coordinates()].to_vec();
+        if let Some(Origin { at, value }) = self.origin {
+            q[at] += value.to_f64();
+        }
+        q
+    }
+
+    /// Coordinates, then generalized speeds, of an integrated state.
+    pub fn state(&self, y: &[f64]) -> Vec<f64> {
+        let system = self.system();
+        let (q, v) = y.split_at(system.coordinates());
+        let mut u = vec![0.0; v.len()];
+        system.generalized_speeds(&self.scene.parameters, q, v, &mut u);
+        [self.coordinates(y), u].concat()
+    }
+
+    /// The integrated state at the start.
+    ///
+    /// # Errors
+    /// [`Failure::Stopped`] if the generalized speeds do not determine the motion variables there.
+    pub fn start(&self) -> Result<Vec<f64>, Failure> {
+        let (system, scene) = (self.system(), self.scene);
+        let mut q = scene.q.clone();
+        if let Some(Origin { at, value }) = self.origin {
+            // From the file's own number: the double nearest to it has lost what the distance keeps.
+            q[at] = (wide(&scene.exact.q[at]) - value).to_f64();
+        }
+        let mut v = vec![0.0; system.speeds()];
+        system.motion_variables(&scene.parameters, &q, &scene.u, &mut v);
+        if let Some(at) = v.iter().position(|x| !x.is_finite()) {
+            return Err(Failure::Stopped(format!(
+                "the run cannot start: motion variable {} of {} is {} there, since the generalized speeds do not determine q'",
+                at + 1,
+                self.by.name,
+                v[at]
+            )));
+        }
+        Ok([q, v].concat())
+    }
+
+    /// Parameters and the integrated state at the start, to 32 digits; nothing if the equations are not compiled.
+    pub fn extended_start(&self) -> Option<(Vec<DoubleDouble>, Vec<DoubleDouble>)> {
+        let system = self.code.extended()?;
+        let exact = &self.scene.exact;
+        let numbers = |list: &[Extended]| list.iter().map(wide).collect::<Vec<_>>();
+        let (p, mut q) = (numbers(&exact.parameters), numbers(&exact.q));
+        self.to_variables(&mut q, |value| value);
+        let mut v = vec![DoubleDouble::int(0); system.speeds()];
+        match &exact.motion {
+            Motion::Rates(rates) if self.by.formulation() == Some(Formulation::Lagrange) => v = numbers(rates),
+            Motion::Rates(rates) => {
+                // Lagrange's equations have the definitions of the speeds.
+                let lagrange = code(self.model, &Formulation::Lagrange.into(), self.scene.integration.distance).ok()?;
+                let mut u = v.clone();
+                lagrange.extended()?.generalized_speeds(&p, &q, &numbers(rates), &mut u);
+                system.motion_variables(&p, &q, &u, &mut v);
+            }
+            Motion::Speeds(u) => system.motion_variables(&p, &q, &numbers(u), &mut v),
+        }
+        Some((p, [q, v].concat()))
+    }
+
+    /// Coordinates, then generalized speeds, of an integrated state in twice the precision of a double.
+    pub fn extended_state(&self, p: &[DoubleDouble], y: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let Some(system) = self.code.extended() else { return Vec::new() };
+        let (q, v) = y.split_at(system.coordinates());
+        let mut u = vec![DoubleDouble::int(0); v.len()];
+        system.generalized_speeds(p, q, v, &mut u);
+        let mut q = q.to_vec();
+        if let Some(Origin { at, value }) = self.origin {
+            q[at] = q[at] + value;
+        }
+        [q, u].concat()
+    }
+
+    /// Integrates from the integrated state `y0`.
+    ///
+    /// # Errors
+    /// [`SimError`] if the question makes no sense.
+    pub fn integrate(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, SimError> {
+        let (system, p) = (self.system(), self.scene.parameters.as_slice());
+        match Eliminated::new(system, p).filter(|_| self.solve == Solve::Eliminated) {
+            Some(rhs) => self.integrate_with(rhs, y0, options, events),
+            None => self.integrate_with(self.dynamics()?, y0, options, events),
+        }
+    }
+
+    fn integrate_with(
+        &self,
+        rhs: impl RightHandSide<f64>,
+        y0: &[f64],
+        options: &Options,
+        events: &mut [Event<'_>],
+    ) -> Result<Solution, SimError> {
+        integrate(rhs, self.scene.span, y0, options, events)
+    }
+
+    /// The linear system at each state.
+    ///
+    /// # Errors
+    /// [`SimError`] if parameters do not fit.
+    pub fn dynamics(&self) -> Result<Dynamics<'a>, SimError> {
+        let label = format!("{}, {}", self.model.title, self.by.name);
+        Ok(Dynamics::new(self.system(), &self.scene.parameters)?.labelled(label))
+    }
+}
+
+/// The doubles nearest to numbers of twice their precision.
+pub fn nearest(numbers: &[DoubleDouble]) -> Vec<f64> {
+    rounded(numbers)
+}

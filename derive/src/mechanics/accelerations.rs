@@ -1,0 +1,100 @@
+//! The accelerations v̇ of a set of equations, solved for at derivation time.
+
+use super::Equations;
+use crate::algebra::calculus::Differential;
+use crate::algebra::elimination::{Definition, Elimination, LinearSystem, eliminate, fresh_symbol, needed};
+use crate::algebra::linear::Singular;
+use crate::algebra::simplify::{Simplifier, cost};
+use crate::algebra::{Arena, Expr};
+
+/// Operations in a slope of an intermediate quantity above which it gets a name of its own.
+const LONGEST_SLOPE: usize = 6;
+
+/// v̇ in parameters, q and v, step by step; the symbols of the last steps are the unknowns of `equations`.
+///
+/// Where reactions stand among the unknowns, the rows are first multiplied by the partial velocities: the reactions
+/// do no work in a permitted motion and cancel, and a symmetric, positive definite system is left, in which no
+/// pivot vanishes. Elimination of the reactions instead would divide by direction cosines, which do.
+///
+/// # Errors
+/// [`Singular`] if v̇ is not determined in any configuration.
+pub fn accelerations(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+) -> Result<Elimination, Singular> {
+    let n = equations.variables.len();
+    let unknowns = &equations.unknowns[..n];
+    if equations.projection.is_empty() {
+        let system = LinearSystem {
+            matrix: &equations.matrix,
+            right: &equations.forcing,
+            unknowns,
+            symmetric: equations.symmetric,
+        };
+        return eliminate(arena, simplifier, system);
+    }
+    let (mut matrix, mut right) = (Vec::new(), Vec::new());
+    for multipliers in &equations.projection {
+        let column = |c: usize| equations.matrix.iter().map(move |row| row[c]);
+        let row: Vec<Expr> = (0..n).map(|c| combine(arena, simplifier, multipliers, column(c))).collect();
+        matrix.push(row);
+        right.push(combine(arena, simplifier, multipliers, equations.forcing.iter().copied()));
+    }
+    eliminate(arena, simplifier, LinearSystem { matrix: &matrix, right: &right, unknowns, symmetric: true })
+}
+
+/// Σ multiplier · entry, in its short form.
+fn combine(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    multipliers: &[Expr],
+    entries: impl Iterator<Item = Expr>,
+) -> Expr {
+    let products: Vec<Expr> = multipliers.iter().zip(entries).map(|(a, b)| arena.mul(*a, b)).collect();
+    let sum = arena.sum(&products);
+    simplifier.simplify(arena, sum)
+}
+
+/// The Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step.
+#[derive(Clone, Debug, Default)]
+pub struct Jacobian {
+    /// In the order of computation: the accelerations and what they need, and slopes of these.
+    pub steps: Vec<Definition>,
+    /// Row by row, first q̇, then v̇; a column for each coordinate, then for each motion variable.
+    pub entries: Vec<Vec<Expr>>,
+}
+
+/// Differentiates q̇ and v̇ exactly, by the chain rule over the steps of an elimination, so that nothing is expanded.
+pub fn jacobian(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+    solved: &Elimination,
+) -> Jacobian {
+    let n = equations.variables.len();
+    let mut steps = needed(arena, &solved.steps, &equations.unknowns[..n]);
+    let accelerations = steps.clone();
+    let mut columns = Vec::new();
+    for &variable in equations.coordinates.iter().chain(&equations.variables) {
+        let mut slope_of = Differential::partial(variable);
+        for step in &accelerations {
+            let slope = slope_of.apply(arena, step.value);
+            let mut slope = simplifier.simplify(arena, slope);
+            if cost(arena, slope) > LONGEST_SLOPE {
+                let name =
+                    |e: Expr| arena.symbol_name(e).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot");
+                let wanted = format!("{}_by_{}", name(step.symbol), name(variable));
+                let symbol = fresh_symbol(arena, &wanted);
+                steps.push(Definition { symbol, value: slope });
+                slope = symbol;
+            }
+            slope_of.set_rate(step.symbol, slope);
+        }
+        let rates = equations.coordinate_rates.iter().chain(&equations.unknowns[..n]);
+        let slopes: Vec<Expr> = rates.map(|e| slope_of.apply(arena, *e)).collect();
+        columns.push(slopes.into_iter().map(|e| simplifier.simplify(arena, e)).collect::<Vec<_>>());
+    }
+    let entries = (0..columns.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect();
+    Jacobian { steps, entries }
+}

@@ -1,0 +1,216 @@
+//! How a scene is integrated: method, solve, tolerances, steps, and the variables to integrate in.
+
+use super::values::{Number, Values};
+use crate::algebra::Rational;
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::mechanics::Distance;
+use toml::de::{DeTable, DeValue};
+
+/// The methods of integration by name, as the simulator knows them.
+pub const METHODS: [&str; 5] = ["rk4", "ode45", "dopri5", "dop853", "gauss6"];
+
+/// How the accelerations are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Solve {
+    /// By elimination when the code was generated.
+    #[default]
+    Eliminated,
+    /// By solving the linear system at each state.
+    Numeric,
+}
+
+impl Solve {
+    /// Both, in the order in which they are always listed.
+    pub const ALL: [Self; 2] = [Self::Eliminated, Self::Numeric];
+
+    /// The name on the command line and in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Eliminated => "eliminated",
+            Self::Numeric => "numeric",
+        }
+    }
+}
+
+/// The error that is acceptable in a component however small it is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AbsoluteTolerance {
+    /// The same for all.
+    Uniform(f64),
+    /// One for each coordinate, then for each generalized speed.
+    Each(Vec<f64>),
+}
+
+/// How to integrate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Integration {
+    /// The method's name, one of [`METHODS`].
+    pub method: String,
+    /// How accelerations are found; the model decides if nothing is said.
+    pub solve: Option<Solve>,
+    /// Relative tolerance.
+    pub rtol: f64,
+    /// Absolute tolerance.
+    pub atol: AbsoluteTolerance,
+    /// The length of every step, s; chosen by the error if nothing is said.
+    pub step: Option<f64>,
+    /// Steps after which a run is given up.
+    pub step_limit: u64,
+    /// Number of equally spaced samples of the output; by default four points for each step.
+    pub samples: Option<usize>,
+    /// Whether leaving the model's domain ends the run.
+    pub domain_stops: bool,
+    /// The distance that is integrated instead of a coordinate.
+    pub distance: Option<Distance>,
+}
+
+impl Integration {
+    /// The smallest absolute tolerance of a component.
+    #[must_use]
+    pub fn smallest_atol(&self) -> f64 {
+        match &self.atol {
+            AbsoluteTolerance::Uniform(atol) => *atol,
+            AbsoluteTolerance::Each(each) => each.iter().copied().fold(f64::INFINITY, f64::min),
+        }
+    }
+}
+
+const KEYS: [&str; 9] = ["method", "solve", "rtol", "atol", "step", "step_limit", "samples", "domain", "distance"];
+
+impl<'a> Values<'a, '_> {
+    /// The section `integration`; what is not said is the default.
+    pub fn integration(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Integration {
+        let section = self.section(table, "integration");
+        if let Some(section) = section {
+            self.reader.allow(section, "`integration`", &KEYS);
+        }
+        let rtol = self.size(section, "rtol", p).unwrap_or(1e-6);
+        let atol = self.absolute(section, p);
+        if rtol == 0.0 && atol == AbsoluteTolerance::Uniform(0.0) {
+            let help = "give at least one tolerance above zero";
+            self.reader.errors.push(Diagnostic::of_file("rtol and atol are both zero", help));
+        }
+        let solve = self.choice(section, "solve", &Solve::ALL.map(Solve::name));
+        Integration {
+            method: self.choice(section, "method", &METHODS).unwrap_or("ode45").to_owned(),
+            solve: solve.and_then(|name| Solve::ALL.into_iter().find(|s| s.name() == name)),
+            rtol,
+            atol,
+            step: self.step(section, p),
+            step_limit: self.count(section, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000),
+            samples: self.count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
+            domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
+            distance: self.distance(section),
+        }
+    }
+
+    /// A number that is not negative.
+    fn size(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let formula = self.reader.formula(value, &format!("`{key}`"))?;
+        let number = self.number(&formula, p, &format!("`{key}`"))?.double;
+        if number < 0.0 {
+            self.reader.error(formula.span, format!("`{key}` is negative"), format!("let `{key}` be zero or above"));
+        }
+        Some(number)
+    }
+
+    fn step(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> Option<f64> {
+        let value = section.and_then(|s| self.reader.get(s, "step"))?;
+        let step = self.size(section, "step", p)?;
+        if step == 0.0 {
+            self.reader.error(value.span(), "`step` is zero", "give the length of a step in seconds, above zero");
+        }
+        Some(step)
+    }
+
+    /// One number, or a table with one for each coordinate and speed; what it leaves out has the default.
+    fn absolute(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> AbsoluteTolerance {
+        const DEFAULT: f64 = 1e-9;
+        let Some(value) = section.and_then(|s| self.reader.get(s, "atol")) else {
+            return AbsoluteTolerance::Uniform(DEFAULT);
+        };
+        if !matches!(value.get_ref(), DeValue::Table(_)) {
+            return AbsoluteTolerance::Uniform(self.size(section, "atol", p).unwrap_or(DEFAULT));
+        }
+        let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
+        let names: Vec<String> = coordinates.chain(self.model.speeds.iter().map(|s| s.name.clone())).collect();
+        let mut each = vec![DEFAULT; names.len()];
+        let Some(table) = self.reader.table(value, "`atol`", "atol = { q1 = 1e-9 }") else {
+            return AbsoluteTolerance::Each(each);
+        };
+        for (name, _) in self.reader.entries(table) {
+            match names.iter().position(|known| *known == name.text) {
+                Some(at) => each[at] = self.size(Some(table), &name.text, p).unwrap_or(DEFAULT),
+                None => {
+                    let help = nearest(&name.text, names.iter().map(String::as_str));
+                    let message = format!("the model has no coordinate or speed `{}`", name.text);
+                    self.reader.error(name.span, message, help);
+                }
+            }
+        }
+        AbsoluteTolerance::Each(each)
+    }
+
+    /// `distance = { q2 = "90*deg" }`: q2 − 90° is integrated instead of q2.
+    fn distance(&mut self, section: Option<&'a DeTable<'a>>) -> Option<Distance> {
+        const HOW: &str = "distance = { q2 = \"90*deg\" }";
+        let value = section.and_then(|s| self.reader.get(s, "distance"))?;
+        let table = self.reader.table(value, "`distance`", HOW)?;
+        let entries = self.reader.entries(table);
+        let [(name, origin)] = entries.as_slice() else {
+            let message = format!("`distance` names {} coordinates, not one", entries.len());
+            self.reader.error(value.span(), message, format!("write {HOW}"));
+            return None;
+        };
+        let Some(coordinate) = self.model.coordinates.iter().position(|c| c.name == name.text) else {
+            let help = nearest(&name.text, self.model.coordinates.iter().map(|c| c.name.as_str()));
+            self.reader.error(name.span.clone(), format!("the model has no coordinate `{}`", name.text), help);
+            return None;
+        };
+        let formula = self.reader.formula(origin, "the origin of a distance")?;
+        let exact = self.constant(&formula)?.exact;
+        // Of π only the decimals that stand for it are known here: a quarter turn is recognized by its nearness.
+        let quarter = Rational::fraction(2, 1).and_then(|two| Some(two.mul(&super::extended::pi()?.recip()?)));
+        let turns = exact.zip(quarter).map(|(origin, quarter)| origin.mul(&quarter).to_f64());
+        let found = (-4..=4).find(|k| *k != 0 && turns.is_some_and(|t| (t - f64::from(*k)).abs() < 1e-15));
+        if found.is_none() {
+            let help = "give 90, 180, 270 or 360 degrees, or their negatives: there sines or cosines vanish exactly";
+            self.reader.error(formula.span, "the origin of a distance is not a multiple of a right angle", help);
+        }
+        found.map(|quarter_turns| Distance { coordinate, quarter_turns })
+    }
+
+    /// One of these words.
+    pub fn choice(
+        &mut self,
+        section: Option<&'a DeTable<'a>>,
+        key: &str,
+        allowed: &[&'static str],
+    ) -> Option<&'static str> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let text = self.reader.string(value, &format!("`{key}`"))?;
+        let found = allowed.iter().find(|a| **a == text.text).copied();
+        if found.is_none() {
+            let help = crate::diagnostic::nearest(&text.text, allowed.iter().copied());
+            self.reader.error(text.span, format!("`{}` is not a value of `{key}`", text.text), help);
+        }
+        found
+    }
+
+    /// A whole number in a range.
+    pub fn count(&mut self, section: Option<&'a DeTable<'a>>, key: &str, least: u64, most: u64) -> Option<u64> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let number = match value.get_ref() {
+            DeValue::Integer(n) if n.radix() == 10 => n.as_str().replace('_', "").parse::<u64>().ok(),
+            _ => None,
+        };
+        let number = number.filter(|n| (least..=most).contains(n));
+        if number.is_none() {
+            let help = format!("write a whole number from {least} to {most}");
+            self.reader.error(value.span(), format!("`{key}` is out of range"), help);
+        }
+        number
+    }
+}

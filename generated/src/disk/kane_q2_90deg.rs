@@ -1,0 +1,627 @@
+//! Thin disk sliding on a frictionless plane: Kane's method in q2-90°, M(q) u' = f(q, u).
+//!
+//! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
+//! 5 coordinates, 5 speeds, 3 parameters. Unknowns: (u1', u2', u3', u4', u5').
+//! Cost: mass_matrix 25 operations, 2 sines and cosines; forcing 56 operations, 2 sines and cosines; accelerations 55 operations, 2 sines and cosines.
+//! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
+//! The accelerations divide by sin(q2_minus_90deg), by R, by 4*sin(q2_minus_90deg)^2 - 5.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3, u4, u5.
+///
+/// 25 operations, 2 sines and cosines.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    _u: &[S; 5],
+) -> [[S; 5]; 5] {
+    let Parameters { M, R, .. } = *p;
+    let [q1, q2_minus_90deg, _, _, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // M*R^2; used 2 times
+    let m_r_sq = M * R * R;
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // Entries that are not zero; upper triangle.
+    // M11 = 5*M*R^2/4
+    let m11 = S::ratio(5, 4) * m_r_sq;
+    // M14 = -M*R*sin(q1)*sin(q2_minus_90deg)
+    let m14 = -M * R * s1 * sin_q2_minus_90deg;
+    // M15 = M*R*cos(q1)*sin(q2_minus_90deg)
+    let m15 = M * R * c1 * sin_q2_minus_90deg;
+    // M22 = M*R^2*(1 + 4/tan(q2_minus_90deg)^2)/4
+    let m22 = S::ratio(1, 4) * M * R * R
+        * (S::int(1) + S::int(4) / (tan_q2_minus_90deg * tan_q2_minus_90deg));
+    // M24 = M*R*cos(q1)/tan(q2_minus_90deg)
+    let m24 = M * R * c1 / tan_q2_minus_90deg;
+    // M25 = M*R*sin(q1)/tan(q2_minus_90deg)
+    let m25 = M * R * s1 / tan_q2_minus_90deg;
+    // M33 = M*R^2/2
+    let m33 = S::ratio(1, 2) * m_r_sq;
+    // M44 = M
+    let m44 = M;
+    // M55 = M
+    let m55 = M;
+    [
+        [m11, zero, zero, m14, m15],
+        [zero, m22, zero, m24, m25],
+        [zero, zero, m33, zero, zero],
+        [m14, m24, zero, m44, zero],
+        [m15, m25, zero, zero, m55],
+    ]
+}
+
+/// Right-hand side of the linear system; unknowns (u1', u2', u3', u4', u5').
+///
+/// 56 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
+    let Parameters { M, R, g } = *p;
+    let [q1, q2_minus_90deg, _, _, _] = *q;
+    let [u1, u2, u3, _, _] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // 1 + 1/sin(q2_minus_90deg)^2; used 2 times
+    let f4_part = S::int(1) + S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // Values.
+    // f1 = -M*R*(4*g*cos(q2_minus_90deg) + R*u2*(2*u3 - 3*u2/tan(q2_minus_90deg)))/4
+    let f1 = -S::ratio(1, 4) * M * R
+        * (S::int(4) * g * cos_q2_minus_90deg
+            + R * u2 * (S::int(2) * u3 - S::int(3) * u2 / tan_q2_minus_90deg));
+    // f2 = M*R^2*u1*(2*u3 - u2*(7 + 4/tan(q2_minus_90deg)^2)/tan(q2_minus_90deg))/4
+    let f2 = S::ratio(1, 4) * M * R * R * u1
+        * (S::int(2) * u3
+            - u2 * (S::int(7) + S::int(4) / (tan_q2_minus_90deg * tan_q2_minus_90deg))
+                / tan_q2_minus_90deg);
+    // f4 = -M*R*(u2^2*sin(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) +
+    //   u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)))
+    let f4 = -M * R
+        * (u2 * u2 * s1 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
+            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * f4_part));
+    // f5 = M*R*(u2^2*cos(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1*(u2*sin(q1)*(1 +
+    //   1/sin(q2_minus_90deg)^2) - u1*cos(q1)*cos(q2_minus_90deg)))
+    let f5 = M * R
+        * (u2 * u2 * c1 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
+            - u1 * (u2 * s1 * f4_part - u1 * c1 * cos_q2_minus_90deg));
+    [f1, f2, zero, f4, f5]
+}
+
+/// The accelerations (u1', u2', u3', u4', u5'), solved for when this code was generated.
+///
+/// 55 operations, 2 sines and cosines.
+#[must_use]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
+    let Parameters { R, g, .. } = *p;
+    let [q1, q2_minus_90deg, _, _, _] = *q;
+    let [u1, u2, u3, _, _] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step.
+    // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
+    //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
+    let u1_dot = (S::int(2) * u2 * u3
+        + cos_q2_minus_90deg
+            * (S::int(4) * g / R + S::int(4) * u1 * u1 * sin_q2_minus_90deg
+                + u2 * u2 / sin_q2_minus_90deg))
+        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // Elimination, step by step.
+    // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
+    let u2_dot = u1 * (S::int(2) * u3 + u2 / tan_q2_minus_90deg);
+    // Shared terms.
+    // 1 + 1/sin(q2_minus_90deg)^2; used 2 times
+    let u5_dot_part = S::int(1) + S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1'*sin(q2_minus_90deg); used 2 times
+    let u5_dot_part_ = u2 * u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
+        - u1_dot * sin_q2_minus_90deg;
+    // Elimination, step by step.
+    // u5' = -R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
+    //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
+    //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
+    let u5_dot = R
+        * (c1 * u5_dot_part_ - u2_dot * s1 / tan_q2_minus_90deg
+            - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * cos_q2_minus_90deg));
+    // u4' = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 +
+    //   1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
+    //   u1'*sin(q2_minus_90deg)))
+    let u4_dot = -R
+        * (u2_dot * c1 / tan_q2_minus_90deg
+            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * u5_dot_part)
+            + s1 * u5_dot_part_);
+    [u1_dot, u2_dot, zero, u4_dot, u5_dot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 59 operations, 2 sines and cosines.
+#[must_use]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+) -> ([S; 5], [S; 5]) {
+    let Parameters { R, g, .. } = *p;
+    let [q1, q2_minus_90deg, _, _, _] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step.
+    // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
+    //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
+    let u1_dot = (S::int(2) * u2 * u3
+        + cos_q2_minus_90deg
+            * (S::int(4) * g / R + S::int(4) * u1 * u1 * sin_q2_minus_90deg
+                + u2 * u2 / sin_q2_minus_90deg))
+        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // u2/tan(q2_minus_90deg); used 2 times
+    let u2_dot_part = u2 / tan_q2_minus_90deg;
+    // Elimination, step by step.
+    // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
+    let u2_dot = u1 * (S::int(2) * u3 + u2_dot_part);
+    // Shared terms.
+    // 1 + 1/sin(q2_minus_90deg)^2; used 2 times
+    let u5_dot_part = S::int(1) + S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1'*sin(q2_minus_90deg); used 2 times
+    let u5_dot_part_ = u2 * u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
+        - u1_dot * sin_q2_minus_90deg;
+    // Elimination, step by step.
+    // u5' = -R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
+    //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
+    //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
+    let u5_dot = R
+        * (c1 * u5_dot_part_ - u2_dot * s1 / tan_q2_minus_90deg
+            - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * cos_q2_minus_90deg));
+    // u4' = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 +
+    //   1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
+    //   u1'*sin(q2_minus_90deg)))
+    let u4_dot = -R
+        * (u2_dot * c1 / tan_q2_minus_90deg
+            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * u5_dot_part)
+            + s1 * u5_dot_part_);
+    // Values.
+    // q1' = -u2/sin(q2_minus_90deg)
+    let q1_dot_value = -u2 / sin_q2_minus_90deg;
+    // q2' = -u1
+    let q2_dot_value = -u1;
+    // q3' = u3 + u2/tan(q2_minus_90deg)
+    let q3_dot_value = u3 + u2_dot_part;
+    // q4' = u4
+    let q4_dot_value = u4;
+    // q5' = u5
+    let q5_dot_value = u5;
+    (
+        [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value],
+        [u1_dot, u2_dot, zero, u4_dot, u5_dot],
+    )
+}
+
+/// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, q4, q5, u1, u2, u3, u4, u5.
+///
+/// 178 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10]; 10] {
+    let Parameters { R, g, .. } = *p;
+    let [q1, q2_minus_90deg, _, _, _] = *q;
+    let [u1, u2, u3, _, _] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // 4*sin(q2_minus_90deg)^2 - 5; used 7 times
+    let u1_dot_part = S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5);
+    // u1^2*sin(q2_minus_90deg); used 2 times
+    let u1_dot_part_ = u1 * u1 * sin_q2_minus_90deg;
+    // g/R; used 2 times
+    let r_inv_g = g / R;
+    // Elimination, step by step.
+    // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
+    //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
+    let u1_dot = (S::int(2) * u2 * u3
+        + cos_q2_minus_90deg
+            * (S::int(4) * r_inv_g + S::int(4) * u1_dot_part_
+                + u2 * u2 / sin_q2_minus_90deg)) / u1_dot_part;
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // u2/tan(q2_minus_90deg); used 2 times
+    let u2_dot_part = u2 / tan_q2_minus_90deg;
+    // 2*u3 + u2/tan(q2_minus_90deg); used 2 times
+    let u2_dot_part_ = S::int(2) * u3 + u2_dot_part;
+    // Elimination, step by step.
+    // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
+    let u2_dot = u1 * u2_dot_part_;
+    // Shared terms.
+    // 1/sin(q2_minus_90deg)^2; used 2 times
+    let u5_dot_by_q1_part = S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // 1 + 1/sin(q2_minus_90deg)^2; used 4 times
+    let u5_dot_by_q1_part_ = S::int(1) + u5_dot_by_q1_part;
+    // u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1'*sin(q2_minus_90deg); used 2 times
+    let u5_dot_by_q1_part_2 = u2 * u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
+        - u1_dot * sin_q2_minus_90deg;
+    // Elimination, step by step.
+    // u5_dot_by_q1 = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) +
+    //   u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
+    //   - u1'*sin(q2_minus_90deg)))
+    let u5_dot_by_q1 = -R
+        * (u2_dot * c1 / tan_q2_minus_90deg
+            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * u5_dot_by_q1_part_)
+            + s1 * u5_dot_by_q1_part_2);
+    // u4_dot_by_q1 = R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
+    //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
+    //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
+    let u4_dot_by_q1 = R
+        * (u2_dot * s1 / tan_q2_minus_90deg
+            + u1 * (u2 * s1 * u5_dot_by_q1_part_ - u1 * c1 * cos_q2_minus_90deg)
+            - c1 * u5_dot_by_q1_part_2);
+    // Shared terms.
+    // u2^2; used 2 times
+    let u2_sq = u2 * u2;
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // sin(q2_minus_90deg)*(g/R + u1^2*sin(q2_minus_90deg)); used 2 times
+    let u1_dot_by_q2_minus_90deg_part = sin_q2_minus_90deg * (r_inv_g + u1_dot_part_);
+    // Elimination, step by step.
+    // u1_dot_by_q2_minus_90deg = (u2^2 + 4*sin(q2_minus_90deg)*(g/R + u1^2*sin(q2_minus_90deg)) -
+    //   cos(q2_minus_90deg)*(16*u2*u3*sin(q2_minus_90deg)/(5 - 4*sin(q2_minus_90deg)^2) +
+    //   cos(q2_minus_90deg)*(4*u1^2 - u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + 4*sin(q2_minus_90deg)*(g/R +
+    //   u1^2*sin(q2_minus_90deg)))/(5 - 4*sin(q2_minus_90deg)^2))))/(5 - 4*sin(q2_minus_90deg)^2)
+    let u1_dot_by_q2_minus_90deg = -(u2_sq + S::int(4) * u1_dot_by_q2_minus_90deg_part
+        + cos_q2_minus_90deg
+            * (S::int(16) * u2 * u3 * sin_q2_minus_90deg / u1_dot_part
+                - cos_q2_minus_90deg
+                    * (S::int(4) * u1_sq
+                        - u2 * u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg)
+                        - S::int(8) * (u2_sq + S::int(4) * u1_dot_by_q2_minus_90deg_part)
+                            / u1_dot_part))) / u1_dot_part;
+    // u2_dot_by_q2_minus_90deg = -u1*u2/sin(q2_minus_90deg)^2
+    let u2_dot_by_q2_minus_90deg = -u1 * u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // Shared terms.
+    // u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 - 1)/sin(q2_minus_90deg) +
+    //   sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg); used 2 times
+    let u5_dot_by_q2_minus_90deg_part = u1_dot * cos_q2_minus_90deg
+        + u2 * u2 * (S::int(2) * u5_dot_by_q1_part - S::int(1)) / sin_q2_minus_90deg
+        + sin_q2_minus_90deg * (u1_sq + u1_dot_by_q2_minus_90deg);
+    // (u2' + 2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg) -
+    //   u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg); used 2 times
+    let u5_dot_by_q2_minus_90deg_part_ = (u2_dot
+        + S::int(2) * u1 * u2 / tan_q2_minus_90deg) / sin_q2_minus_90deg
+        - u2_dot_by_q2_minus_90deg * cos_q2_minus_90deg;
+    // Elimination, step by step.
+    // u5_dot_by_q2_minus_90deg = -R*(cos(q1)*(u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 -
+    //   1)/sin(q2_minus_90deg) + sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg)) +
+    //   sin(q1)*(u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg) - (u2' +
+    //   2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg))/sin(q2_minus_90deg))
+    let u5_dot_by_q2_minus_90deg = R
+        * (s1 * u5_dot_by_q2_minus_90deg_part_ / sin_q2_minus_90deg
+            - c1 * u5_dot_by_q2_minus_90deg_part);
+    // u4_dot_by_q2_minus_90deg = R*(sin(q1)*(u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 -
+    //   1)/sin(q2_minus_90deg) + sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg)) + cos(q1)*((u2' +
+    //   2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg) -
+    //   u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg))/sin(q2_minus_90deg))
+    let u4_dot_by_q2_minus_90deg = R
+        * (s1 * u5_dot_by_q2_minus_90deg_part
+            + c1 * u5_dot_by_q2_minus_90deg_part_ / sin_q2_minus_90deg);
+    // u1_dot_by_u1 = 8*u1*sin(q2_minus_90deg)*cos(q2_minus_90deg)/(4*sin(q2_minus_90deg)^2 - 5)
+    let u1_dot_by_u1 = S::int(8) * u1 * sin_q2_minus_90deg * cos_q2_minus_90deg
+        / u1_dot_part;
+    // u2_dot_by_u1 = 2*u3 + u2/tan(q2_minus_90deg)
+    let u2_dot_by_u1 = u2_dot_part_;
+    // Shared terms.
+    // u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg); used 2 times
+    let u5_dot_by_u1_part = u2 * u5_dot_by_q1_part_ + u2_dot_by_u1 / tan_q2_minus_90deg;
+    // u1_dot_by_u1*sin(q2_minus_90deg) - 2*u1*cos(q2_minus_90deg); used 2 times
+    let u5_dot_by_u1_part_ = u1_dot_by_u1 * sin_q2_minus_90deg
+        - S::int(2) * u1 * cos_q2_minus_90deg;
+    // Elimination, step by step.
+    // u5_dot_by_u1 = -R*(cos(q1)*(u1_dot_by_u1*sin(q2_minus_90deg) - 2*u1*cos(q2_minus_90deg)) +
+    //   sin(q1)*(u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg)))
+    let u5_dot_by_u1 = -R * (c1 * u5_dot_by_u1_part_ + s1 * u5_dot_by_u1_part);
+    // u4_dot_by_u1 = -R*(sin(q1)*(2*u1*cos(q2_minus_90deg) - u1_dot_by_u1*sin(q2_minus_90deg)) +
+    //   cos(q1)*(u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg)))
+    let u4_dot_by_u1 = R * (s1 * u5_dot_by_u1_part_ - c1 * u5_dot_by_u1_part);
+    // u1_dot_by_u2 = 2*(u3 + u2/tan(q2_minus_90deg))/(4*sin(q2_minus_90deg)^2 - 5)
+    let u1_dot_by_u2 = S::int(2) * (u3 + u2_dot_part) / u1_dot_part;
+    // u2_dot_by_u2 = u1/tan(q2_minus_90deg)
+    let u2_dot_by_u2 = u1 / tan_q2_minus_90deg;
+    // Shared terms.
+    // u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)); used 2 times
+    let u5_dot_by_u2_part = u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg);
+    // 2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1_dot_by_u2*sin(q2_minus_90deg); used 2 times
+    let u5_dot_by_u2_part_ = S::int(2) * u5_dot_by_u2_part
+        - u1_dot_by_u2 * sin_q2_minus_90deg;
+    // u1*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u2/tan(q2_minus_90deg); used 2 times
+    let u5_dot_by_u2_part_2 = u1 * u5_dot_by_q1_part_
+        + u2_dot_by_u2 / tan_q2_minus_90deg;
+    // Elimination, step by step.
+    // u5_dot_by_u2 = R*(cos(q1)*(2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
+    //   u1_dot_by_u2*sin(q2_minus_90deg)) - sin(q1)*(u1*(1 + 1/sin(q2_minus_90deg)^2) +
+    //   u2_dot_by_u2/tan(q2_minus_90deg)))
+    let u5_dot_by_u2 = R * (c1 * u5_dot_by_u2_part_ - s1 * u5_dot_by_u2_part_2);
+    // u4_dot_by_u2 = -R*(sin(q1)*(2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
+    //   u1_dot_by_u2*sin(q2_minus_90deg)) + cos(q1)*(u1*(1 + 1/sin(q2_minus_90deg)^2) +
+    //   u2_dot_by_u2/tan(q2_minus_90deg)))
+    let u4_dot_by_u2 = -R * (s1 * u5_dot_by_u2_part_ + c1 * u5_dot_by_u2_part_2);
+    // u1_dot_by_u3 = 2*u2/(4*sin(q2_minus_90deg)^2 - 5)
+    let u1_dot_by_u3 = S::int(2) * u2 / u1_dot_part;
+    // u5_dot_by_u3 = -R*(2*u1*sin(q1)/tan(q2_minus_90deg) + u1_dot_by_u3*cos(q1)*sin(q2_minus_90deg))
+    let u5_dot_by_u3 = -R
+        * (S::int(2) * u1 * s1 / tan_q2_minus_90deg
+            + u1_dot_by_u3 * c1 * sin_q2_minus_90deg);
+    // u4_dot_by_u3 = R*(u1_dot_by_u3*sin(q1)*sin(q2_minus_90deg) - 2*u1*cos(q1)/tan(q2_minus_90deg))
+    let u4_dot_by_u3 = R
+        * (u1_dot_by_u3 * s1 * sin_q2_minus_90deg
+            - S::int(2) * u1 * c1 / tan_q2_minus_90deg);
+    // Entries that are not zero.
+    // d(q1')/d(q2_minus_90deg) = u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
+    let q1_dot_by_q2_minus_90deg_value = u5_dot_by_u2_part;
+    // d(q1')/d(u2) = -1/sin(q2_minus_90deg)
+    let q1_dot_by_u2_value = -S::int(1) / sin_q2_minus_90deg;
+    // d(q2')/d(u1) = -1
+    let q2_dot_by_u1_value = -S::int(1);
+    // d(q3')/d(q2_minus_90deg) = -u2/sin(q2_minus_90deg)^2
+    let q3_dot_by_q2_minus_90deg_value = -u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // d(q3')/d(u2) = 1/tan(q2_minus_90deg)
+    let q3_dot_by_u2_value = S::int(1) / tan_q2_minus_90deg;
+    // d(q3')/d(u3) = 1
+    let q3_dot_by_u3_value = S::int(1);
+    // d(q4')/d(u4) = 1
+    let q4_dot_by_u4_value = S::int(1);
+    // d(q5')/d(u5) = 1
+    let q5_dot_by_u5_value = S::int(1);
+    // d(u2')/d(u3) = 2*u1
+    let u2_dot_by_u3_value = S::int(2) * u1;
+    [
+        [
+            zero,
+            q1_dot_by_q2_minus_90deg_value,
+            zero,
+            zero,
+            zero,
+            zero,
+            q1_dot_by_u2_value,
+            zero,
+            zero,
+            zero,
+        ],
+        [zero, zero, zero, zero, zero, q2_dot_by_u1_value, zero, zero, zero, zero],
+        [
+            zero,
+            q3_dot_by_q2_minus_90deg_value,
+            zero,
+            zero,
+            zero,
+            zero,
+            q3_dot_by_u2_value,
+            q3_dot_by_u3_value,
+            zero,
+            zero,
+        ],
+        [zero, zero, zero, zero, zero, zero, zero, zero, q4_dot_by_u4_value, zero],
+        [zero, zero, zero, zero, zero, zero, zero, zero, zero, q5_dot_by_u5_value],
+        [
+            zero,
+            u1_dot_by_q2_minus_90deg,
+            zero,
+            zero,
+            zero,
+            u1_dot_by_u1,
+            u1_dot_by_u2,
+            u1_dot_by_u3,
+            zero,
+            zero,
+        ],
+        [
+            zero,
+            u2_dot_by_q2_minus_90deg,
+            zero,
+            zero,
+            zero,
+            u2_dot_by_u1,
+            u2_dot_by_u2,
+            u2_dot_by_u3_value,
+            zero,
+            zero,
+        ],
+        [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
+        [
+            u4_dot_by_q1,
+            u4_dot_by_q2_minus_90deg,
+            zero,
+            zero,
+            zero,
+            u4_dot_by_u1,
+            u4_dot_by_u2,
+            u4_dot_by_u3,
+            zero,
+            zero,
+        ],
+        [
+            u5_dot_by_q1,
+            u5_dot_by_q2_minus_90deg,
+            zero,
+            zero,
+            zero,
+            u5_dot_by_u1,
+            u5_dot_by_u2,
+            u5_dot_by_u3,
+            zero,
+            zero,
+        ],
+    ]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 6 operations, 1 sine and cosine.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+) -> [S; 5] {
+    let [_, q2_minus_90deg, _, _, _] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // Values.
+    // q1' = -u2/sin(q2_minus_90deg)
+    let q1_dot_value = -u2 / sin_q2_minus_90deg;
+    // q2' = -u1
+    let q2_dot_value = -u1;
+    // q3' = u3 + u2/tan(q2_minus_90deg)
+    let q3_dot_value = u3 + u2 / tan_q2_minus_90deg;
+    // q4' = u4
+    let q4_dot_value = u4;
+    // q5' = u5
+    let q5_dot_value = u5;
+    [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 36 operations, 2 sines and cosines.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S {
+    let Parameters { M, R, .. } = *p;
+    let [q1, q2_minus_90deg, _, _, _] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // Values.
+    // T = M*(4*u4^2 + 4*u5^2 + R*(8*u1*sin(q2_minus_90deg)*(u5*cos(q1) - u4*sin(q1)) + 8*u2*(u4*cos(q1) +
+    //   u5*sin(q1))/tan(q2_minus_90deg) + R*(5*u1^2 + 2*u3^2 + u2^2*(1 + 4/tan(q2_minus_90deg)^2))))/8
+    let energy = S::ratio(1, 8) * M
+        * (S::int(4) * u4 * u4 + S::int(4) * u5 * u5
+            + R
+                * (S::int(8) * u1 * sin_q2_minus_90deg * (u5 * c1 - u4 * s1)
+                    + S::int(8) * u2 * (u4 * c1 + u5 * s1) / tan_q2_minus_90deg
+                    + R
+                        * (S::int(5) * u1 * u1 + S::int(2) * u3 * u3
+                            + u2 * u2
+                                * (S::int(1)
+                                    + S::int(4) / (tan_q2_minus_90deg * tan_q2_minus_90deg)))));
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 5 operations, 1 sine and cosine.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
+    let Parameters { M, R, g } = *p;
+    let [_, q2_minus_90deg, _, _, _] = *q;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    // Values.
+    // V = -M*R*g*(1 + sin(q2_minus_90deg))
+    let energy = -M * R * g * (S::int(1) + sin_q2_minus_90deg);
+    energy
+}
+
+/// Kane's method in q2-90° of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct KaneQ290deg;
+
+impl<S: Scalar> System<S> for KaneQ290deg {
+    fn parameters(&self) -> usize {
+        3
+    }
+    fn coordinates(&self) -> usize {
+        5
+    }
+    fn speeds(&self) -> usize {
+        5
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

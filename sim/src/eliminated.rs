@@ -1,0 +1,39 @@
+//! Equations whose accelerations were solved for when their code was generated, as a right-hand side.
+
+use tripos_traits::{Scalar, System};
+
+use crate::error::Failure;
+use crate::rhs::RightHandSide;
+
+/// y' = [q̇; v̇] by [`System::derivative`], with its exact Jacobian, in any kind of number.
+///
+/// The state is y = [q; v], as for [`crate::Dynamics`], which solves the linear system at each state instead.
+pub struct Eliminated<'a, S: Scalar = f64> {
+    system: &'a dyn System<S>,
+    parameters: Vec<S>,
+}
+
+impl<'a, S: Scalar> Eliminated<'a, S> {
+    /// `parameters` in the order of the model file; `None` for equations that were not solved for.
+    #[must_use]
+    pub fn new(system: &'a dyn System<S>, parameters: &[S]) -> Option<Self> {
+        let fits = parameters.len() == system.parameters();
+        (system.has_accelerations() && fits).then(|| Self { system, parameters: parameters.to_vec() })
+    }
+}
+
+impl<S: Scalar> RightHandSide<S> for Eliminated<'_, S> {
+    #[inline]
+    fn rhs(&mut self, _t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
+        let n = self.system.coordinates();
+        let ((q, v), (q_dot, v_dot)) = (y.split_at(n), dydt.split_at_mut(n));
+        self.system.derivative(&self.parameters, q, v, q_dot, v_dot);
+        Ok(())
+    }
+
+    fn jacobian(&mut self, _t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
+        let (q, v) = y.split_at(self.system.coordinates());
+        self.system.jacobian(&self.parameters, q, v, out);
+        Some(Ok(()))
+    }
+}
