@@ -192,8 +192,6 @@ fn different(arena: &Arena, left: Expr, right: Expr, difference: Expr) -> Verdic
 
 /// How many states are tried for a witness.
 const STATES: usize = 100;
-/// What a state shows must be so many times larger than what rounding may do there.
-const BEYOND_ROUNDING: f64 = 100.0;
 
 /// A state where the sides differ, and whether that is proved by an interval of the difference that excludes 0.
 fn witness(arena: &Arena, left: Expr, right: Expr, difference: Expr) -> Option<(Witness, bool)> {
@@ -201,33 +199,27 @@ fn witness(arena: &Arena, left: Expr, right: Expr, difference: Expr) -> Option<(
     let symbols: Vec<Expr> = arena.reachable(&sides).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect();
     let tape = Tape::new(arena, &symbols, &sides).ok()?;
     let mut generator = Generator(symbols.len() as u64);
-    // Ranked by whether the difference is more than rounding, then by the share of the sides that it makes.
+    // Ranked by whether the difference is proved, then by the share of the sides that it makes.
     let mut best: Option<((bool, f64), Witness)> = None;
     for _ in 0..STATES {
         let values: Vec<f64> = symbols.iter().map(|s| handy_number(&mut generator, arena.is_positive(*s))).collect();
-        let found = tape.evaluate_with_rounding(&values);
-        let [(left, of_left), (right, of_right), (difference, of_difference)] = found[..] else { return None };
+        let [left, right, difference] = tape.evaluate(&values)[..] else { return None };
         if [left, right, difference].iter().any(|x| !x.is_finite()) || difference == 0.0 {
             continue;
         }
-        let certain = difference.abs() > BEYOND_ROUNDING * of_difference;
-        let seen = (left - right).abs() > BEYOND_ROUNDING * (of_left + of_right);
-        let size = left.abs().max(right.abs()).max(f64::MIN_POSITIVE);
-        let share = if seen { (left - right).abs() / size } else { 0.0 };
-        if best.as_ref().is_none_or(|(most, _)| (certain, share) > *most) {
+        let at = symbols.iter().copied().zip(values.iter().copied()).collect();
+        let proved = enclose(arena, sides[2], &at).is_some_and(Interval::excludes_zero);
+        let share = difference.abs() / left.abs().max(right.abs()).max(f64::MIN_POSITIVE);
+        if best.as_ref().is_none_or(|(most, _)| (proved, share) > *most) {
             let names = symbols.iter().filter_map(|s| arena.symbol_name(*s)).map(str::to_owned);
-            best = Some(((certain, share), Witness { at: names.zip(values).collect(), left, right, difference }));
+            best = Some(((proved, share), Witness { at: names.zip(values).collect(), left, right, difference }));
         }
         // A difference that anyone can see.
-        if certain && share > 0.05 {
+        if proved && share > 0.05 {
             break;
         }
     }
-    best.map(|(_, witness)| {
-        let at = symbols.iter().copied().zip(witness.at.iter().map(|(_, x)| *x)).collect();
-        let proved = enclose(arena, sides[2], &at).is_some_and(Interval::excludes_zero);
-        (witness, proved)
-    })
+    best.map(|((proved, _), witness)| (witness, proved))
 }
 
 /// A number with two decimals, away from 0: people will type it.

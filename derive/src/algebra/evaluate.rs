@@ -122,51 +122,6 @@ impl Tape {
         }
     }
 
-    /// All outputs, each with how far rounding may have moved it: a bound to first order, a little generous.
-    ///
-    /// Where the bound is not far below the value, what cancelled has left nothing but rounding.
-    #[must_use]
-    pub fn evaluate_with_rounding(&self, inputs: &[f64]) -> Vec<(f64, f64)> {
-        let mut slots: Vec<(f64, f64)> = Vec::with_capacity(self.ops.len());
-        for op in &self.ops {
-            let found = match op {
-                Op::Constant(value) => (*value, f64::EPSILON * value.abs()),
-                Op::Input(at) => (inputs[*at], 0.0),
-                Op::Sum(constant, terms) => {
-                    let (mut sum, mut size, mut error) = (*constant, constant.abs(), 0.0);
-                    for (slot, k) in terms {
-                        let (value, own) = slots[*slot as usize];
-                        sum += k * value;
-                        size += (k * value).abs();
-                        error += k.abs() * own;
-                    }
-                    (sum, error + f64::EPSILON * terms.len() as f64 * size)
-                }
-                Op::Product(factors) => {
-                    let (mut product, mut relative) = (1.0_f64, 0.0);
-                    for (slot, n) in factors {
-                        let (value, own) = slots[*slot as usize];
-                        product *= value.powi(*n);
-                        relative += f64::from(n.abs()) * (own / value.abs() + f64::EPSILON);
-                    }
-                    (product, product.abs() * relative)
-                }
-                Op::Apply(f, slot) => {
-                    let (x, own) = slots[*slot as usize];
-                    let value = value_of(*f, x);
-                    let moved = match f {
-                        // A shift by a whole turn would look like none.
-                        Function::Sin | Function::Cos => own.min(2.0),
-                        _ => (value_of(*f, x + own) - value).abs().max((value_of(*f, x - own) - value).abs()),
-                    };
-                    (value, moved + f64::EPSILON * value.abs())
-                }
-            };
-            slots.push(found);
-        }
-        self.outputs.iter().map(|slot| slots[*slot as usize]).collect()
-    }
-
     /// All outputs, in a new vector.
     #[must_use]
     pub fn evaluate(&self, inputs: &[f64]) -> Vec<f64> {
