@@ -11,7 +11,7 @@ use tripos_derive::algebra::compare::{Comparer, Verdict};
 use tripos_derive::algebra::print::text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivations, Quantities, derive_all};
-use tripos_derive::report::{EntryKind, Report, load};
+use tripos_derive::report::{EntryKind, Names, Report, load};
 use tripos_derive::{Formulation, Model};
 
 #[test]
@@ -59,12 +59,11 @@ fn systems_listings_and_numbers_are_read_with_their_names() {
 /// Resolves the names of a report and compares an equation with the derived value of its quantity.
 fn verdict(report: &Report, model: &Model, derivations: &mut Derivations, id: &str) -> Verdict {
     let mut quantities = Quantities::new(model, derivations);
-    let (mut names, missing) = report.resolve_names(&mut quantities);
-    assert!(missing.is_empty(), "{missing:?}");
+    let names = Names::new(report, &mut quantities);
     let entry = report.entries.iter().find(|e| e.id == id).unwrap_or_else(|| panic!("no entry {id}"));
     let EntryKind::Equation { quantity, printed, .. } = &entry.kind else { panic!("{id} is no equation") };
     let derived = quantities.value(quantity).unwrap_or_else(|e| panic!("{id}: {e}"));
-    let printed = names.apply(&mut quantities.derivations.kinematics.arena, *printed);
+    let printed = names.resolve(&mut quantities, *printed).unwrap_or_else(|e| panic!("{id}: {e}"));
     let rates = quantities.mentions_rates(printed) || quantities.mentions_rates(derived);
     let both = [printed, derived].map(|e| if rates { quantities.in_rates(e) } else { quantities.in_speeds(e) });
     Comparer::default().compare(&mut quantities.derivations.kinematics.arena, both[0], both[1])

@@ -6,27 +6,7 @@ use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::Comparer;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::mechanics::{Quantities, Quantity};
-use crate::report::Report;
-
-/// Symbols of the text with the derived values that they stand for; those that cannot be had, with the reason.
-pub struct Names {
-    /// (symbol, value in q and u)
-    values: Vec<(Expr, Expr)>,
-    /// (symbol, reason)
-    missing: Vec<(Expr, String)>,
-}
-
-/// The derived values of a report's `[names]`.
-pub fn names(report: &Report, quantities: &mut Quantities<'_>) -> Names {
-    let (mut values, mut missing) = (Vec::new(), Vec::new());
-    for (_, quantity, symbol) in &report.names {
-        match quantities.value(quantity) {
-            Ok(value) => values.push((*symbol, value)),
-            Err(why) => missing.push((*symbol, why)),
-        }
-    }
-    Names { values, missing }
-}
+use crate::report::Names;
 
 /// Judges entries one by one.
 pub struct Judge<'a, 'b> {
@@ -36,23 +16,6 @@ pub struct Judge<'a, 'b> {
     pub comparer: &'a mut Comparer,
     /// What symbols of the text stand for.
     pub names: &'a Names,
-}
-
-impl Names {
-    /// A printed term with its symbols replaced, or why one of them has no value.
-    pub fn resolve(&self, quantities: &mut Quantities<'_>, e: Expr) -> Result<Expr, String> {
-        let arena = &mut quantities.derivations.kinematics.arena;
-        let parts = arena.reachable(&[e]);
-        if let Some((_, why)) = self.missing.iter().find(|(symbol, _)| parts.binary_search(symbol).is_ok()) {
-            return Err(why.clone());
-        }
-        let mut substitution = Substitution::new(&self.values);
-        let resolved = substitution.apply(arena, e);
-        match substitution.undefined {
-            Some(_) => Err("it divides by a quantity that is zero".to_owned()),
-            None => Ok(resolved),
-        }
-    }
 }
 
 impl Judge<'_, '_> {

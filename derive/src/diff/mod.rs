@@ -21,7 +21,7 @@ use crate::algebra::compare::{Comparer, Verdict, Witness};
 use crate::mechanics::{Derivations, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;
-use crate::report::{EntryKind, Report};
+use crate::report::{EntryKind, Names, Report};
 use motion::Motion;
 
 /// How a printed entry stands to what is derived.
@@ -136,7 +136,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof
     let mut findings = Vec::new();
     let mut motions: Vec<(Motion, systems::Matched)> = Vec::new();
     let mut quantities = Quantities::new(model, derivations);
-    let names = entries::names(report, &mut quantities);
+    let names = Names::new(report, &mut quantities);
     for entry in &report.entries {
         let first = findings.len();
         match &entry.kind {
@@ -175,7 +175,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof
 /// The printed systems and listings of a report as equations of motion.
 pub fn motions(model: &Model, derivations: &mut Derivations, report: &Report) -> Vec<Motion> {
     let mut quantities = Quantities::new(model, derivations);
-    let names = entries::names(report, &mut quantities);
+    let names = Names::new(report, &mut quantities);
     let mut list = Vec::new();
     for entry in &report.entries {
         match &entry.kind {

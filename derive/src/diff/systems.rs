@@ -1,6 +1,6 @@
 //! Printed linear systems and program listings.
 
-use super::entries::{Judge, Names};
+use super::entries::Judge;
 use super::motion::Motion;
 use super::rows::{Match, Row, RowJudgement, judge};
 use super::{Finding, Judgement};
@@ -10,7 +10,7 @@ use crate::algebra::linear::{LinearForm, solve};
 use crate::algebra::modular::rank;
 use crate::algebra::print::text;
 use crate::mechanics::{Formulation, Kinematics, Quantities, balances};
-use crate::report::{Entry, Listing, System};
+use crate::report::{Entry, Listing, Names, System};
 
 /// The derived rows that a printed system is compared with, and how its rows were matched.
 #[derive(Clone, Debug)]

@@ -7,7 +7,7 @@
 //! what is wrong with a printed *equation* is for a comparison to find.
 //!
 //! Abbreviations are replaced by their formulas while reading. The names of derived quantities stay symbols, which no
-//! model can declare, until [`Report::resolve_names`] says what they are worth: so an entry may be read, and its errors
+//! model can declare, until [`Names::resolve`] says what they are worth: so an entry may be read, and its errors
 //! found, before anything is derived.
 //!
 //! ```
@@ -46,15 +46,16 @@
 
 mod entries;
 mod linear;
+mod names;
 mod read;
 mod words;
 
+pub use names::Names;
 pub use read::load;
 
 use crate::algebra::Expr;
-use crate::algebra::calculus::Substitution;
 use crate::diagnostic::Source;
-use crate::mechanics::{Formulation, Quantities, Quantity};
+use crate::mechanics::{Formulation, Quantity};
 use std::ops::Range;
 
 /// A published derivation.
@@ -241,20 +242,5 @@ impl Entry {
             EntryKind::Listing(listing) => listing.ids(&self.id),
             EntryKind::Equation { .. } | EntryKind::Definition { .. } | EntryKind::Initial(_) => vec![self.id.clone()],
         }
-    }
-}
-
-impl Report {
-    /// What the symbols of `[names]` are worth, to be put into the formulas in the arena of the derivations; and those
-    /// that have no value, with the reason. Those stay symbols.
-    pub fn resolve_names(&self, quantities: &mut Quantities<'_>) -> (Substitution, Vec<(String, String)>) {
-        let (mut pairs, mut missing) = (Vec::new(), Vec::new());
-        for (name, quantity, symbol) in &self.names {
-            match quantities.value(quantity) {
-                Ok(value) => pairs.push((*symbol, value)),
-                Err(reason) => missing.push((name.clone(), reason)),
-            }
-        }
-        (Substitution::new(&pairs), missing)
     }
 }
