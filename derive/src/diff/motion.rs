@@ -4,7 +4,7 @@ use crate::algebra::calculus::Differential;
 use crate::algebra::linear::{determinant, solve};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
-use crate::mechanics::{rates_to_speeds, speeds_to_rates};
+use crate::mechanics::rates_to_speeds;
 use crate::model::Model;
 
 /// A system of equations of motion as printed, or as derived.
@@ -72,10 +72,4 @@ impl Solved {
         let rate = Differential::along(&along).apply(arena, e);
         simplifier.simplify(arena, rate)
     }
-}
-
-/// A term in u and q̇ written in u alone, or in q̇ alone.
-pub fn unified(model: &Model, arena: &mut Arena, e: Expr, in_rates: bool) -> Expr {
-    let mut rewrite = if in_rates { speeds_to_rates(model) } else { rates_to_speeds(model) };
-    rewrite.apply(arena, e)
 }
