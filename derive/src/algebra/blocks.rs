@@ -5,7 +5,7 @@
 //! cofactors, and its determinant simplified before it divides.
 
 use super::linear::{Singular, solve};
-use super::modular::rank;
+use super::rank::rank;
 use super::simplify::Simplifier;
 use super::{Arena, Expr};
 

@@ -19,6 +19,7 @@ pub mod parse;
 pub mod polynomial;
 pub mod print;
 pub mod range;
+pub mod rank;
 mod rational;
 pub mod relations;
 mod ring;

@@ -310,96 +310,21 @@ fn values_at(
     Some(values)
 }
 
-/// The rank of a matrix by meaning.
-///
-/// The rank at a random point is never above it, and below it only with the probability of a false
-/// zero: the largest of several points is returned. `None` if no point could be evaluated.
-#[must_use]
-pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
-    let ranks = in_fields(arena, matrix).into_iter().map(|(field, rows)| {
-        let (basis, dependent) = eliminate(field, rows);
-        Rank { rank: basis.len(), dependent }
-    });
-    ranks.max()
-}
-
-/// Independent rows of a matrix, as many as there are, the first that will do; with the column of each row's pivot.
-/// `None` if no point could be evaluated.
-#[must_use]
-pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
-    let mut best: Option<Basis> = None;
-    for (field, rows) in in_fields(arena, matrix) {
-        let (basis, _) = eliminate(field, rows);
-        if best.as_ref().is_none_or(|known| known.len() < basis.len()) {
-            best = Some(basis);
-        }
-    }
-    best.map(|basis| basis.into_iter().map(|(row, column, _)| (row, column)).unzip())
-}
-
-/// Independent rows of a matrix, as many as there are, the first that will do.
-#[must_use]
-pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
-    echelon(arena, matrix).map(|(rows, _)| rows)
-}
-
-/// A matrix at four random points, each modulo another prime.
-#[must_use]
-pub(crate) fn in_fields(arena: &Arena, matrix: &[Vec<Expr>]) -> Vec<(Field, Vec<Vec<u64>>)> {
-    let parts = arena.reachable(&matrix.concat());
+/// The residues of terms at random points, each modulo another prime: `count` of them, fewer where there are no values.
+pub(super) fn residues(arena: &Arena, terms: &[Expr], count: usize) -> Vec<(Field, FxHashMap<Expr, u64>)> {
+    let parts = arena.reachable(terms);
     let denominators = angle_denominators(arena, &parts);
     let mut generator = seeded(arena, &parts);
     let mut found = Vec::new();
-    for _ in 0..400 {
+    for _ in 0..100 * count {
         let point = Point { field: Field::random(&mut generator), seed: generator.next() };
         let Some(values) = values_at(arena, &parts, &denominators, &point) else { continue };
-        found.push((point.field, matrix.iter().map(|row| row.iter().map(|e| values[e]).collect()).collect()));
-        if found.len() == 4 {
+        found.push((point.field, values));
+        if found.len() == count {
             break;
         }
     }
     found
-}
-
-/// How many rows of a matrix are independent, and the first that depends on those before it.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub struct Rank {
-    /// Independent rows.
-    pub rank: usize,
-    /// The first dependent row, if there is one.
-    pub dependent: Option<usize>,
-}
-
-/// (row, pivot column, reduced row)
-type Basis = Vec<(usize, usize, Vec<u64>)>;
-
-/// Gaussian elimination row by row: each row is reduced by those before it. Returns the independent rows and the
-/// first that depends on those before it.
-fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> (Basis, Option<usize>) {
-    let mut basis: Basis = Vec::new();
-    let mut dependent = None;
-    for (at, mut row) in rows.into_iter().enumerate() {
-        for (_, column, pivot) in &basis {
-            let factor = row[*column];
-            if factor == 0 {
-                continue;
-            }
-            for (entry, p) in row.iter_mut().zip(pivot) {
-                *entry = f.sub(*entry, f.mul(factor, *p));
-            }
-        }
-        match row.iter().position(|x| *x != 0) {
-            Some(column) => {
-                let inverse = f.inverse(row[column]).unwrap_or(1);
-                for x in &mut row {
-                    *x = f.mul(*x, inverse);
-                }
-                basis.push((at, column, row));
-            }
-            None => dependent = dependent.or(Some(at)),
-        }
-    }
-    (basis, dependent)
 }
 
 /// A generator seeded with the terms, by the names of their symbols and not by their handles.
@@ -492,19 +417,6 @@ mod tests {
         ] {
             assert_eq!(test(text), ZeroTest::NonZero, "{text}");
         }
-    }
-
-    #[test]
-    fn rank_sees_dependence_that_no_entry_shows() {
-        let mut arena = Arena::new();
-        let mut matrix = |texts: [[&str; 2]; 2]| {
-            let rows = texts.map(|row| row.map(|t| parse_free(&mut arena, t).unwrap()).to_vec()).to_vec();
-            rank(&arena, &rows).unwrap()
-        };
-        assert_eq!(matrix([["m", "m"], ["m", "m"]]), Rank { rank: 1, dependent: Some(1) });
-        let hidden = [["sin(q)", "1"], ["1 - cos(q)^2", "sin(q)"]];
-        assert_eq!(matrix(hidden), Rank { rank: 1, dependent: Some(1) });
-        assert_eq!(matrix([["0", "1"], ["m", "0"]]), Rank { rank: 2, dependent: None });
     }
 
     #[test]

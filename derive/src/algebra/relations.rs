@@ -2,8 +2,8 @@
 
 use super::fraction::over_common_denominator;
 use super::linear::solve;
-use super::modular::echelon;
 use super::normal::Normalizer;
+use super::rank::echelon;
 use super::ring::{Poly, Powers};
 use super::simplify::Simplifier;
 use super::{Arena, Expr};

@@ -6,8 +6,9 @@
 
 use crate::algebra::compare::{Comparer, Engine, Verdict};
 use crate::algebra::linear::solve;
-use crate::algebra::modular::{echelon, has_roots, in_fields};
+use crate::algebra::modular::has_roots;
 use crate::algebra::print::text;
+use crate::algebra::rank::{echelon, in_fields};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Function, Node};
 

@@ -7,8 +7,8 @@ use super::{Finding, Judgement};
 use crate::algebra::Expr;
 use crate::algebra::compare::Verdict;
 use crate::algebra::linear::{LinearForm, solve};
-use crate::algebra::modular::rank;
 use crate::algebra::print::text;
+use crate::algebra::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities, balances};
 use crate::report::{Entry, Listing, Names, System};
 

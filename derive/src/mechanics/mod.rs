@@ -324,7 +324,7 @@ fn derive_with(model: &Model, kinematics: &mut Kinematics, formulation: Formulat
         Formulation::Lagrange => lagrange::derive(model, kinematics),
         Formulation::NewtonEuler => newton_euler::derive(model, kinematics),
     }?;
-    let rank = crate::algebra::modular::rank(&kinematics.arena, &equations.matrix);
+    let rank = crate::algebra::rank::rank(&kinematics.arena, &equations.matrix);
     match rank.and_then(|r| r.dependent) {
         Some(row) => Err(singular(model, formulation, row)),
         None => Ok(equations),

@@ -10,7 +10,7 @@ use super::all;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::linear::solve;
-use crate::algebra::modular::rank;
+use crate::algebra::rank::rank;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{
     Balance, Derivations, Equations, Formulation, Kinematics, Vector, balances, partial_velocities, rates_to_speeds,

@@ -9,8 +9,9 @@ use super::motions;
 use crate::algebra::calculus::Differential;
 use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::linear::LinearForm;
-use crate::algebra::modular::{ZeroTest, rank, zero_test};
+use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::normal::Normalizer;
+use crate::algebra::rank::rank;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::{
     Derivations, Equations, Formulation, Kinematics, motion_rates, rates_to_speeds, speeds_to_rates,

@@ -7,7 +7,8 @@
 use super::fields::Field;
 use crate::algebra::blocks::solve_blocks;
 use crate::algebra::calculus::Differential;
-use crate::algebra::modular::{ZeroTest, independent_rows, zero_test};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::rank::independent_rows;
 use crate::algebra::{Expr, Rational};
 use crate::mechanics::{Kinematics, Vector};
 use crate::model::Model;
