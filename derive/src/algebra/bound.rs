@@ -17,7 +17,7 @@ struct Size {
     degree: f64,
     bits: f64,
     denominator_bits: f64,
-    /// d itself while it fits a word and is not 1: common denominators are then not counted twice.
+    /// d itself while it is known to fit a word: common denominators are then not counted twice.
     denominator: Option<u64>,
     divisors: Vec<(Expr, f64)>,
 }
