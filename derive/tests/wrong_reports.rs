@@ -197,6 +197,40 @@ fn wrong_unknowns_are_named() {
 }
 
 #[test]
+fn an_entry_that_contains_an_unknown_is_refused() {
+    let edits = [
+        ("[\"2*m\", \"m*length*cos(q)\"]", "[\"2*m\", \"m*length*cos(q)*x''\"]"),
+        ("right = [\"bob*q'^2\", \"-g*bob\"]", "right = [\"bob*q'^2 - m*q''\", \"-q''*bob\"]"),
+    ];
+    check(
+        &edited(&edits),
+        &expect![[r#"
+        error: an entry of the matrix contains the unknown `x''`
+          --> report.toml:36:20
+           |
+        36 | matrix = [["2*m", "m*length*cos(q)*x''"], ["m*length*cos(q)", "I + m*length^2"]]
+           |                    ^^^^^^^^^^^^^^^^^^^
+           |
+           = help: a row reads Σ entry·unknown = right: put the factor of `x''` into its column of the matrix
+
+        error: an entry of `right` contains the unknown `q''`
+          --> report.toml:37:11
+           |
+        37 | right = ["bob*q'^2 - m*q''", "-q''*bob"]
+           |           ^^^^^^^^^^^^^^^^    -------- also here
+           |
+           = help: a row reads Σ entry·unknown = right: put the factor of `q''` into its column of the matrix"#]],
+    );
+}
+
+/// A program may use what it has computed before; only a linear system has its unknowns apart.
+#[test]
+fn a_listing_may_contain_any_symbol() {
+    let text = edited(&[("\"-g*bob\", 0]", "\"-g*bob\", \"u2'\"]")]);
+    reports::load_text(&text, &mut reports::base()).unwrap_or_else(|e| panic!("{e}"));
+}
+
+#[test]
 fn a_matrix_that_does_not_fit_is_refused() {
     let edits = [("[\"2*m\", \"m*length*cos(q)\"]", "[\"2*m\"]"), ("[[1, 0], [0, \"m\"]]", "[[1, 0]]")];
     check(

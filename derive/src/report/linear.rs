@@ -22,6 +22,17 @@ type Formulas = (Vec<Expr>, Vec<String>);
 /// The same, row by row.
 type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
 
+/// What a matrix must fit.
+#[derive(Clone, Copy)]
+struct Fit<'a> {
+    /// Entries of a row, if that is known.
+    columns: Option<usize>,
+    /// Why so many.
+    help: &'a str,
+    /// What the system is solved for, and no entry may contain.
+    unknowns: &'a [Expr],
+}
+
 impl<'a> Loading<'a, '_> {
     /// `[[system]]`
     pub fn system(&mut self, item: &Item<'a>) -> Option<System> {
@@ -34,9 +45,11 @@ impl<'a> Loading<'a, '_> {
             self.members(array, &span, &known, &format!("{what} of {of}"))
         });
         let columns = unknowns.as_ref().map(|(list, _)| list.len());
+        let solved_for = unknowns.as_ref().map_or_else(Vec::new, |(list, _)| list.clone());
         let rows = self.required_array(item, "matrix", "rows, as in [[\"m\", 0], [0, \"I\"]]");
         let row_count = rows.as_ref().map(|(array, _)| array.len());
-        let matrix = rows.and_then(|(array, span)| self.matrix(array, &span, columns, "one entry for each unknown"));
+        let fit = Fit { columns, help: "one entry for each unknown", unknowns: &solved_for };
+        let matrix = rows.and_then(|(array, span)| self.matrix(array, &span, fit));
         let right = self.required_array(item, "right", "[\"-m*g\", 0]");
         let right = right.and_then(|(array, span)| {
             if let Some(rows) = row_count.filter(|rows| *rows != array.len()) {
@@ -44,7 +57,7 @@ impl<'a> Loading<'a, '_> {
                 self.reader.error(span, message, "one right-hand side for each row of the matrix");
                 return None;
             }
-            self.formulas(array, "an entry of `right`")
+            self.formulas(array, "an entry of `right`", &solved_for)
         });
         let matrix_ids = self.template(item, "matrix_ids", &["{i}", "{j}"]);
         let right_ids = self.template(item, "right_ids", &["{i}"]);
@@ -77,7 +90,7 @@ impl<'a> Loading<'a, '_> {
                 self.reader.error(span, message, "one derivative for each entry of the state, 0 where it is left zero");
                 return None;
             }
-            self.formulas(array, "an entry of `derivative`")
+            self.formulas(array, "an entry of `derivative`", &[])
         });
         let half = length.map(|n| n / 2);
         let matrix = match self.reader.get(item.table, "matrix") {
@@ -89,7 +102,7 @@ impl<'a> Loading<'a, '_> {
                     self.reader.error(span, message, help);
                     return None;
                 }
-                self.matrix(array, &span, half, help).map(Some)
+                self.matrix(array, &span, Fit { columns: half, help, unknowns: &[] }).map(Some)
             }),
         };
         let ((state, state_names), (derivative, derivative_texts)) = (state?, derivative?);
@@ -220,37 +233,46 @@ impl<'a> Loading<'a, '_> {
         Some((self.array(value, &format!("`{key}`"), example)?, value.span()))
     }
 
-    fn formulas(&mut self, array: &'a [Spanned<DeValue<'a>>], what: &str) -> Option<Formulas> {
-        let read: Vec<Option<(Expr, String)>> = array
-            .iter()
-            .map(|value| {
-                let formula = self.reader.formula(value, what)?;
-                Some((self.formula(&formula)?, formula.text))
-            })
-            .collect();
+    /// Formulas without any of the unknowns.
+    fn formulas(&mut self, array: &'a [Spanned<DeValue<'a>>], what: &str, unknowns: &[Expr]) -> Option<Formulas> {
+        let read = array.iter().map(|value| {
+            let formula = self.reader.formula(value, what)?;
+            let e = self.formula(&formula)?;
+            self.without(e, &formula, what, unknowns)?;
+            Some((e, formula.text))
+        });
+        // All of them, so that all errors are seen.
+        let read: Vec<Option<_>> = read.collect();
         read.into_iter().collect::<Option<Vec<_>>>().map(|list| list.into_iter().unzip())
     }
 
-    /// Rows of equally many formulas: as many as `columns`, if that is known.
-    fn matrix(
-        &mut self,
-        array: &'a [Spanned<DeValue<'a>>],
-        span: &Range<usize>,
-        columns: Option<usize>,
-        help: &str,
-    ) -> Option<Matrix> {
+    /// Reports a formula that contains an unknown of its system: matrix · unknowns = right is linear as it stands.
+    fn without(&mut self, e: Expr, formula: &Located, what: &str, unknowns: &[Expr]) -> Option<()> {
+        let arena = &self.model.arena;
+        let parts = arena.reachable(&[e]);
+        let Some(unknown) = unknowns.iter().find(|u| parts.binary_search(u).is_ok()) else { return Some(()) };
+        let name = arena.symbol_name(*unknown).unwrap_or_default();
+        let message = format!("{what} contains the unknown `{name}`");
+        let help =
+            format!("a row reads Σ entry·unknown = right: put the factor of `{name}` into its column of the matrix");
+        self.reader.error_once(formula.span.clone(), message, help);
+        None
+    }
+
+    /// Rows of equally many formulas.
+    fn matrix(&mut self, array: &'a [Spanned<DeValue<'a>>], span: &Range<usize>, fit: Fit<'_>) -> Option<Matrix> {
         if array.is_empty() || array.len() > MAX_ROWS {
             let message = format!("a matrix of {}", count(array.len(), "row"));
             self.reader.error(span.clone(), message, format!("a matrix has 1 to {MAX_ROWS} rows"));
             return None;
         }
-        let mut columns = columns;
+        let Fit { mut columns, help, unknowns } = fit;
         let mut rows = Vec::new();
         for (at, value) in array.iter().enumerate() {
             let what = format!("row {} of the matrix", at + 1);
             let row = self.array(value, &what, "a row as an array, such as [\"m\", 0]").and_then(|row| {
                 if *columns.get_or_insert(row.len()) == row.len() {
-                    return self.formulas(row, "an entry of the matrix");
+                    return self.formulas(row, "an entry of the matrix", unknowns);
                 }
                 let expected = columns.unwrap_or_default();
                 let message = format!("{what} has {}, not {expected}", count(row.len(), "entry"));
