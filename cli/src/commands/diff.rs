@@ -132,9 +132,9 @@ fn text_of(model: &Model, title: &str, arena: &Arena, difference: &Difference) -
         let _ = writeln!(out, "  accelerations {verdict}");
         if let Some((printed, expected, verdict)) = &system.determinant {
             let relation = if verdict.is_equal() { "as derived" } else { "DIFFERENT" };
-            let _ = writeln!(out, "  determinant {relation}: {}", text(arena, *printed));
+            let _ = writeln!(out, "  determinant {relation}: {}", shortened(&text(arena, *printed)));
             if !verdict.is_equal() {
-                let _ = writeln!(out, "    derived: {}", text(arena, *expected));
+                let _ = writeln!(out, "    derived: {}", shortened(&text(arena, *expected)));
             }
         }
         for rate in &system.rates {
