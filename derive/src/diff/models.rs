@@ -2,7 +2,7 @@
 
 use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::{Arena, Expr, Node, Rational};
-use crate::mechanics::Derivations;
+use crate::mechanics::{Derivations, Formulation};
 use crate::model::Model;
 use crate::prove::Proof;
 use rustc_hash::FxHashMap;
@@ -29,10 +29,22 @@ pub struct ModelDifference {
     pub changes: Vec<Change>,
     /// How many entries were compared.
     pub compared: usize,
+    /// Formulations that only the old model has, and why the new one has not; their entries are not compared.
+    pub formulations_lost: Vec<(Formulation, String)>,
+    /// Formulations that only the new model has; their entries are not compared.
+    pub formulations_gained: Vec<Formulation>,
     /// Names of first integrals that only the old model has.
     pub integrals_lost: Vec<String>,
     /// Names of first integrals that only the new model has.
     pub integrals_gained: Vec<String>,
+}
+
+impl ModelDifference {
+    /// Whether the equations of motion are the same.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.changes.is_empty() && self.formulations_lost.is_empty() && self.formulations_gained.is_empty()
+    }
 }
 
 /// A model with everything derived and proved of it.
@@ -47,8 +59,14 @@ pub struct Derived<'a> {
 
 /// Compares two models; terms of the old one are written in the new one's arena, symbol by name.
 pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDifference {
-    let before = entries(old.model, old.derivations);
-    let after = entries(new.model, new.derivations);
+    let (lost, gained) = (only(old.derivations, new.derivations), only(new.derivations, old.derivations));
+    let before = entries(old, &lost);
+    let after = entries(new, &gained);
+    let why = |formulation| {
+        let found = new.derivations.list.iter().find(|(f, _)| *f == formulation);
+        found.and_then(|(_, equations)| equations.as_ref().err()).map_or_else(String::new, ToString::to_string)
+    };
+    let formulations_lost = lost.into_iter().map(|formulation| (formulation, why(formulation))).collect();
     let from = &old.derivations.kinematics.arena;
     let kinematics = &mut new.derivations.kinematics;
     let mut transfer = Transfer { from, done: FxHashMap::default() };
@@ -84,23 +102,32 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
         changes.push(Change { name: name.clone(), old, new: None, difference: None, verdict: None });
     }
     let names = |proof: &Proof| proof.integrals.iter().map(|i| i.name.clone()).collect::<Vec<_>>();
-    let (lost, gained) = (names(old.proof), names(new.proof));
+    let (known, found) = (names(old.proof), names(new.proof));
     ModelDifference {
         changes,
         compared: after.len(),
-        integrals_lost: lost.iter().filter(|name| !gained.contains(name)).cloned().collect(),
-        integrals_gained: gained.into_iter().filter(|name| !lost.contains(name)).collect(),
+        formulations_lost,
+        formulations_gained: gained,
+        integrals_lost: known.iter().filter(|name| !found.contains(name)).cloned().collect(),
+        integrals_gained: found.into_iter().filter(|name| !known.contains(name)).collect(),
     }
 }
 
-/// Everything that is compared, by name: speeds, kinematic equations, energies, each formulation's system.
-fn entries(model: &Model, derivations: &Derivations) -> Vec<(String, Expr)> {
+/// The formulations that one model has and another has not.
+fn only(one: &Derivations, other: &Derivations) -> Vec<Formulation> {
+    Formulation::ALL.into_iter().filter(|f| one.get(*f).is_some() && other.get(*f).is_none()).collect()
+}
+
+/// Everything that is compared, by name: speeds, kinematic equations, energies, each formulation's system but of those
+/// left out.
+fn entries(of: &Derived<'_>, left_out: &[Formulation]) -> Vec<(String, Expr)> {
+    let (model, derivations) = (of.model, &*of.derivations);
     let arena = &derivations.kinematics.arena;
     let mut list: Vec<(String, Expr)> = model.speeds.iter().map(|s| (s.name.clone(), s.definition)).collect();
     let rates = model.coordinates.iter().zip(&model.kinematic_equations.rates);
     list.extend(rates.map(|(c, rate)| (format!("{}'", c.name), *rate)));
-    for (formulation, equations) in &derivations.list {
-        let Ok(e) = equations else { continue };
+    for formulation in Formulation::ALL.into_iter().filter(|f| !left_out.contains(f)) {
+        let Some(e) = derivations.get(formulation) else { continue };
         let name = formulation.name();
         if !list.iter().any(|(n, _)| n == "T") {
             list.push(("T".to_owned(), e.kinetic_energy));

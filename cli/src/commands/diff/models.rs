@@ -27,7 +27,7 @@ pub fn diff(old: &Model, new: &Model, as_json: bool) -> Result<u8, Failure> {
     } else {
         print(&text_of(old, new, arena, &difference))?;
     }
-    Ok(if difference.changes.is_empty() { 0 } else { status::NO })
+    Ok(if difference.is_empty() { 0 } else { status::NO })
 }
 
 fn word(change: &Change) -> &'static str {
@@ -54,10 +54,14 @@ fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
             })
         })
         .collect();
+    let lost = difference.formulations_lost.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why }));
+    let lost: Vec<Value> = lost.collect();
+    let gained: Vec<&str> = difference.formulations_gained.iter().map(|f| f.name()).collect();
     json!({
         "old": short_name(old),
         "new": short_name(new),
         "equations": equations,
+        "formulations": { "lost": lost, "gained": gained },
         "integrals": { "lost": difference.integrals_lost, "gained": difference.integrals_gained },
         "summary": { "compared": difference.compared, "changed": difference.changes.len() },
     })
@@ -65,10 +69,16 @@ fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
 
 fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference) -> String {
     let mut out = format!("{} -> {}\n", old.source.path.display(), new.source.path.display());
-    if difference.changes.is_empty() {
+    if difference.is_empty() {
         let _ =
             writeln!(out, "the equations of motion are the same: {} entries compared by meaning", difference.compared);
         return out;
+    }
+    for (formulation, why) in &difference.formulations_lost {
+        let _ = writeln!(out, "\nno longer derived: {}\n  {why}", formulation.name());
+    }
+    for formulation in &difference.formulations_gained {
+        let _ = writeln!(out, "\nnow derived: {}", formulation.name());
     }
     for change in &difference.changes {
         let _ = writeln!(out, "\n{}: {}", change.name, word(change));
