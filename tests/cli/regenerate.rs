@@ -18,7 +18,9 @@ impl Workspace {
         for folder in ["models/disk", "generated/src", "tests/sympy"] {
             std::fs::create_dir_all(workspace.path(folder)).unwrap();
         }
-        for file in ["models/disk/model.toml", "tests/sympy/reference.py", "tests/sympy/requirements.txt"] {
+        let scripts = ["reference.py", "grammar.py", "mechanism.py", "model_file.py", "requirements.txt"];
+        let scripts = scripts.map(|name| format!("tests/sympy/{name}"));
+        for file in scripts.iter().map(String::as_str).chain(["models/disk/model.toml"]) {
             std::fs::copy(root().join(file), workspace.path(file)).unwrap();
         }
         workspace.python("case $1 in -c) echo 1.14.0;; *) cat answer.json;; esac");

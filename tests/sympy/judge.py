@@ -22,7 +22,7 @@ import sympy
 from sympy import Add, Integer, Mul, Rational, Symbol, cos, pi, sin, tan
 
 sys.dont_write_bytecode = True  # The source tree stays as it is.
-from reference import Unsupported, expression  # noqa: E402
+from grammar import Unsupported, expression  # noqa: E402
 
 POINTS = 12
 SECONDS = 20
