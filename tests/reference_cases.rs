@@ -21,13 +21,19 @@ fn accelerations_match_the_independent_references() {
         let order = parameter_names(name);
         let p: Vec<f64> = order.iter().map(|n| case["parameters"][n].as_f64().unwrap()).collect();
         // Printed equations are compiled too, and need not be right.
-        let derived = model.systems.iter().filter(|(name, _)| !name.starts_with("printed:"));
-        for (formulation, compiled) in derived {
+        // In a distance the coordinates are others.
+        let derived = model.systems.iter().filter(|s| !s.name.starts_with("printed:") && !s.name.contains('@'));
+        for compiled in derived {
             for state in case["states"].as_array().unwrap() {
                 let (q, u) = (numbers(&state["q"]), numbers(&state["u"]));
-                let found = accelerations(*compiled, &p, &q, &u);
+                let found = accelerations(compiled.double, &p, &q, &u);
                 for (a, b) in found.iter().zip(numbers(&state["udot"])) {
-                    assert!((a - b).abs() <= 1e-12 * b.abs().max(1.0), "{} {formulation}: {a} is not {b}", case["id"]);
+                    assert!(
+                        (a - b).abs() <= 1e-12 * b.abs().max(1.0),
+                        "{} {}: {a} is not {b}",
+                        case["id"],
+                        compiled.name
+                    );
                 }
                 compared += 1;
             }

@@ -6,12 +6,17 @@ use rustc_hash::FxHashMap;
 use tripos_derive::algebra::evaluate::value_of;
 use tripos_derive::algebra::{Arena, Expr, Node};
 use tripos_sim::Dynamics;
-use tripos_traits::System;
+use tripos_traits::{CompiledSystem, System};
 
 /// The compiled equations of a model.
 pub fn system(model: &str, formulation: &str) -> &'static (dyn System<f64> + Sync) {
+    compiled(model, formulation).double
+}
+
+/// The compiled equations of a model, in each kind of number.
+pub fn compiled(model: &str, formulation: &str) -> &'static CompiledSystem {
     let model = tripos::MODELS.iter().find(|m| m.name == model).expect("a compiled model");
-    model.systems.iter().find(|(name, _)| *name == formulation).expect("a compiled formulation").1
+    model.systems.iter().find(|system| system.name == formulation).expect("a compiled formulation")
 }
 
 /// u̇ at a state, by any formulation.
