@@ -2,6 +2,7 @@
 
 use tripos_traits::Scalar;
 
+use crate::dop853::Dop853;
 use crate::dormand_prince::DORMAND_PRINCE_54;
 use crate::error::SimError;
 use crate::events::Event;
@@ -55,6 +56,7 @@ where
             let stepper = ExplicitRungeKutta::new(&DORMAND_PRINCE_54, Length::Exact, n);
             solve(stepper, pace, rhs, y0, options, events)
         }
+        Method::Dop853 => solve(Dop853::new(n), pace, rhs, y0, options, events),
     };
     solution.warnings.extend(warning);
     Ok(solution)

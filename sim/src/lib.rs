@@ -31,8 +31,11 @@
 
 #![cfg_attr(test, allow(clippy::float_cmp, reason = "exact answers are compared exactly"))]
 
+mod blocks;
 mod control;
+mod dop853;
 mod dormand_prince;
+mod dormand_prince_853;
 mod dynamics;
 mod eliminated;
 mod error;
@@ -57,6 +60,7 @@ mod tolerance;
 mod watch;
 
 pub use dormand_prince::DORMAND_PRINCE_54;
+pub use dormand_prince_853::{DORMAND_PRINCE_853, Published853, Row};
 pub use dynamics::Dynamics;
 pub use eliminated::Eliminated;
 pub use error::{Failure, SimError};

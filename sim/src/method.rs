@@ -15,11 +15,14 @@ pub enum Method {
     Ode45,
     /// Dormand–Prince 5(4) with the step control of Hairer's `dopri5`.
     Dopri5,
+    /// Dormand–Prince 8(5,3) with the error estimate and the step control of Hairer's `dop853`; see
+    /// [`crate::DORMAND_PRINCE_853`].
+    Dop853,
 }
 
 impl Method {
     /// All methods, in the order in which they are always listed.
-    pub const ALL: [Self; 3] = [Self::Rk4, Self::Ode45, Self::Dopri5];
+    pub const ALL: [Self; 4] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853];
 
     /// The name used on the command line, in files and in tables.
     #[must_use]
@@ -28,6 +31,7 @@ impl Method {
             Self::Rk4 => "rk4",
             Self::Ode45 => "ode45",
             Self::Dopri5 => "dopri5",
+            Self::Dop853 => "dop853",
         }
     }
 
@@ -37,6 +41,7 @@ impl Method {
         match self {
             Self::Rk4 => 4,
             Self::Ode45 | Self::Dopri5 => 5,
+            Self::Dop853 => 8,
         }
     }
 
@@ -46,6 +51,7 @@ impl Method {
         match self {
             Self::Rk4 => 3,
             Self::Ode45 | Self::Dopri5 => 4,
+            Self::Dop853 => 7,
         }
     }
 
@@ -58,13 +64,14 @@ impl Method {
                 let beta = 0.04;
                 Some(Rules::Hairer { order: 5, exponent: 0.2 - 0.75 * beta, beta, shrink: 0.2, grow: 10.0 })
             }
+            Self::Dop853 => Some(Rules::Hairer { order: 8, exponent: 0.125, beta: 0.0, shrink: 0.333, grow: 6.0 }),
         }
     }
 
     pub(crate) fn norm(self) -> Norm {
         match self {
             Self::Ode45 => Norm::Largest,
-            Self::Rk4 | Self::Dopri5 => Norm::MeanSquare,
+            Self::Rk4 | Self::Dopri5 | Self::Dop853 => Norm::MeanSquare,
         }
     }
 }

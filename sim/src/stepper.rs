@@ -155,7 +155,7 @@ pub(crate) trait Stepper: Interpolant {
     }
     /// Moves to the end of the step last tried.
     fn accept(&mut self);
-    /// Derivative at the current point.
+    /// Derivative at the start; asked for before the first step.
     fn slope(&self) -> &[Self::Scalar];
     /// Calls of the right-hand side so far.
     fn evaluations(&self) -> u64;

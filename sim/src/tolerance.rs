@@ -2,6 +2,7 @@
 
 use tripos_traits::Scalar;
 
+use crate::blocks::LANES;
 use crate::error::SimError;
 use crate::solution::Warning;
 
@@ -47,7 +48,7 @@ pub(crate) struct ErrorTest {
     pub(crate) tolerance: f64,
     /// Part of |y| in the weight of a component.
     relative: f64,
-    /// The part that does not depend on |y|.
+    /// The part that does not depend on |y|, padded to whole blocks.
     absolute: Vec<f64>,
 }
 
@@ -66,6 +67,7 @@ impl ErrorTest {
         for (i, &a) in absolute.iter().enumerate() {
             check_absolute(i, a, rtol)?;
         }
+        absolute.resize(n.next_multiple_of(LANES), 1.0);
         if rtol == 0.0 {
             return Ok((Self { norm, tolerance: 1.0, relative: 0.0, absolute }, None));
         }
@@ -79,7 +81,12 @@ impl ErrorTest {
                 }
                 Self { norm, tolerance: raised, relative: 1.0, absolute }
             }
-            Norm::MeanSquare => Self { norm, tolerance: 1.0, relative: raised, absolute },
+            Norm::MeanSquare => {
+                for a in &mut absolute {
+                    *a = a.max(f64::MIN_POSITIVE);
+                }
+                Self { norm, tolerance: 1.0, relative: raised, absolute }
+            }
         };
         Ok((test, warning))
     }
@@ -91,7 +98,7 @@ impl ErrorTest {
             Norm::MeanSquare => {
                 let mut sum = 0.0;
                 for (i, e) in error.iter().enumerate() {
-                    let quotient = e.to_f64() * self.inverse_weight(i, y[i].to_f64(), y_new[i].to_f64());
+                    let quotient = e.to_f64() / self.weight(i, larger(y[i].to_f64().abs(), y_new[i].to_f64().abs()));
                     sum += quotient * quotient;
                 }
                 (sum / error.len().max(1) as f64).sqrt()
@@ -129,7 +136,7 @@ impl ErrorTest {
         x.iter()
             .enumerate()
             .map(|(i, x)| (x.to_f64().abs(), self.weight(i, y[i].to_f64().abs())))
-            .filter(|&(_, weight)| weight > 0.0)
+            .filter(|&(_, weight)| weight > f64::MIN_POSITIVE)
             .map(|(x, weight)| x / weight)
     }
 
@@ -140,11 +147,31 @@ impl ErrorTest {
         }
     }
 
-    /// 1 / weight; so large where there is no weight that any error but 0 is too large.
-    #[inline]
-    fn inverse_weight(&self, i: usize, y: f64, y_new: f64) -> f64 {
-        1.0 / self.weight(i, y.abs().max(y_new.abs())).max(f64::MIN_POSITIVE)
+    /// The part of the weights that does not depend on |y|, in the blocks of the state.
+    pub(crate) fn absolute_blocks(&self) -> &[[f64; LANES]] {
+        self.absolute.as_chunks().0
     }
+
+    /// 1 / weight of the components of a block in the mean square, given the absolute parts of the weights.
+    #[inline]
+    pub(crate) fn inverse_weights(
+        &self,
+        absolute: &[f64; LANES],
+        y: &[f64; LANES],
+        y_new: &[f64; LANES],
+    ) -> [f64; LANES] {
+        let mut weights = [0.0; LANES];
+        for l in 0..LANES {
+            weights[l] = absolute[l] + self.relative * larger(y[l].abs(), y_new[l].abs());
+        }
+        weights.map(|weight| 1.0 / weight)
+    }
+}
+
+/// The larger of two numbers, in one instruction: `f64::max` has a rule for NaN, which takes three more.
+#[inline]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 fn check_relative(rtol: f64) -> Result<(), SimError> {

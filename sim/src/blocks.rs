@@ -1,0 +1,87 @@
+//! Vectors of the state in blocks of a fixed width, padded with zeros.
+//!
+//! Why: a loop over the lanes of a block has a known length and no bounds to check, so it becomes vector
+//! instructions; and the stages of one block lie side by side.
+
+use tripos_traits::Scalar;
+
+/// Width of a block.
+pub(crate) const LANES: usize = 4;
+
+/// Neighbouring components of a vector.
+pub(crate) type Block<S> = [S; LANES];
+
+/// A vector of n components.
+#[derive(Clone, Debug)]
+pub(crate) struct Blocks<S> {
+    pub(crate) blocks: Vec<Block<S>>,
+    n: usize,
+}
+
+impl<S: Scalar> Blocks<S> {
+    pub(crate) fn zeros(n: usize) -> Self {
+        Self { blocks: vec![[S::from_f64(0.0); LANES]; n.div_ceil(LANES)], n }
+    }
+
+    pub(crate) fn components(&self) -> &[S] {
+        &self.blocks.as_flattened()[..self.n]
+    }
+
+    pub(crate) fn components_mut(&mut self) -> &mut [S] {
+        &mut self.blocks.as_flattened_mut()[..self.n]
+    }
+}
+
+/// Finds numbers that are not finite among many, with two operations each.
+#[derive(Clone, Copy)]
+pub(crate) struct Finite(Block<f64>);
+
+impl Finite {
+    pub(crate) const fn new() -> Self {
+        Self([0.0; LANES])
+    }
+
+    /// Notes the numbers of a block.
+    #[inline]
+    pub(crate) fn note<S: Scalar>(&mut self, block: &Block<S>) {
+        // x − x is 0, but not a number if x is infinite or none.
+        let rest = block.map(|x| x.to_f64() - x.to_f64());
+        for (sum, rest) in self.0.iter_mut().zip(rest) {
+            *sum += rest;
+        }
+    }
+
+    /// Whether all of them were finite.
+    #[inline]
+    pub(crate) fn all(self) -> bool {
+        let [a, b, c, d] = self.0; // added crosswise, as halves of a register are
+        !((a + c) + (b + d)).is_nan()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_number_that_is_not_finite_is_enough() {
+        for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut finite = Finite::new();
+            finite.note(&[f64::MAX, -f64::MAX, 0.0, 1e-320]);
+            assert!(finite.all());
+            finite.note(&[1.0, 1.0, odd, 1.0]);
+            finite.note(&[1.0; LANES]);
+            assert!(!finite.all(), "{odd}");
+        }
+    }
+
+    #[test]
+    fn components_are_what_was_asked_for() {
+        for n in 0..10 {
+            let mut vector = Blocks::<f32>::zeros(n);
+            vector.components_mut().fill(1.0);
+            assert_eq!(vector.components(), vec![1.0; n]);
+            assert_eq!(vector.blocks.as_flattened().iter().sum::<f32>(), n as f32);
+        }
+    }
+}
