@@ -27,7 +27,7 @@ impl Curve<'_> {
 
     fn series(&self, values: impl IntoIterator<Item = f64>) -> Series {
         let points = self.run.solution.t.iter().copied().zip(values).collect();
-        Series { label: self.label(), style: self.style, points }
+        Series::curve(self.label(), self.style, points)
     }
 }
 
@@ -52,6 +52,7 @@ pub fn energy(curves: &[Curve]) -> Panel {
         x_label: "t [s]".to_owned(),
         y_label: "T + V [J]".to_owned(),
         scale: Scale::Linear,
+        x_scale: Scale::Linear,
         series: curves.iter().map(|curve| curve.series(curve.run.energies.iter().map(|(k, p)| k + p))).collect(),
         note: note(curves),
     }
@@ -73,6 +74,7 @@ pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
         x_label: "t [s]".to_owned(),
         y_label: label.clone(),
         scale: Scale::Linear,
+        x_scale: Scale::Linear,
         series: curves.iter().map(|curve| curve.series(curve.run.states.iter().map(|state| state[at]))).collect(),
         note: None,
     };
@@ -95,6 +97,7 @@ pub fn integrals(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
             x_label: "t [s]".to_owned(),
             y_label: format!("| {symbol} − {symbol} (t₀) | [{unit}]"),
             scale: Scale::Logarithmic,
+            x_scale: Scale::Linear,
             series: curves.iter().map(series).collect(),
             note: None,
         }
@@ -135,6 +138,7 @@ pub fn nearness(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
         x_label: "t [s]".to_owned(),
         y_label,
         scale: Scale::Logarithmic,
+        x_scale: Scale::Linear,
         series,
         note: None,
     };

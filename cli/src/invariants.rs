@@ -4,14 +4,17 @@
 //! Invariant: nothing here can stop a run or a page. A value that does not exist is not a number, and extremes pass it over.
 
 use crate::catalogue::Code;
+use crate::failure::Failure;
+use crate::problem::Problem;
 use crate::run::Run;
 use tripos_derive::Model;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::print::text;
-use tripos_derive::prove::Integral;
+use tripos_derive::mechanics::derive_all;
+use tripos_derive::prove::{Integral, prove};
 use tripos_derive::scene::Scene;
-use tripos_sim::Dynamics;
+use tripos_sim::{Dynamics, Solution};
 
 /// Functions of the state that are watched, as tapes.
 pub struct Watch {
@@ -52,6 +55,87 @@ impl Watch {
             divisors: divisors.iter().map(|e| text(arena, *e)).collect(),
             tape: Tape::new(arena, &inputs, &outputs).ok(),
         }
+    }
+
+    /// Of a model alone: its first integrals are proved first.
+    ///
+    /// # Errors
+    /// [`Failure`] if the model cannot be derived.
+    pub fn of_model(model: &Model) -> Result<Self, Failure> {
+        let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
+        let proof = prove(model, &mut derivations);
+        Ok(Self::new(model, &derivations.kinematics.arena, &proof.integrals))
+    }
+
+    /// The largest change of each first integral over the samples of a solution.
+    pub fn changes(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<f64> {
+        let n = self.integrals.len();
+        let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; n + self.divisors.len()]);
+        let (mut first, mut largest) = (None, vec![0.0; n]);
+        let larger = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
+        for y in solution.y.iter().chain([&solution.y_end]) {
+            if let Some(tape) = &self.tape {
+                let inputs = [problem.scene.parameters.clone(), problem.state(y)].concat();
+                tape.evaluate_into(&inputs, &mut scratch, &mut out);
+            }
+            let first = first.get_or_insert_with(|| out[..n].to_vec());
+            for ((largest, value), first) in largest.iter_mut().zip(&out).zip(first.iter()) {
+                *largest = larger((value - first).abs(), *largest);
+            }
+        }
+        largest
+    }
+
+    /// The change of one first integral at each sample of a solution.
+    pub fn course(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
+        let Some(tape) = &self.tape else { return Vec::new() };
+        let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; self.integrals.len() + self.divisors.len()]);
+        let mut value = |y: &Vec<f64>| {
+            let inputs = [problem.scene.parameters.clone(), problem.state(y)].concat();
+            tape.evaluate_into(&inputs, &mut scratch, &mut out);
+            out[integral]
+        };
+        let values: Vec<f64> = solution.y.iter().map(&mut value).collect();
+        values.iter().map(|x| x - values[0]).collect()
+    }
+
+    /// How far the allowed errors of all components together can move each first integral, to first order: the largest over at
+    /// most `samples` states. `allowance` tells the allowed error of a component of (q, u) with its value.
+    pub fn sensitivity(
+        &self,
+        problem: &Problem<'_>,
+        solution: &Solution,
+        samples: usize,
+        allowance: &dyn Fn(usize, f64) -> f64,
+    ) -> Vec<f64> {
+        let n = self.integrals.len();
+        let mut largest = vec![0.0_f64; n];
+        let Some(tape) = &self.tape else { return largest };
+        let p = &problem.scene.parameters;
+        let mut scratch = Vec::new();
+        let mut value = |state: &[f64]| {
+            let mut out = vec![f64::NAN; n + self.divisors.len()];
+            tape.evaluate_into(&[p.as_slice(), state].concat(), &mut scratch, &mut out);
+            out
+        };
+        for y in solution.y.iter().step_by(solution.y.len().div_ceil(samples).max(1)) {
+            let mut state = problem.state(y);
+            let base = value(&state);
+            let mut moved = vec![0.0; n];
+            for at in 0..state.len() {
+                let kept = state[at];
+                state[at] += allowance(at, kept);
+                let changed = value(&state);
+                state[at] = kept;
+                for ((sum, new), old) in moved.iter_mut().zip(&changed).zip(&base) {
+                    *sum += (new - old).abs();
+                }
+            }
+            for (largest, moved) in largest.iter_mut().zip(moved) {
+                *largest = largest.max(moved);
+            }
+        }
+        largest
     }
 
     /// Everything watched, along a run by these equations.

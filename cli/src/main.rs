@@ -1,6 +1,7 @@
 //! `tripos`: equations of motion from a model file, derived three ways, compiled and run.
 
 mod catalogue;
+mod chart;
 mod commands;
 mod failure;
 mod figures;
@@ -9,8 +10,11 @@ mod invariants;
 mod page;
 mod plot;
 mod problem;
+mod reference;
 mod run;
+mod stability;
 mod study;
+mod trust;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use failure::{Failure, say};
@@ -91,6 +95,31 @@ enum Command {
     },
     /// Run a scene
     Simulate(Simulate),
+    /// Find where runs of a scene give way: passages, conditioning, domain, growth of errors, drifts
+    Stability {
+        /// A scene file
+        scene: PathBuf,
+        /// Shorter runs and fewer steps
+        #[arg(long)]
+        quick: bool,
+        /// Where the table and the figures go
+        #[arg(long, default_value = "target/stability")]
+        out: PathBuf,
+    },
+    /// Measure a scene by every formulation, solve and method at many tolerances: speed against accuracy
+    Chart {
+        /// A scene file
+        scene: PathBuf,
+        /// Fewer tolerances and repeats: less than two minutes
+        #[arg(long)]
+        quick: bool,
+        /// Also the printed equations of the report beside the model
+        #[arg(long)]
+        printed: bool,
+        /// Where the tables and the chart go
+        #[arg(long, default_value = "target/chart")]
+        out: PathBuf,
+    },
 }
 
 /// What `simulate` may change of a scene.
@@ -151,6 +180,8 @@ fn main() -> ExitCode {
         Command::Regenerate { check: true } => commands::regenerate::check(),
         Command::Regenerate { check: false } => commands::regenerate::regenerate(),
         Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),
+        Command::Stability { scene, quick, out } => commands::stability::stability(&scene, quick, &out),
+        Command::Chart { scene, quick, printed, out } => commands::chart::chart(&scene, quick, printed, &out),
         Command::Simulate(request) => commands::simulate::simulate(&request),
     };
     match result {

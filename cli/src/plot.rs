@@ -5,10 +5,12 @@
 //! a drift is shown on a linear one, since they hide its sign.
 
 mod axis;
+mod heat;
 mod look;
 mod thin;
 
 pub use axis::{Scale, pretty};
+pub use heat::{Cell, HeatMap, draw_heat};
 
 use axis::Axis;
 use look::{Canvas, EDGE, GRID, curve, dashed, extent, line, look, marker, write};
@@ -25,6 +27,16 @@ pub struct Series {
     pub style: usize,
     /// (x, y); the curve breaks where a value is not finite.
     pub points: Vec<(f64, f64)>,
+    /// For each measured point, from where to where x was found: drawn as a bar. Measurements carry a marker each, a
+    /// curve only some.
+    pub spread: Vec<(f64, f64)>,
+}
+
+impl Series {
+    /// A curve.
+    pub fn curve(label: String, style: usize, points: Vec<(f64, f64)>) -> Self {
+        Self { label, style, points, spread: Vec::new() }
+    }
 }
 
 /// One coordinate system.
@@ -37,10 +49,19 @@ pub struct Panel {
     pub y_label: String,
     /// How it is scaled; on a logarithmic axis a curve breaks where it is not positive.
     pub scale: Scale,
+    /// How the horizontal quantity is scaled.
+    pub x_scale: Scale,
     /// The curves, the first one drawn lowest.
     pub series: Vec<Series>,
     /// What to know about the curves, such as where one ends early.
     pub note: Option<String>,
+}
+
+impl Panel {
+    /// Whether a point can be drawn.
+    fn shows(&self, (x, y): (f64, f64)) -> bool {
+        self.scale.shows((x, y)) && self.x_scale.shows((y, x))
+    }
 }
 
 /// Plotters could not draw.
@@ -159,9 +180,14 @@ struct Plot<'a> {
 
 impl<'a> Plot<'a> {
     fn new(panel: &'a Panel, columns: usize) -> Self {
-        let points = || panel.series.iter().flat_map(|s| &s.points).filter(|p| panel.scale.shows(**p));
+        let points = || panel.series.iter().flat_map(|s| &s.points).filter(|p| panel.shows(**p));
         let per_axis = if columns == 1 { 10.0 } else { 5.0 };
-        let x = Axis::new(points().map(|p| p.0), &panel.x_label, 0.0, per_axis);
+        let bars = panel.series.iter().flat_map(|s| &s.spread).flat_map(|(low, high)| [*low, *high]);
+        let bars = bars.filter(|x| panel.shows((*x, 1.0)));
+        let x = match panel.x_scale {
+            Scale::Linear => Axis::new(points().map(|p| p.0), &panel.x_label, 0.0, per_axis),
+            Scale::Logarithmic => Axis::logarithmic(points().map(|p| p.0).chain(bars), &panel.x_label, per_axis),
+        };
         let (values, count) = (points().map(|p| p.1), if columns == 1 { 6.0 } else { 4.0 });
         let y = match panel.scale {
             Scale::Linear => Axis::new(values, &panel.y_label, 0.06, count),
@@ -200,7 +226,7 @@ impl<'a> Plot<'a> {
             let y = bottom + if below { 27.0 } else { 42.0 } + at as f64 * LINE;
             write(canvas, text, (left, y), HPos::Left, FontStyle::Italic)?;
         }
-        let shows = |p: (f64, f64)| self.panel.scale.shows(p);
+        let shows = |p: (f64, f64)| self.panel.shows(p);
         let place = |(x, y): (f64, f64)| (left + self.x.place(x) * width, bottom - self.y.place(y) * self.height);
         for (at, series) in self.panel.series.iter().enumerate() {
             let look = look(series.style);
@@ -208,8 +234,14 @@ impl<'a> Plot<'a> {
                 let run: Vec<_> = run.iter().map(|p| place(*p)).collect();
                 curve(canvas, &thin(&run), look)?;
                 let share = (at as f64 + 0.5) / self.panel.series.len() as f64;
-                for point in marked(&run, width, share) {
+                let markers = if series.spread.is_empty() { marked(&run, width, share) } else { run };
+                for point in markers {
                     marker(canvas, point, look)?;
+                }
+            }
+            for ((low, high), (_, y)) in series.spread.iter().zip(&series.points) {
+                if shows((*low, *y)) && shows((*high, *y)) {
+                    line(canvas, &[place((*low, *y)), place((*high, *y))], 1.0, EDGE)?;
                 }
             }
         }

@@ -7,7 +7,7 @@ use crate::catalogue::{By, Code, code};
 use crate::failure::Failure;
 use tripos_derive::scene::{Extended, Motion, Scene, Solve};
 use tripos_derive::{Formulation, Model};
-use tripos_sim::{Dynamics, Eliminated, Event, Options, RightHandSide, SimError, Solution, integrate};
+use tripos_sim::{Dynamics, Eliminated, Event, Options, SimError, Solution, integrate};
 use tripos_traits::{DoubleDouble, Scalar, System};
 
 /// A scene, the equations that run it, and how.
@@ -35,10 +35,6 @@ struct Origin {
 /// A number of a scene in twice the precision of a double.
 fn wide(number: &Extended) -> DoubleDouble {
     DoubleDouble::sum(number.high, number.low)
-}
-
-fn rounded(numbers: &[DoubleDouble]) -> Vec<f64> {
-    numbers.iter().map(|x| x.to_f64()).collect()
 }
 
 impl<'a> Problem<'a> {
@@ -72,13 +68,6 @@ impl<'a> Problem<'a> {
     /// The equations in doubles.
     pub fn system(&self) -> &'a dyn System<f64> {
         self.code.system()
-    }
-
-    /// Coordinates as the equations have them.
-    fn to_variables<S: Scalar>(&self, q: &mut [S], origin: impl Fn(DoubleDouble) -> S) {
-        if let Some(Origin { at, value }) = self.origin {
-            q[at] = q[at] - origin(value);
-        }
     }
 
     /// The coordinates of an integrated state.
@@ -129,7 +118,9 @@ impl<'a> Problem<'a> {
         let exact = &self.scene.exact;
         let numbers = |list: &[Extended]| list.iter().map(wide).collect::<Vec<_>>();
         let (p, mut q) = (numbers(&exact.parameters), numbers(&exact.q));
-        self.to_variables(&mut q, |value| value);
+        if let Some(Origin { at, value }) = self.origin {
+            q[at] = q[at] - value;
+        }
         let mut v = vec![DoubleDouble::int(0); system.speeds()];
         match &exact.motion {
             Motion::Rates(rates) if self.by.formulation() == Some(Formulation::Lagrange) => v = numbers(rates),
@@ -158,26 +149,40 @@ impl<'a> Problem<'a> {
         [q, u].concat()
     }
 
-    /// Integrates from the integrated state `y0`.
+    /// Integrates from the integrated state `y0` over the span of the scene.
     ///
     /// # Errors
     /// [`SimError`] if the question makes no sense.
     pub fn integrate(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, SimError> {
-        let (system, p) = (self.system(), self.scene.parameters.as_slice());
-        match Eliminated::new(system, p).filter(|_| self.solve == Solve::Eliminated) {
-            Some(rhs) => self.integrate_with(rhs, y0, options, events),
-            None => self.integrate_with(self.dynamics()?, y0, options, events),
-        }
+        self.integrate_over(self.scene.span, y0, options, events)
     }
 
-    fn integrate_with(
+    /// The same over another span.
+    ///
+    /// # Errors
+    /// [`SimError`] if the question makes no sense.
+    pub fn integrate_over(
         &self,
-        rhs: impl RightHandSide<f64>,
+        span: (f64, f64),
         y0: &[f64],
         options: &Options,
         events: &mut [Event<'_>],
     ) -> Result<Solution, SimError> {
-        integrate(rhs, self.scene.span, y0, options, events)
+        let (system, p) = (self.system(), self.scene.parameters.as_slice());
+        match Eliminated::new(system, p).filter(|_| self.solve == Solve::Eliminated) {
+            Some(rhs) => integrate(rhs, span, y0, options, events),
+            None => integrate(self.dynamics()?, span, y0, options, events),
+        }
+    }
+
+    /// Coordinates, then generalized speeds, of an integrated state, without rounding a distance away.
+    pub fn precise_state(&self, y: &[f64]) -> Vec<DoubleDouble> {
+        let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();
+        let mut state = wide(self.state(y));
+        if let Some(Origin { at, value }) = self.origin {
+            state[at] = DoubleDouble::from_f64(y[at]) + value;
+        }
+        state
     }
 
     /// The linear system at each state.
@@ -188,9 +193,4 @@ impl<'a> Problem<'a> {
         let label = format!("{}, {}", self.model.title, self.by.name);
         Ok(Dynamics::new(self.system(), &self.scene.parameters)?.labelled(label))
     }
-}
-
-/// The doubles nearest to numbers of twice their precision.
-pub fn nearest(numbers: &[DoubleDouble]) -> Vec<f64> {
-    rounded(numbers)
 }

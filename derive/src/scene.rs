@@ -2,6 +2,7 @@
 
 mod extended;
 mod integration;
+mod ladder;
 mod values;
 
 use crate::algebra::Expr;
@@ -15,6 +16,7 @@ use values::{Number, Start, Values, doubles};
 
 pub use extended::Extended;
 pub use integration::{AbsoluteTolerance, Integration, METHODS, Solve};
+pub use ladder::Ladder;
 
 /// Which way an event function must cross zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,13 +107,16 @@ pub struct Scene {
     pub exact: Exact,
     /// How to integrate.
     pub integration: Integration,
+    /// Other values of one number of the start, for stability tests.
+    pub ladder: Option<Ladder>,
     /// What to notice.
     pub events: Vec<SceneEvent>,
     /// What to draw.
     pub figures: Vec<Figure>,
 }
 
-const KEYS: [&str; 9] = ["model", "title", "about", "parameters", "start", "span", "integration", "events", "figures"];
+const KEYS: [&str; 10] =
+    ["model", "title", "about", "parameters", "start", "ladder", "span", "integration", "events", "figures"];
 
 /// The model file that a scene file belongs to: its key `model`, relative to the scene, or
 /// `../model.toml`.
@@ -150,6 +155,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let p = parameters.clone().unwrap_or_default();
     let span = values.span(table, &p);
     let integration = values.integration(table, &p);
+    let ladder = values.ladder(table, &p, &exact);
     let events = values.events(table);
     let figures = values.figures(table);
     let title = values.text(table, "title").unwrap_or_default();
@@ -165,6 +171,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
         exact,
         span: span.expect("reported if missing"),
         integration,
+        ladder,
         events,
         figures,
     })

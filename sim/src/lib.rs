@@ -54,10 +54,12 @@ mod run;
 mod samples;
 mod search;
 mod solution;
+pub mod stability;
 mod stepper;
 mod tableau;
 mod tolerance;
 mod watch;
+pub mod work_precision;
 
 pub use dormand_prince::DORMAND_PRINCE_54;
 pub use dormand_prince_853::{DORMAND_PRINCE_853, Published853, Row};

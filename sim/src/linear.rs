@@ -124,6 +124,19 @@ pub fn reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if reciprocal.is_finite() { reciprocal } else { 0.0 }
 }
 
+/// 1 / (‖A‖₁ ‖A⁻¹‖₁) of the matrix as it is, which depends on the choice of units; 0 for a singular matrix or one that
+/// is not finite. `a` holds n² entries, row by row.
+#[must_use]
+pub fn plain_reciprocal_condition(a: &[f64], n: usize) -> f64 {
+    if a.len() != n * n || n == 0 || !a.iter().all(|x| x.is_finite()) {
+        return 0.0;
+    }
+    let matrix = DMatrix::from_row_slice(n, n, a);
+    let norm = one_norm(&matrix);
+    let reciprocal = matrix.try_inverse().map_or(0.0, |inverse| 1.0 / (norm * one_norm(&inverse)));
+    if reciprocal.is_finite() { reciprocal } else { 0.0 }
+}
+
 /// The determinant, by LU; not a number if `a` does not hold n² numbers that are finite.
 #[must_use]
 pub fn determinant(a: &[f64], n: usize) -> f64 {

@@ -55,6 +55,24 @@ impl Method {
         }
     }
 
+    /// Whether the method estimates its error, and so can choose its steps.
+    #[must_use]
+    pub fn is_adaptive(self) -> bool {
+        self.rules().is_some()
+    }
+
+    /// Whether fixed steps are what the method is usually run with.
+    #[must_use]
+    pub const fn has_fixed_use(self) -> bool {
+        matches!(self, Self::Rk4)
+    }
+
+    /// Whether it is implicit, and needs the Jacobian of the right-hand side.
+    #[must_use]
+    pub const fn needs_jacobian(self) -> bool {
+        false
+    }
+
     /// How step sizes follow from errors; `None` for a method that estimates no error.
     pub(crate) fn rules(self) -> Option<Rules> {
         match self {

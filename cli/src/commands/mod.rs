@@ -1,5 +1,6 @@
 //! One file a command.
 
+pub mod chart;
 pub mod derive;
 pub mod diff;
 pub mod evaluate;
@@ -7,3 +8,4 @@ pub mod prove;
 pub mod regenerate;
 pub mod report;
 pub mod simulate;
+pub mod stability;

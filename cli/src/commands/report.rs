@@ -154,7 +154,7 @@ impl Work<'_> {
                 distance => Some(crate::catalogue::code(self.model, by, distance)?),
             };
             let code = own.as_ref().unwrap_or(code);
-            let run = run_code(self.model, scene, by, code)?;
+            let run = run_code(self.model, scene, by, code, Some(&self.watch))?;
             let course = self.watch.along(scene, code, &run);
             runs.derived.push((run, course));
             bar.inc(1);
@@ -166,7 +166,7 @@ impl Work<'_> {
         for (by, code) in &self.printed {
             bar.set_message(message(by));
             let why = match code {
-                Ok(code) => match run_code(self.model, &limited, by, code) {
+                Ok(code) => match run_code(self.model, &limited, by, code, None) {
                     Ok(run) => {
                         let course = self.watch.along(scene, code, &run);
                         runs.printed.push((run, course));

@@ -102,6 +102,9 @@ fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
     let state: Map<String, Value> =
         state_names(model).into_iter().zip(&run.end).map(|(name, x)| (name, json!(x))).collect();
     let solution = &run.solution;
+    let mut drift = Map::new();
+    drift.insert("energy".to_owned(), json!(run.energy_drift));
+    drift.extend(run.drifts.iter().filter(|(name, _)| !name.starts_with("energy")).map(|(n, x)| (n.clone(), json!(x))));
     let events: Vec<Value> = solution
         .events
         .iter()
@@ -119,7 +122,7 @@ fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
         "rejected": solution.rejected,
         "evaluations": solution.evaluations,
         "stop": solution.stop.code(),
-        "drift": { "energy": run.energy_drift },
+        "drift": drift,
         "events": events,
         "warnings": run.warnings,
     })
@@ -143,6 +146,9 @@ fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
         let _ = writeln!(out, "  {name} = {x}");
     }
     let _ = writeln!(out, "\nlargest change of total energy: {:e} J", run.energy_drift);
+    for (name, change) in run.drifts.iter().filter(|(name, _)| !name.starts_with("energy")) {
+        let _ = writeln!(out, "largest change of {}: {change:e}", name.split(';').next().unwrap_or_default());
+    }
     out
 }
 

@@ -74,12 +74,13 @@ fn scene() -> SceneSection {
             divisors: Vec::new(),
         },
     };
-    let series = || Series { label: "K & <L>".to_owned(), style: 0, points: vec![(0.0, 1.0), (1.0, 2.0)] };
+    let series = || Series::curve("K & <L>".to_owned(), 0, vec![(0.0, 1.0), (1.0, 2.0)]);
     let panel = || Panel {
         title: "<T>".to_owned(),
         x_label: "t [s]".to_owned(),
         y_label: "a < \"b\" [J]".to_owned(),
         scale: Scale::Linear,
+        x_scale: Scale::Linear,
         series: vec![series()],
         note: Some("ends & stops".to_owned()),
     };

@@ -13,7 +13,7 @@ pub enum Scale {
 }
 
 impl Scale {
-    /// Whether a point can be drawn. Beyond 1e300 a range could overflow.
+    /// Whether a point (other, value) can be drawn on this axis. Beyond 1e300 a range could overflow.
     pub fn shows(self, (x, y): (f64, f64)) -> bool {
         x.abs() < 1e300 && y.abs() < 1e300 && (self == Self::Linear || y >= 1e-300)
     }

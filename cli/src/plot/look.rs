@@ -105,6 +105,11 @@ pub fn line(canvas: &Canvas, points: &[(f64, f64)], width: f64, color: RGBColor)
     Ok(canvas.draw(&PathElement::new(points, style))?)
 }
 
+pub fn rectangle(canvas: &Canvas, a: (f64, f64), b: (f64, f64), color: RGBColor) -> Result<(), PlotError> {
+    let corners = [(fine(a.0), fine(a.1)), (fine(b.0), fine(b.1))];
+    Ok(canvas.draw(&Rectangle::new(corners, ShapeStyle { color: color.into(), filled: true, stroke_width: 0 }))?)
+}
+
 pub fn write(canvas: &Canvas, text: &str, at: (f64, f64), side: HPos, style: FontStyle) -> Result<(), PlotError> {
     // Plotters divides a size by 1.24.
     let font = FontDesc::new(FontFamily::SansSerif, 12.5 * 1.24 * FINE, style);

@@ -3,13 +3,13 @@
 use super::*;
 
 fn panel(curves: &[Vec<(f64, f64)>]) -> Panel {
-    let series =
-        |(at, points): (usize, &Vec<_>)| Series { label: format!("curve {at}"), style: at, points: points.clone() };
+    let series = |(at, points): (usize, &Vec<_>)| Series::curve(format!("curve {at}"), at, points.clone());
     Panel {
         title: "Energy".to_owned(),
         x_label: "t [s]".to_owned(),
         y_label: "T + V [J]".to_owned(),
         scale: Scale::Linear,
+        x_scale: Scale::Linear,
         series: curves.iter().enumerate().map(series).collect(),
         note: None,
     }

@@ -23,6 +23,11 @@ impl Number {
     fn exact(value: Rational) -> Self {
         Self { double: value.to_f64(), exact: Some(value) }
     }
+
+    /// To 32 digits, where they are known.
+    pub fn extended(&self) -> Extended {
+        self.exact.as_ref().map_or(self.double.into(), Extended::of)
+    }
 }
 
 /// Rounded to doubles.
@@ -31,7 +36,7 @@ pub fn doubles(numbers: &[Number]) -> Vec<f64> {
 }
 
 fn extended(numbers: &[Number]) -> Vec<Extended> {
-    numbers.iter().map(|n| n.exact.as_ref().map_or(n.double.into(), Extended::of)).collect()
+    numbers.iter().map(Number::extended).collect()
 }
 
 /// A state at one instant, with what the file says of it beyond the precision of a double.

@@ -1,0 +1,80 @@
+//! The chart: one panel for each question, all on the same axes.
+
+use super::Measurement;
+use crate::failure::Failure;
+use crate::plot::{Panel, PlotError, Scale, Series, draw};
+use tripos_derive::scene::Solve;
+use tripos_sim::Method;
+use tripos_sim::work_precision::pareto;
+
+/// The look of the Pareto front.
+const FRONT: usize = 0;
+
+/// Which method, which formulation, which solve.
+///
+/// # Errors
+/// [`Failure::Output`] if it cannot be drawn.
+pub fn chart(list: &[Measurement], uncertainty: f64) -> Result<String, Failure> {
+    draw(&panels(list, uncertainty), 3).map_err(|error| failed(&error))
+}
+
+/// A figure that could not be drawn.
+pub fn failed(error: &PlotError) -> Failure {
+    Failure::Output("the figure".to_owned(), std::io::Error::other(error.to_string()))
+}
+
+/// The panels of the chart.
+pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
+    // The formulation that is listed first, and the best method there is, stand for the others.
+    let first = list.first().map(|m| m.formulation.clone()).unwrap_or_default();
+    let best = Method::Dop853;
+    let natural = list.first().map_or(Solve::Eliminated, |m| m.solve);
+    let method = |m: &Measurement| (m.formulation == first && m.solve == natural).then(|| m.method.name().to_owned());
+    let formulation = |m: &Measurement| (m.method == best && m.solve == natural).then(|| m.formulation.clone());
+    let solve = |m: &Measurement| {
+        (m.method == best && !m.formulation.starts_with("printed:"))
+            .then(|| format!("{}, {}", m.formulation, m.solve.name()))
+    };
+    vec![
+        panel(list, &format!("Which method: {first}, {}", natural.name()), &method, uncertainty),
+        panel(list, &format!("Which formulation: {}, {}", best.name(), natural.name()), &formulation, uncertainty),
+        panel(list, &format!("Which solve: {}", best.name()), &solve, uncertainty),
+    ]
+}
+
+fn panel(list: &[Measurement], title: &str, group: &dyn Fn(&Measurement) -> Option<String>, uncertainty: f64) -> Panel {
+    let shown: Vec<(String, &Measurement)> = list.iter().filter_map(|m| Some((group(m)?, m))).collect();
+    let mut labels: Vec<&String> = Vec::new();
+    for (label, _) in &shown {
+        if !labels.contains(&label) {
+            labels.push(label);
+        }
+    }
+    let points: Vec<(f64, f64)> = shown.iter().map(|(_, m)| place(m)).collect();
+    let front = pareto(&points).into_iter().map(|at| points[at]).collect();
+    let mut series = vec![Series::curve("Pareto front".to_owned(), FRONT, front)];
+    for (at, label) in labels.into_iter().enumerate() {
+        let own: Vec<&Measurement> = shown.iter().filter(|(l, _)| l == label).map(|(_, m)| *m).collect();
+        series.push(Series {
+            label: label.clone(),
+            style: at + 1,
+            points: own.iter().map(|m| place(m)).collect(),
+            spread: own.iter().map(|m| (m.seconds.least, m.seconds.most)).collect(),
+        });
+    }
+    let note = format!("Bars: shortest to longest run. The reference is known to {uncertainty:.0e}.");
+    Panel {
+        title: title.to_owned(),
+        x_label: "time of a run [s]".to_owned(),
+        y_label: "error, largest |e| / (1 + |reference|)".to_owned(),
+        scale: Scale::Logarithmic,
+        x_scale: Scale::Logarithmic,
+        series,
+        note: Some(note),
+    }
+}
+
+/// (time, error); a run that did not arrive has no place.
+fn place(m: &Measurement) -> (f64, f64) {
+    (m.seconds.median, m.error.unwrap_or(f64::NAN))
+}

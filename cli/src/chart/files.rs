@@ -1,0 +1,93 @@
+//! What a chart leaves behind: tables for programs, and a table for people.
+
+use super::Measurement;
+use crate::failure::Failure;
+use std::fmt::Write;
+use std::path::Path;
+use tripos_sim::work_precision::cheapest;
+
+/// A table as a file.
+///
+/// # Errors
+/// [`Failure::Output`] if it cannot be written.
+pub fn table(path: &Path, header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Result<(), Failure> {
+    let failed = |error: csv::Error| {
+        let error = match error.into_kind() {
+            csv::ErrorKind::Io(error) => error,
+            other => std::io::Error::other(format!("{other:?}")),
+        };
+        Failure::Output(path.display().to_string(), error)
+    };
+    let mut writer = csv::Writer::from_path(path).map_err(failed)?;
+    writer.write_record(header).map_err(failed)?;
+    for row in rows {
+        writer.write_record(row).map_err(failed)?;
+    }
+    writer.flush().map_err(|error| Failure::Output(path.display().to_string(), error))
+}
+
+/// A text file, with its folder.
+///
+/// # Errors
+/// [`Failure::Output`] if it cannot be written.
+pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
+    std::fs::write(path, text).map_err(|error| Failure::Output(path.display().to_string(), error))
+}
+
+/// The folder, made if it is not there.
+///
+/// # Errors
+/// [`Failure::Output`] if it cannot be made.
+pub fn folder(path: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(path).map_err(|error| Failure::Output(path.display().to_string(), error))
+}
+
+/// `work_precision.csv` and `drifts.csv`.
+///
+/// # Errors
+/// [`Failure::Output`] if a file cannot be written.
+pub fn write(out: &Path, list: &[Measurement], integrals: &[(String, String)]) -> Result<(), Failure> {
+    let key = |m: &Measurement| {
+        let (solve, method) = (m.solve.name().to_owned(), m.method.name().to_owned());
+        vec![m.formulation.clone(), solve, method, format!("{:e}", m.tolerance)]
+    };
+    let header = ["formulation", "solve", "method", "tolerance", "seconds", "error", "steps", "evaluations", "stop"];
+    let rows = list.iter().map(|m| {
+        let error = m.error.map_or_else(String::new, |e| format!("{e:e}"));
+        let numbers = [format!("{:e}", m.seconds.median), error, m.steps.to_string(), m.evaluations.to_string()];
+        [key(m), numbers.to_vec(), vec![m.stop.clone()]].concat()
+    });
+    table(&out.join("work_precision.csv"), &header, rows)?;
+    let header = ["formulation", "solve", "method", "tolerance", "integral", "drift"];
+    let rows = list.iter().flat_map(|m| {
+        let each = integrals.iter().zip(&m.drifts);
+        each.map(move |((name, _), drift)| [key(m), vec![name.clone(), format!("{drift:e}")]].concat())
+    });
+    table(&out.join("drifts.csv"), &header, rows)
+}
+
+/// "to reach 1e-6 use …" for three accuracies.
+pub fn advice(list: &[Measurement]) -> String {
+    let points: Vec<(f64, f64)> = list.iter().map(|m| (m.seconds.median, m.error.unwrap_or(f64::NAN))).collect();
+    let mut out = "to reach  use                                          tolerance  time       error\n".to_owned();
+    for target in [1e-3, 1e-6, 1e-9] {
+        let _ = match cheapest(&points, target).map(|at| &list[at]) {
+            Some(m) => {
+                let name = format!("{}, {}, {}", m.formulation, m.solve.name(), m.method.name());
+                let (time, error) = (seconds(m.seconds.median), m.error.unwrap_or(f64::NAN));
+                writeln!(out, "{target:<9e} {name:<44} {:<10e} {time:<10} {error:.1e}", m.tolerance)
+            }
+            None => writeln!(out, "{target:<9e} nothing measured here reaches it"),
+        };
+    }
+    out
+}
+
+/// A time as a person writes it.
+pub fn seconds(s: f64) -> String {
+    match s {
+        s if s < 1e-3 => format!("{:.0} µs", s * 1e6),
+        s if s < 1.0 => format!("{:.2} ms", s * 1e3),
+        s => format!("{s:.2} s"),
+    }
+}

@@ -1,0 +1,29 @@
+//! `tripos stability`: where runs of a scene give way.
+
+use crate::chart::files::folder;
+use crate::commands::chart::progress;
+use crate::commands::simulate::read_scene;
+use crate::failure::{Failure, print};
+use crate::stability::{Study, all};
+use std::fmt::Write;
+use std::path::Path;
+
+/// Runs every study that applies to the scene, and writes its numbers and figures to `out`.
+pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
+    let (model, scene) = read_scene(path)?;
+    folder(out)?;
+    let bar = progress();
+    let findings = all(&Study { model: &model, scene: &scene, quick, bar: &bar })?;
+    bar.finish_and_clear();
+    findings.write(out)?;
+    let mut text = format!("{}, {}\n\n", model.title, scene.title);
+    for statement in &findings.statements {
+        let _ = writeln!(text, "- {statement}");
+    }
+    let _ = writeln!(text, "\n{} numbers in {}", findings.rows.len(), out.join("stability.csv").display());
+    for (name, _) in &findings.figures {
+        let _ = writeln!(text, "{}", out.join(name).display());
+    }
+    print(&text)?;
+    Ok(0)
+}

@@ -1,0 +1,173 @@
+//! Errors of each solve along a passage, beside condition numbers: what a numeric solve loses, and why.
+
+use super::ladder::passage;
+use super::{Findings, Row, Study};
+use crate::catalogue::code;
+use crate::chart::figure::failed;
+use crate::chart::{Case, cases};
+use crate::failure::Failure;
+use crate::plot::{Panel, Scale, Series, draw};
+use crate::problem::Problem;
+use crate::run::refused;
+use tripos_derive::Formulation;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::print::text;
+use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::{Dynamics, Options, Output, linear};
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Distances from the singular surface at which matrices are looked at, for one decade.
+const PER_DECADE: usize = 6;
+
+/// A state of the passage: what the kinematic equations divide by, coordinates, speeds.
+struct Place {
+    divisor: f64,
+    q: Vec<f64>,
+    u: Vec<f64>,
+}
+
+/// u̇ at exactly these doubles, in twice their precision.
+fn exact(study: &Study<'_>, place: &Place) -> Option<Vec<DoubleDouble>> {
+    let code = code(study.model, &Formulation::Lagrange.into(), None).ok()?;
+    let system = code.extended()?;
+    let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
+    let (p, q, u) = (wide(&study.scene.parameters), wide(&place.q), wide(&place.u));
+    let zeros = vec![DoubleDouble::int(0); system.speeds()];
+    let (mut v, mut v_dot, mut u_dot) = (zeros.clone(), zeros.clone(), vec![DoubleDouble::int(0); u.len()]);
+    system.motion_variables(&p, &q, &u, &mut v);
+    system.accelerations(&p, &q, &v, &mut v_dot);
+    system.generalized_speed_rates(&p, &q, &v, &v_dot, &mut u_dot);
+    Some(u_dot)
+}
+
+/// The largest error of u̇ in units of the largest u̇, and the condition numbers (plain, equilibrated) of the matrix.
+fn look(case: &Case, scene: &Scene, place: &Place, exact: &[DoubleDouble]) -> Option<(f64, f64, f64)> {
+    let (system, p) = (case.code.system(), scene.parameters.as_slice());
+    let mut v = vec![0.0; system.speeds()];
+    system.motion_variables(p, &place.q, &place.u, &mut v);
+    let mut v_dot = vec![0.0; system.speeds()];
+    let mut dynamics = Dynamics::new(system, p).ok()?;
+    match case.solve {
+        Solve::Eliminated => system.accelerations(p, &place.q, &v, &mut v_dot),
+        Solve::Numeric => v_dot.copy_from_slice(&dynamics.unknowns(&place.q, &v).ok()?[..v.len()]),
+    }
+    // The definitions of the speeds, applied to doubles, must not add an error of their own: in twice the precision.
+    let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
+    let mut u_dot = vec![DoubleDouble::int(0); place.u.len()];
+    let extended = case.code.extended()?;
+    let mut exact_v = vec![DoubleDouble::int(0); v.len()];
+    extended.motion_variables(&wide(p), &wide(&place.q), &wide(&place.u), &mut exact_v);
+    extended.generalized_speed_rates(&wide(p), &wide(&place.q), &exact_v, &wide(&v_dot), &mut u_dot);
+    let largest = exact.iter().map(|a| a.abs().to_f64()).fold(0.0, f64::max);
+    let error = u_dot.iter().zip(exact).map(|(a, b)| (*a - *b).abs().to_f64()).fold(0.0, f64::max) / largest;
+    let n = system.unknowns();
+    let mut matrix = vec![0.0; n * n];
+    system.mass_matrix(p, &place.q, &v, &mut matrix);
+    Some((error, 1.0 / linear::plain_reciprocal_condition(&matrix, n), 1.0 / linear::reciprocal_condition(&matrix, n)))
+}
+
+/// States along the first passage of the narrowest rung, some in each decade of the divisor.
+fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
+    let model = study.model;
+    let mut narrow: Option<(f64, f64, Scene)> = None;
+    for (_, mut scene) in study.scene.rungs() {
+        if let Some(found) = passage(model, &scene)?
+            && narrow.as_ref().is_none_or(|(least, ..)| found.least < *least)
+        {
+            scene.span.1 = found.t;
+            narrow = Some((found.least, found.t, scene));
+        }
+    }
+    let Some((least, _, mut scene)) = narrow else { return Ok(Vec::new()) };
+    scene.integration.distance = None;
+    let by = crate::catalogue::By::from(Formulation::Kane);
+    let code = code(model, &by, None)?;
+    let problem = Problem::new(model, &scene, &by, &code, None)?;
+    let options = Options {
+        method: tripos_sim::Method::Dop853,
+        rtol: 1e-12,
+        atol: tripos_sim::AbsoluteTolerance::Uniform(1e-12),
+        output: Output::Steps { refine: 50 },
+        ..Options::default()
+    };
+    let run = problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?;
+    let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(Vec::new()) };
+    let inputs = [model.p(), model.q()].concat();
+    let Ok(tape) = Tape::new(&model.arena, &inputs, &[*divisor]) else { return Ok(Vec::new()) };
+    let n = problem.system().coordinates();
+    let mut list: Vec<Place> = Vec::new();
+    let mut next = 0.7;
+    for y in &run.y {
+        let state = problem.state(y);
+        let value = tape.evaluate(&[scene.parameters.as_slice(), &state[..n]].concat())[0].abs();
+        if value <= next && value >= 0.9 * least {
+            list.push(Place { divisor: value, q: state[..n].to_vec(), u: state[n..].to_vec() });
+            next = value * 10_f64.powf(-1.0 / PER_DECADE as f64);
+        }
+    }
+    Ok(list)
+}
+
+/// Looks along a passage, if there is one and the equations are compiled.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+    let places = places(study)?;
+    let mut scene = study.scene.clone();
+    scene.integration.distance = None;
+    let cases = cases(study.model, &scene, false)?;
+    let (mut errors, mut conditions) = (Vec::new(), Vec::new());
+    for (at, case) in cases.iter().enumerate() {
+        let label = format!("{}, {}", case.by.name, case.solve.name());
+        let (mut error_points, mut plain, mut scaled) = (Vec::new(), Vec::new(), Vec::new());
+        for place in &places {
+            let Some((error, cond, equilibrated)) = exact(study, place).and_then(|e| look(case, &scene, place, &e))
+            else {
+                continue;
+            };
+            // Below half a unit in the last place an error is none.
+            error_points.push((place.divisor, error.max(1e-17)));
+            plain.push((place.divisor, cond));
+            scaled.push((place.divisor, equilibrated));
+            for (quantity, value) in
+                [("acceleration error", error), ("condition", cond), ("equilibrated condition", equilibrated)]
+            {
+                findings.rows.push(Row {
+                    check: "conditioning",
+                    formulation: case.by.name.clone(),
+                    solve: case.solve.name(),
+                    case: format!("{:.6e}", place.divisor),
+                    quantity,
+                    value: Some(value),
+                    ..Row::default()
+                });
+            }
+        }
+        if case.solve == Solve::Numeric {
+            conditions.push(Series::curve(format!("{}, plain", case.by.name), at, plain));
+            conditions.push(Series::curve(format!("{}, equilibrated", case.by.name), at + 3, scaled));
+        }
+        errors.push(Series::curve(label, at, error_points));
+    }
+    if errors.iter().all(|s| s.points.is_empty()) {
+        return Ok(());
+    }
+    let divisor = study.model.kinematic_equations.divisors.first().map(|d| text(&study.model.arena, *d));
+    let divisor = divisor.unwrap_or_default();
+    let panel = |title: &str, y_label: &str, series| Panel {
+        title: title.to_owned(),
+        x_label: format!("|{divisor}|"),
+        y_label: y_label.to_owned(),
+        scale: Scale::Logarithmic,
+        x_scale: Scale::Logarithmic,
+        series,
+        note: None,
+    };
+    let worst = |s: &Series| s.points.iter().map(|p| p.1).fold(0.0, f64::max);
+    let list: Vec<String> = errors.iter().map(|s| format!("{} {:.0e}", s.label, worst(s))).collect();
+    findings.statements.push(format!("largest error of the accelerations on the way in: {}", list.join("; ")));
+    let panels = [
+        panel("Errors of the accelerations", "largest |e| / largest |u'|", errors),
+        panel("Condition numbers of the matrices", "cond A", conditions),
+    ];
+    findings.figures.push(("conditioning.svg", draw(&panels, 2).map_err(|error| failed(&error))?));
+    Ok(())
+}

@@ -1,0 +1,73 @@
+//! The domain: what stops a run that has left the world its equations describe.
+
+use super::{Findings, Row, Study};
+use crate::catalogue::By;
+use crate::catalogue::code;
+use crate::failure::Failure;
+use crate::problem::Problem;
+use crate::run::{Balance, events, options, refused};
+use tripos_derive::Formulation;
+use tripos_sim::{AbsoluteTolerance, Method, Options, Output};
+
+/// Runs with and without the domain, if the model has one and the motion leaves it.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+    let model = study.model;
+    if model.domain.is_empty() && study.scene.events.is_empty() {
+        return Ok(());
+    }
+    let mut said = false;
+    for formulation in Formulation::ALL {
+        let by = By::from(formulation);
+        let Ok(code) = code(model, &by, study.scene.integration.distance) else { continue };
+        for method in [Method::Ode45, Method::Dop853] {
+            let problem = Problem::new(model, study.scene, &by, &code, None)?;
+            let balance = Balance::new(model, study.scene, &by)?;
+            let tight = Options {
+                method,
+                rtol: 1e-12,
+                atol: AbsoluteTolerance::Uniform(1e-12),
+                step: None,
+                output: Output::Steps { refine: 1 },
+                ..options(study.scene)?
+            };
+            let y0 = problem.start()?;
+            let mut watched = events(&problem, &balance)?;
+            let run = problem.integrate(&y0, &tight, &mut watched).map_err(|e| refused(study.scene, &e))?;
+            drop(watched);
+            let row = |quantity, value, remark: String| Row {
+                check: "domain",
+                formulation: by.name.clone(),
+                solve: problem.solve.name(),
+                method: method.name(),
+                case: "with the domain".to_owned(),
+                quantity,
+                value: Some(value),
+                expected: None,
+                remark,
+            };
+            for event in &run.events {
+                findings.rows.push(row("event at", event.t, event.name.clone()));
+            }
+            if !run.stop.code().starts_with("domain:") {
+                continue;
+            }
+            findings.rows.push(row("left at", run.t_end, run.stop.code()));
+            let through = problem.integrate(&y0, &tight, &mut []).map_err(|e| refused(study.scene, &e))?;
+            let dynamics = problem.dynamics().map_err(|e| refused(study.scene, &e))?;
+            let drift = dynamics.energy_drift(&through);
+            let unseen = Row { case: "without it".to_owned(), ..row("energy drift", drift, through.stop.code()) };
+            findings.rows.push(unseen);
+            if !said {
+                said = true;
+                findings.statements.push(format!(
+                    "the motion leaves its domain at t = {:.12} s ({}); without the domain the run goes on to t = {} s, ends with `{}`, and its energy has changed by {drift:.1e} J: no drift shows it",
+                    run.t_end,
+                    run.stop.code(),
+                    through.t_end,
+                    through.stop.code()
+                ));
+            }
+        }
+    }
+    Ok(())
+}

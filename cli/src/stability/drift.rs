@@ -1,0 +1,140 @@
+//! Long runs: whether what is conserved drifts for ever or stays bounded, by method; and tolerances finer than rounding.
+
+use super::{Findings, Row, Study};
+use crate::catalogue::{By, code};
+use crate::chart::figure::failed;
+use crate::failure::Failure;
+use crate::invariants::Watch;
+use crate::plot::{Panel, Scale, Series, draw};
+use crate::problem::Problem;
+use crate::run::refused;
+use tripos_derive::Formulation;
+use tripos_sim::stability::{Trend, trend};
+use tripos_sim::{AbsoluteTolerance, Method, Options, Output};
+
+/// How many spans of the scene a long run takes.
+const SPANS: [f64; 2] = [20.0, 200.0];
+/// Steps of a fixed-step run in one span.
+const FIXED: f64 = 400.0;
+
+/// Runs every method over many spans, if energy is conserved and the motion stays in its domain.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+    let (model, scene) = (study.model, study.scene);
+    let left = findings.rows.iter().any(|r| r.check == "domain" && r.quantity == "left at");
+    let watch = Watch::of_model(model)?;
+    let Some(energy) = watch.integrals.iter().position(|(name, _)| name.starts_with("energy")) else { return Ok(()) };
+    let by = By::from(Formulation::Kane);
+    let code = code(model, &by, scene.integration.distance)?;
+    let problem = Problem::new(model, scene, &by, &code, None)?;
+    let y0 = problem.start()?;
+    below_rounding(study, &problem, &y0, findings)?;
+    if left {
+        return Ok(());
+    }
+    let (from, to) = scene.span;
+    let length = (to - from) * if study.quick { SPANS[0] } else { SPANS[1] };
+    let limit = if study.quick { 200_000 } else { 2_000_000 };
+    let samples: Vec<f64> = (0..=500).map(|i| from + length * f64::from(i) / 500.0).collect();
+    let unit = &watch.integrals[energy].1;
+    let mut series = Vec::new();
+    for method in Method::ALL {
+        if method.needs_jacobian() && !code.system().has_accelerations() {
+            continue;
+        }
+        let fixed = [(true, "fixed step"), (false, "adaptive")];
+        for (at, (is_fixed, how)) in fixed.into_iter().enumerate() {
+            let fits = if is_fixed { method.has_fixed_use() } else { method.is_adaptive() };
+            if !fits {
+                continue;
+            }
+            let options = Options {
+                method,
+                rtol: 1e-6,
+                atol: AbsoluteTolerance::Uniform(1e-8),
+                step: is_fixed.then(|| (to - from).abs() / FIXED),
+                step_limit: limit,
+                output: Output::At(samples.clone()),
+                ..Options::default()
+            };
+            let run = problem
+                .integrate_over((from, from + length), &y0, &options, &mut [])
+                .map_err(|e| refused(scene, &e))?;
+            let drifts = watch.course(&problem, &run, energy);
+            let trend = trend(&drifts);
+            let largest = drifts.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) });
+            let word = if trend == Trend::Secular { "secular" } else { "bounded" };
+            findings.rows.push(Row {
+                check: "long run",
+                formulation: by.name.clone(),
+                solve: problem.solve.name(),
+                method: method.name(),
+                case: how.to_owned(),
+                quantity: "energy drift",
+                value: Some(largest),
+                expected: None,
+                remark: format!("{word}; {} after {} steps", run.stop.code(), run.steps),
+            });
+            let points: Vec<(f64, f64)> = run.t.iter().copied().zip(drifts.iter().map(|x| x.abs())).skip(1).collect();
+            for (t, drift) in &points {
+                findings.rows.push(Row {
+                    check: "long run",
+                    method: method.name(),
+                    case: format!("{how} t={t}"),
+                    quantity: "energy change",
+                    value: Some(*drift),
+                    ..Row::default()
+                });
+            }
+            series.push(Series::curve(format!("{}, {how}: {word}", method.name()), series.len() + at, points));
+        }
+    }
+    let panel = Panel {
+        title: "Energy over a long run".to_owned(),
+        x_label: "t [s]".to_owned(),
+        y_label: format!("|E − E(t₀)| [{unit}]"),
+        scale: Scale::Logarithmic,
+        x_scale: Scale::Linear,
+        series,
+        note: Some(format!("Fixed steps of {:.1e} s; adaptive ones at rtol 1e-6.", (to - from).abs() / FIXED)),
+    };
+    findings.figures.push(("long_run.svg", draw(&[panel], 1).map_err(|error| failed(&error))?));
+    Ok(())
+}
+
+/// A tolerance below the rounding of the variables makes a run longer and no better: it must be said.
+fn below_rounding(
+    study: &Study<'_>,
+    problem: &Problem<'_>,
+    y0: &[f64],
+    findings: &mut Findings,
+) -> Result<(), Failure> {
+    for (tolerance, case) in [(1e-12, "1e-12"), (1e-18, "1e-18")] {
+        let options = Options {
+            method: Method::Dop853,
+            rtol: 0.0,
+            atol: AbsoluteTolerance::Uniform(tolerance),
+            step_limit: if study.quick { 50_000 } else { 1_000_000 },
+            output: Output::Ends,
+            ..Options::default()
+        };
+        let run = problem.integrate(y0, &options, &mut []).map_err(|e| refused(study.scene, &e))?;
+        let said: Vec<String> = run.warnings.iter().map(ToString::to_string).collect();
+        findings.rows.push(Row {
+            check: "tolerance below rounding",
+            formulation: problem.by.name.clone(),
+            solve: problem.solve.name(),
+            method: Method::Dop853.name(),
+            case: case.to_owned(),
+            quantity: "steps",
+            value: Some((run.steps + run.rejected) as f64),
+            expected: None,
+            remark: if said.is_empty() { run.stop.code() } else { format!("{}: {}", run.stop.code(), said.join("; ")) },
+        });
+        if let Some(warning) = said.first() {
+            findings
+                .statements
+                .push(format!("absolute tolerance {case}: {} steps; {warning}", run.steps + run.rejected));
+        }
+    }
+    Ok(())
+}

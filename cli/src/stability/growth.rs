@@ -1,0 +1,97 @@
+//! Growth of small errors: the horizon after which no digit is left, predicted and confirmed.
+
+use super::{Findings, Row, Study};
+use crate::catalogue::{By, code};
+use crate::chart::figure::failed;
+use crate::failure::Failure;
+use crate::plot::{Panel, Scale, Series, draw};
+use crate::problem::Problem;
+use crate::reference::Reference;
+use crate::run::refused;
+use tripos_derive::Formulation;
+use tripos_sim::stability::growth;
+use tripos_sim::work_precision::error;
+use tripos_sim::{AbsoluteTolerance, Eliminated, Method, Options, Output};
+
+/// Instants at which runs are compared with the reference.
+const INSTANTS: u32 = 40;
+/// The tolerances whose horizons are confirmed.
+const TOLERANCES: [f64; 3] = [1e-4, 1e-7, 1e-10];
+
+/// Predicts the growth of an error from the linearized equations, and confirms it by runs at three tolerances.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+    let (model, scene) = (study.model, study.scene);
+    let by = By::from(Formulation::Kane);
+    let code = code(model, &by, scene.integration.distance)?;
+    let problem = Problem::new(model, scene, &by, &code, None)?;
+    let Some(mut rhs) = Eliminated::new(problem.system(), &scene.parameters) else { return Ok(()) };
+    let y0 = problem.start()?;
+    let follow = Options { method: Method::Dop853, rtol: 1e-8, step_limit: 200_000, ..Options::default() };
+    let found = growth(&mut rhs, scene.span, &y0, &vec![1.0; y0.len()], &follow).map_err(|e| refused(scene, &e))?;
+    let (from, to) = scene.span;
+    let times: Vec<f64> = (1..=INSTANTS).map(|i| from + (to - from) * f64::from(i) / f64::from(INSTANTS)).collect();
+    let reference = Reference::new(model, scene, &times)?;
+    let row = |case: String, quantity, value, expected, remark: &str| Row {
+        check: "growth",
+        formulation: by.name.clone(),
+        solve: problem.solve.name(),
+        method: Method::Dop853.name(),
+        case,
+        quantity,
+        value,
+        expected,
+        remark: remark.to_owned(),
+    };
+    let most = found.logarithms.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    findings.rows.push(row("whole span".to_owned(), "largest growth, ln", Some(most), None, &found.stop.code()));
+    let mut series = vec![Series::curve(
+        "1e-16 times the growth".to_owned(),
+        0,
+        found.times.iter().zip(&found.logarithms).map(|(t, l)| (*t, f64::EPSILON * l.exp())).collect(),
+    )];
+    for (at, tolerance) in TOLERANCES.into_iter().enumerate() {
+        let atol = AbsoluteTolerance::Uniform(tolerance);
+        let options = Options {
+            method: Method::Dop853,
+            rtol: tolerance,
+            atol,
+            output: Output::At(times.clone()),
+            ..Options::default()
+        };
+        let run = problem.integrate(&y0, &options, &mut []).map_err(|e| refused(scene, &e))?;
+        let errors: Vec<(f64, f64)> = run
+            .t
+            .iter()
+            .zip(&run.y)
+            .zip(&reference.states)
+            .map(|((t, y), state)| (*t, error(&problem.precise_state(y), state)))
+            .collect();
+        let predicted = found.horizon(tolerance);
+        let lost = errors.iter().find(|(_, e)| *e >= 1.0).map(|(t, _)| *t);
+        let remark = if lost.is_none() { "a digit is left to the end" } else { "first instant with an error of 1" };
+        findings.rows.push(row(format!("{tolerance:e}"), "horizon", lost, predicted, remark));
+        for (t, e) in &errors {
+            findings.rows.push(row(format!("{tolerance:e} t={t}"), "error", Some(*e), None, ""));
+        }
+        if let Some(t) = predicted {
+            let confirmed =
+                lost.map_or("a digit is left to the end".to_owned(), |t| format!("the error is 1 at t = {t:.3} s"));
+            findings.statements.push(format!(
+                "at a tolerance of {tolerance:.0e} no digit should be left after t = {t:.3} s; {confirmed}"
+            ));
+        }
+        series.push(Series::curve(format!("error at {tolerance:.0e}"), at + 1, errors));
+    }
+    findings.statements.push(format!("a small error at the start grows {:.0e} times over the scene", most.exp()));
+    let panel = Panel {
+        title: "Growth of errors".to_owned(),
+        x_label: "t [s]".to_owned(),
+        y_label: "error".to_owned(),
+        scale: Scale::Logarithmic,
+        x_scale: Scale::Linear,
+        series,
+        note: Some(format!("Errors of DOP853 against a reference known to {:.0e}.", reference.uncertainty)),
+    };
+    findings.figures.push(("growth.svg", draw(&[panel], 1).map_err(|error| failed(&error))?));
+    Ok(())
+}

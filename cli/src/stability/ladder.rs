@@ -1,0 +1,178 @@
+//! Passages near a singular surface: every formulation, solve and method, in the coordinate and in its distance.
+
+use super::{Findings, Row, Study};
+use crate::catalogue::By;
+use crate::chart::{Case, cases, figure::failed};
+use crate::failure::Failure;
+use crate::plot::{Cell, HeatMap, draw_heat};
+use crate::problem::Problem;
+use crate::reference::Reference;
+use crate::run::refused;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::print::text;
+use tripos_derive::mechanics::{Distance, distances};
+use tripos_derive::scene::Scene;
+use tripos_derive::{Formulation, Model};
+use tripos_sim::work_precision::error;
+use tripos_sim::{AbsoluteTolerance, Method, Options, Output};
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// The methods that are compared, each at a tolerance near the finest that it takes.
+const METHODS: [(Method, f64); 2] = [(Method::Dop853, 3e-14), (Method::Ode45, 1e-12)];
+
+/// The passage of a motion by a singular surface.
+pub struct Passage {
+    /// When it is nearest, s.
+    pub t: f64,
+    /// The distance then: the absolute value of what the kinematic equations divide by.
+    pub least: f64,
+}
+
+/// The first place of a scene at which a divisor of the kinematic equations is least.
+pub fn passage(model: &Model, scene: &Scene) -> Result<Option<Passage>, Failure> {
+    let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(None) };
+    let by = By::from(Formulation::Kane);
+    let mut scene = scene.clone();
+    scene.integration.distance = distances(model).first().copied();
+    let code = crate::catalogue::code(model, &by, scene.integration.distance)?;
+    let problem = Problem::new(model, &scene, &by, &code, None)?;
+    let inputs = [model.p(), model.q()].concat();
+    let Ok(tape) = Tape::new(&model.arena, &inputs, &[*divisor]) else { return Ok(None) };
+    let options = Options { output: Output::Steps { refine: 20 }, ..tight(Method::Dop853, 1e-12, 1_000_000) };
+    let run = problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?;
+    let values: Vec<f64> = run
+        .y
+        .iter()
+        .map(|y| tape.evaluate(&[scene.parameters.clone(), problem.coordinates(y)].concat())[0].abs())
+        .collect();
+    let least = values.windows(3).position(|v| v[1] <= v[0] && v[1] < v[2] && v[1] < 0.5).map(|at| at + 1);
+    Ok(least.map(|at| Passage { t: run.t[at], least: values[at] }))
+}
+
+fn tight(method: Method, tolerance: f64, step_limit: u64) -> Options {
+    let atol = AbsoluteTolerance::Uniform(tolerance);
+    Options { method, rtol: tolerance, atol, step_limit, output: Output::Ends, ..Options::default() }
+}
+
+/// One rung: the reference at the passage and at the end.
+struct Rung {
+    scene: Scene,
+    reference: Reference,
+    least: f64,
+}
+
+/// Runs the ladder, if the kinematic equations are singular anywhere near the motion.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+    let model = study.model;
+    let mut rungs = Vec::new();
+    for (_, scene) in study.scene.rungs() {
+        study.bar.set_message("reference of a passage");
+        let Some(passage) = passage(model, &scene)? else { continue };
+        let reference = Reference::new(model, &scene, &[passage.t, scene.span.1])?;
+        rungs.push(Rung { scene, reference, least: passage.least });
+    }
+    let (Some(divisor), false) = (model.kinematic_equations.divisors.first(), rungs.is_empty()) else { return Ok(()) };
+    let divisor = text(&model.arena, *divisor);
+    let variables: Vec<Option<Distance>> =
+        std::iter::once(None).chain(distances(model).first().copied().map(Some)).collect();
+    let limit = if study.quick { 20_000 } else { 200_000 };
+    let mut rows: Vec<(String, Vec<Cell>)> = Vec::new();
+    for variable in &variables {
+        let mut scene = study.scene.clone();
+        scene.integration.distance = *variable;
+        for case in cases(model, &scene, false)? {
+            for (method, tolerance) in METHODS {
+                let name = variable.map_or_else(String::new, |v| format!(", {}", v.name(model)));
+                study.bar.set_message(format!("{} {} {}{name}", case.by.name, case.solve.name(), method.name()));
+                let cells = rungs
+                    .iter()
+                    .map(|rung| cell(study, findings, rung, &case, *variable, &tight(method, tolerance, limit)))
+                    .collect::<Result<Vec<_>, _>>()?;
+                rows.push((format!("{} {} {}{name}", case.by.name, case.solve.name(), method.name()), cells));
+            }
+        }
+    }
+    let t = study.scene.span.1;
+    let map = HeatMap {
+        title: format!("Error at t = {t} s after a passage by {divisor} = 0"),
+        columns: rungs.iter().map(|rung| format!("least {:.0e}", rung.least)).collect(),
+        rows,
+        range: (1e-14, 1e-1),
+        note: "Largest |e| / (1 + |reference|) over all coordinates and speeds. Grey: where and why a run stopped. The references are double-double runs by two formulations.".to_owned(),
+    };
+    findings.figures.push(("ladder.svg", draw_heat(&map).map_err(|error| failed(&error))?));
+    summary(findings, &rungs);
+    Ok(())
+}
+
+/// One run of one rung: its rows and its cell.
+fn cell(
+    study: &Study<'_>,
+    findings: &mut Findings,
+    rung: &Rung,
+    case: &Case,
+    variable: Option<Distance>,
+    options: &Options,
+) -> Result<Cell, Failure> {
+    let mut scene = rung.scene.clone();
+    scene.integration.distance = variable;
+    let problem = Problem::new(study.model, &scene, &case.by, &case.code, Some(case.solve))?;
+    let mut y = problem.start()?;
+    let (mut t, mut steps) = (scene.span.0, 0);
+    let place = variable.map_or("coordinate", |_| "distance");
+    let row = |quantity, value, remark: String| Row {
+        check: "passage",
+        formulation: case.by.name.clone(),
+        solve: case.solve.name(),
+        method: options.method.name(),
+        case: format!("{:.2e} {place}", rung.least),
+        quantity,
+        value,
+        expected: None,
+        remark,
+    };
+    let mut last = f64::NAN;
+    for (quantity, next, state) in rung
+        .reference
+        .times
+        .iter()
+        .zip(&rung.reference.states)
+        .zip(["error inside", "error at the end"])
+        .map(|((t, state), quantity)| (quantity, *t, state))
+    {
+        let solution = problem.integrate_over((t, next), &y, options, &mut []).map_err(|e| refused(&scene, &e))?;
+        steps += solution.steps;
+        if solution.stop.is_failure() {
+            let why = format!("{} at {:.3} s", solution.stop.code(), solution.t_end);
+            findings.rows.push(row(quantity, None, why.clone()));
+            findings.rows.push(row("steps", Some(steps as f64), why.clone()));
+            return Ok(Cell::Stopped(why));
+        }
+        (t, y) = (next, solution.y_end);
+        last = error(&problem.precise_state(&y), state);
+        findings.rows.push(row(quantity, Some(last), String::new()));
+    }
+    findings.rows.push(row("steps", Some(steps as f64), String::new()));
+    Ok(Cell::Value(last))
+}
+
+/// The best and the worst of the narrowest passage that arrived.
+fn summary(findings: &mut Findings, rungs: &[Rung]) {
+    let Some(narrow) = rungs.iter().min_by(|a, b| a.least.total_cmp(&b.least)) else { return };
+    let prefix = format!("{:.2e} ", narrow.least);
+    let ends = findings.rows.iter().filter(|r| r.quantity == "error at the end" && r.case.starts_with(&prefix));
+    let describe = |r: &Row| {
+        format!("{}, {}, {}, in the {}", r.formulation, r.solve, r.method, r.case.trim_start_matches(&prefix))
+    };
+    let arrived: Vec<(f64, String)> = ends.filter_map(|r| Some((r.value?, describe(r)))).collect();
+    let by_error = |a: &&(f64, String), b: &&(f64, String)| a.0.total_cmp(&b.0);
+    if let (Some(best), Some(worst)) = (arrived.iter().min_by(by_error), arrived.iter().max_by(by_error)) {
+        findings.statements.push(format!(
+            "narrowest passage, {:.0e}: best {:.1e} ({}), worst that arrived {:.1e} ({})",
+            narrow.least, best.0, best.1, worst.0, worst.1
+        ));
+    }
+    let known = rungs.iter().map(|r| r.reference.uncertainty).fold(0.0, f64::max);
+    let zero = DoubleDouble::int(0).to_f64();
+    findings.statements.push(format!("the references are known to {:.0e}: {}", known.max(zero), narrow.reference.how));
+}

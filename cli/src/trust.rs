@@ -1,0 +1,127 @@
+//! Whether a run can be trusted: what is said of it beside its numbers.
+//!
+//! Every objection comes with its figure. None is raised by a clock: the same run gives the same objections.
+
+use crate::invariants::Watch;
+use crate::problem::Problem;
+use tripos_derive::scene::{AbsoluteTolerance, Scene, Solve};
+use tripos_sim::stability::growth;
+use tripos_sim::{Eliminated, Method, Options, Solution};
+
+/// How many times what the tolerances allow a conserved quantity may change before a run warns.
+const ALLOWED_DRIFT: f64 = 100.0;
+/// Samples of a run at which matrices are looked at.
+const MOST_SAMPLES: usize = 400;
+/// Steps after which the growth of errors is not followed further.
+const MOST_STEPS: u64 = 100_000;
+
+/// Objections to a run, each with its figure.
+pub fn objections(problem: &Problem<'_>, solution: &Solution, watch: Option<&Watch>, energy_drift: f64) -> Vec<String> {
+    let mut list: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
+    list.extend(energy(problem, solution, energy_drift));
+    list.extend(watch.map(|watch| integrals(problem, solution, watch)).unwrap_or_default());
+    list.extend(condition(problem, solution));
+    list.extend(horizon(problem, solution));
+    list
+}
+
+/// Where nothing but gravity works, total energy is constant: says so if it was not.
+fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
+    let Problem { model, scene, .. } = *problem;
+    if !(model.forces.is_empty() && model.torques.is_empty()) {
+        return None;
+    }
+    let (system, p) = (problem.system(), scene.parameters.as_slice());
+    let n = system.coordinates();
+    let potential = |y: &Vec<f64>| system.potential_energy(p, &y[..n]).abs();
+    // What kinetic energy can honestly reach: a run that blows up must not raise its own allowance.
+    let start = solution.y.first().unwrap_or(&solution.y_end);
+    let first = (system.kinetic_energy(p, &start[..n], &start[n..]) + system.potential_energy(p, &start[..n])).abs();
+    let scale = solution.y.iter().fold(first, |m, y| m.max(first + potential(y)));
+    let how = &scene.integration;
+    let allowed = how.smallest_atol() + how.rtol * scale;
+    // A run that ended where energy has no value says so by its stop. Fixed steps promise nothing by a tolerance.
+    (how.step.is_none() && drift > ALLOWED_DRIFT * allowed).then(|| {
+        format!(
+            "total energy, constant in this motion, changed by {drift:.3e} J, {:.0} times what the tolerances allow: do not trust this run",
+            drift / allowed
+        )
+    })
+}
+
+/// The error that the tolerances allow in a component.
+fn allowance(scene: &Scene, at: usize, value: f64) -> f64 {
+    let atol = match &scene.integration.atol {
+        AbsoluteTolerance::Uniform(atol) => *atol,
+        AbsoluteTolerance::Each(each) => each.get(at).copied().unwrap_or(0.0),
+    };
+    atol + scene.integration.rtol * value.abs()
+}
+
+/// First integrals other than energy: each may change by what the allowed error of one step moves it, many times over.
+fn integrals(problem: &Problem<'_>, solution: &Solution, watch: &Watch) -> Vec<String> {
+    if problem.scene.integration.step.is_some() {
+        return Vec::new();
+    }
+    let changes = watch.changes(problem, solution);
+    let allowed = watch.sensitivity(problem, solution, MOST_SAMPLES, &|at, x| allowance(problem.scene, at, x));
+    let named = watch.integrals.iter().zip(changes.iter().zip(&allowed));
+    named
+        .filter(|((name, _), (change, allowed))| !name.starts_with("energy") && **change > ALLOWED_DRIFT * **allowed)
+        .map(|((name, unit), (change, allowed))| {
+            let name = name.split(';').next().unwrap_or_default();
+            format!(
+                "{name}, constant in this motion, changed by {change:.3e} {unit}, {:.0} times what the tolerances allow: do not trust this run",
+                change / allowed
+            )
+        })
+        .collect()
+}
+
+/// States spread evenly over a run, few enough to be looked at closely.
+fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
+    let every = solution.y.len().div_ceil(MOST_SAMPLES).max(1);
+    solution.t.iter().copied().zip(&solution.y).step_by(every)
+}
+
+/// A numeric solve loses as many digits as its matrix is ill-conditioned.
+fn condition(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
+    if problem.solve == Solve::Eliminated {
+        return None;
+    }
+    let mut dynamics = problem.dynamics().ok()?;
+    let (t, rcond) = spread(solution)
+        .map(|(t, y)| {
+            let (q, v) = dynamics.split(y);
+            let (q, v) = (q.to_vec(), v.to_vec());
+            (t, dynamics.reciprocal_condition(&q, &v))
+        })
+        .min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let lost = f64::EPSILON / rcond.max(f64::MIN_POSITIVE);
+    let asked = problem.scene.integration.rtol.max(problem.scene.integration.smallest_atol());
+    (lost > asked).then(|| {
+        let digits = (-lost.log10()).floor().max(0.0);
+        format!(
+            "the matrix is ill-conditioned at t = {t} s: equilibrated rcond {rcond:.1e}, so the numeric solve leaves {digits} digits there, less than rtol {:e} asks for; eliminated accelerations lose none of them",
+            problem.scene.integration.rtol
+        )
+    })
+}
+
+/// The instant after which no digit is left, if the run goes beyond it.
+fn horizon(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
+    let scene = problem.scene;
+    let start = solution.y.first()?;
+    let mut rhs = Eliminated::new(problem.system(), &scene.parameters)?;
+    let options = Options { method: Method::Ode45, rtol: 1e-4, step_limit: MOST_STEPS, ..Options::default() };
+    let span = (solution.t[0], solution.t_end);
+    if span.0 - span.1 == 0.0 {
+        return None;
+    }
+    let growth = growth(&mut rhs, span, start, &vec![1.0; start.len()], &options).ok()?;
+    let tolerance = scene.integration.rtol.max(scene.integration.smallest_atol()).max(f64::EPSILON);
+    let t = growth.horizon(tolerance)?;
+    Some(format!(
+        "an error of {tolerance:.0e}, which the tolerances allow in a step, has grown to 1 at t = {t:.4} s: no digit is left after that"
+    ))
+}

@@ -1,0 +1,161 @@
+//! Where runs give way: growth of small errors, the horizon after which no digit is left, and how a drift goes on.
+//!
+//! Absent on purpose: models and references. What is asked here can be asked of any right-hand side with a Jacobian.
+
+use crate::error::{Failure, SimError};
+use crate::integrate::integrate;
+use crate::options::Options;
+use crate::rhs::RightHandSide;
+use crate::solution::{Output, Stop};
+
+/// How much a small error at the start has grown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Growth {
+    /// Instants, s.
+    pub times: Vec<f64>,
+    /// ln |w(t)| / |w(t0)| at each, for a solution w of the linearized equations; |w| is the largest component by
+    /// 1 + |y|.
+    pub logarithms: Vec<f64>,
+    /// Why it ends.
+    pub stop: Stop,
+}
+
+impl Growth {
+    /// The instant from which on an error of `size` has grown to 1 or more, so that no digit is left; none if digits are
+    /// left at the end. A growth that goes back again, as in passing a singular surface, is none.
+    #[must_use]
+    pub fn horizon(&self, size: f64) -> Option<f64> {
+        let limit = -size.ln();
+        let beyond = self.logarithms.iter().rev().take_while(|l| **l >= limit).count();
+        let first = self.times.len() - beyond;
+        self.times.get(first).copied()
+    }
+
+    /// ln |w| / t by the least squares over the second half: the growth rate, 1/s, of an exponential growth.
+    #[must_use]
+    pub fn rate(&self) -> f64 {
+        let half = self.times.len() / 2;
+        slope(&self.times[half..], &self.logarithms[half..])
+    }
+}
+
+/// The slope of the line of least squares.
+#[must_use]
+pub fn slope(x: &[f64], y: &[f64]) -> f64 {
+    let n = x.len().min(y.len()) as f64;
+    let mean = |list: &[f64]| list.iter().sum::<f64>() / n;
+    let (mx, my) = (mean(x), mean(y));
+    let (mut above, mut below) = (0.0, 0.0);
+    for (x, y) in x.iter().zip(y) {
+        above += (x - mx) * (y - my);
+        below += (x - mx) * (x - mx);
+    }
+    above / below
+}
+
+/// Integrates the equations together with their linearization w' = J(y) w from w(t0) = `direction`.
+///
+/// w is kept at the size of 1 by carrying its logarithm apart, so that no growth overflows.
+///
+/// # Errors
+/// [`SimError`] as [`integrate`]; [`SimError::NoJacobian`] for a right-hand side without one.
+pub fn growth(
+    rhs: &mut impl RightHandSide<f64>,
+    span: (f64, f64),
+    y0: &[f64],
+    direction: &[f64],
+    options: &Options,
+) -> Result<Growth, SimError> {
+    let n = y0.len();
+    let mut jacobian = vec![0.0; n * n];
+    if rhs.jacobian(span.0, y0, &mut jacobian).is_none() {
+        return Err(SimError::NoJacobian { method: "growth" });
+    }
+    let length = size(direction, y0);
+    let start: Vec<f64> = y0.iter().copied().chain(direction.iter().map(|w| w / length)).chain([0.0]).collect();
+    // y' = f,  w' = J w − r w,  l' = r  with r = (w · J w) / (w · w): the length of w stays, and l is the logarithm lost.
+    let joined = |t: f64, z: &[f64], dz: &mut [f64]| -> Result<(), Failure> {
+        let (y, w) = (&z[..n], &z[n..2 * n]);
+        rhs.rhs(t, y, &mut dz[..n])?;
+        rhs.jacobian(t, y, &mut jacobian).unwrap_or(Ok(()))?;
+        let mut along = 0.0;
+        for i in 0..n {
+            let sum: f64 = jacobian[i * n..(i + 1) * n].iter().zip(w).map(|(j, w)| j * w).sum();
+            dz[n + i] = sum;
+            along += w[i] * sum;
+        }
+        let rate = along / w.iter().map(|w| w * w).sum::<f64>();
+        for i in 0..n {
+            dz[n + i] -= rate * w[i];
+        }
+        dz[2 * n] = rate;
+        Ok(())
+    };
+    let options = Options { output: Output::Steps { refine: 1 }, ..options.clone() };
+    let solution = integrate(joined, span, &start, &options, &mut [])?;
+    let logarithms = solution.y.iter().map(|z| z[2 * n] + size(&z[n..2 * n], &z[..n]).ln()).collect();
+    Ok(Growth { times: solution.t, logarithms, stop: solution.stop })
+}
+
+/// The largest |wᵢ| / (1 + |yᵢ|): an error as errors are measured everywhere.
+fn size(w: &[f64], y: &[f64]) -> f64 {
+    w.iter().zip(y).map(|(w, y)| w.abs() / (1.0 + y.abs())).fold(0.0, f64::max)
+}
+
+/// How the drift of a first integral goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trend {
+    /// It stays within what it reached early on.
+    Bounded,
+    /// It grows as long as the run goes on.
+    Secular,
+}
+
+/// Judges |drift| sampled along a run: it is secular if the largest of the last tenth is more than three times the largest of
+/// the first tenth.
+#[must_use]
+pub fn trend(drifts: &[f64]) -> Trend {
+    let tenth = drifts.len().div_ceil(10);
+    let largest = |part: &[f64]| part.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let (early, late) = (largest(&drifts[..tenth]), largest(&drifts[drifts.len() - tenth..]));
+    if late > 3.0 * early { Trend::Secular } else { Trend::Bounded }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rhs::WithJacobian;
+
+    /// The saddle x'' = x/4 grows with the rate 1/2.
+    #[test]
+    fn a_saddle_grows_with_its_eigenvalue() {
+        let rhs = |_t: f64, y: &[f64], dydt: &mut [f64]| {
+            (dydt[0], dydt[1]) = (y[1], 0.25 * y[0]);
+            Ok(())
+        };
+        let jacobian = |_t: f64, _y: &[f64], out: &mut [f64]| {
+            out.copy_from_slice(&[0.0, 1.0, 0.25, 0.0]);
+            Ok(())
+        };
+        let options = Options { rtol: 1e-9, ..Options::default() };
+        let mut both = WithJacobian { rhs, jacobian };
+        let found = growth(&mut both, (0.0, 2000.0), &[0.0, 0.0], &[1.0, 0.0], &options).unwrap();
+        assert!((found.rate() - 0.5).abs() < 1e-6, "{}", found.rate());
+        // cosh(t/2) = 1e10 at t = 2 ln 2e10.
+        let horizon = found.horizon(1e-10).unwrap();
+        assert!((horizon / (2.0 * 2e10_f64.ln()) - 1.0).abs() < 0.1, "{horizon}");
+        let mut bare = |_t: f64, y: &[f64], dydt: &mut [f64]| {
+            dydt.copy_from_slice(y);
+            Ok(())
+        };
+        assert!(growth(&mut bare, (0.0, 1.0), &[1.0], &[1.0], &options).is_err());
+    }
+
+    #[test]
+    fn a_drift_that_swings_is_bounded_and_one_that_grows_is_not() {
+        let swings: Vec<f64> = (0..1000).map(|i| (0.1 * f64::from(i)).sin()).collect();
+        let grows: Vec<f64> = (0..1000).map(|i| 1e-6 * f64::from(i)).collect();
+        assert_eq!((trend(&swings), trend(&grows)), (Trend::Bounded, Trend::Secular));
+        assert_eq!(trend(&[]), Trend::Bounded);
+    }
+}

@@ -1,0 +1,145 @@
+//! Speed against accuracy: what is measured of a run, and what the measurements say.
+//!
+//! An error is everywhere the largest over all components of |e| / (1 + |reference|). Absent on purpose: models, and how
+//! a reference was found.
+
+use std::time::Instant;
+
+use tripos_traits::{DoubleDouble, Scalar};
+
+use crate::method::Method;
+use crate::options::Options;
+use crate::solution::Output;
+use crate::tolerance::AbsoluteTolerance;
+
+/// Times of repeated runs, in s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// The shortest.
+    pub least: f64,
+    /// The middle one; of an even number, the lower of the middle two.
+    pub median: f64,
+    /// The longest.
+    pub most: f64,
+}
+
+impl Spread {
+    /// Of these times; nothing for none.
+    #[must_use]
+    pub fn of(times: &[f64]) -> Option<Self> {
+        let mut sorted = times.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let (least, most) = (*sorted.first()?, *sorted.last()?);
+        Some(Self { least, median: sorted[(sorted.len() - 1) / 2], most })
+    }
+}
+
+/// The largest |found − reference| / (1 + |reference|), the difference taken in twice the precision of a double; not a
+/// number where a component has no value or a length differs.
+#[must_use]
+pub fn error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
+    if found.len() != reference.len() {
+        return f64::NAN;
+    }
+    let one = |(x, r): (&DoubleDouble, &DoubleDouble)| ((*x - *r).abs() / (DoubleDouble::int(1) + r.abs())).to_f64();
+    let larger = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
+    found.iter().zip(reference).map(one).fold(0.0, larger)
+}
+
+/// How a method is run at a tolerance over a span of `length` s.
+///
+/// Relative and absolute tolerance are equal. A method without error estimate takes equal steps of
+/// length/10 · tolerance^(1/order), so that its error falls about as the tolerance does.
+#[must_use]
+pub fn options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> Options {
+    let exponent = 1.0 / f64::from(method.order());
+    let step = (!method.is_adaptive()).then(|| 0.1 * length.abs() * tolerance.powf(exponent));
+    let atol = AbsoluteTolerance::Uniform(tolerance);
+    Options { method, rtol: tolerance, atol, step, step_limit, output: Output::Ends, ..Options::default() }
+}
+
+/// Times every job `repeats` times, in turn, so that whatever else the machine does falls on all of them alike.
+/// `after` is told after every single run.
+pub fn interleaved(jobs: &mut [Box<dyn FnMut() + '_>], repeats: usize, mut after: impl FnMut()) -> Vec<Vec<f64>> {
+    let mut times = vec![Vec::with_capacity(repeats); jobs.len()];
+    for _ in 0..repeats {
+        for (job, times) in jobs.iter_mut().zip(&mut times) {
+            let start = Instant::now();
+            job();
+            times.push(start.elapsed().as_secs_f64());
+            after();
+        }
+    }
+    times
+}
+
+/// The points that no other beats in both time and error, by time. Points are (seconds, error); those that are not numbers
+/// are never among them.
+#[must_use]
+pub fn pareto(points: &[(f64, f64)]) -> Vec<usize> {
+    let mut order: Vec<usize> =
+        (0..points.len()).filter(|i| points[*i].0.is_finite() && points[*i].1.is_finite()).collect();
+    order.sort_by(|a, b| points[*a].0.total_cmp(&points[*b].0).then(points[*a].1.total_cmp(&points[*b].1)));
+    let mut best = f64::INFINITY;
+    order.retain(|i| {
+        let better = points[*i].1 < best;
+        best = best.min(points[*i].1);
+        better
+    });
+    order
+}
+
+/// The fastest point whose error is no larger than `target`.
+#[must_use]
+pub fn cheapest(points: &[(f64, f64)], target: f64) -> Option<usize> {
+    let good = (0..points.len()).filter(|i| points[*i].1 <= target && points[*i].0.is_finite());
+    good.min_by(|a, b| points[*a].0.total_cmp(&points[*b].0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spread_has_the_middle_time() {
+        let spread = Spread::of(&[3.0, 1.0, 9.0, 2.0]).unwrap();
+        assert_eq!((spread.least, spread.median, spread.most), (1.0, 2.0, 9.0));
+        assert_eq!(Spread::of(&[]), None);
+    }
+
+    #[test]
+    fn errors_are_relative_to_large_references_and_absolute_to_small_ones() {
+        let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
+        assert_eq!(error(&wide(&[3.0, 0.5]), &wide(&[1.0, 0.0])), 1.0);
+        // Beyond the precision of a double: 1 + 1e-25 against 1.
+        let close = [DoubleDouble::sum(1.0, 1e-25)];
+        assert!((error(&close, &wide(&[1.0])) / 0.5e-25 - 1.0).abs() < 1e-6);
+        assert!(error(&wide(&[f64::NAN]), &wide(&[1.0])).is_nan() && error(&wide(&[1.0]), &[]).is_nan());
+    }
+
+    #[test]
+    fn the_front_has_what_nothing_beats() {
+        let points =
+            [(1.0, 1e-3), (2.0, 1e-6), (3.0, 1e-5), (2.0, 1e-7), (f64::NAN, 0.0), (9.0, f64::NAN), (5.0, 1e-7)];
+        assert_eq!(pareto(&points), [0, 3]);
+        assert_eq!(cheapest(&points, 1e-5), Some(1));
+        assert_eq!(cheapest(&points, 1e-9), None);
+    }
+
+    #[test]
+    fn every_job_is_timed_as_often_as_the_others() {
+        let (mut first, mut second, mut told) = (0, 0, 0);
+        let mut jobs: Vec<Box<dyn FnMut() + '_>> = vec![Box::new(|| first += 1), Box::new(|| second += 1)];
+        let times = interleaved(&mut jobs, 3, || told += 1);
+        drop(jobs);
+        assert_eq!((first, second, told), (3, 3, 6));
+        assert!(times.iter().all(|t| t.len() == 3 && t.iter().all(|x| *x >= 0.0)));
+    }
+
+    #[test]
+    fn a_method_without_error_estimate_takes_equal_steps() {
+        let options = options(Method::Rk4, 1e-8, 10.0, 100);
+        assert!((options.step.unwrap() - 0.01).abs() < 1e-12);
+        assert_eq!(super::options(Method::Ode45, 1e-8, 10.0, 100).step, None);
+    }
+}
