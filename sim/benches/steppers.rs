@@ -2,6 +2,7 @@
 //!
 //! Both are given a state of 10 components; `ode_solvers` its fastest form, a vector of fixed size. The figure that
 //! counts is the last line: the ratio of the medians of many short turns, which a busy machine disturbs least.
+#![allow(missing_docs, reason = "`criterion_group!` makes a public function")]
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -7,6 +7,7 @@ use crate::dormand_prince::DORMAND_PRINCE_54;
 use crate::error::SimError;
 use crate::events::Event;
 use crate::explicit::{ExplicitRungeKutta, Length};
+use crate::gauss::Gauss6;
 use crate::method::Method;
 use crate::options::{self, Options};
 use crate::pace::Pace;
@@ -57,6 +58,12 @@ where
             solve(stepper, pace, rhs, y0, options, events)
         }
         Method::Dop853 => solve(Dop853::new(n), pace, rhs, y0, options, events),
+        Method::Gauss6 => {
+            if rhs.jacobian(span.0, y0, &mut vec![S::from_f64(0.0); n * n]).is_none() {
+                return Err(SimError::NoJacobian { method: options.method.name() });
+            }
+            solve(Gauss6::new(n), pace, rhs, y0, options, events)
+        }
     };
     solution.warnings.extend(warning);
     Ok(solution)

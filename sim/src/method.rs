@@ -18,11 +18,14 @@ pub enum Method {
     /// Dormand–Prince 8(5,3) with the error estimate and the step control of Hairer's `dop853`; see
     /// [`crate::DORMAND_PRINCE_853`].
     Dop853,
+    /// Gauss–Legendre collocation with three stages, of order 6: implicit, so that the right-hand side must bring its
+    /// Jacobian; conserves quadratic invariants, and with a fixed step the energy in the long run.
+    Gauss6,
 }
 
 impl Method {
     /// All methods, in the order in which they are always listed.
-    pub const ALL: [Self; 4] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853];
+    pub const ALL: [Self; 5] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6];
 
     /// The name used on the command line, in files and in tables.
     #[must_use]
@@ -32,6 +35,7 @@ impl Method {
             Self::Ode45 => "ode45",
             Self::Dopri5 => "dopri5",
             Self::Dop853 => "dop853",
+            Self::Gauss6 => "gauss6",
         }
     }
 
@@ -42,6 +46,7 @@ impl Method {
             Self::Rk4 => 4,
             Self::Ode45 | Self::Dopri5 => 5,
             Self::Dop853 => 8,
+            Self::Gauss6 => 6,
         }
     }
 
@@ -49,7 +54,7 @@ impl Method {
     #[must_use]
     pub const fn dense_order(self) -> u32 {
         match self {
-            Self::Rk4 => 3,
+            Self::Rk4 | Self::Gauss6 => 3,
             Self::Ode45 | Self::Dopri5 => 4,
             Self::Dop853 => 7,
         }
@@ -83,13 +88,14 @@ impl Method {
                 Some(Rules::Hairer { order: 5, exponent: 0.2 - 0.75 * beta, beta, shrink: 0.2, grow: 10.0 })
             }
             Self::Dop853 => Some(Rules::Hairer { order: 8, exponent: 0.125, beta: 0.0, shrink: 0.333, grow: 6.0 }),
+            Self::Gauss6 => Some(Rules::Hairer { order: 6, exponent: 1.0 / 6.0, beta: 0.0, shrink: 0.2, grow: 4.0 }),
         }
     }
 
     pub(crate) fn norm(self) -> Norm {
         match self {
             Self::Ode45 => Norm::Largest,
-            Self::Rk4 | Self::Dopri5 | Self::Dop853 => Norm::MeanSquare,
+            Self::Rk4 | Self::Dopri5 | Self::Dop853 | Self::Gauss6 => Norm::MeanSquare,
         }
     }
 }

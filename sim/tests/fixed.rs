@@ -74,6 +74,14 @@ fn a_method_without_an_error_estimate_asks_for_a_step() {
 }
 
 #[test]
+fn an_implicit_method_asks_for_a_jacobian() {
+    let options = Options { method: Method::Gauss6, ..Options::default() };
+    let error = integrate(oscillator, (0.0, 1.0), &[1.0, 0.0], &options, &mut []).unwrap_err();
+    assert_eq!(error, SimError::NoJacobian { method: "gauss6" });
+    assert!(error.to_string().contains("choose an explicit method"), "{error}");
+}
+
+#[test]
 fn a_step_below_the_rounding_of_time_is_refused() {
     for step in [0.0, f64::NAN, f64::INFINITY, -1.0, 1e-17] {
         let error = integrate(oscillator, (0.0, 1.0), &[1.0, 0.0], &fixed(Method::Rk4, step), &mut []).unwrap_err();
@@ -83,7 +91,7 @@ fn a_step_below_the_rounding_of_time_is_refused() {
 
 #[test]
 fn names_are_distinct_and_stable() {
-    assert_eq!(Method::ALL.map(Method::name), ["rk4", "ode45", "dopri5", "dop853"]);
+    assert_eq!(Method::ALL.map(Method::name), ["rk4", "ode45", "dopri5", "dop853", "gauss6"]);
 }
 
 #[test]

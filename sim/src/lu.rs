@@ -1,0 +1,101 @@
+//! LU factors of a dense matrix in any scalar, with partial pivoting.
+//!
+//! For the orders that implicit steps have (three times the state's length); nothing is allocated after `new`.
+
+use tripos_traits::Scalar;
+
+/// A matrix, or its factors once it is factored.
+pub(crate) struct Lu<S> {
+    n: usize,
+    /// Row by row. After factoring: U, and below the diagonal the multipliers L.
+    pub(crate) entries: Vec<S>,
+    /// The row that column i took its pivot from.
+    pivots: Vec<usize>,
+}
+
+impl<S: Scalar> Lu<S> {
+    /// A zero matrix of order `n`.
+    pub(crate) fn new(n: usize) -> Self {
+        Self { n, entries: vec![S::from_f64(0.0); n * n], pivots: vec![0; n] }
+    }
+
+    /// Factors the entries; false if a pivot is 0 or not a number.
+    pub(crate) fn factor(&mut self) -> bool {
+        let n = self.n;
+        for column in 0..n {
+            let size = |row: &usize| self.entries[row * n + column].to_f64().abs();
+            let pivot = (column..n).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(column);
+            self.pivots[column] = pivot;
+            if pivot != column {
+                for j in 0..n {
+                    self.entries.swap(column * n + j, pivot * n + j);
+                }
+            }
+            let (above, below) = self.entries.split_at_mut((column + 1) * n);
+            let pivot_row = &above[column * n..];
+            let pivot = pivot_row[column];
+            if !(pivot.to_f64().abs() > 0.0 && pivot.to_f64().is_finite()) {
+                return false;
+            }
+            for row in below.chunks_exact_mut(n) {
+                let factor = row[column] / pivot;
+                row[column] = factor;
+                for (x, p) in row[column + 1..].iter_mut().zip(&pivot_row[column + 1..]) {
+                    *x = *x - factor * *p;
+                }
+            }
+        }
+        true
+    }
+
+    /// Solves A x = b with the factors; the solution replaces `b`.
+    pub(crate) fn solve(&self, b: &mut [S]) {
+        let n = self.n;
+        for (i, pivot) in self.pivots.iter().enumerate() {
+            b.swap(i, *pivot);
+        }
+        for i in 1..n {
+            let (known, rest) = b.split_at_mut(i);
+            for (l, x) in self.entries[i * n..i * n + i].iter().zip(known) {
+                rest[0] = rest[0] - *l * *x;
+            }
+        }
+        for i in (0..n).rev() {
+            let (rest, known) = b.split_at_mut(i + 1);
+            for (u, x) in self.entries[i * n + i + 1..(i + 1) * n].iter().zip(known) {
+                rest[i] = rest[i] - *u * *x;
+            }
+            rest[i] = rest[i] / self.entries[i * n + i];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A matrix whose pivots lie off the diagonal; 1e-14 since its condition number is below 30.
+    #[test]
+    fn a_system_that_needs_pivots_is_solved() {
+        let a = [0.0, 2.0, 1.0, 1.0, -2.0, -3.0, -1.0, 1.0, 2.0_f64];
+        let x = [1.0, -2.0, 3.0];
+        let mut lu = Lu::new(3);
+        lu.entries.copy_from_slice(&a);
+        let mut b: Vec<f64> = a.chunks(3).map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum()).collect();
+        assert!(lu.factor());
+        lu.solve(&mut b);
+        for (found, expected) in b.iter().zip(x) {
+            assert!((found - expected).abs() < 1e-14, "{b:?}");
+        }
+    }
+
+    #[test]
+    fn singular_and_meaningless_matrices_are_refused() {
+        for entries in [[1.0, 2.0, 2.0, 4.0], [f64::NAN, 0.0, 0.0, 1.0], [f64::INFINITY, 1.0, 1.0, 1.0]] {
+            let mut lu = Lu::new(2);
+            lu.entries.copy_from_slice(&entries);
+            assert!(!lu.factor(), "{entries:?}");
+        }
+        assert!(Lu::<f64>::new(0).factor());
+    }
+}
