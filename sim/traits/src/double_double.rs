@@ -247,6 +247,7 @@ impl Scalar for DoubleDouble {
     fn sqrt(self) -> Self {
         elementary::sqrt(self)
     }
+    /// To 3 units, as are the next two.
     fn asin(self) -> Self {
         elementary::asin(self)
     }
@@ -256,12 +257,15 @@ impl Scalar for DoubleDouble {
     fn atan(self) -> Self {
         elementary::atan(self)
     }
+    /// To 2 units for |x| ≤ 600; results below 1e-270 lose digits.
     fn exp(self) -> Self {
         elementary::exp(self)
     }
+    /// To 2 units, also next to 1.
     fn ln(self) -> Self {
         elementary::ln(self)
     }
+    /// To 3 units, also next to 0, as are the next two.
     fn sinh(self) -> Self {
         elementary::sinh(self)
     }
