@@ -40,6 +40,7 @@ mod dynamics;
 mod eliminated;
 mod error;
 pub mod events;
+pub mod exact;
 mod explicit;
 mod gauss;
 mod integrate;

@@ -1,0 +1,158 @@
+//! Elliptic integrals and functions by the arithmetic–geometric mean.
+//!
+//! NIST *Digital Library of Mathematical Functions* §19.8(i) (the mean), §22.20(ii) (Jacobi's functions), and Abramowitz &
+//! Stegun 17.6 (the incomplete integral).
+
+use super::trigonometry::nearest_whole;
+use tripos_traits::Scalar;
+
+/// More steps than any precision takes: each doubles the digits.
+const STEPS_LIMIT: usize = 40;
+
+/// Elliptic functions of one parameter m = k² in [0, 1].
+///
+/// ```
+/// use tripos_sim::exact::Elliptic;
+///
+/// let elliptic = Elliptic::new(0.5_f64);
+/// assert!((elliptic.quarter_period() - 1.854_074_677_301_371_9).abs() < 1e-15); // Γ(1/4)²/(4√π)
+/// assert!((elliptic.jacobi(elliptic.quarter_period()).sn - 1.0).abs() < 1e-15);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Elliptic<S> {
+    parameter: S,
+    complement: S,
+    /// Of each step of the mean: aₙ₊₁, the mean of aₙ and bₙ; bₙ; and cₙ₊₁/aₙ₊₁ with cₙ₊₁ = (aₙ − bₙ)/2. From a₀ = 1.
+    steps: Vec<Step<S>>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Step<S> {
+    mean: S,
+    geometric: S,
+    ratio: S,
+}
+
+/// Jacobi's elliptic functions at one argument.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JacobiValues<S> {
+    /// sn u = sin am u.
+    pub sn: S,
+    /// cn u = cos am u.
+    pub cn: S,
+    /// dn u = √(1 − m sn² u), positive.
+    pub dn: S,
+    /// The amplitude am u, which grows by π over 2 K.
+    pub am: S,
+}
+
+impl<S: Scalar> Elliptic<S> {
+    /// Functions of the parameter m in [0, 1].
+    #[must_use]
+    pub fn new(m: S) -> Self {
+        Self::with_complement(m, S::int(1) - m)
+    }
+
+    /// Functions of m, given 1 − m too: near m = 1 the difference from 1 is what matters.
+    #[must_use]
+    pub fn with_complement(m: S, complement: S) -> Self {
+        let zero = S::int(0);
+        // Outside [0, 1], and where m is not a number, so is everything.
+        let complement = if m >= zero && complement >= zero { complement } else { S::from_f64(f64::NAN) };
+        let steps = if complement > zero { mean_steps(complement) } else { Vec::new() };
+        Self { parameter: m, complement, steps }
+    }
+
+    /// The complete integral K = ∫₀^{π/2} dφ/√(1 − m sin² φ), a quarter of the period of sn; infinite for m = 1.
+    #[must_use]
+    pub fn quarter_period(&self) -> S {
+        S::pi() / (S::int(2) * self.mean())
+    }
+
+    /// 1 − m.
+    #[must_use]
+    pub fn complement(&self) -> S {
+        self.complement
+    }
+
+    /// The arithmetic–geometric mean of 1 and √(1 − m).
+    fn mean(&self) -> S {
+        // Without steps it is 0 for m = 1, or not a number.
+        self.steps.last().map_or(self.complement, |step| step.mean)
+    }
+
+    /// sn, cn, dn and am of u. Its absolute error is that of u, so |u| EPSILON at least.
+    #[must_use]
+    pub fn jacobi(&self, u: S) -> JacobiValues<S> {
+        if self.steps.is_empty() {
+            return self.of_last_parameter(u);
+        }
+        // am(u + 2 n K) = am u + n π.
+        let half_period = S::int(2) * self.quarter_period();
+        let n = nearest_whole(u / half_period);
+        let reduced = self.amplitude_within_half_period(u - n * half_period);
+        let (sn, cn) = reduced.sin_cos();
+        // (−1)ⁿ: sn and cn change sign with each half period.
+        let sign = if (n.to_f64() / 2.0).fract() == 0.0 { S::int(1) } else { S::int(-1) };
+        // dn² = 1 − m sn² = (1 − m) + m cn², without cancellation.
+        let dn = (self.complement + self.parameter * cn * cn).sqrt();
+        JacobiValues { sn: sign * sn, cn: sign * cn, dn, am: reduced + n * S::pi() }
+    }
+
+    /// Descending Landen transformation: from φ_N = 2ᴺ a_N u back by  sin(2φₙ − φₙ₊₁) = (cₙ₊₁/aₙ₊₁) sin φₙ₊₁.
+    fn amplitude_within_half_period(&self, u: S) -> S {
+        let doublings = self.steps.iter().fold(u, |u, _| u + u);
+        self.steps.iter().rev().fold(doublings * self.mean(), |phi, step| {
+            let (sin, _) = phi.sin_cos();
+            (phi + (step.ratio * sin).asin()) / S::int(2)
+        })
+    }
+
+    /// m = 1: sn = tanh u, cn = dn = 1/cosh u, am the Gudermannian of u. Or not a number.
+    fn of_last_parameter(&self, u: S) -> JacobiValues<S> {
+        // The complement is 0 or not a number.
+        let u = u + self.complement;
+        let [one, two] = [1, 2].map(S::int);
+        let sech = one / u.cosh();
+        JacobiValues { sn: u.tanh(), cn: sech, dn: sech, am: two * (u / two).tanh().atan() }
+    }
+
+    /// The incomplete integral F(φ) = ∫₀^φ dφ'/√(1 − m sin² φ'), the inverse of am; for m = 1 only where |φ| < π/2.
+    #[must_use]
+    pub fn argument_of(&self, phi: S) -> S {
+        if self.steps.is_empty() {
+            let (sin, cos) = (phi + self.complement).sin_cos();
+            let size = ((S::int(1) + sin.abs()) / cos).ln();
+            return size * sin.sign();
+        }
+        let mut phi = phi;
+        let mut arithmetic = S::int(1);
+        for step in &self.steps {
+            // tan(φₙ₊₁ − φₙ) = (bₙ/aₙ) tan φₙ, with φₙ₊₁ near 2 φₙ at any φ: the small difference is an arctangent.
+            let (sin, cos) = phi.sin_cos();
+            let rest = (arithmetic - step.geometric) * sin * cos;
+            phi = phi + phi - (rest / (arithmetic * cos * cos + step.geometric * sin * sin)).atan();
+            arithmetic = step.mean;
+        }
+        let halvings = self.steps.iter().fold(phi, |phi, _| phi / S::int(2));
+        halvings / self.mean()
+    }
+}
+
+/// The steps of the mean of 1 and √complement, until what is left is below rounding.
+fn mean_steps<S: Scalar>(complement: S) -> Vec<Step<S>> {
+    let two = S::int(2);
+    let (mut a, mut b) = (S::int(1), complement.sqrt());
+    let mut steps = Vec::new();
+    for _ in 0..STEPS_LIMIT {
+        let (mean, difference) = ((a + b) / two, (a - b) / two);
+        let ratio = difference / mean;
+        steps.push(Step { mean, geometric: b, ratio });
+        // The next ratio, by which mean and amplitude would still change, is a quarter of the square of this one.
+        if ratio.to_f64().powi(2) <= S::EPSILON / 16.0 {
+            break;
+        }
+        (a, b) = (mean, (a * b).sqrt());
+    }
+    steps
+}

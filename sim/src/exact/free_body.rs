@@ -1,0 +1,120 @@
+//! The rigid body without torque.
+
+use super::elliptic::Elliptic;
+use super::trigonometry::angle_of;
+use tripos_traits::Scalar;
+
+/// Euler's equations  I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃  and cyclic: the angular velocity of a free rigid body, or of one held at its
+/// mass centre, along its principal axes.
+///
+/// The axes are taken as a, b, c in rising or falling order of their moments, such that ω never leaves one side of
+/// c. Then  ω_a = A cn u,  ω_b = B sn u,  ω_c = C dn u,  u = rate · t + u₀. A symmetric body is the case m = 0.
+///
+/// Landau & Lifshitz, *Mechanics* §37; Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §69.
+#[derive(Clone, Debug)]
+pub struct FreeBody<S> {
+    motion: Motion<S>,
+}
+
+#[derive(Clone, Debug)]
+enum Motion<S> {
+    /// A rotation about a fixed axis.
+    Steady([S; 3]),
+    Circling(Circling<S>),
+}
+
+#[derive(Clone, Debug)]
+struct Circling<S> {
+    elliptic: Elliptic<S>,
+    /// a, b, c as indices of the body's axes.
+    axes: [usize; 3],
+    /// A, B, C.
+    sizes: [S; 3],
+    rate: S,
+    start: S,
+}
+
+impl<S: Scalar> FreeBody<S> {
+    /// The motion of a body with principal moments `inertia` (positive), from the angular velocity `omega_0`.
+    #[must_use]
+    pub fn new(inertia: [S; 3], omega_0: [S; 3]) -> Self {
+        let rising = rising_order(inertia);
+        let around_largest = excess_over_middle(inertia, omega_0, rising) >= S::int(0);
+        let axes = if around_largest { rising } else { [rising[2], rising[1], rising[0]] };
+        let circling = Circling::new(inertia, omega_0, axes);
+        Self { motion: circling.map_or(Motion::Steady(omega_0), Motion::Circling) }
+    }
+
+    /// ω(t) along the principal axes, in rad/s.
+    #[must_use]
+    pub fn rate(&self, t: S) -> [S; 3] {
+        match &self.motion {
+            Motion::Steady(omega) => *omega,
+            Motion::Circling(circling) => circling.at(t),
+        }
+    }
+
+    /// The time after which ω repeats; infinite on the separatrix, 0 where ω is constant.
+    #[must_use]
+    pub fn period(&self) -> S {
+        match &self.motion {
+            Motion::Steady(_) => S::int(0),
+            Motion::Circling(circling) => S::int(4) * circling.elliptic.quarter_period() / circling.rate,
+        }
+    }
+}
+
+impl<S: Scalar> Circling<S> {
+    /// Nothing if ω is constant.
+    fn new(inertia: [S; 3], omega_0: [S; 3], axes: [usize; 3]) -> Option<Self> {
+        let zero = S::int(0);
+        let [i_a, i_b, i_c] = axes.map(|axis| inertia[axis]);
+        let [w_a, w_b, w_c] = axes.map(|axis| omega_0[axis]);
+        // |2 T I_c − L²| and |L² − 2 T I_a|, by terms of one sign.
+        let from_c = (i_a * (i_c - i_a) * w_a * w_a + i_b * (i_c - i_b) * w_b * w_b).abs();
+        let from_a = (i_b * (i_b - i_a) * w_b * w_b + i_c * (i_c - i_a) * w_c * w_c).abs();
+        let [ab, bc, ac] = [i_b - i_a, i_c - i_b, i_c - i_a].map(S::abs);
+        let whole = bc * from_a;
+        let about_middle = w_a == zero && w_c == zero;
+        if whole == zero || from_c == zero || about_middle {
+            return None;
+        }
+        let excess = excess_over_middle(inertia, omega_0, axes).abs();
+        let elliptic = Elliptic::with_complement(ab * from_c / whole, ac * excess / whole);
+        // ω_c keeps its sign. With A > 0, Euler's equations ask that −A I_a rate = ±(I_b − I_c) B C.
+        let sign_b = w_c.sign() * handedness(axes) * (i_c - i_a).sign();
+        let size_a = (from_c / (i_a * ac)).sqrt();
+        let size_b = (from_c / (i_b * bc)).sqrt() * sign_b;
+        let size_c = (from_a / (i_c * ac)).sqrt() * w_c.sign();
+        let rate = (whole / (i_a * i_b * i_c)).sqrt();
+        let start = elliptic.argument_of(angle_of(w_b / size_b, w_a / size_a));
+        Some(Self { elliptic, axes, sizes: [size_a, size_b, size_c], rate, start })
+    }
+
+    fn at(&self, t: S) -> [S; 3] {
+        let at = self.elliptic.jacobi(self.rate * t + self.start);
+        let [a, b, c] = self.axes;
+        let mut omega = [S::int(0); 3];
+        omega[a] = self.sizes[0] * at.cn;
+        omega[b] = self.sizes[1] * at.sn;
+        omega[c] = self.sizes[2] * at.dn;
+        omega
+    }
+}
+
+/// L² − 2 T I_b: its sign says about which outer axis ω circles.
+fn excess_over_middle<S: Scalar>(inertia: [S; 3], omega: [S; 3], [a, b, c]: [usize; 3]) -> S {
+    let of = |axis: usize| inertia[axis] * (inertia[axis] - inertia[b]) * omega[axis] * omega[axis];
+    of(c) + of(a)
+}
+
+fn rising_order<S: Scalar>(inertia: [S; 3]) -> [usize; 3] {
+    let mut axes = [0, 1, 2];
+    axes.sort_by(|&a, &b| inertia[a].partial_cmp(&inertia[b]).unwrap_or(core::cmp::Ordering::Equal));
+    axes
+}
+
+/// 1 for a cyclic order of the axes, −1 for the others.
+fn handedness<S: Scalar>([a, b, _]: [usize; 3]) -> S {
+    if (a + 1) % 3 == b { S::int(1) } else { S::int(-1) }
+}

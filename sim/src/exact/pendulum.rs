@@ -1,0 +1,107 @@
+//! The plane pendulum.
+
+use super::elliptic::Elliptic;
+use super::trigonometry::{angle_of, nearest_whole, root_of_positive};
+use tripos_traits::Scalar;
+
+/// The pendulum  θ″ = −(g/l) sin θ,  θ from hanging, counted on over full turns.
+///
+/// With w = √(g/l) and κ = sin²(θ₀/2) + (ω₀/2w)², the energy over 2 w², it swings for κ < 1:
+/// sin(θ/2) = √κ sn(w t + u₀; m = κ); and turns over for κ > 1: θ/2 = am(√κ w t + u₀; m = 1/κ). At κ = 1 it climbs for ever.
+/// A compound pendulum has g/l = M g s/I with I about the pivot.
+///
+/// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §44; DLMF 22.19(i).
+#[derive(Clone, Debug)]
+pub struct Pendulum<S> {
+    elliptic: Elliptic<S>,
+    motion: Motion<S>,
+    /// u = rate · t + start is the argument of the elliptic functions.
+    rate: S,
+    start: S,
+}
+
+#[derive(Clone, Debug)]
+enum Motion<S> {
+    /// Swings about the whole turn `turns`; `modulus` = √κ = sin(θ_max/2).
+    Libration {
+        modulus: S,
+        turns: S,
+    },
+    Rotation,
+}
+
+impl<S: Scalar> Pendulum<S> {
+    /// The motion with g/l = `stiffness` > 0, in 1/s², from the angle θ₀ and the rate ω₀.
+    #[must_use]
+    pub fn new(stiffness: S, theta_0: S, omega_0: S) -> Self {
+        let [one, two] = [1, 2].map(S::int);
+        let w = stiffness.sqrt();
+        let turns = nearest_whole(theta_0 / (two * S::pi()));
+        let (sin, cos) = (theta_0 / two - turns * S::pi()).sin_cos();
+        let speed = omega_0 / (two * w);
+        let kappa = sin * sin + speed * speed;
+        // 1 − κ as a difference of squares of what is given.
+        let below_top = (cos - speed) * (cos + speed);
+        if below_top >= S::int(0) {
+            let elliptic = Elliptic::with_complement(kappa, below_top);
+            // sn u₀ = sin(θ₀/2)/√κ and cn u₀ = ω₀/(2 w √κ).
+            let start = elliptic.argument_of(angle_of(sin, speed));
+            Self { elliptic, motion: Motion::Libration { modulus: kappa.sqrt(), turns }, rate: w, start }
+        } else {
+            let elliptic = Elliptic::with_complement(one / kappa, -below_top / kappa);
+            let start = elliptic.argument_of(theta_0 / two);
+            Self { elliptic, motion: Motion::Rotation, rate: kappa.sqrt() * w * omega_0.sign(), start }
+        }
+    }
+
+    /// θ(t).
+    #[must_use]
+    pub fn angle(&self, t: S) -> S {
+        let two = S::int(2);
+        let at = self.elliptic.jacobi(self.rate * t + self.start);
+        match self.motion {
+            // cos(θ/2) = dn: together with the sine it keeps its digits at θ = π too.
+            Motion::Libration { modulus, turns } => two * (angle_of(modulus * at.sn, at.dn) + turns * S::pi()),
+            Motion::Rotation => two * at.am,
+        }
+    }
+
+    /// θ′(t).
+    #[must_use]
+    pub fn rate(&self, t: S) -> S {
+        let two = S::int(2);
+        let at = self.elliptic.jacobi(self.rate * t + self.start);
+        match self.motion {
+            Motion::Libration { modulus, .. } => two * modulus * self.rate * at.cn,
+            Motion::Rotation => two * self.rate * at.dn,
+        }
+    }
+
+    /// The time of a swing to and fro, or of a full turn; infinite between the two.
+    #[must_use]
+    pub fn period(&self) -> S {
+        let quarters = match self.motion {
+            Motion::Libration { .. } => S::int(4),
+            Motion::Rotation => S::int(2),
+        };
+        quarters * self.elliptic.quarter_period() / self.rate.abs()
+    }
+
+    /// Whether it turns over.
+    #[must_use]
+    pub fn turns_over(&self) -> bool {
+        matches!(self.motion, Motion::Rotation)
+    }
+
+    /// The largest angle of the swing about its lowest point, in [0, π]; π for a pendulum that turns over.
+    #[must_use]
+    pub fn amplitude(&self) -> S {
+        match self.motion {
+            Motion::Libration { modulus, .. } => {
+                let cos = root_of_positive(self.elliptic.complement());
+                S::int(2) * angle_of(modulus, cos)
+            }
+            Motion::Rotation => S::pi(),
+        }
+    }
+}

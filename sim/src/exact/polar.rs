@@ -1,0 +1,288 @@
+//! The polar angle θ of a symmetric top or a spherical pendulum, which moves as in one dimension.
+//!
+//! u = cos θ obeys  u′² = f(u) = (1 − u²)(α − β u) − (a − b u)²  with β = 2 M g l/I, a = p_φ/I and b = p_ψ/I. Between its zeros
+//! −1 ≤ u₁ ≤ u₂ ≤ 1 ≤ u₃:  u = u₁ + (u₂ − u₁) sn²,  m = (u₂ − u₁)/(u₃ − u₁). The precession is
+//! φ′ = (a − b u)/(1 − u²) = ½(a + b)/(1 + u) + ½(a − b)/(1 − u), integrated numerically over each kind of pole.
+//!
+//! Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §71; Landau & Lifshitz, *Mechanics* §35.
+
+use super::elliptic::{Elliptic, JacobiValues};
+use super::quadrature::PeriodicIntegral;
+use super::trigonometry::{angle_of, root_of_positive};
+use tripos_traits::Scalar;
+
+/// Steps of Newton's method to the largest zero: each takes off a third of the distance at least.
+const NEWTON_LIMIT: usize = 400;
+
+/// What decides the motion of θ and the precession φ. Angles in rad, rates in rad/s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PolarStart<S> {
+    pub(super) theta: S,
+    pub(super) theta_rate: S,
+    pub(super) phi_rate: S,
+    /// β = 2 M g l/I > 0, in 1/s².
+    pub(super) beta: S,
+    /// b = p_ψ/I, in 1/s.
+    pub(super) spin: S,
+}
+
+/// θ(t), and the two parts of φ(t).
+#[derive(Clone, Debug)]
+pub(super) struct Polar<S> {
+    elliptic: Elliptic<S>,
+    /// The argument of the elliptic functions is rate · (t + lead); 0 where u = u₁.
+    rate: S,
+    lead: S,
+    /// u₁, u₂ − u₁, and the margins 1 + u₁ and 1 − u₂.
+    lowest: S,
+    span: S,
+    margins: [S; 2],
+    /// ½(a + b) and ½(a − b).
+    momenta: [S; 2],
+    parts: [PeriodicIntegral<S>; 2],
+    /// What the integrals of the parts are at t = 0.
+    at_start: [S; 2],
+}
+
+impl<S: Scalar> Polar<S> {
+    pub(super) fn new(start: PolarStart<S>) -> Self {
+        let momenta = half_momenta(start);
+        let zeros = Zeros::new(start, momenta);
+        let span = zeros.to_highest - zeros.to_lowest;
+        let reach = span + zeros.gap();
+        let elliptic = if span == S::int(0) {
+            Elliptic::new(span)
+        } else {
+            Elliptic::with_complement(span / reach, zeros.gap() / reach)
+        };
+        let mut polar = Self {
+            rate: (start.beta * reach).sqrt() / S::int(2),
+            lead: S::int(0),
+            lowest: start.theta.sin_cos().1 + zeros.to_lowest,
+            span,
+            margins: [zeros.from_bottom, zeros.from_top],
+            momenta,
+            parts: [PeriodicIntegral::none(), PeriodicIntegral::none()],
+            at_start: [S::int(0); 2],
+            elliptic,
+        };
+        polar.lead = polar.time_from_lowest(&zeros, start.theta_rate);
+        let period = polar.period();
+        polar.parts = [0, 1].map(|part| PeriodicIntegral::new(|time| polar.rate_of_part(part, time), period));
+        polar.at_start = polar.integrals(polar.lead);
+        polar
+    }
+
+    /// The time since u was u₁, in half a period before or after.
+    fn time_from_lowest(&self, zeros: &Zeros<S>, theta_rate: S) -> S {
+        if self.span == S::int(0) {
+            return S::int(0);
+        }
+        let sn = root_of_positive(-zeros.to_lowest);
+        // u rises while θ falls.
+        let cn = root_of_positive(zeros.to_highest);
+        let cn = if theta_rate > S::int(0) { -cn } else { cn };
+        let phase = angle_of(sn, cn);
+        // The same place half a turn earlier, next to 0: sn² repeats after 2 K.
+        let phase = if phase > S::pi() / S::int(2) { phase - S::pi() } else { phase };
+        self.elliptic.argument_of(phase) / self.rate
+    }
+
+    /// The period of θ; infinite if θ is constant without being stable, or creeps to the top.
+    pub(super) fn period(&self) -> S {
+        S::int(2) * self.elliptic.quarter_period() / self.rate
+    }
+
+    /// The smallest and the largest θ.
+    pub(super) fn extremes(&self) -> [S; 2] {
+        let [from_bottom, from_top] = self.margins;
+        let two = S::int(2);
+        [
+            two * angle_of(from_top.sqrt(), root_of_positive(two - from_top)),
+            two * angle_of(root_of_positive(two - from_bottom), from_bottom.sqrt()),
+        ]
+    }
+
+    fn jacobi(&self, time_from_lowest: S) -> JacobiValues<S> {
+        self.elliptic.jacobi(self.rate * time_from_lowest)
+    }
+
+    /// (1 + u, 1 − u), each relative to itself.
+    fn both_margins(&self, at: &JacobiValues<S>) -> (S, S) {
+        (self.margins[0] + self.span * at.sn * at.sn, self.margins[1] + self.span * at.cn * at.cn)
+    }
+
+    pub(super) fn cosine(&self, t: S) -> S {
+        let sn = self.jacobi(t + self.lead).sn;
+        self.lowest + self.span * sn * sn
+    }
+
+    /// θ in [0, π].
+    pub(super) fn angle(&self, t: S) -> S {
+        let (above, below) = self.both_margins(&self.jacobi(t + self.lead));
+        S::int(2) * angle_of(below.sqrt(), above.sqrt())
+    }
+
+    /// θ′ = −u′/sin θ; not a number at θ = 0 and π.
+    pub(super) fn angle_rate(&self, t: S) -> S {
+        let at = self.jacobi(t + self.lead);
+        let (above, below) = self.both_margins(&at);
+        -S::int(2) * self.span * self.rate * at.sn * at.cn * at.dn / (above * below).sqrt()
+    }
+
+    /// φ′.
+    pub(super) fn precession_rate(&self, t: S) -> S {
+        self.rate_of_part(0, t + self.lead) + self.rate_of_part(1, t + self.lead)
+    }
+
+    /// The two parts of φ(t) − φ(0).
+    pub(super) fn parts_of_precession(&self, t: S) -> [S; 2] {
+        let now = self.integrals(t + self.lead);
+        [now[0] - self.at_start[0], now[1] - self.at_start[1]]
+    }
+
+    fn integrals(&self, time: S) -> [S; 2] {
+        [0, 1].map(|part| self.parts[part].to(|time| self.rate_of_part(part, time), time))
+    }
+
+    /// ½(a + b)/(1 + u) for part 0, ½(a − b)/(1 − u) for part 1.
+    fn rate_of_part(&self, part: usize, time_from_lowest: S) -> S {
+        // Without its momentum a part is 0 at its pole too.
+        if self.momenta[part] == S::int(0) {
+            return S::int(0);
+        }
+        let (above, below) = self.both_margins(&self.jacobi(time_from_lowest));
+        self.momenta[part] / if part == 0 { above } else { below }
+    }
+}
+
+/// ½(a + b) and ½(a − b) with a = φ′ sin² θ + b cos θ: no cancellation next to θ = 0 or π.
+fn half_momenta<S: Scalar>(start: PolarStart<S>) -> [S; 2] {
+    let two = S::int(2);
+    let (sin, cos) = (start.theta / two).sin_cos();
+    let about_vertical = two * start.phi_rate * sin * sin * cos * cos;
+    [about_vertical + start.spin * cos * cos, about_vertical - start.spin * sin * sin]
+}
+
+/// The zeros of f by their differences from the start and from ±1, none of which is taken where it would cancel.
+struct Zeros<S> {
+    /// u₁ − u₀ ≤ 0 and u₂ − u₀ ≥ 0.
+    to_lowest: S,
+    to_highest: S,
+    /// 1 + u₁, 1 − u₂ and u₃ − 1.
+    from_bottom: S,
+    from_top: S,
+    beyond_top: S,
+}
+
+impl<S: Scalar> Zeros<S> {
+    fn new(start: PolarStart<S>, momenta: [S; 2]) -> Self {
+        let [zero, two] = [0, 2].map(S::int);
+        let (sin, cos) = (start.theta / two).sin_cos();
+        let (above, below) = (two * cos * cos, two * sin * sin);
+        let from_start = coefficients_from_start(start);
+        let [c_0, c_1, c_2] = from_start;
+        if c_0 == zero && c_1 == zero {
+            // θ stays: a steady precession, or upright.
+            let third = if c_2 < zero { -c_2 } else { zero };
+            return Self {
+                to_lowest: zero,
+                to_highest: zero,
+                from_bottom: above,
+                from_top: below,
+                beyond_top: third - below,
+            };
+        }
+        let beyond_top = largest_zero(coefficients_from_top(start, momenta, below));
+        let [to_lowest, to_highest] = inner_zeros(from_start, below + beyond_top);
+        Self { to_lowest, to_highest, from_bottom: zero, from_top: zero, beyond_top }
+            .with_margins(start.beta, momenta, above, below)
+    }
+
+    /// u₃ − u₂.
+    fn gap(&self) -> S {
+        self.beyond_top + self.from_top
+    }
+
+    /// 1 + u₁ and 1 − u₂, given 1 ± u₀. By f(∓1) = −(a ± b)² they are quotients: as differences they would lose their digits
+    /// for a top that nearly passes through the vertical.
+    fn with_margins(self, beta: S, momenta: [S; 2], above: S, below: S) -> Self {
+        let [zero, four] = [0, 4].map(S::int);
+        let [at_bottom, at_top] = momenta.map(|half| four * half * half / beta);
+        let from_bottom = if at_bottom == zero {
+            zero
+        } else {
+            at_bottom / ((above + self.to_highest) * (above + below + self.beyond_top))
+        };
+        let difference = below - self.to_highest;
+        let from_top = if self.beyond_top > difference {
+            at_top / ((below - self.to_lowest) * self.beyond_top)
+        } else {
+            difference
+        };
+        Self { from_bottom, from_top: if from_top < zero { zero } else { from_top }, ..self }
+    }
+}
+
+/// u₁ − u₀ and u₂ − u₀, given f(u₀ + v)/β and u₃ − u₀.
+fn inner_zeros<S: Scalar>([c_0, _, c_2]: [S; 3], third: S) -> [S; 2] {
+    let [zero, two] = [0, 2].map(S::int);
+    // By their sum and their product, which is not positive: so the root below is of a sum.
+    let half_sum = -(c_2 + third) / two;
+    let product = if c_0 == zero { zero } else { -c_0 / third };
+    let root = (half_sum * half_sum - product).sqrt();
+    if half_sum > zero {
+        let highest = half_sum + root;
+        [product / highest, highest]
+    } else {
+        let lowest = half_sum - root;
+        [lowest, if product == zero { zero } else { product / lowest }]
+    }
+}
+
+/// f(1 + v)/β = v³ + c₂ v² + c₁ v + c₀, given 1 − u₀. Only next to 1 can u₂ and u₃ be close; seen from there they are not.
+fn coefficients_from_top<S: Scalar>(start: PolarStart<S>, momenta: [S; 2], below: S) -> [S; 3] {
+    let PolarStart { theta, theta_rate, phi_rate, beta, spin } = start;
+    let two = S::int(2);
+    let sin = theta.sin_cos().0;
+    // α − β and a − b.
+    let excess = theta_rate * theta_rate + phi_rate * phi_rate * sin * sin - beta * below;
+    let momentum = two * momenta[1];
+    let c_0 = -momentum * momentum;
+    let c_1 = two * (spin * momentum - excess);
+    let c_2 = two * beta - excess - spin * spin;
+    [c_0, c_1, c_2].map(|c| c / beta)
+}
+
+/// f(u₀ + v)/β = v³ + c₂ v² + c₁ v + c₀.
+fn coefficients_from_start<S: Scalar>(start: PolarStart<S>) -> [S; 3] {
+    let PolarStart { theta, theta_rate, phi_rate, beta, spin } = start;
+    let two = S::int(2);
+    let (sin, cos) = theta.sin_cos();
+    let square = sin * sin;
+    // α − β u₀ and a − b u₀ by their meaning.
+    let kinetic = theta_rate * theta_rate + phi_rate * phi_rate * square;
+    let vertical = phi_rate * square;
+    let c_0 = square * theta_rate * theta_rate;
+    let c_1 = two * spin * vertical - two * cos * kinetic - beta * square;
+    let c_2 = two * cos * beta - kinetic - spin * spin;
+    [c_0, c_1, c_2].map(|c| c / beta)
+}
+
+/// Newton's method from above, where a cubic with real zeros falls steadily to its largest.
+fn largest_zero<S: Scalar>([c_0, c_1, c_2]: [S; 3]) -> S {
+    // Fujiwara (1916): no zero is larger in size.
+    let sizes = [c_2.to_f64().abs(), c_1.to_f64().abs().sqrt(), c_0.to_f64().abs().cbrt()];
+    let mut v = S::from_f64(2.001 * sizes.into_iter().fold(0.0, f64::max));
+    let [two, three] = [2, 3].map(S::int);
+    for _ in 0..NEWTON_LIMIT {
+        let value = ((v + c_2) * v + c_1) * v + c_0;
+        let slope = (three * v + two * c_2) * v + c_1;
+        let next = v - value / slope;
+        if next >= v {
+            break;
+        }
+        v = next;
+    }
+    v
+}
