@@ -120,3 +120,19 @@ fn chaotic_pendulum_by_lagrange() {
         "]],
     );
 }
+
+#[test]
+fn heavy_top_by_kane() {
+    check(
+        "heavy_top",
+        Formulation::Kane,
+        expect![[r"
+            M11 = I1
+            M22 = I1
+            M33 = I3
+            f1 = m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3)
+            f2 = m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2))
+            f3 = 0
+        "]],
+    );
+}

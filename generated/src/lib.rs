@@ -19,6 +19,14 @@ pub mod chaotic_pendulum;
 #[rustfmt::skip]
 pub mod disk;
 
+#[cfg(not(stale))]
+#[rustfmt::skip]
+pub mod heavy_top;
+
+#[cfg(not(stale))]
+#[rustfmt::skip]
+pub mod pendulum;
+
 /// Every compiled model, by name.
 #[cfg(not(stale))]
 #[rustfmt::skip]
@@ -26,6 +34,8 @@ pub static MODELS: &[tripos_traits::CompiledModel] = &[
     cart_pendulum_3::MODEL,
     chaotic_pendulum::MODEL,
     disk::MODEL,
+    heavy_top::MODEL,
+    pendulum::MODEL,
 ];
 
 #[cfg(stale)]

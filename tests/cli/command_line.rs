@@ -280,7 +280,13 @@ fn derive_prints_the_count_and_the_same_equations_in_every_format() {
 #[test]
 fn the_report_page_is_one_file_with_equations_and_figures() {
     let folder = tempfile::tempdir().unwrap();
-    for (model, figures) in [("models/disk", 10), ("models/chaotic_pendulum", 4), ("models/cart_pendulum_3", 4)] {
+    for (model, figures) in [
+        ("models/disk", 10),
+        ("models/chaotic_pendulum", 4),
+        ("models/cart_pendulum_3", 4),
+        ("models/heavy_top", 11),
+        ("models/pendulum", 7),
+    ] {
         let out = folder.path().join(model.replace('/', "_"));
         let output = tripos(&["report", model, "--out", out.to_str().unwrap()]);
         assert_eq!(status(&output), 0, "{}", stderr(&output));

@@ -1,0 +1,172 @@
+//! Symmetric heavy top about a fixed point: Kane's method, M(q) u' = f(q, u).
+//!
+//! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
+//! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (u1', u2', u3').
+//! Cost: mass_matrix 0 operations; forcing 16 operations, 2 sines and cosines.
+//! The kinematic equations are singular where cos(q2) = 0.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3.
+///
+/// 0 operations.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    _q: &[S; 3],
+    _u: &[S; 3],
+) -> [[S; 3]; 3] {
+    let Parameters { I1, I3, .. } = *p;
+    let zero = S::int(0);
+    // Entries that are not zero; upper triangle.
+    // M11 = I1
+    let m11 = I1;
+    // M22 = I1
+    let m22 = I1;
+    // M33 = I3
+    let m33 = I3;
+    [[m11, zero, zero], [zero, m22, zero], [zero, zero, m33]]
+}
+
+/// Right-hand side of the linear system; unknowns (u1', u2', u3').
+///
+/// 16 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // I3*u3 - I1*u1*tan(q2); used 2 times
+    let f1_part = I3 * u3 - I1 * u1 * t2;
+    // Values.
+    // f1 = m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3)
+    let f1 = m * l * g * s1 - u2 * f1_part;
+    // f2 = m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2))
+    let f2 = m * l * g * c1 * s2 + u1 * f1_part;
+    [f1, f2, zero]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> [S; 3] {
+    let [_, q2, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // Values.
+    // q1' = u1/cos(q2)
+    let q1_dot_value = u1 / c2;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 - u1*tan(q2)
+    let q3_dot_value = u3 - u1 * t2;
+    [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 11 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> S {
+    let Parameters { I1, I3, .. } = *p;
+    let [u1, u2, u3] = *u;
+    // Values.
+    // T = I1*u1^2/2 + I1*u2^2/2 + I3*u3^2/2
+    let energy = S::ratio(1, 2) * I1 * u1 * u1 + S::ratio(1, 2) * I1 * u2 * u2
+        + S::ratio(1, 2) * I3 * u3 * u3;
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 4 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { m, l, g, .. } = *p;
+    let [q1, q2, _] = *q;
+    // Sines and cosines.
+    let (_, c2) = q2.sin_cos();
+    let (_, c1) = q1.sin_cos();
+    // Values.
+    // V = m*l*g*cos(q1)*cos(q2)
+    let energy = m * l * g * c1 * c2;
+    energy
+}
+
+/// Kane's method of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Kane;
+
+impl<S: Scalar> System<S> for Kane {
+    fn parameters(&self) -> usize {
+        5
+    }
+    fn coordinates(&self) -> usize {
+        3
+    }
+    fn speeds(&self) -> usize {
+        3
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

@@ -1,0 +1,265 @@
+//! Symmetric heavy top about a fixed point: Lagrange's equations, E(q) q'' = A(q, q').
+//!
+//! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
+//! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (q1'', q2'', q3'').
+//! Cost: mass_matrix 6 operations, 1 sine and cosine; forcing 28 operations, 2 sines and cosines.
+//! The kinematic equations are singular where cos(q2) = 0.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3.
+///
+/// 6 operations, 1 sine and cosine.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    _q_dot: &[S; 3],
+) -> [[S; 3]; 3] {
+    let Parameters { I1, I3, .. } = *p;
+    let [_, q2, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Entries that are not zero; upper triangle.
+    // M11 = I3*sin(q2)^2 + I1*cos(q2)^2
+    let m11 = I3 * s2 * s2 + I1 * c2 * c2;
+    // M13 = I3*sin(q2)
+    let m13 = I3 * s2;
+    // M22 = I1
+    let m22 = I1;
+    // M33 = I3
+    let m33 = I3;
+    [[m11, zero, m13], [zero, m22, zero], [m13, zero, m33]]
+}
+
+/// Right-hand side of the linear system; unknowns (q1'', q2'', q3'').
+///
+/// 28 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // q1'*sin(q2); used 2 times
+    let q1_dot_s2 = q1_dot * s2;
+    // I1*q1'*sin(q2); used 2 times
+    let i1_q1_dot_s2 = I1 * q1_dot * s2;
+    // Values.
+    // f1 = cos(q2)*(m*l*g*sin(q1) - q2'*(I3*(2*q1'*sin(q2) + q3') - 2*I1*q1'*sin(q2)))
+    let f1 = c2
+        * (m * l * g * s1
+            - q2_dot
+                * (I3 * (S::int(2) * q1_dot_s2 + q3_dot) - S::int(2) * i1_q1_dot_s2));
+    // f2 = m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2))
+    let f2 = m * l * g * c1 * s2
+        + q1_dot * c2 * (I3 * (q1_dot_s2 + q3_dot) - i1_q1_dot_s2);
+    // f3 = -I3*q1'*q2'*cos(q2)
+    let f3 = -I3 * q1_dot * q2_dot * c2;
+    [f1, f2, f3]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 0 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 3],
+    q_dot: &[S; 3],
+) -> [S; 3] {
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Values.
+    // q1' = q1'
+    let q1_dot_value = q1_dot;
+    // q2' = q2'
+    let q2_dot_value = q2_dot;
+    // q3' = q3'
+    let q3_dot_value = q3_dot;
+    [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 20 operations, 1 sine and cosine.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> S {
+    let Parameters { I1, I3, .. } = *p;
+    let [_, q2, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Values.
+    // T = q1'^2*(I3*sin(q2)^2 + I1*cos(q2)^2)/2 + I1*q2'^2/2 + I3*q3'^2/2 + I3*q1'*q3'*sin(q2)
+    let energy = S::ratio(1, 2) * q1_dot * q1_dot * (I3 * s2 * s2 + I1 * c2 * c2)
+        + S::ratio(1, 2) * I1 * q2_dot * q2_dot + S::ratio(1, 2) * I3 * q3_dot * q3_dot
+        + I3 * q1_dot * q3_dot * s2;
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 4 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { m, l, g, .. } = *p;
+    let [q1, q2, _] = *q;
+    // Sines and cosines.
+    let (_, c2) = q2.sin_cos();
+    let (_, c1) = q1.sin_cos();
+    // Values.
+    // V = m*l*g*cos(q1)*cos(q2)
+    let energy = m * l * g * c1 * c2;
+    energy
+}
+
+/// The generalized speeds u, from q and q'.
+///
+/// 3 operations, 1 sine and cosine.
+#[must_use]
+pub fn generalized_speeds<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> [S; 3] {
+    let [_, q2, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Values.
+    // u1 = q1'*cos(q2)
+    let u1_value = q1_dot * c2;
+    // u2 = q2'
+    let u2_value = q2_dot;
+    // u3 = q1'*sin(q2) + q3'
+    let u3_value = q1_dot * s2 + q3_dot;
+    [u1_value, u2_value, u3_value]
+}
+
+/// Their time derivatives u', from q, q' and q''.
+///
+/// 9 operations, 1 sine and cosine.
+#[must_use]
+pub fn generalized_speed_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+    v_dot: &[S; 3],
+) -> [S; 3] {
+    let [_, q2, _] = *q;
+    let [q1_dot, q2_dot, _] = *q_dot;
+    let [q1_ddot, q2_ddot, q3_ddot] = *v_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Values.
+    // u1' = q1''*cos(q2) - q1'*q2'*sin(q2)
+    let u1_dot_value = q1_ddot * c2 - q1_dot * q2_dot * s2;
+    // u2' = q2''
+    let u2_dot_value = q2_ddot;
+    // u3' = q1'*q2'*cos(q2) + q1''*sin(q2) + q3''
+    let u3_dot_value = q1_dot * q2_dot * c2 + q1_ddot * s2 + q3_ddot;
+    [u1_dot_value, u2_dot_value, u3_dot_value]
+}
+
+/// q' from q and the generalized speeds u.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn motion_variables<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> [S; 3] {
+    let [_, q2, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // Values.
+    // q1' = u1/cos(q2)
+    let q1_dot_value = u1 / c2;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 - u1*tan(q2)
+    let q3_dot_value = u3 - u1 * t2;
+    [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Lagrange's equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Lagrange;
+
+impl<S: Scalar> System<S> for Lagrange {
+    fn parameters(&self) -> usize {
+        5
+    }
+    fn coordinates(&self) -> usize {
+        3
+    }
+    fn speeds(&self) -> usize {
+        3
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &generalized_speeds(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn generalized_speed_rates(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(
+            &generalized_speed_rates(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                array(v_dot),
+            ),
+        );
+    }
+    fn motion_variables(&self, p: &[S], q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &motion_variables(&Parameters::from_slice(p), array(q), array(u)),
+        );
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

@@ -1,0 +1,224 @@
+//! Symmetric heavy top about a fixed point: Newton–Euler equations, A(q, u) (u', reactions) = b(q, u).
+//!
+//! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
+//! 3 coordinates, 3 speeds, 5 parameters, 3 reactions. Unknowns: (u1', u2', u3', hold1, hold2, hold3).
+//! Cost: mass_matrix 25 operations, 2 sines and cosines; forcing 33 operations, 2 sines and cosines.
+//! The kinematic equations are singular where cos(q2) = 0.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows top force b1, top force b2, top force b3, top moment b1, top moment b2, top moment b3.
+///
+/// 25 operations, 2 sines and cosines.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    _u: &[S; 3],
+) -> [[S; 6]; 6] {
+    let Parameters { m, l, I1, I3, .. } = *p;
+    let [q1, q2, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // I1 - m*l^2; used 2 times
+    let i1_minus_m_l_2 = I1 - m * l * l;
+    // m*l; used 2 times
+    let m_l = m * l;
+    // Entries that are not zero.
+    // M12 = m*l
+    let m12 = m_l;
+    // M14 = -cos(q2)
+    let m14 = -c2;
+    // M15 = -sin(q1)*sin(q2)
+    let m15 = -s1 * s2;
+    // M16 = cos(q1)*sin(q2)
+    let m16 = c1 * s2;
+    // M21 = -m*l
+    let m21 = -m_l;
+    // M25 = -cos(q1)
+    let m25 = -c1;
+    // M26 = -sin(q1)
+    let m26 = -s1;
+    // M34 = -sin(q2)
+    let m34 = -s2;
+    // M35 = sin(q1)*cos(q2)
+    let m35 = s1 * c2;
+    // M36 = -cos(q1)*cos(q2)
+    let m36 = -c1 * c2;
+    // M41 = I1 - m*l^2
+    let m41 = i1_minus_m_l_2;
+    // M45 = -l*cos(q1)
+    let m45 = -l * c1;
+    // M46 = -l*sin(q1)
+    let m46 = -l * s1;
+    // M52 = I1 - m*l^2
+    let m52 = i1_minus_m_l_2;
+    // M54 = l*cos(q2)
+    let m54 = l * c2;
+    // M55 = l*sin(q1)*sin(q2)
+    let m55 = l * s1 * s2;
+    // M56 = -l*cos(q1)*sin(q2)
+    let m56 = -l * c1 * s2;
+    // M63 = I3
+    let m63 = I3;
+    [
+        [zero, m12, zero, m14, m15, m16],
+        [m21, zero, zero, zero, m25, m26],
+        [zero, zero, zero, m34, m35, m36],
+        [m41, zero, zero, zero, m45, m46],
+        [zero, m52, zero, m54, m55, m56],
+        [zero, zero, m63, zero, zero, zero],
+    ]
+}
+
+/// Right-hand side of the linear system; unknowns (u1', u2', u3', hold1, hold2, hold3).
+///
+/// 33 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // u1*tan(q2)*(m*l^2 - I1) + I3*u3; used 2 times
+    let f4_part = u1 * t2 * (m * l * l - I1) + I3 * u3;
+    // Values.
+    // f1 = m*sin(q2)*(g*cos(q1) - l*u1^2/cos(q2))
+    let f1 = m * s2 * (g * c1 - l * u1 * u1 / c2);
+    // f2 = -m*(g*sin(q1) + l*u1*u2*tan(q2))
+    let f2 = -m * (g * s1 + l * u1 * u2 * t2);
+    // f3 = m*(l*(u1^2 + u2^2) - g*cos(q1)*cos(q2))
+    let f3 = m * (l * (u1 * u1 + u2 * u2) - g * c1 * c2);
+    // f4 = -u2*(u1*tan(q2)*(m*l^2 - I1) + I3*u3)
+    let f4 = -u2 * f4_part;
+    // f5 = u1*(u1*tan(q2)*(m*l^2 - I1) + I3*u3)
+    let f5 = u1 * f4_part;
+    [f1, f2, f3, f4, f5, zero]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> [S; 3] {
+    let [_, q2, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // Values.
+    // q1' = u1/cos(q2)
+    let q1_dot_value = u1 / c2;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 - u1*tan(q2)
+    let q3_dot_value = u3 - u1 * t2;
+    [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 11 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> S {
+    let Parameters { I1, I3, .. } = *p;
+    let [u1, u2, u3] = *u;
+    // Values.
+    // T = I1*u1^2/2 + I1*u2^2/2 + I3*u3^2/2
+    let energy = S::ratio(1, 2) * I1 * u1 * u1 + S::ratio(1, 2) * I1 * u2 * u2
+        + S::ratio(1, 2) * I3 * u3 * u3;
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 4 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { m, l, g, .. } = *p;
+    let [q1, q2, _] = *q;
+    // Sines and cosines.
+    let (_, c2) = q2.sin_cos();
+    let (_, c1) = q1.sin_cos();
+    // Values.
+    // V = m*l*g*cos(q1)*cos(q2)
+    let energy = m * l * g * c1 * c2;
+    energy
+}
+
+/// Newton–Euler equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct NewtonEuler;
+
+impl<S: Scalar> System<S> for NewtonEuler {
+    fn parameters(&self) -> usize {
+        5
+    }
+    fn coordinates(&self) -> usize {
+        3
+    }
+    fn speeds(&self) -> usize {
+        3
+    }
+    fn reactions(&self) -> usize {
+        3
+    }
+    fn symmetric(&self) -> bool {
+        false
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

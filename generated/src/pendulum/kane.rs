@@ -1,0 +1,145 @@
+//! Pendulum: Kane's method, M(q) u' = f(q, u).
+//!
+//! Generated from `models/pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+//! 1 coordinate, 1 speed, 3 parameters. Unknowns: (omega').
+//! Cost: mass_matrix 2 operations; forcing 4 operations, 1 sine and cosine.
+//! The kinematic equations are singular nowhere.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows omega.
+///
+/// 2 operations.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    _q: &[S; 1],
+    _u: &[S; 1],
+) -> [[S; 1]; 1] {
+    let Parameters { m, l, .. } = *p;
+    // Entries that are not zero; upper triangle.
+    // M11 = m*l^2
+    let m11 = m * l * l;
+    [[m11]]
+}
+
+/// Right-hand side of the linear system; unknowns (omega').
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [S; 1] {
+    let Parameters { m, l, g } = *p;
+    let [theta] = *q;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Values.
+    // f1 = -m*l*g*sin(theta)
+    let f1 = -m * l * g * sin_theta;
+    [f1]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 0 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 1],
+    u: &[S; 1],
+) -> [S; 1] {
+    let [omega] = *u;
+    // Values.
+    // theta' = omega
+    let theta_dot_value = omega;
+    [theta_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 5 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 1], u: &[S; 1]) -> S {
+    let Parameters { m, l, .. } = *p;
+    let [omega] = *u;
+    // Values.
+    // T = m*l^2*omega^2/2
+    let energy = S::ratio(1, 2) * m * l * l * omega * omega;
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 1]) -> S {
+    let Parameters { m, l, g } = *p;
+    let [theta] = *q;
+    // Sines and cosines.
+    let (_, cos_theta) = theta.sin_cos();
+    // Values.
+    // V = m*l*g*(1 - cos(theta))
+    let energy = m * l * g * (S::int(1) - cos_theta);
+    energy
+}
+
+/// Kane's method of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Kane;
+
+impl<S: Scalar> System<S> for Kane {
+    fn parameters(&self) -> usize {
+        3
+    }
+    fn coordinates(&self) -> usize {
+        1
+    }
+    fn speeds(&self) -> usize {
+        1
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

@@ -1,0 +1,55 @@
+//! Pendulum.
+//!
+//! Generated from `models/pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+//! 1 configuration variable, 0 holonomic constraints, 1 generalized coordinate, 0 nonholonomic constraints, 1 generalized speed.
+
+#[rustfmt::skip]
+pub mod kane;
+#[rustfmt::skip]
+pub mod lagrange;
+#[rustfmt::skip]
+pub mod newton_euler;
+use tripos_traits::{CompiledModel, Scalar};
+
+/// The parameters, in the order of the model file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<S> {
+    /// mass of the bob, kg
+    pub m: S,
+    /// length of the massless rod, m
+    pub l: S,
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+}
+
+impl<S: Scalar> Parameters<S> {
+    /// From values in the order of [`PARAMETERS`].
+    ///
+    /// # Panics
+    /// If `p` has fewer values than there are parameters.
+    #[must_use]
+    pub fn from_slice(p: &[S]) -> Self {
+        Self { m: p[0], l: p[1], g: p[2] }
+    }
+}
+
+/// Names of the parameters.
+pub const PARAMETERS: [&str; 3] = ["m", "l", "g"];
+
+/// Names of the generalized coordinates.
+pub const COORDINATES: [&str; 1] = ["theta"];
+
+/// Names of the generalized speeds.
+pub const SPEEDS: [&str; 1] = ["omega"];
+
+/// What a program needs to find these equations and to trust them.
+pub const MODEL: CompiledModel = CompiledModel {
+    name: "pendulum",
+    text_hash: "8127e7b4c37d945f",
+    report_hash: "",
+    systems: &[
+        ("kane", &kane::Kane),
+        ("lagrange", &lagrange::Lagrange),
+        ("newton-euler", &newton_euler::NewtonEuler),
+    ],
+};

@@ -1,0 +1,161 @@
+//! Pendulum: Newton–Euler equations, A(q, u) (u', reactions) = b(q, u).
+//!
+//! Generated from `models/pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+//! 1 coordinate, 1 speed, 3 parameters, 2 reactions. Unknowns: (omega', rod, plane).
+//! Cost: mass_matrix 6 operations, 1 sine and cosine; forcing 10 operations, 1 sine and cosine.
+//! The kinematic equations are singular nowhere.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows bob force n1, bob force n2, bob force n3.
+///
+/// 6 operations, 1 sine and cosine.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    _u: &[S; 1],
+) -> [[S; 3]; 3] {
+    let Parameters { m, l, .. } = *p;
+    let [theta] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Entries that are not zero.
+    // M11 = m*l*cos(theta)
+    let m11 = m * l * cos_theta;
+    // M12 = sin(theta)
+    let m12 = sin_theta;
+    // M21 = m*l*sin(theta)
+    let m21 = m * l * sin_theta;
+    // M22 = -cos(theta)
+    let m22 = -cos_theta;
+    // M33 = -1
+    let m33 = -S::int(1);
+    [[m11, m12, zero], [m21, m22, zero], [zero, zero, m33]]
+}
+
+/// Right-hand side of the linear system; unknowns (omega', rod, plane).
+///
+/// 10 operations, 1 sine and cosine.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
+    let Parameters { m, l, g } = *p;
+    let [theta] = *q;
+    let [omega] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Values.
+    // f1 = m*l*omega^2*sin(theta)
+    let f1 = m * l * omega * omega * sin_theta;
+    // f2 = -m*(g + l*omega^2*cos(theta))
+    let f2 = -m * (g + l * omega * omega * cos_theta);
+    [f1, f2, zero]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 0 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 1],
+    u: &[S; 1],
+) -> [S; 1] {
+    let [omega] = *u;
+    // Values.
+    // theta' = omega
+    let theta_dot_value = omega;
+    [theta_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 5 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 1], u: &[S; 1]) -> S {
+    let Parameters { m, l, .. } = *p;
+    let [omega] = *u;
+    // Values.
+    // T = m*l^2*omega^2/2
+    let energy = S::ratio(1, 2) * m * l * l * omega * omega;
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 1]) -> S {
+    let Parameters { m, l, g } = *p;
+    let [theta] = *q;
+    // Sines and cosines.
+    let (_, cos_theta) = theta.sin_cos();
+    // Values.
+    // V = m*l*g*(1 - cos(theta))
+    let energy = m * l * g * (S::int(1) - cos_theta);
+    energy
+}
+
+/// Newton–Euler equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct NewtonEuler;
+
+impl<S: Scalar> System<S> for NewtonEuler {
+    fn parameters(&self) -> usize {
+        3
+    }
+    fn coordinates(&self) -> usize {
+        1
+    }
+    fn speeds(&self) -> usize {
+        1
+    }
+    fn reactions(&self) -> usize {
+        2
+    }
+    fn symmetric(&self) -> bool {
+        false
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}
