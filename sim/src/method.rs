@@ -69,13 +69,13 @@ impl Method {
     /// Whether fixed steps are what the method is usually run with.
     #[must_use]
     pub const fn has_fixed_use(self) -> bool {
-        matches!(self, Self::Rk4)
+        matches!(self, Self::Rk4 | Self::Gauss6)
     }
 
     /// Whether it is implicit, and needs the Jacobian of the right-hand side.
     #[must_use]
     pub const fn needs_jacobian(self) -> bool {
-        false
+        matches!(self, Self::Gauss6)
     }
 
     /// How step sizes follow from errors; `None` for a method that estimates no error.

@@ -2,8 +2,9 @@
 //!
 //! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
 //! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (u1', u2', u3').
-//! Cost: mass_matrix 0 operations; forcing 16 operations, 2 sines and cosines.
+//! Cost: mass_matrix 0 operations; forcing 16 operations, 2 sines and cosines; accelerations 18 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
+//! The accelerations divide by cos(q2), by I1.
 
 use super::Parameters;
 use tripos_traits::{Scalar, System};
@@ -52,6 +53,136 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     // f2 = m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2))
     let f2 = m * l * g * c1 * s2 + u1 * f1_part;
     [f1, f2, zero]
+}
+
+/// The accelerations (u1', u2', u3'), solved for when this code was generated.
+///
+/// 18 operations, 2 sines and cosines.
+#[must_use]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // I3*u3 - I1*u1*tan(q2); used 2 times
+    let u2_dot_part = I3 * u3 - I1 * u1 * t2;
+    // Elimination, step by step.
+    // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
+    let u2_dot = (m * l * g * c1 * s2 + u1 * u2_dot_part) / I1;
+    // u1' = (m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3))/I1
+    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    [u1_dot, u2_dot, zero]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 21 operations, 2 sines and cosines.
+#[must_use]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> ([S; 3], [S; 3]) {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // I3*u3 - I1*u1*tan(q2); used 2 times
+    let u2_dot_part = I3 * u3 - I1 * u1 * t2;
+    // Elimination, step by step.
+    // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
+    let u2_dot = (m * l * g * c1 * s2 + u1 * u2_dot_part) / I1;
+    // u1' = (m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3))/I1
+    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    // Values.
+    // q1' = u1/cos(q2)
+    let q1_dot_value = u1 / c2;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 - u1*tan(q2)
+    let q3_dot_value = u3 - u1 * t2;
+    ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
+}
+
+/// Jacobian of the derivative by the state; columns q1, q2, q3, u1, u2, u3.
+///
+/// 42 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]; 6] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step.
+    // u2_dot_by_q1 = -m*l*g*sin(q1)*sin(q2)/I1
+    let u2_dot_by_q1 = -m * l * g * s1 * s2 / I1;
+    // u1_dot_by_q1 = m*l*g*cos(q1)/I1
+    let u1_dot_by_q1 = m * l * g * c1 / I1;
+    // u2_dot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
+    let u2_dot_by_q2 = m * l * g * c1 * c2 / I1 - u1 * u1 / (c2 * c2);
+    // u1_dot_by_q2 = u1*u2/cos(q2)^2
+    let u1_dot_by_q2 = u1 * u2 / (c2 * c2);
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // u1*tan(q2); used 2 times
+    let u1_c2_inv_s2 = u1 * t2;
+    // I3*u3/I1; used 2 times
+    let i1_inv_i3_u3 = I3 * u3 / I1;
+    // Elimination, step by step.
+    // u2_dot_by_u1 = I3*u3/I1 - 2*u1*tan(q2)
+    let u2_dot_by_u1 = i1_inv_i3_u3 - S::int(2) * u1_c2_inv_s2;
+    // u1_dot_by_u1 = u2*tan(q2)
+    let u1_dot_by_u1 = u2 * t2;
+    // u1_dot_by_u2 = u1*tan(q2) - I3*u3/I1
+    let u1_dot_by_u2 = u1_c2_inv_s2 - i1_inv_i3_u3;
+    // Entries that are not zero.
+    // d(q1')/d(q2) = u1*tan(q2)/cos(q2)
+    let q1_dot_by_q2_value = u1 * t2 / c2;
+    // d(q1')/d(u1) = 1/cos(q2)
+    let q1_dot_by_u1_value = S::int(1) / c2;
+    // d(q2')/d(u2) = 1
+    let q2_dot_by_u2_value = S::int(1);
+    // d(q3')/d(q2) = -u1/cos(q2)^2
+    let q3_dot_by_q2_value = -u1 / (c2 * c2);
+    // d(q3')/d(u1) = -tan(q2)
+    let q3_dot_by_u1_value = -t2;
+    // d(q3')/d(u3) = 1
+    let q3_dot_by_u3_value = S::int(1);
+    // d(u1')/d(u3) = -I3*u2/I1
+    let u1_dot_by_u3_value = -I3 * u2 / I1;
+    // d(u2')/d(u3) = I3*u1/I1
+    let u2_dot_by_u3_value = I3 * u1 / I1;
+    [
+        [zero, q1_dot_by_q2_value, zero, q1_dot_by_u1_value, zero, zero],
+        [zero, zero, zero, zero, q2_dot_by_u2_value, zero],
+        [zero, q3_dot_by_q2_value, zero, q3_dot_by_u1_value, zero, q3_dot_by_u3_value],
+        [
+            u1_dot_by_q1,
+            u1_dot_by_q2,
+            zero,
+            u1_dot_by_u1,
+            u1_dot_by_u2,
+            u1_dot_by_u3_value,
+        ],
+        [u2_dot_by_q1, u2_dot_by_q2, zero, u2_dot_by_u1, zero, u2_dot_by_u3_value],
+        [zero, zero, zero, zero, zero, zero],
+    ]
 }
 
 /// Kinematic equations: the time derivatives of the coordinates.
@@ -142,6 +273,24 @@ impl<S: Scalar> System<S> for Kane {
     }
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

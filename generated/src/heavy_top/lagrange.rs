@@ -2,8 +2,9 @@
 //!
 //! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
 //! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (q1'', q2'', q3'').
-//! Cost: mass_matrix 6 operations, 1 sine and cosine; forcing 28 operations, 2 sines and cosines.
+//! Cost: mass_matrix 6 operations, 1 sine and cosine; forcing 28 operations, 2 sines and cosines; accelerations 28 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
+//! The accelerations divide by I1, by cos(q2).
 
 use super::Parameters;
 use tripos_traits::{Scalar, System};
@@ -62,6 +63,181 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     // f3 = -I3*q1'*q2'*cos(q2)
     let f3 = -I3 * q1_dot * q2_dot * c2;
     [f1, f2, f3]
+}
+
+/// The accelerations (q1'', q2'', q3''), solved for when this code was generated.
+///
+/// 28 operations, 2 sines and cosines.
+#[must_use]
+pub fn accelerations<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // I3*(q1'*sin(q2) + q3'); used 2 times
+    let q1_ddot_part = I3 * (q1_dot * s2 + q3_dot);
+    // I1*q1'*sin(q2); used 2 times
+    let i1_q1_dot_s2 = I1 * q1_dot * s2;
+    // Elimination, step by step.
+    // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
+    let q1_ddot = (m * l * g * s1 + q2_dot * (S::int(2) * i1_q1_dot_s2 - q1_ddot_part))
+        / (I1 * c2);
+    // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
+    let q3_ddot = -q1_dot * q2_dot * c2 - q1_ddot * s2;
+    // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
+    let q2_ddot = (m * l * g * c1 * s2 + q1_dot * c2 * (q1_ddot_part - i1_q1_dot_s2))
+        / I1;
+    [q1_ddot, q2_ddot, q3_ddot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 28 operations, 2 sines and cosines.
+#[must_use]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> ([S; 3], [S; 3]) {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // I3*(q1'*sin(q2) + q3'); used 2 times
+    let q1_ddot_part = I3 * (q1_dot * s2 + q3_dot);
+    // I1*q1'*sin(q2); used 2 times
+    let i1_q1_dot_s2 = I1 * q1_dot * s2;
+    // Elimination, step by step.
+    // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
+    let q1_ddot = (m * l * g * s1 + q2_dot * (S::int(2) * i1_q1_dot_s2 - q1_ddot_part))
+        / (I1 * c2);
+    // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
+    let q3_ddot = -q1_dot * q2_dot * c2 - q1_ddot * s2;
+    // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
+    let q2_ddot = (m * l * g * c1 * s2 + q1_dot * c2 * (q1_ddot_part - i1_q1_dot_s2))
+        / I1;
+    // Values.
+    // q1' = q1'
+    let q1_dot_value = q1_dot;
+    // q2' = q2'
+    let q2_dot_value = q2_dot;
+    // q3' = q3'
+    let q3_dot_value = q3_dot;
+    ([q1_dot_value, q2_dot_value, q3_dot_value], [q1_ddot, q2_ddot, q3_ddot])
+}
+
+/// Jacobian of the derivative by the state; columns q1, q2, q3, q1', q2', q3'.
+///
+/// 99 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> [[S; 6]; 6] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // q1'*sin(q2); used 4 times
+    let q1_dot_s2 = q1_dot * s2;
+    // q1'*sin(q2) + q3'; used 2 times
+    let q1_ddot_part = q1_dot_s2 + q3_dot;
+    // Elimination, step by step.
+    // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
+    let q1_ddot = (m * l * g * s1
+        + q2_dot * (S::int(2) * I1 * q1_dot * s2 - I3 * q1_ddot_part)) / (I1 * c2);
+    // q1_ddot_by_q1 = m*l*g*cos(q1)/(I1*cos(q2))
+    let q1_ddot_by_q1 = m * l * g * c1 / (I1 * c2);
+    // q2_ddot_by_q1 = -m*l*g*sin(q1)*sin(q2)/I1
+    let q2_ddot_by_q1 = -m * l * g * s1 * s2 / I1;
+    // Shared terms.
+    // q1'*q2'; used 2 times
+    let q1_dot_q2_dot = q1_dot * q2_dot;
+    // Elimination, step by step.
+    // q1_ddot_by_q2 = (2*q1'*q2' + (m*l*g*sin(q1)*sin(q2) - I3*q2'*(q1' + q3'*sin(q2)))/I1)/cos(q2)^2
+    let q1_ddot_by_q2 = (S::int(2) * q1_dot_q2_dot
+        + (m * l * g * s1 * s2 - I3 * q2_dot * (q1_dot + q3_dot * s2)) / I1) / (c2 * c2);
+    // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
+    let q3_ddot_by_q2 = s2 * (q1_dot_q2_dot - q1_ddot_by_q2) - q1_ddot * c2;
+    // Shared terms.
+    // cos(q2)^2; used 2 times
+    let c2_sq = c2 * c2;
+    // sin(q2)^2; used 2 times
+    let s2_sq = s2 * s2;
+    // Elimination, step by step.
+    // q2_ddot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - q1'*(q1'*(cos(q2)^2 - sin(q2)^2 + I3*(sin(q2)^2 -
+    //   cos(q2)^2)/I1) + I3*q3'*sin(q2)/I1)
+    let q2_ddot_by_q2 = m * l * g * c1 * c2 / I1
+        - q1_dot
+            * (q1_dot * (c2_sq - s2_sq + I3 * (s2_sq - c2_sq) / I1)
+                + I3 * q3_dot * s2 / I1);
+    // Shared terms.
+    // tan(q2)
+    let t2 = s2 / c2;
+    // Elimination, step by step.
+    // q1_ddot_by_q1_dot = q2'*tan(q2)*(2 - I3/I1)
+    let q1_ddot_by_q1_dot = q2_dot * t2 * (S::int(2) - I3 / I1);
+    // q3_ddot_by_q1_dot = -q2'*cos(q2) - q1_ddot_by_q1_dot*sin(q2)
+    let q3_ddot_by_q1_dot = -q2_dot * c2 - q1_ddot_by_q1_dot * s2;
+    // q2_ddot_by_q1_dot = cos(q2)*(I3*(2*q1'*sin(q2) + q3')/I1 - 2*q1'*sin(q2))
+    let q2_ddot_by_q1_dot = c2
+        * (I3 * (S::int(2) * q1_dot_s2 + q3_dot) / I1 - S::int(2) * q1_dot_s2);
+    // q1_ddot_by_q2_dot = (2*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')/I1)/cos(q2)
+    let q1_ddot_by_q2_dot = (S::int(2) * q1_dot_s2 - I3 * q1_ddot_part / I1) / c2;
+    // q3_ddot_by_q2_dot = -q1'*cos(q2) - q1_ddot_by_q2_dot*sin(q2)
+    let q3_ddot_by_q2_dot = -q1_dot * c2 - q1_ddot_by_q2_dot * s2;
+    // q1_ddot_by_q3_dot = -I3*q2'/(I1*cos(q2))
+    let q1_ddot_by_q3_dot = -I3 * q2_dot / (I1 * c2);
+    // q2_ddot_by_q3_dot = I3*q1'*cos(q2)/I1
+    let q2_ddot_by_q3_dot = I3 * q1_dot * c2 / I1;
+    // Entries that are not zero.
+    // d(q1')/d(q1') = 1
+    let q1_dot_by_q1_dot_value = S::int(1);
+    // d(q2')/d(q2') = 1
+    let q2_dot_by_q2_dot_value = S::int(1);
+    // d(q3')/d(q3') = 1
+    let q3_dot_by_q3_dot_value = S::int(1);
+    // d(q3'')/d(q1) = -q1_ddot_by_q1*sin(q2)
+    let q3_ddot_by_q1_value = -q1_ddot_by_q1 * s2;
+    // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*sin(q2)
+    let q3_ddot_by_q3_dot_value = -q1_ddot_by_q3_dot * s2;
+    [
+        [zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero],
+        [zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero],
+        [zero, zero, zero, zero, zero, q3_dot_by_q3_dot_value],
+        [
+            q1_ddot_by_q1,
+            q1_ddot_by_q2,
+            zero,
+            q1_ddot_by_q1_dot,
+            q1_ddot_by_q2_dot,
+            q1_ddot_by_q3_dot,
+        ],
+        [q2_ddot_by_q1, q2_ddot_by_q2, zero, q2_ddot_by_q1_dot, zero, q2_ddot_by_q3_dot],
+        [
+            q3_ddot_by_q1_value,
+            q3_ddot_by_q2,
+            zero,
+            q3_ddot_by_q1_dot,
+            q3_ddot_by_q2_dot,
+            q3_ddot_by_q3_dot_value,
+        ],
+    ]
 }
 
 /// Kinematic equations: the time derivatives of the coordinates.
@@ -224,6 +400,24 @@ impl<S: Scalar> System<S> for Lagrange {
     }
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -6,10 +6,16 @@
 #[rustfmt::skip]
 pub mod kane;
 #[rustfmt::skip]
+pub mod kane_q2_90deg;
+#[rustfmt::skip]
 pub mod lagrange;
 #[rustfmt::skip]
+pub mod lagrange_q2_90deg;
+#[rustfmt::skip]
 pub mod newton_euler;
-use tripos_traits::{CompiledModel, Scalar};
+#[rustfmt::skip]
+pub mod newton_euler_q2_90deg;
+use tripos_traits::{CompiledModel, CompiledSystem, Scalar};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,8 +64,35 @@ pub const MODEL: CompiledModel = CompiledModel {
     text_hash: "4b32ee19611a4f4a",
     report_hash: "",
     systems: &[
-        ("kane", &kane::Kane),
-        ("lagrange", &lagrange::Lagrange),
-        ("newton-euler", &newton_euler::NewtonEuler),
+        CompiledSystem {
+            name: "kane",
+            double: &kane::Kane,
+            extended: &kane::Kane,
+        },
+        CompiledSystem {
+            name: "kane@q2-90deg",
+            double: &kane_q2_90deg::KaneQ290deg,
+            extended: &kane_q2_90deg::KaneQ290deg,
+        },
+        CompiledSystem {
+            name: "lagrange",
+            double: &lagrange::Lagrange,
+            extended: &lagrange::Lagrange,
+        },
+        CompiledSystem {
+            name: "lagrange@q2-90deg",
+            double: &lagrange_q2_90deg::LagrangeQ290deg,
+            extended: &lagrange_q2_90deg::LagrangeQ290deg,
+        },
+        CompiledSystem {
+            name: "newton-euler",
+            double: &newton_euler::NewtonEuler,
+            extended: &newton_euler::NewtonEuler,
+        },
+        CompiledSystem {
+            name: "newton-euler@q2-90deg",
+            double: &newton_euler_q2_90deg::NewtonEulerQ290deg,
+            extended: &newton_euler_q2_90deg::NewtonEulerQ290deg,
+        },
     ],
 };

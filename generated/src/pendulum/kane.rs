@@ -2,8 +2,9 @@
 //!
 //! Generated from `models/pendulum/model.toml`. Do not edit; run `tripos regenerate`.
 //! 1 coordinate, 1 speed, 3 parameters. Unknowns: (omega').
-//! Cost: mass_matrix 2 operations; forcing 4 operations, 1 sine and cosine.
+//! Cost: mass_matrix 2 operations; forcing 4 operations, 1 sine and cosine; accelerations 3 operations, 1 sine and cosine.
 //! The kinematic equations are singular nowhere.
+//! The accelerations divide by l.
 
 use super::Parameters;
 use tripos_traits::{Scalar, System};
@@ -37,6 +38,63 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [S; 1] 
     // f1 = -m*l*g*sin(theta)
     let f1 = -m * l * g * sin_theta;
     [f1]
+}
+
+/// The accelerations (omega'), solved for when this code was generated.
+///
+/// 3 operations, 1 sine and cosine.
+#[must_use]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [S; 1] {
+    let Parameters { l, g, .. } = *p;
+    let [theta] = *q;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Elimination, step by step.
+    // omega' = -g*sin(theta)/l
+    let omega_dot = -g * sin_theta / l;
+    [omega_dot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 3 operations, 1 sine and cosine.
+#[must_use]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    u: &[S; 1],
+) -> ([S; 1], [S; 1]) {
+    let Parameters { l, g, .. } = *p;
+    let [theta] = *q;
+    let [omega] = *u;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Elimination, step by step.
+    // omega' = -g*sin(theta)/l
+    let omega_dot = -g * sin_theta / l;
+    // Values.
+    // theta' = omega
+    let theta_dot_value = omega;
+    ([theta_dot_value], [omega_dot])
+}
+
+/// Jacobian of the derivative by the state; columns theta, omega.
+///
+/// 3 operations, 1 sine and cosine.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 2]; 2] {
+    let Parameters { l, g, .. } = *p;
+    let [theta] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (_, cos_theta) = theta.sin_cos();
+    // Elimination, step by step.
+    // omega_dot_by_theta = -g*cos(theta)/l
+    let omega_dot_by_theta = -g * cos_theta / l;
+    // Entries that are not zero.
+    // d(theta')/d(omega) = 1
+    let theta_dot_by_omega_value = S::int(1);
+    [[zero, theta_dot_by_omega_value], [omega_dot_by_theta, zero]]
 }
 
 /// Kinematic equations: the time derivatives of the coordinates.
@@ -115,6 +173,24 @@ impl<S: Scalar> System<S> for Kane {
     }
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

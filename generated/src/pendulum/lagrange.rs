@@ -2,8 +2,9 @@
 //!
 //! Generated from `models/pendulum/model.toml`. Do not edit; run `tripos regenerate`.
 //! 1 coordinate, 1 speed, 3 parameters. Unknowns: (theta'').
-//! Cost: mass_matrix 2 operations; forcing 4 operations, 1 sine and cosine.
+//! Cost: mass_matrix 2 operations; forcing 4 operations, 1 sine and cosine; accelerations 3 operations, 1 sine and cosine.
 //! The kinematic equations are singular nowhere.
+//! The accelerations divide by l.
 
 use super::Parameters;
 use tripos_traits::{Scalar, System};
@@ -37,6 +38,71 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _q_dot: &[S; 1]) -> [S;
     // f1 = -m*l*g*sin(theta)
     let f1 = -m * l * g * sin_theta;
     [f1]
+}
+
+/// The accelerations (theta''), solved for when this code was generated.
+///
+/// 3 operations, 1 sine and cosine.
+#[must_use]
+pub fn accelerations<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    _q_dot: &[S; 1],
+) -> [S; 1] {
+    let Parameters { l, g, .. } = *p;
+    let [theta] = *q;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Elimination, step by step.
+    // theta'' = -g*sin(theta)/l
+    let theta_ddot = -g * sin_theta / l;
+    [theta_ddot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 3 operations, 1 sine and cosine.
+#[must_use]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    q_dot: &[S; 1],
+) -> ([S; 1], [S; 1]) {
+    let Parameters { l, g, .. } = *p;
+    let [theta] = *q;
+    let [theta_dot] = *q_dot;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Elimination, step by step.
+    // theta'' = -g*sin(theta)/l
+    let theta_ddot = -g * sin_theta / l;
+    // Values.
+    // theta' = theta'
+    let theta_dot_value = theta_dot;
+    ([theta_dot_value], [theta_ddot])
+}
+
+/// Jacobian of the derivative by the state; columns theta, theta'.
+///
+/// 3 operations, 1 sine and cosine.
+#[must_use]
+pub fn jacobian<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    _q_dot: &[S; 1],
+) -> [[S; 2]; 2] {
+    let Parameters { l, g, .. } = *p;
+    let [theta] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (_, cos_theta) = theta.sin_cos();
+    // Elimination, step by step.
+    // theta_ddot_by_theta = -g*cos(theta)/l
+    let theta_ddot_by_theta = -g * cos_theta / l;
+    // Entries that are not zero.
+    // d(theta')/d(theta') = 1
+    let theta_dot_by_theta_dot_value = S::int(1);
+    [[zero, theta_dot_by_theta_dot_value], [theta_ddot_by_theta, zero]]
 }
 
 /// Kinematic equations: the time derivatives of the coordinates.
@@ -164,6 +230,24 @@ impl<S: Scalar> System<S> for Lagrange {
     }
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -9,7 +9,7 @@ pub mod kane;
 pub mod lagrange;
 #[rustfmt::skip]
 pub mod newton_euler;
-use tripos_traits::{CompiledModel, Scalar};
+use tripos_traits::{CompiledModel, CompiledSystem, Scalar};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,8 +48,20 @@ pub const MODEL: CompiledModel = CompiledModel {
     text_hash: "8127e7b4c37d945f",
     report_hash: "",
     systems: &[
-        ("kane", &kane::Kane),
-        ("lagrange", &lagrange::Lagrange),
-        ("newton-euler", &newton_euler::NewtonEuler),
+        CompiledSystem {
+            name: "kane",
+            double: &kane::Kane,
+            extended: &kane::Kane,
+        },
+        CompiledSystem {
+            name: "lagrange",
+            double: &lagrange::Lagrange,
+            extended: &lagrange::Lagrange,
+        },
+        CompiledSystem {
+            name: "newton-euler",
+            double: &newton_euler::NewtonEuler,
+            extended: &newton_euler::NewtonEuler,
+        },
     ],
 };

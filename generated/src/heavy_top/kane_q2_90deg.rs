@@ -1,0 +1,336 @@
+//! Symmetric heavy top about a fixed point: Kane's method in q2-90°, M(q) u' = f(q, u).
+//!
+//! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
+//! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (u1', u2', u3').
+//! Cost: mass_matrix 0 operations; forcing 16 operations, 2 sines and cosines; accelerations 18 operations, 2 sines and cosines.
+//! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
+//! The accelerations divide by sin(q2_minus_90deg), by I1.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3.
+///
+/// 0 operations.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    _q: &[S; 3],
+    _u: &[S; 3],
+) -> [[S; 3]; 3] {
+    let Parameters { I1, I3, .. } = *p;
+    let zero = S::int(0);
+    // Entries that are not zero; upper triangle.
+    // M11 = I1
+    let m11 = I1;
+    // M22 = I1
+    let m22 = I1;
+    // M33 = I3
+    let m33 = I3;
+    [[m11, zero, zero], [zero, m22, zero], [zero, zero, m33]]
+}
+
+/// Right-hand side of the linear system; unknowns (u1', u2', u3').
+///
+/// 16 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // I3*u3 + I1*u1/tan(q2_minus_90deg); used 2 times
+    let f1_part = I3 * u3 + I1 * u1 / tan_q2_minus_90deg;
+    // Values.
+    // f1 = m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg))
+    let f1 = m * l * g * s1 - u2 * f1_part;
+    // f2 = m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg))
+    let f2 = m * l * g * c1 * cos_q2_minus_90deg + u1 * f1_part;
+    [f1, f2, zero]
+}
+
+/// The accelerations (u1', u2', u3'), solved for when this code was generated.
+///
+/// 18 operations, 2 sines and cosines.
+#[must_use]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // I3*u3 + I1*u1/tan(q2_minus_90deg); used 2 times
+    let u2_dot_part = I3 * u3 + I1 * u1 / tan_q2_minus_90deg;
+    // Elimination, step by step.
+    // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
+    let u2_dot = (m * l * g * c1 * cos_q2_minus_90deg + u1 * u2_dot_part) / I1;
+    // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
+    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    [u1_dot, u2_dot, zero]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 22 operations, 2 sines and cosines.
+#[must_use]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> ([S; 3], [S; 3]) {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // I3*u3 + I1*u1/tan(q2_minus_90deg); used 2 times
+    let u2_dot_part = I3 * u3 + I1 * u1 / tan_q2_minus_90deg;
+    // Elimination, step by step.
+    // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
+    let u2_dot = (m * l * g * c1 * cos_q2_minus_90deg + u1 * u2_dot_part) / I1;
+    // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
+    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    // Values.
+    // q1' = -u1/sin(q2_minus_90deg)
+    let q1_dot_value = -u1 / sin_q2_minus_90deg;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 + u1/tan(q2_minus_90deg)
+    let q3_dot_value = u3 + u1 / tan_q2_minus_90deg;
+    ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
+}
+
+/// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, u1, u2, u3.
+///
+/// 46 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]; 6] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Elimination, step by step.
+    // u2_dot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
+    let u2_dot_by_q1 = -m * l * g * s1 * cos_q2_minus_90deg / I1;
+    // u1_dot_by_q1 = m*l*g*cos(q1)/I1
+    let u1_dot_by_q1 = m * l * g * c1 / I1;
+    // u2_dot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 - u1^2/sin(q2_minus_90deg)^2
+    let u2_dot_by_q2_minus_90deg = -m * l * g * c1 * sin_q2_minus_90deg / I1
+        - u1 * u1 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // u1_dot_by_q2_minus_90deg = u1*u2/sin(q2_minus_90deg)^2
+    let u1_dot_by_q2_minus_90deg = u1 * u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // u1/tan(q2_minus_90deg); used 2 times
+    let u2_dot_by_u1_part = u1 / tan_q2_minus_90deg;
+    // I3*u3/I1; used 2 times
+    let i1_inv_i3_u3 = I3 * u3 / I1;
+    // Elimination, step by step.
+    // u2_dot_by_u1 = I3*u3/I1 + 2*u1/tan(q2_minus_90deg)
+    let u2_dot_by_u1 = i1_inv_i3_u3 + S::int(2) * u2_dot_by_u1_part;
+    // u1_dot_by_u1 = -u2/tan(q2_minus_90deg)
+    let u1_dot_by_u1 = -u2 / tan_q2_minus_90deg;
+    // u1_dot_by_u2 = -I3*u3/I1 - u1/tan(q2_minus_90deg)
+    let u1_dot_by_u2 = -i1_inv_i3_u3 - u2_dot_by_u1_part;
+    // Entries that are not zero.
+    // d(q1')/d(q2_minus_90deg) = u1/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
+    let q1_dot_by_q2_minus_90deg_value = u1 / (sin_q2_minus_90deg * tan_q2_minus_90deg);
+    // d(q1')/d(u1) = -1/sin(q2_minus_90deg)
+    let q1_dot_by_u1_value = -S::int(1) / sin_q2_minus_90deg;
+    // d(q2')/d(u2) = 1
+    let q2_dot_by_u2_value = S::int(1);
+    // d(q3')/d(q2_minus_90deg) = -u1/sin(q2_minus_90deg)^2
+    let q3_dot_by_q2_minus_90deg_value = -u1 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // d(q3')/d(u1) = 1/tan(q2_minus_90deg)
+    let q3_dot_by_u1_value = S::int(1) / tan_q2_minus_90deg;
+    // d(q3')/d(u3) = 1
+    let q3_dot_by_u3_value = S::int(1);
+    // d(u1')/d(u3) = -I3*u2/I1
+    let u1_dot_by_u3_value = -I3 * u2 / I1;
+    // d(u2')/d(u3) = I3*u1/I1
+    let u2_dot_by_u3_value = I3 * u1 / I1;
+    [
+        [zero, q1_dot_by_q2_minus_90deg_value, zero, q1_dot_by_u1_value, zero, zero],
+        [zero, zero, zero, zero, q2_dot_by_u2_value, zero],
+        [
+            zero,
+            q3_dot_by_q2_minus_90deg_value,
+            zero,
+            q3_dot_by_u1_value,
+            zero,
+            q3_dot_by_u3_value,
+        ],
+        [
+            u1_dot_by_q1,
+            u1_dot_by_q2_minus_90deg,
+            zero,
+            u1_dot_by_u1,
+            u1_dot_by_u2,
+            u1_dot_by_u3_value,
+        ],
+        [
+            u2_dot_by_q1,
+            u2_dot_by_q2_minus_90deg,
+            zero,
+            u2_dot_by_u1,
+            zero,
+            u2_dot_by_u3_value,
+        ],
+        [zero, zero, zero, zero, zero, zero],
+    ]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 5 operations, 1 sine and cosine.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> [S; 3] {
+    let [_, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // Values.
+    // q1' = -u1/sin(q2_minus_90deg)
+    let q1_dot_value = -u1 / sin_q2_minus_90deg;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 + u1/tan(q2_minus_90deg)
+    let q3_dot_value = u3 + u1 / tan_q2_minus_90deg;
+    [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 9 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> S {
+    let Parameters { I1, I3, .. } = *p;
+    let [u1, u2, u3] = *u;
+    // Values.
+    // T = I1*(u1^2 + u2^2)/2 + I3*u3^2/2
+    let energy = S::ratio(1, 2) * I1 * (u1 * u1 + u2 * u2)
+        + S::ratio(1, 2) * I3 * u3 * u3;
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 5 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { m, l, g, .. } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    // Sines and cosines.
+    let (_, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    // Values.
+    // V = -m*l*g*cos(q1)*sin(q2_minus_90deg)
+    let energy = -m * l * g * c1 * sin_q2_minus_90deg;
+    energy
+}
+
+/// Kane's method in q2-90° of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct KaneQ290deg;
+
+impl<S: Scalar> System<S> for KaneQ290deg {
+    fn parameters(&self) -> usize {
+        5
+    }
+    fn coordinates(&self) -> usize {
+        3
+    }
+    fn speeds(&self) -> usize {
+        3
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

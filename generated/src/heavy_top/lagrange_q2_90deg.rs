@@ -1,0 +1,496 @@
+//! Symmetric heavy top about a fixed point: Lagrange's equations in q2-90°, E(q) q'' = A(q, q').
+//!
+//! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
+//! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (q1'', q2'', q3'').
+//! Cost: mass_matrix 6 operations, 1 sine and cosine; forcing 28 operations, 2 sines and cosines; accelerations 28 operations, 2 sines and cosines.
+//! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
+//! The accelerations divide by I1, by sin(q2_minus_90deg).
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3.
+///
+/// 6 operations, 1 sine and cosine.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    _q_dot: &[S; 3],
+) -> [[S; 3]; 3] {
+    let Parameters { I1, I3, .. } = *p;
+    let [_, q2_minus_90deg, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Entries that are not zero; upper triangle.
+    // M11 = I1*sin(q2_minus_90deg)^2 + I3*cos(q2_minus_90deg)^2
+    let m11 = I1 * sin_q2_minus_90deg * sin_q2_minus_90deg
+        + I3 * cos_q2_minus_90deg * cos_q2_minus_90deg;
+    // M13 = I3*cos(q2_minus_90deg)
+    let m13 = I3 * cos_q2_minus_90deg;
+    // M22 = I1
+    let m22 = I1;
+    // M33 = I3
+    let m33 = I3;
+    [[m11, zero, m13], [zero, m22, zero], [m13, zero, m33]]
+}
+
+/// Right-hand side of the linear system; unknowns (q1'', q2'', q3'').
+///
+/// 28 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // q1'*cos(q2_minus_90deg); used 2 times
+    let f1_part = q1_dot * cos_q2_minus_90deg;
+    // I1*q1'*cos(q2_minus_90deg); used 2 times
+    let f1_part_ = I1 * q1_dot * cos_q2_minus_90deg;
+    // Values.
+    // f1 = -sin(q2_minus_90deg)*(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
+    //   2*q1'*cos(q2_minus_90deg))))
+    let f1 = -sin_q2_minus_90deg
+        * (m * l * g * s1
+            + q2_dot * (S::int(2) * f1_part_ - I3 * (q3_dot + S::int(2) * f1_part)));
+    // f2 = m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
+    //   I3*(q3' + q1'*cos(q2_minus_90deg)))
+    let f2 = m * l * g * c1 * cos_q2_minus_90deg
+        + q1_dot * sin_q2_minus_90deg * (f1_part_ - I3 * (q3_dot + f1_part));
+    // f3 = I3*q1'*q2'*sin(q2_minus_90deg)
+    let f3 = I3 * q1_dot * q2_dot * sin_q2_minus_90deg;
+    [f1, f2, f3]
+}
+
+/// The accelerations (q1'', q2'', q3''), solved for when this code was generated.
+///
+/// 28 operations, 2 sines and cosines.
+#[must_use]
+pub fn accelerations<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // I1*q1'*cos(q2_minus_90deg); used 2 times
+    let q1_ddot_part = I1 * q1_dot * cos_q2_minus_90deg;
+    // I3*(q3' + q1'*cos(q2_minus_90deg)); used 2 times
+    let q1_ddot_part_ = I3 * (q3_dot + q1_dot * cos_q2_minus_90deg);
+    // Elimination, step by step.
+    // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
+    //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
+    let q1_ddot = -(m * l * g * s1 + q2_dot * (S::int(2) * q1_ddot_part - q1_ddot_part_))
+        / (I1 * sin_q2_minus_90deg);
+    // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
+    let q3_ddot = q1_dot * q2_dot * sin_q2_minus_90deg - q1_ddot * cos_q2_minus_90deg;
+    // q2'' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
+    //   I3*(q3' + q1'*cos(q2_minus_90deg))))/I1
+    let q2_ddot = (m * l * g * c1 * cos_q2_minus_90deg
+        + q1_dot * sin_q2_minus_90deg * (q1_ddot_part - q1_ddot_part_)) / I1;
+    [q1_ddot, q2_ddot, q3_ddot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 28 operations, 2 sines and cosines.
+#[must_use]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> ([S; 3], [S; 3]) {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // I1*q1'*cos(q2_minus_90deg); used 2 times
+    let q1_ddot_part = I1 * q1_dot * cos_q2_minus_90deg;
+    // I3*(q3' + q1'*cos(q2_minus_90deg)); used 2 times
+    let q1_ddot_part_ = I3 * (q3_dot + q1_dot * cos_q2_minus_90deg);
+    // Elimination, step by step.
+    // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
+    //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
+    let q1_ddot = -(m * l * g * s1 + q2_dot * (S::int(2) * q1_ddot_part - q1_ddot_part_))
+        / (I1 * sin_q2_minus_90deg);
+    // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
+    let q3_ddot = q1_dot * q2_dot * sin_q2_minus_90deg - q1_ddot * cos_q2_minus_90deg;
+    // q2'' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
+    //   I3*(q3' + q1'*cos(q2_minus_90deg))))/I1
+    let q2_ddot = (m * l * g * c1 * cos_q2_minus_90deg
+        + q1_dot * sin_q2_minus_90deg * (q1_ddot_part - q1_ddot_part_)) / I1;
+    // Values.
+    // q1' = q1'
+    let q1_dot_value = q1_dot;
+    // q2' = q2'
+    let q2_dot_value = q2_dot;
+    // q3' = q3'
+    let q3_dot_value = q3_dot;
+    ([q1_dot_value, q2_dot_value, q3_dot_value], [q1_ddot, q2_ddot, q3_ddot])
+}
+
+/// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, q1', q2', q3'.
+///
+/// 100 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> [[S; 6]; 6] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // q1'*cos(q2_minus_90deg); used 4 times
+    let q1_ddot_part = q1_dot * cos_q2_minus_90deg;
+    // q3' + q1'*cos(q2_minus_90deg); used 2 times
+    let q1_ddot_part_ = q3_dot + q1_ddot_part;
+    // Elimination, step by step.
+    // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
+    //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
+    let q1_ddot = -(m * l * g * s1
+        + q2_dot * (S::int(2) * I1 * q1_dot * cos_q2_minus_90deg - I3 * q1_ddot_part_))
+        / (I1 * sin_q2_minus_90deg);
+    // q1_ddot_by_q1 = -m*l*g*cos(q1)/(I1*sin(q2_minus_90deg))
+    let q1_ddot_by_q1 = -m * l * g * c1 / (I1 * sin_q2_minus_90deg);
+    // q2_ddot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
+    let q2_ddot_by_q1 = -m * l * g * s1 * cos_q2_minus_90deg / I1;
+    // Shared terms.
+    // q1'*q2'; used 2 times
+    let q1_dot_q2_dot = q1_dot * q2_dot;
+    // Elimination, step by step.
+    // q1_ddot_by_q2_minus_90deg = (2*q1'*q2' + (m*l*g*sin(q1)*cos(q2_minus_90deg) - I3*q2'*(q1' +
+    //   q3'*cos(q2_minus_90deg)))/I1)/sin(q2_minus_90deg)^2
+    let q1_ddot_by_q2_minus_90deg = (S::int(2) * q1_dot_q2_dot
+        + (m * l * g * s1 * cos_q2_minus_90deg
+            - I3 * q2_dot * (q1_dot + q3_dot * cos_q2_minus_90deg)) / I1)
+        / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
+    //   q1_ddot_by_q2_minus_90deg)
+    let q3_ddot_by_q2_minus_90deg = q1_ddot * sin_q2_minus_90deg
+        + cos_q2_minus_90deg * (q1_dot_q2_dot - q1_ddot_by_q2_minus_90deg);
+    // Shared terms.
+    // sin(q2_minus_90deg)^2; used 2 times
+    let q2_ddot_by_q2_minus_90deg_part = sin_q2_minus_90deg * sin_q2_minus_90deg;
+    // cos(q2_minus_90deg)^2; used 2 times
+    let q2_ddot_by_q2_minus_90deg_part_ = cos_q2_minus_90deg * cos_q2_minus_90deg;
+    // Elimination, step by step.
+    // q2_ddot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 -
+    //   q1'*(I3*q3'*cos(q2_minus_90deg)/I1 + q1'*(sin(q2_minus_90deg)^2 - cos(q2_minus_90deg)^2 +
+    //   I3*(cos(q2_minus_90deg)^2 - sin(q2_minus_90deg)^2)/I1))
+    let q2_ddot_by_q2_minus_90deg = -m * l * g * c1 * sin_q2_minus_90deg / I1
+        - q1_dot
+            * (I3 * q3_dot * cos_q2_minus_90deg / I1
+                + q1_dot
+                    * (q2_ddot_by_q2_minus_90deg_part - q2_ddot_by_q2_minus_90deg_part_
+                        + I3
+                            * (q2_ddot_by_q2_minus_90deg_part_
+                                - q2_ddot_by_q2_minus_90deg_part) / I1));
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // Elimination, step by step.
+    // q1_ddot_by_q1_dot = q2'*(I3/I1 - 2)/tan(q2_minus_90deg)
+    let q1_ddot_by_q1_dot = q2_dot * (I3 / I1 - S::int(2)) / tan_q2_minus_90deg;
+    // q3_ddot_by_q1_dot = q2'*sin(q2_minus_90deg) - q1_ddot_by_q1_dot*cos(q2_minus_90deg)
+    let q3_ddot_by_q1_dot = q2_dot * sin_q2_minus_90deg
+        - q1_ddot_by_q1_dot * cos_q2_minus_90deg;
+    // q2_ddot_by_q1_dot = sin(q2_minus_90deg)*(2*q1'*cos(q2_minus_90deg) - I3*(q3' +
+    //   2*q1'*cos(q2_minus_90deg))/I1)
+    let q2_ddot_by_q1_dot = sin_q2_minus_90deg
+        * (S::int(2) * q1_ddot_part - I3 * (q3_dot + S::int(2) * q1_ddot_part) / I1);
+    // q1_ddot_by_q2_dot = (I3*(q3' + q1'*cos(q2_minus_90deg))/I1 -
+    //   2*q1'*cos(q2_minus_90deg))/sin(q2_minus_90deg)
+    let q1_ddot_by_q2_dot = (I3 * q1_ddot_part_ / I1 - S::int(2) * q1_ddot_part)
+        / sin_q2_minus_90deg;
+    // q3_ddot_by_q2_dot = q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg)
+    let q3_ddot_by_q2_dot = q1_dot * sin_q2_minus_90deg
+        - q1_ddot_by_q2_dot * cos_q2_minus_90deg;
+    // q1_ddot_by_q3_dot = I3*q2'/(I1*sin(q2_minus_90deg))
+    let q1_ddot_by_q3_dot = I3 * q2_dot / (I1 * sin_q2_minus_90deg);
+    // q2_ddot_by_q3_dot = -I3*q1'*sin(q2_minus_90deg)/I1
+    let q2_ddot_by_q3_dot = -I3 * q1_dot * sin_q2_minus_90deg / I1;
+    // Entries that are not zero.
+    // d(q1')/d(q1') = 1
+    let q1_dot_by_q1_dot_value = S::int(1);
+    // d(q2')/d(q2') = 1
+    let q2_dot_by_q2_dot_value = S::int(1);
+    // d(q3')/d(q3') = 1
+    let q3_dot_by_q3_dot_value = S::int(1);
+    // d(q3'')/d(q1) = -q1_ddot_by_q1*cos(q2_minus_90deg)
+    let q3_ddot_by_q1_value = -q1_ddot_by_q1 * cos_q2_minus_90deg;
+    // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*cos(q2_minus_90deg)
+    let q3_ddot_by_q3_dot_value = -q1_ddot_by_q3_dot * cos_q2_minus_90deg;
+    [
+        [zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero],
+        [zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero],
+        [zero, zero, zero, zero, zero, q3_dot_by_q3_dot_value],
+        [
+            q1_ddot_by_q1,
+            q1_ddot_by_q2_minus_90deg,
+            zero,
+            q1_ddot_by_q1_dot,
+            q1_ddot_by_q2_dot,
+            q1_ddot_by_q3_dot,
+        ],
+        [
+            q2_ddot_by_q1,
+            q2_ddot_by_q2_minus_90deg,
+            zero,
+            q2_ddot_by_q1_dot,
+            zero,
+            q2_ddot_by_q3_dot,
+        ],
+        [
+            q3_ddot_by_q1_value,
+            q3_ddot_by_q2_minus_90deg,
+            zero,
+            q3_ddot_by_q1_dot,
+            q3_ddot_by_q2_dot,
+            q3_ddot_by_q3_dot_value,
+        ],
+    ]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 0 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 3],
+    q_dot: &[S; 3],
+) -> [S; 3] {
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Values.
+    // q1' = q1'
+    let q1_dot_value = q1_dot;
+    // q2' = q2'
+    let q2_dot_value = q2_dot;
+    // q3' = q3'
+    let q3_dot_value = q3_dot;
+    [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 17 operations, 1 sine and cosine.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> S {
+    let Parameters { I1, I3, .. } = *p;
+    let [_, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Values.
+    // T = I3*(q3'^2 + q1'*cos(q2_minus_90deg)*(2*q3' + q1'*cos(q2_minus_90deg)))/2 + I1*(q2'^2 +
+    //   q1'^2*sin(q2_minus_90deg)^2)/2
+    let energy = S::ratio(1, 2) * I3
+        * (q3_dot * q3_dot
+            + q1_dot * cos_q2_minus_90deg
+                * (S::int(2) * q3_dot + q1_dot * cos_q2_minus_90deg))
+        + S::ratio(1, 2) * I1
+            * (q2_dot * q2_dot
+                + q1_dot * q1_dot * sin_q2_minus_90deg * sin_q2_minus_90deg);
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 5 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { m, l, g, .. } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    // Sines and cosines.
+    let (_, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    // Values.
+    // V = -m*l*g*cos(q1)*sin(q2_minus_90deg)
+    let energy = -m * l * g * c1 * sin_q2_minus_90deg;
+    energy
+}
+
+/// The generalized speeds u, from q and q'.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn generalized_speeds<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> [S; 3] {
+    let [_, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Values.
+    // u1 = -q1'*sin(q2_minus_90deg)
+    let u1_value = -q1_dot * sin_q2_minus_90deg;
+    // u2 = q2'
+    let u2_value = q2_dot;
+    // u3 = q3' + q1'*cos(q2_minus_90deg)
+    let u3_value = q3_dot + q1_dot * cos_q2_minus_90deg;
+    [u1_value, u2_value, u3_value]
+}
+
+/// Their time derivatives u', from q, q' and q''.
+///
+/// 10 operations, 1 sine and cosine.
+#[must_use]
+pub fn generalized_speed_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+    v_dot: &[S; 3],
+) -> [S; 3] {
+    let [_, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, _] = *q_dot;
+    let [q1_ddot, q2_ddot, q3_ddot] = *v_dot;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Values.
+    // u1' = -q1''*sin(q2_minus_90deg) - q1'*q2'*cos(q2_minus_90deg)
+    let u1_dot_value = -q1_ddot * sin_q2_minus_90deg
+        - q1_dot * q2_dot * cos_q2_minus_90deg;
+    // u2' = q2''
+    let u2_dot_value = q2_ddot;
+    // u3' = q3'' - q1'*q2'*sin(q2_minus_90deg) + q1''*cos(q2_minus_90deg)
+    let u3_dot_value = q3_ddot - q1_dot * q2_dot * sin_q2_minus_90deg
+        + q1_ddot * cos_q2_minus_90deg;
+    [u1_dot_value, u2_dot_value, u3_dot_value]
+}
+
+/// q' from q and the generalized speeds u.
+///
+/// 5 operations, 1 sine and cosine.
+#[must_use]
+pub fn motion_variables<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> [S; 3] {
+    let [_, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // Values.
+    // q1' = -u1/sin(q2_minus_90deg)
+    let q1_dot_value = -u1 / sin_q2_minus_90deg;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 + u1/tan(q2_minus_90deg)
+    let q3_dot_value = u3 + u1 / tan_q2_minus_90deg;
+    [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Lagrange's equations in q2-90° of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct LagrangeQ290deg;
+
+impl<S: Scalar> System<S> for LagrangeQ290deg {
+    fn parameters(&self) -> usize {
+        5
+    }
+    fn coordinates(&self) -> usize {
+        3
+    }
+    fn speeds(&self) -> usize {
+        3
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &generalized_speeds(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn generalized_speed_rates(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(
+            &generalized_speed_rates(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                array(v_dot),
+            ),
+        );
+    }
+    fn motion_variables(&self, p: &[S], q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &motion_variables(&Parameters::from_slice(p), array(q), array(u)),
+        );
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

@@ -1,0 +1,388 @@
+//! Symmetric heavy top about a fixed point: Newton–Euler equations in q2-90°, A(q, u) (u', reactions) = b(q, u).
+//!
+//! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
+//! 3 coordinates, 3 speeds, 5 parameters, 3 reactions. Unknowns: (u1', u2', u3', hold1, hold2, hold3).
+//! Cost: mass_matrix 25 operations, 2 sines and cosines; forcing 32 operations, 2 sines and cosines; accelerations 18 operations, 2 sines and cosines.
+//! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
+//! The accelerations divide by sin(q2_minus_90deg), by I1.
+
+use super::Parameters;
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows top force b1, top force b2, top force b3, top moment b1, top moment b2, top moment b3.
+///
+/// 25 operations, 2 sines and cosines.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    _u: &[S; 3],
+) -> [[S; 6]; 6] {
+    let Parameters { m, l, I1, I3, .. } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // I1 - m*l^2; used 2 times
+    let i1_minus_m_l_2 = I1 - m * l * l;
+    // m*l; used 2 times
+    let m_l = m * l;
+    // Entries that are not zero.
+    // M12 = m*l
+    let m12 = m_l;
+    // M14 = sin(q2_minus_90deg)
+    let m14 = sin_q2_minus_90deg;
+    // M15 = -sin(q1)*cos(q2_minus_90deg)
+    let m15 = -s1 * cos_q2_minus_90deg;
+    // M16 = cos(q1)*cos(q2_minus_90deg)
+    let m16 = c1 * cos_q2_minus_90deg;
+    // M21 = -m*l
+    let m21 = -m_l;
+    // M25 = -cos(q1)
+    let m25 = -c1;
+    // M26 = -sin(q1)
+    let m26 = -s1;
+    // M34 = -cos(q2_minus_90deg)
+    let m34 = -cos_q2_minus_90deg;
+    // M35 = -sin(q1)*sin(q2_minus_90deg)
+    let m35 = -s1 * sin_q2_minus_90deg;
+    // M36 = cos(q1)*sin(q2_minus_90deg)
+    let m36 = c1 * sin_q2_minus_90deg;
+    // M41 = I1 - m*l^2
+    let m41 = i1_minus_m_l_2;
+    // M45 = -l*cos(q1)
+    let m45 = -l * c1;
+    // M46 = -l*sin(q1)
+    let m46 = -l * s1;
+    // M52 = I1 - m*l^2
+    let m52 = i1_minus_m_l_2;
+    // M54 = -l*sin(q2_minus_90deg)
+    let m54 = -l * sin_q2_minus_90deg;
+    // M55 = l*sin(q1)*cos(q2_minus_90deg)
+    let m55 = l * s1 * cos_q2_minus_90deg;
+    // M56 = -l*cos(q1)*cos(q2_minus_90deg)
+    let m56 = -l * c1 * cos_q2_minus_90deg;
+    // M63 = I3
+    let m63 = I3;
+    [
+        [zero, m12, zero, m14, m15, m16],
+        [m21, zero, zero, zero, m25, m26],
+        [zero, zero, zero, m34, m35, m36],
+        [m41, zero, zero, zero, m45, m46],
+        [zero, m52, zero, m54, m55, m56],
+        [zero, zero, m63, zero, zero, zero],
+    ]
+}
+
+/// Right-hand side of the linear system; unknowns (u1', u2', u3', hold1, hold2, hold3).
+///
+/// 32 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg); used 2 times
+    let f4_part = I3 * u3 + u1 * (I1 - m * l * l) / tan_q2_minus_90deg;
+    // Values.
+    // f1 = m*cos(q2_minus_90deg)*(g*cos(q1) + l*u1^2/sin(q2_minus_90deg))
+    let f1 = m * cos_q2_minus_90deg * (g * c1 + l * u1 * u1 / sin_q2_minus_90deg);
+    // f2 = m*(l*u1*u2/tan(q2_minus_90deg) - g*sin(q1))
+    let f2 = m * (l * u1 * u2 / tan_q2_minus_90deg - g * s1);
+    // f3 = m*(l*(u1^2 + u2^2) + g*cos(q1)*sin(q2_minus_90deg))
+    let f3 = m * (l * (u1 * u1 + u2 * u2) + g * c1 * sin_q2_minus_90deg);
+    // f4 = -u2*(I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg))
+    let f4 = -u2 * f4_part;
+    // f5 = u1*(I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg))
+    let f5 = u1 * f4_part;
+    [f1, f2, f3, f4, f5, zero]
+}
+
+/// The accelerations (u1', u2', u3'), solved for when this code was generated.
+///
+/// 18 operations, 2 sines and cosines.
+#[must_use]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // I3*u3 + I1*u1/tan(q2_minus_90deg); used 2 times
+    let u2_dot_part = I3 * u3 + I1 * u1 / tan_q2_minus_90deg;
+    // Elimination, step by step.
+    // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
+    let u2_dot = (m * l * g * c1 * cos_q2_minus_90deg + u1 * u2_dot_part) / I1;
+    // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
+    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    [u1_dot, u2_dot, zero]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 22 operations, 2 sines and cosines.
+#[must_use]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> ([S; 3], [S; 3]) {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // I3*u3 + I1*u1/tan(q2_minus_90deg); used 2 times
+    let u2_dot_part = I3 * u3 + I1 * u1 / tan_q2_minus_90deg;
+    // Elimination, step by step.
+    // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
+    let u2_dot = (m * l * g * c1 * cos_q2_minus_90deg + u1 * u2_dot_part) / I1;
+    // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
+    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    // Values.
+    // q1' = -u1/sin(q2_minus_90deg)
+    let q1_dot_value = -u1 / sin_q2_minus_90deg;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 + u1/tan(q2_minus_90deg)
+    let q3_dot_value = u3 + u1 / tan_q2_minus_90deg;
+    ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
+}
+
+/// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, u1, u2, u3.
+///
+/// 46 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]; 6] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Elimination, step by step.
+    // u2_dot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
+    let u2_dot_by_q1 = -m * l * g * s1 * cos_q2_minus_90deg / I1;
+    // u1_dot_by_q1 = m*l*g*cos(q1)/I1
+    let u1_dot_by_q1 = m * l * g * c1 / I1;
+    // u2_dot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 - u1^2/sin(q2_minus_90deg)^2
+    let u2_dot_by_q2_minus_90deg = -m * l * g * c1 * sin_q2_minus_90deg / I1
+        - u1 * u1 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // u1_dot_by_q2_minus_90deg = u1*u2/sin(q2_minus_90deg)^2
+    let u1_dot_by_q2_minus_90deg = u1 * u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // u1/tan(q2_minus_90deg); used 2 times
+    let u2_dot_by_u1_part = u1 / tan_q2_minus_90deg;
+    // I3*u3/I1; used 2 times
+    let i1_inv_i3_u3 = I3 * u3 / I1;
+    // Elimination, step by step.
+    // u2_dot_by_u1 = I3*u3/I1 + 2*u1/tan(q2_minus_90deg)
+    let u2_dot_by_u1 = i1_inv_i3_u3 + S::int(2) * u2_dot_by_u1_part;
+    // u1_dot_by_u1 = -u2/tan(q2_minus_90deg)
+    let u1_dot_by_u1 = -u2 / tan_q2_minus_90deg;
+    // u1_dot_by_u2 = -I3*u3/I1 - u1/tan(q2_minus_90deg)
+    let u1_dot_by_u2 = -i1_inv_i3_u3 - u2_dot_by_u1_part;
+    // Entries that are not zero.
+    // d(q1')/d(q2_minus_90deg) = u1/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
+    let q1_dot_by_q2_minus_90deg_value = u1 / (sin_q2_minus_90deg * tan_q2_minus_90deg);
+    // d(q1')/d(u1) = -1/sin(q2_minus_90deg)
+    let q1_dot_by_u1_value = -S::int(1) / sin_q2_minus_90deg;
+    // d(q2')/d(u2) = 1
+    let q2_dot_by_u2_value = S::int(1);
+    // d(q3')/d(q2_minus_90deg) = -u1/sin(q2_minus_90deg)^2
+    let q3_dot_by_q2_minus_90deg_value = -u1 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // d(q3')/d(u1) = 1/tan(q2_minus_90deg)
+    let q3_dot_by_u1_value = S::int(1) / tan_q2_minus_90deg;
+    // d(q3')/d(u3) = 1
+    let q3_dot_by_u3_value = S::int(1);
+    // d(u1')/d(u3) = -I3*u2/I1
+    let u1_dot_by_u3_value = -I3 * u2 / I1;
+    // d(u2')/d(u3) = I3*u1/I1
+    let u2_dot_by_u3_value = I3 * u1 / I1;
+    [
+        [zero, q1_dot_by_q2_minus_90deg_value, zero, q1_dot_by_u1_value, zero, zero],
+        [zero, zero, zero, zero, q2_dot_by_u2_value, zero],
+        [
+            zero,
+            q3_dot_by_q2_minus_90deg_value,
+            zero,
+            q3_dot_by_u1_value,
+            zero,
+            q3_dot_by_u3_value,
+        ],
+        [
+            u1_dot_by_q1,
+            u1_dot_by_q2_minus_90deg,
+            zero,
+            u1_dot_by_u1,
+            u1_dot_by_u2,
+            u1_dot_by_u3_value,
+        ],
+        [
+            u2_dot_by_q1,
+            u2_dot_by_q2_minus_90deg,
+            zero,
+            u2_dot_by_u1,
+            zero,
+            u2_dot_by_u3_value,
+        ],
+        [zero, zero, zero, zero, zero, zero],
+    ]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 5 operations, 1 sine and cosine.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> [S; 3] {
+    let [_, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // tan(q2_minus_90deg)
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // Values.
+    // q1' = -u1/sin(q2_minus_90deg)
+    let q1_dot_value = -u1 / sin_q2_minus_90deg;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 + u1/tan(q2_minus_90deg)
+    let q3_dot_value = u3 + u1 / tan_q2_minus_90deg;
+    [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 9 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> S {
+    let Parameters { I1, I3, .. } = *p;
+    let [u1, u2, u3] = *u;
+    // Values.
+    // T = I1*(u1^2 + u2^2)/2 + I3*u3^2/2
+    let energy = S::ratio(1, 2) * I1 * (u1 * u1 + u2 * u2)
+        + S::ratio(1, 2) * I3 * u3 * u3;
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 5 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { m, l, g, .. } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    // Sines and cosines.
+    let (_, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    // Values.
+    // V = -m*l*g*cos(q1)*sin(q2_minus_90deg)
+    let energy = -m * l * g * c1 * sin_q2_minus_90deg;
+    energy
+}
+
+/// Newton–Euler equations in q2-90° of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct NewtonEulerQ290deg;
+
+impl<S: Scalar> System<S> for NewtonEulerQ290deg {
+    fn parameters(&self) -> usize {
+        5
+    }
+    fn coordinates(&self) -> usize {
+        3
+    }
+    fn speeds(&self) -> usize {
+        3
+    }
+    fn reactions(&self) -> usize {
+        3
+    }
+    fn symmetric(&self) -> bool {
+        false
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
+        q_dot.copy_from_slice(&of_q);
+        v_dot.copy_from_slice(&of_v);
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}
