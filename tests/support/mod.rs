@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test uses its part")]
 
+pub mod stability;
+
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::evaluate::value_of;
 use tripos_derive::algebra::{Arena, Expr, Node};
