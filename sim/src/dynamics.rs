@@ -84,8 +84,8 @@ impl<'a> Dynamics<'a> {
     /// The unknowns x of A x = b at (q, v): v̇, then the reactions.
     ///
     /// # Errors
-    /// [`Failure`] with the code `singular` if A is exactly singular, A or b is not finite, or x
-    /// overflows; `length` if q or v has the wrong length.
+    /// [`Failure`] with the code `singular` if A is exactly singular or x overflows; `not-finite` if A or b is not
+    /// finite, saying which; `length` if q or v has the wrong length.
     pub fn unknowns(&mut self, q: &[f64], v: &[f64]) -> Result<&[f64], Failure> {
         self.check_lengths(q, v)?;
         let (system, p, shape) = (self.system, self.parameters.as_slice(), self.shape());
@@ -151,6 +151,7 @@ impl<'a> Dynamics<'a> {
         }
     }
 
+    /// The right-hand side of the system must still be in place if something in it is not finite.
     fn failure(&self, why: Unsolvable) -> Failure {
         let matrix = match self.shape() {
             Shape::Symmetric => "mass matrix",
@@ -158,12 +159,20 @@ impl<'a> Dynamics<'a> {
         };
         let order = self.system.unknowns();
         let label = if self.label.is_empty() { String::new() } else { format!("{}: ", self.label) };
-        let fact = match why {
-            Unsolvable::NotFinite => "or its forcing is not finite",
-            Unsolvable::Singular => "is singular",
+        let odd = |values: &[f64]| values.iter().position(|x| !x.is_finite());
+        let (code, fact) = match (why, odd(&self.matrix), odd(&self.unknowns)) {
+            (Unsolvable::Singular, ..) | (Unsolvable::NotFinite, None, None) => {
+                ("singular", format!("{matrix} of order {order} is singular"))
+            }
+            (Unsolvable::NotFinite, Some(i), _) => {
+                let (row, column) = (i / order + 1, i % order + 1);
+                ("not-finite", format!("entry {row}, {column} of the {matrix} of order {order} is not finite"))
+            }
+            (Unsolvable::NotFinite, None, Some(i)) => {
+                ("not-finite", format!("entry {} of {order} of the forcing is not finite", i + 1))
+            }
         };
-        let message = format!("{label}{matrix} of order {order} {fact}");
-        Failure { code: "singular", message }
+        Failure { code, message: format!("{label}{fact}") }
     }
 }
 

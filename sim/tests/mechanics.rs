@@ -219,7 +219,11 @@ fn a_singular_matrix_is_named() {
     assert_eq!(failure.code, "singular");
     assert_eq!(failure.message, "double pendulum, kane: mass matrix of order 2 is singular");
     let failure = dynamics.unknowns(&[f64::NAN, 0.2], &[0.0, 0.0]).unwrap_err();
-    assert!(failure.message.ends_with("or its forcing is not finite"), "{failure}");
+    assert_eq!(failure.code, "not-finite");
+    assert_eq!(failure.message, "double pendulum, kane: entry 1, 2 of the mass matrix of order 2 is not finite");
+    let failure = dynamics.unknowns(&[0.1, 0.2], &[0.0, f64::INFINITY]).unwrap_err();
+    assert_eq!(failure.code, "not-finite");
+    assert_eq!(failure.message, "double pendulum, kane: entry 1 of 2 of the forcing is not finite");
     assert_eq!(dynamics.reciprocal_condition(&[0.1, 0.2], &[0.0, 0.0]), 0.0);
 
     let rhs = |t: f64, y: &[f64], dydt: &mut [f64]| dynamics.rhs(t, y, dydt);
