@@ -329,6 +329,13 @@ impl<S: Scalar> Stepper for Dop853<S> {
         known
     }
 
+    fn worst(&self, test: &ErrorTest) -> Option<usize> {
+        let e5 = &self.coefficients.error5;
+        let errors = self.k.iter().flat_map(|k| combination(e5, &USED_BY_ERROR, k, END));
+        let (y, y_new) = self.ends();
+        test.worst(errors.take(y.len()), y, y_new)
+    }
+
     fn accept(&mut self) {
         self.t = self.t_new;
         std::mem::swap(&mut self.y, &mut self.y_new);

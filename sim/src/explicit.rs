@@ -142,6 +142,11 @@ impl<T: Scalar, const S: usize> Stepper for ExplicitRungeKutta<T, S> {
         Ok(error)
     }
 
+    fn worst(&self, test: &ErrorTest) -> Option<usize> {
+        // `sum` is left as the error by the test.
+        test.worst(self.sum.iter().copied(), &self.y, &self.y_new)
+    }
+
     fn accept(&mut self) {
         self.t = self.t_new;
         std::mem::swap(&mut self.y, &mut self.y_new);

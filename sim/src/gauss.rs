@@ -330,6 +330,11 @@ impl<S: Scalar> Stepper for Gauss6<S> {
         Ok(self.error(h, test))
     }
 
+    fn worst(&self, test: &ErrorTest) -> Option<usize> {
+        // `point` is left as the error by the test.
+        test.worst(self.point.iter().copied(), &self.y, &self.y_new)
+    }
+
     fn accept(&mut self) {
         self.h_before = Some(S::from_f64(self.t_new) - S::from_f64(self.t));
         self.t = self.t_new;

@@ -65,6 +65,6 @@ where
             solve(Gauss6::new(n), pace, rhs, y0, options, events)
         }
     };
-    solution.warnings.extend(warning);
+    solution.warnings.splice(..0, warning);
     Ok(solution)
 }

@@ -36,6 +36,7 @@ mod control;
 mod dop853;
 mod dormand_prince;
 mod dormand_prince_853;
+mod doubt;
 mod dynamics;
 mod eliminated;
 mod error;

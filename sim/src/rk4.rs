@@ -94,6 +94,10 @@ impl<S: Scalar> Stepper for Rk4<S> {
         Ok(0.0)
     }
 
+    fn worst(&self, _test: &ErrorTest) -> Option<usize> {
+        None
+    }
+
     fn accept(&mut self) {
         self.t = self.t_new;
         std::mem::swap(&mut self.y, &mut self.y_new);

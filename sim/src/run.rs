@@ -3,6 +3,7 @@
 //! A method is a [`Stepper`]; which sizes its steps have is decided by [`crate::pace`]. The loop takes a step, lets
 //! the events look at it, records it, and stops at the first reason to.
 
+use crate::doubt::Doubts;
 use crate::events::Event;
 use crate::options::Options;
 use crate::pace::{Pace, Verdict};
@@ -19,6 +20,7 @@ struct Run<'o, M> {
     options: &'o Options,
     steps: u64,
     rejected: u64,
+    doubts: Doubts,
 }
 
 /// Runs a method from (t0, y0) to the end of the span or to the first reason to stop.
@@ -35,7 +37,7 @@ where
     R: RightHandSide<M::Scalar>,
 {
     let t0 = pace.t0;
-    let mut run = Run { stepper, pace, options, steps: 0, rejected: 0 };
+    let mut run = Run { stepper, pace, options, steps: 0, rejected: 0, doubts: Doubts::default() };
     let mut recorder = Recorder::new(&options.output, t0, y0);
     let mut watch = Watch::new(events, y0.len());
     let mut y_end = y0.to_vec();
@@ -55,7 +57,7 @@ where
         jacobians: run.stepper.jacobians(),
         stop,
         events: watch.records,
-        warnings: Vec::new(),
+        warnings: run.doubts.warnings::<M::Scalar>().collect(),
     }
 }
 
@@ -128,6 +130,10 @@ impl<M: Stepper> Run<'_, M> {
             }
             let tried = self.pace.trial.h.abs();
             let attempt = self.stepper.attempt(rhs, self.pace.trial, self.pace.test.as_ref());
+            match (&attempt, &self.pace.test) {
+                (Ok(error), Some(test)) => self.doubts.note(&self.stepper, test, tried, *error),
+                _ => self.doubts.note_trouble(),
+            }
             match self.pace.judge(self.stepper.span().0, attempt.as_ref().ok().copied()) {
                 Verdict::Accepted { last } => {
                     self.steps += 1;

@@ -35,6 +35,32 @@ pub enum Warning {
         /// As used.
         to: f64,
     },
+    /// There is no relative tolerance, and the absolute one of a component is finer than the component's rounding: the
+    /// steps follow rounding errors, are many, and do not make the result better.
+    ToleranceBelowRounding {
+        /// The component, from 0.
+        component: usize,
+        /// When that was worst, in s.
+        t: f64,
+        /// Its size there.
+        size: f64,
+        /// How far apart numbers of that size are.
+        spacing: f64,
+        /// The error that was allowed.
+        allowed: f64,
+        /// Attempted steps that it decided.
+        attempts: u64,
+    },
+    /// Shorter steps often did not make the error smaller: f jumps, has kinks, or is noise at the size of the
+    /// tolerance.
+    NotSmooth {
+        /// When that was first seen, in s.
+        t: f64,
+        /// How often a shorter step did not help.
+        retries: u64,
+        /// Attempted steps in all.
+        attempts: u64,
+    },
 }
 
 impl fmt::Display for Warning {
@@ -43,6 +69,17 @@ impl fmt::Display for Warning {
             Self::RtolRaised { from, to } => {
                 write!(f, "relative tolerance {from:e} is below rounding; raised to {to:e}")
             }
+            Self::ToleranceBelowRounding { component, t, size, spacing, allowed, attempts } => write!(
+                f,
+                "component {component} is {size:.1e} at t = {t:.6} s, where numbers are {spacing:.1e} apart, yet its error \
+                 was to stay below {allowed:.1e}: rounding decided {attempts} steps; raise the absolute tolerance, or \
+                 give a relative one"
+            ),
+            Self::NotSmooth { t, retries, attempts } => write!(
+                f,
+                "in {retries} of {attempts} attempted steps, first at t = {t:.6} s, a shorter step did not make the error \
+                 smaller: the equations jump there, or are noise at the size of the tolerance"
+            ),
         }
     }
 }

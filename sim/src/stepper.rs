@@ -153,6 +153,8 @@ pub(crate) trait Stepper: Interpolant {
         let _ = rhs;
         true
     }
+    /// The component with the largest weighted error in the step last tried.
+    fn worst(&self, test: &ErrorTest) -> Option<usize>;
     /// Moves to the end of the step last tried.
     fn accept(&mut self);
     /// Derivative at the start; asked for before the first step.

@@ -147,6 +147,23 @@ impl ErrorTest {
         }
     }
 
+    /// Whether there is no relative tolerance.
+    pub(crate) fn is_absolute(&self) -> bool {
+        self.relative == 0.0
+    }
+
+    /// The error that is allowed in a component by the absolute tolerance.
+    pub(crate) fn allowed(&self, i: usize) -> f64 {
+        self.tolerance * self.absolute[i]
+    }
+
+    /// The component with the largest error by its weight; none if there is no error.
+    pub(crate) fn worst<S: Scalar>(&self, error: impl Iterator<Item = S>, y: &[S], y_new: &[S]) -> Option<usize> {
+        let magnitude = |i: usize| y[i].to_f64().abs().max(y_new[i].to_f64().abs());
+        let quotients = error.enumerate().map(|(i, e)| (i, e.to_f64().abs() / self.weight(i, magnitude(i))));
+        quotients.filter(|(_, q)| *q > 0.0).max_by(|(_, p), (_, q)| p.total_cmp(q)).map(|(i, _)| i)
+    }
+
     /// The part of the weights that does not depend on |y|, in the blocks of the state.
     pub(crate) fn absolute_blocks(&self) -> &[[f64; LANES]] {
         self.absolute.as_chunks().0

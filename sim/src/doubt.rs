@@ -1,0 +1,94 @@
+//! Signs that a run is chasing rounding errors, or kinks.
+//!
+//! Watching costs nothing where it matters: a relative tolerance is never below rounding, so that only runs without
+//! one are looked at step by step, and whether f is smooth shows in rejected steps alone.
+
+use tripos_traits::Scalar;
+
+use crate::solution::Warning;
+use crate::stepper::Stepper;
+use crate::tolerance::ErrorTest;
+
+/// Attempts that must show a sign before there is a warning: fewer do no harm.
+const ENOUGH: u64 = 20;
+/// Fruitless retries are a sign if they are more than one in so many attempts. Noise of the size of the tolerance makes
+/// them one in 20 to 40, jumps of f one in 5 to 20; smooth equations one in 100 at tolerances of 1e-3, and fewer below.
+const ONE_IN: u64 = 50;
+
+/// Signs so far.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Doubts {
+    attempts: u64,
+    below: Option<Below>,
+    /// Size and error of the attempt before, if the step is being tried again.
+    rejected: Option<(f64, f64)>,
+    /// Time of the first fruitless retry, and how many there were.
+    fruitless: Option<(f64, u64)>,
+}
+
+/// Attempts decided by a component whose allowed error is below its rounding; the one where it is so by the most.
+#[derive(Clone, Debug)]
+struct Below {
+    component: usize,
+    t: f64,
+    size: f64,
+    allowed: f64,
+    attempts: u64,
+}
+
+impl Doubts {
+    /// Looks at an attempt that has an error.
+    pub(crate) fn note<M: Stepper>(&mut self, stepper: &M, test: &ErrorTest, step: f64, error: f64) {
+        let t = stepper.span().0;
+        self.attempts += 1;
+        if let Some((longer, before)) = self.rejected {
+            // An error that is one falls with a high power of the step; noise, or the effect of a jump, with the step.
+            let ratio = step / longer;
+            if ratio <= 0.9 && error >= before * ratio * ratio {
+                self.fruitless.get_or_insert((t, 0)).1 += 1;
+            }
+        }
+        self.rejected = (error > test.tolerance).then_some((step, error));
+        if test.is_absolute() {
+            self.note_rounding(stepper, test);
+        }
+    }
+
+    /// Looks at an attempt without a result.
+    pub(crate) fn note_trouble(&mut self) {
+        self.attempts += 1;
+        self.rejected = None;
+    }
+
+    fn note_rounding<M: Stepper>(&mut self, stepper: &M, test: &ErrorTest) {
+        let (y, y_new) = stepper.ends();
+        let size = |i: usize| y[i].to_f64().abs().max(y_new[i].to_f64().abs());
+        let below = |i: usize| test.allowed(i) < 4.0 * <M::Scalar as Scalar>::EPSILON * size(i);
+        if !(0..y.len()).any(below) {
+            return;
+        }
+        if let Some(component) = stepper.worst(test).filter(|i| below(*i)) {
+            let (t, size, allowed) = (stepper.span().0, size(component), test.allowed(component));
+            let attempts = self.below.as_ref().map_or(0, |below| below.attempts) + 1;
+            let now = Below { component, t, size, allowed, attempts };
+            match &mut self.below {
+                Some(worst) if worst.size * allowed >= size * worst.allowed => worst.attempts = attempts,
+                below => *below = Some(now),
+            }
+        }
+    }
+
+    /// What the caller should know.
+    pub(crate) fn warnings<S: Scalar>(self) -> impl Iterator<Item = Warning> {
+        let below = self.below.filter(|below| below.attempts >= ENOUGH);
+        let below = below.map(|Below { component, t, size, allowed, attempts }| {
+            let spacing = S::EPSILON * size;
+            Warning::ToleranceBelowRounding { component, t, size, spacing, allowed, attempts }
+        });
+        let attempts = self.attempts;
+        let often = |retries: u64| retries >= ENOUGH && retries * ONE_IN >= attempts;
+        let kinks = self.fruitless.filter(|(_, retries)| often(*retries));
+        let kinks = kinks.map(|(t, retries)| Warning::NotSmooth { t, retries, attempts });
+        below.into_iter().chain(kinks)
+    }
+}
