@@ -8,7 +8,7 @@ use support::compiled;
 use support::stability::{Equations, Start, fixed, options, right_angle, rounded, wide};
 use tripos_sim::stability::{Trend, growth, slope, trend};
 use tripos_sim::work_precision::error;
-use tripos_sim::{Direction, Dynamics, Eliminated, Event, Method, Options, Output, linear};
+use tripos_sim::{Direction, Dynamics, Eliminated, Event, Method, Options, Output, Warning, linear};
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// The near-flat ladder: u2 at the start, the least cos q2 on the way, the aim for the error at t = 2 s.
@@ -414,4 +414,30 @@ fn energy_drifts_for_ever_or_stays_bounded_by_method() {
     assert_eq!(trend(&adaptive), Trend::Secular, "a step that adapts is no longer symplectic");
     let ode45 = energy_changes(1e4, &options(Method::Ode45, 1e-6));
     assert_eq!(trend(&ode45), Trend::Secular);
+}
+
+/// Goal: a tolerance finer than rounding costs steps, gains nothing, and is said. Method: the pendulum's exact solution.
+#[test]
+fn a_tolerance_below_rounding_is_longer_no_better_and_said() {
+    let start = Start::new(&["1", "1", "9.81"], &["3"], &["0"]);
+    let equations = Equations::new("pendulum", "kane");
+    let exact = tripos_sim::exact::Pendulum::new(wide("9.81"), wide("3"), wide("0"));
+    let truth = [exact.angle(DoubleDouble::int(20)), exact.rate(DoubleDouble::int(20))];
+    let at = |atol: f64| {
+        let how = Options {
+            rtol: 0.0,
+            atol: tripos_sim::AbsoluteTolerance::Uniform(atol),
+            step_limit: 100_000,
+            ..options(Method::Dop853, 1e-6)
+        };
+        equations.run(&start, 20.0, &how, &mut [])
+    };
+    let (sensible, absurd) = (at(1e-13), at(1e-18));
+    let best = equations.error(&start, &sensible, &truth);
+    assert!(best < 1e-10 && sensible.warnings.is_empty(), "{best:e} {:?}", sensible.warnings);
+    let said = |w: &Warning| matches!(w, Warning::ToleranceBelowRounding { .. });
+    assert!(absurd.warnings.iter().any(said), "{absurd} {:?}", absurd.warnings);
+    assert!(absurd.steps + absurd.rejected > 3 * sensible.steps, "{absurd}");
+    let worse = equations.error(&start, &absurd, &truth);
+    assert!(worse.is_nan() || worse > 0.1 * best, "{worse:e} {best:e}");
 }

@@ -191,7 +191,7 @@ fn a_broken_scene_is_answered_with_every_error_and_status_2() {
         9 | rtol = -1
           |        ^^
           |
-          = help: a tolerance is zero or above
+          = help: let `rtol` be zero or above
     "#]]
     .assert_eq(&message);
 }
