@@ -432,7 +432,7 @@ fn a_tolerance_below_rounding_is_longer_no_better_and_said() {
         };
         equations.run(&start, 20.0, &how, &mut [])
     };
-    let (sensible, absurd) = (at(1e-13), at(1e-18));
+    let (sensible, absurd) = (at(1e-14), at(1e-20));
     let best = equations.error(&start, &sensible, &truth);
     assert!(best < 1e-10 && sensible.warnings.is_empty(), "{best:e} {:?}", sensible.warnings);
     let said = |w: &Warning| matches!(w, Warning::ToleranceBelowRounding { .. });
