@@ -25,6 +25,17 @@ pub struct Watch {
     tape: Option<Tape>,
 }
 
+/// How far a first integral is from its start.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Drift {
+    /// When, s.
+    pub t: f64,
+    /// By how much.
+    pub change: f64,
+    /// That in units of what the allowed error of one step can move it there.
+    pub ratio: f64,
+}
+
 /// What was watched, sample by sample.
 pub struct Course {
     /// The times, s.
@@ -99,43 +110,50 @@ impl Watch {
         values.iter().map(|x| x - values[0]).collect()
     }
 
-    /// How far the allowed errors of all components together can move each first integral, to first order: the largest over at
-    /// most `samples` states. `allowance` tells the allowed error of a component of (q, u) with its value.
-    pub fn sensitivity(
+    /// For each first integral the instant at which it is furthest from its start by what allowed errors can move it
+    /// there. `allowance` tells the allowed error of a component of (q, u) with its value; at most `samples` states are
+    /// looked at.
+    pub fn worst(
         &self,
         problem: &Problem<'_>,
         solution: &Solution,
         samples: usize,
         allowance: &dyn Fn(usize, f64) -> f64,
-    ) -> Vec<f64> {
+    ) -> Vec<Drift> {
         let n = self.integrals.len();
-        let mut largest = vec![0.0_f64; n];
-        let Some(tape) = &self.tape else { return largest };
+        let mut worst = vec![Drift::default(); n];
+        let Some(tape) = &self.tape else { return worst };
         let p = &problem.scene.parameters;
         let mut scratch = Vec::new();
         let mut value = |state: &[f64]| {
             let mut out = vec![f64::NAN; n + self.divisors.len()];
             tape.evaluate_into(&[p.as_slice(), state].concat(), &mut scratch, &mut out);
+            out.truncate(n);
             out
         };
-        for y in solution.y.iter().step_by(solution.y.len().div_ceil(samples).max(1)) {
+        let start = value(&problem.state(solution.y.first().unwrap_or(&solution.y_end)));
+        let every = solution.y.len().div_ceil(samples).max(1);
+        for (t, y) in solution.t.iter().zip(&solution.y).step_by(every).chain([(&solution.t_end, &solution.y_end)]) {
             let mut state = problem.state(y);
-            let base = value(&state);
-            let mut moved = vec![0.0; n];
+            let here = value(&state);
+            let mut allowed = vec![0.0; n];
             for at in 0..state.len() {
                 let kept = state[at];
                 state[at] += allowance(at, kept);
-                let changed = value(&state);
+                for ((sum, moved), here) in allowed.iter_mut().zip(value(&state)).zip(&here) {
+                    *sum += (moved - here).abs();
+                }
                 state[at] = kept;
-                for ((sum, new), old) in moved.iter_mut().zip(&changed).zip(&base) {
-                    *sum += (new - old).abs();
+            }
+            for (at, worst) in worst.iter_mut().enumerate() {
+                let change = (here[at] - start[at]).abs();
+                let ratio = change / allowed[at].max(f64::MIN_POSITIVE);
+                if ratio > worst.ratio {
+                    *worst = Drift { t: *t, change, ratio };
                 }
             }
-            for (largest, moved) in largest.iter_mut().zip(moved) {
-                *largest = largest.max(moved);
-            }
         }
-        largest
+        worst
     }
 
     /// Everything watched, along a run by these equations.
