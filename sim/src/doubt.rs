@@ -24,6 +24,8 @@ pub(crate) struct Doubts {
     rejected: Option<(f64, f64)>,
     /// Time of the first fruitless retry, and how many there were.
     fruitless: Option<(f64, u64)>,
+    /// Time of the first step inside which f has no value.
+    coarse: Option<f64>,
 }
 
 /// Attempts decided by a component whose allowed error is below its rounding; the one where it is so by the most.
@@ -60,6 +62,13 @@ impl Doubts {
         self.rejected = None;
     }
 
+    /// Notes whether the solution inside an accepted step is known to its full order.
+    pub(crate) fn note_inside<M: Stepper>(&mut self, stepper: &M, known: bool) {
+        if !known {
+            self.coarse.get_or_insert(stepper.span().0);
+        }
+    }
+
     fn note_rounding<M: Stepper>(&mut self, stepper: &M, test: &ErrorTest) {
         let (y, y_new) = stepper.ends();
         let size = |i: usize| y[i].to_f64().abs().max(y_new[i].to_f64().abs());
@@ -89,6 +98,7 @@ impl Doubts {
         let often = |retries: u64| retries >= ENOUGH && retries * ONE_IN >= attempts;
         let kinks = self.fruitless.filter(|(_, retries)| often(*retries));
         let kinks = kinks.map(|(t, retries)| Warning::NotSmooth { t, retries, attempts });
-        below.into_iter().chain(kinks)
+        let coarse = self.coarse.map(|t| Warning::CoarseInside { t });
+        below.into_iter().chain(kinks).chain(coarse)
     }
 }

@@ -25,6 +25,10 @@
 //! - Watching events and asking for output never changes a step.
 //! - The same question gives the same bits.
 //!
+//! Methods ([`Method`]): `ode45` and `dopri5` (order 5), `dop853` (order 8), `gauss6` (order 6, implicit, conserving) choose
+//! their steps by the error; each of them and `rk4` also takes equal steps ([`Options::step`]). The state may be of any
+//! [`tripos_traits::Scalar`].
+//!
 //! Units are those of the equations, time in s. Absent on purpose: models. The crate knows
 //! equations by the trait [`tripos_traits::System`] ([`Dynamics`] joins one to the integrator) or
 //! as a closure.

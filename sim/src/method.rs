@@ -19,7 +19,8 @@ pub enum Method {
     /// [`crate::DORMAND_PRINCE_853`].
     Dop853,
     /// Gauss–Legendre collocation with three stages, of order 6: implicit, so that the right-hand side must bring its
-    /// Jacobian; conserves quadratic invariants, and with a fixed step the energy in the long run.
+    /// Jacobian; conserves quadratic invariants, and with a fixed step the energy in the long run. Events and output
+    /// inside a step are far less exact than its ends: of order 3.
     Gauss6,
 }
 

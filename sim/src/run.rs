@@ -95,7 +95,8 @@ impl<M: Stepper> Run<'_, M> {
                 Err(stop) => break stop,
             };
             if !watch.is_empty() || recorder.looks_inside(self.stepper.span()) {
-                self.stepper.prepare_inside(rhs);
+                let known = self.stepper.prepare_inside(rhs);
+                self.doubts.note_inside(&self.stepper, known);
             }
             match watch.look(&self.stepper) {
                 Ok(None) => recorder.step(&self.stepper, 1.0),

@@ -61,6 +61,12 @@ pub enum Warning {
         /// Attempted steps in all.
         attempts: u64,
     },
+    /// The equations have no value at a point that only the solution inside a step needs: events and output in that
+    /// step are those of a cubic through its ends.
+    CoarseInside {
+        /// The start of the first such step, in s.
+        t: f64,
+    },
 }
 
 impl fmt::Display for Warning {
@@ -79,6 +85,11 @@ impl fmt::Display for Warning {
                 f,
                 "in {retries} of {attempts} attempted steps, first at t = {t:.6} s, a shorter step did not make the error \
                  smaller: the equations jump there, or are noise at the size of the tolerance"
+            ),
+            Self::CoarseInside { t } => write!(
+                f,
+                "the equations have no value at some point of the step from t = {t:.6} s: events and output inside it \
+                 are less exact than its ends"
             ),
         }
     }

@@ -93,3 +93,21 @@ fn jumps_in_the_equations_are_told() {
         assert!(matches!(solution.warnings[..], [Warning::NotSmooth { .. }]), "{method:?}: {:?}", solution.warnings);
     }
 }
+
+/// The stage at a tenth of the step is one that only the dense output of DOP853 has.
+#[test]
+fn a_gap_that_only_the_dense_output_meets_changes_no_step_and_is_told() {
+    let run = |output: Output| {
+        let rhs = |t: f64, y: &[f64], dydt: &mut [f64]| {
+            dydt[0] = if (t - 0.1).abs() < 1e-3 { f64::NAN } else { y[0] };
+            Ok(())
+        };
+        let options = Options { method: Method::Dop853, step: Some(1.0), output, ..Options::default() };
+        integrate(rhs, (0.0, 1.0), &[1.0], &options, &mut []).unwrap()
+    };
+    let (ends, inside) = (run(Output::Ends), run(Output::At(vec![0.5, 1.0])));
+    assert_eq!((ends.y_end, ends.warnings), (inside.y_end.clone(), vec![]));
+    assert_eq!(inside.warnings, [Warning::CoarseInside { t: 0.0 }]);
+    // Hermite's cubic errs by the fourth derivative over 384.
+    assert!((inside.y[0][0] - 0.5_f64.exp()).abs() < 3.0 / 384.0, "{:?}", inside.y);
+}
