@@ -5,8 +5,8 @@
 
 use tripos_traits::Scalar;
 
-/// Width of a block.
-pub(crate) const LANES: usize = 4;
+/// Width of a block: the doubles of a register that every x86-64 and ARM processor has.
+pub(crate) const LANES: usize = 2;
 
 /// Neighbouring components of a vector.
 pub(crate) type Block<S> = [S; LANES];
@@ -54,8 +54,7 @@ impl Finite {
     /// Whether all of them were finite.
     #[inline]
     pub(crate) fn all(self) -> bool {
-        let [a, b, c, d] = self.0; // added crosswise, as halves of a register are
-        !((a + c) + (b + d)).is_nan()
+        !self.0.into_iter().sum::<f64>().is_nan()
     }
 }
 
@@ -67,9 +66,9 @@ mod tests {
     fn one_number_that_is_not_finite_is_enough() {
         for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let mut finite = Finite::new();
-            finite.note(&[f64::MAX, -f64::MAX, 0.0, 1e-320]);
+            finite.note(&[f64::MAX, -f64::MAX]);
             assert!(finite.all());
-            finite.note(&[1.0, 1.0, odd, 1.0]);
+            finite.note(&[1e-320, odd]);
             finite.note(&[1.0; LANES]);
             assert!(!finite.all(), "{odd}");
         }
