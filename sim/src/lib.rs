@@ -70,7 +70,7 @@ mod watch;
 pub mod work_precision;
 
 pub use dormand_prince::DORMAND_PRINCE_54;
-pub use dormand_prince_853::{DORMAND_PRINCE_853, Published853, Row};
+pub use dormand_prince_853::{DORMAND_PRINCE_853, Decimal, Published853, Row};
 pub use dynamics::Dynamics;
 pub use eliminated::Eliminated;
 pub use error::{Failure, SimError};
