@@ -199,7 +199,9 @@ impl<'a> Plot<'a> {
         }
         let foot = panel.note.as_ref().map_or(Vec::new(), |note| wrap(note, WIDTH / columns as f64 - 90.0));
         let tick_width = y.ticks.iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max);
-        Self { panel, x, y, head, foot, tick_width, height: if columns == 1 { 300.0 } else { 150.0 } }
+        // Where both axes are logarithmic, slopes are read.
+        let height = if columns == 1 || panel.x_scale == Scale::Logarithmic { 300.0 } else { 150.0 };
+        Self { panel, x, y, head, foot, tick_width, height }
     }
 
     fn draw(&self, canvas: &Canvas, (left, top): (f64, f64), width: f64, below: bool) -> Result<(), PlotError> {

@@ -1,4 +1,4 @@
-//! The chart: one panel for each question, all on the same axes.
+//! The chart: one panel for each question.
 
 use super::Measurement;
 use crate::failure::Failure;
@@ -51,8 +51,10 @@ fn panel(list: &[Measurement], title: &str, group: &dyn Fn(&Measurement) -> Opti
         }
     }
     let points: Vec<(f64, f64)> = shown.iter().map(|(_, m)| place(m)).collect();
-    let front = pareto(&points).into_iter().map(|at| points[at]).collect();
-    let mut series = vec![Series::curve("Pareto front".to_owned(), FRONT, front)];
+    let front: Vec<(f64, f64)> = pareto(&points).into_iter().map(|at| points[at]).collect();
+    // Its points are measurements too: marked where they are, not along the line.
+    let spread = front.iter().map(|(x, _)| (*x, *x)).collect();
+    let mut series = vec![Series { label: "Pareto front".to_owned(), style: FRONT, points: front, spread }];
     for (at, label) in labels.into_iter().enumerate() {
         let own: Vec<&Measurement> = shown.iter().filter(|(l, _)| l == label).map(|(_, m)| *m).collect();
         series.push(Series {
