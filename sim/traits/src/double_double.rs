@@ -163,7 +163,8 @@ impl Neg for DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
     /// To 1 unit, also where the operands nearly cancel: the low parts are added exactly too.
-    #[inline]
+    // Never inlined: generated code calls it by the thousand, and compiling that takes longer than running it.
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         let (s, e) = two_sum(self.hi, other.hi);
         let (t, f) = two_sum(self.lo, other.lo);
@@ -175,7 +176,7 @@ impl Add for DoubleDouble {
 
 impl Sub for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -184,7 +185,8 @@ impl Sub for DoubleDouble {
 impl Mul for DoubleDouble {
     type Output = Self;
     /// To 2 units. The product of the low parts is below them and left out.
-    #[inline]
+    // Never inlined: generated code calls it by the thousand, and compiling that takes longer than running it.
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let (p, e) = two_product(self.hi, other.hi);
         Self::normalized(p, e + (self.hi * other.lo + self.lo * other.hi))
@@ -194,7 +196,8 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = Self;
     /// To 2 units: long division in digits of 53 bits.
-    #[inline]
+    // Never inlined: generated code calls it by the thousand, and compiling that takes longer than running it.
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
         // What is infinite, zero or not a number has no further digits, and asking for them would make it NaN.
