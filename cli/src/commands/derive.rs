@@ -6,21 +6,23 @@ use crate::failure::{Failure, print, say};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
+use tripos_derive::algebra::elimination::{Definition, Elimination};
 use tripos_derive::algebra::print::{latex, latex_name, mathml, mathml_name, text, whole_text};
+use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::Derivation;
+use tripos_derive::mechanics::{Derivation, accelerations};
 use tripos_derive::{Formulation, Model};
 
 /// Derives and prints.
 pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Failure> {
     let model = read_model(model)?;
-    let derivations = derivations(&model, by)?;
+    let mut derivations = derivations(&model, by)?;
     let out = match format {
-        Format::Text => as_text(&model, &derivations),
+        Format::Text => as_text(&model, &mut derivations),
         Format::Latex => as_latex(&derivations),
         Format::Mathml => as_mathml(&derivations),
         Format::Json => {
-            let list: Vec<Value> = derivations.iter().map(as_json).collect();
+            let list: Vec<Value> = derivations.iter_mut().map(as_json).collect();
             let value = json!({ "model": short_name(&model), "title": model.title, "count": model.count(), "formulations": list });
             format!("{value:#}\n")
         }
@@ -47,9 +49,16 @@ fn derivations(model: &Model, by: Option<&str>) -> Result<Vec<Derivation>, Failu
     Ok(list)
 }
 
-fn as_text(model: &Model, derivations: &[Derivation]) -> String {
+/// The accelerations, solved for; nothing where they are not determined.
+fn solved(derivation: &mut Derivation) -> Option<Elimination> {
+    accelerations(&mut derivation.arena, &mut Simplifier::default(), &derivation.equations).ok()
+}
+
+fn as_text(model: &Model, derivations: &mut [Derivation]) -> String {
     let mut out = format!("{}\n{}\n", model.title, model.count());
-    for Derivation { arena, equations: e } in derivations {
+    for derivation in derivations {
+        let solved = solved(derivation);
+        let Derivation { arena, equations: e } = &*derivation;
         let _ = writeln!(out, "\n{}\n{}", e.formulation.title(), "=".repeat(e.formulation.title().chars().count()));
         for step in &e.steps {
             let _ = writeln!(out, "\n{}", step.title);
@@ -60,6 +69,13 @@ fn as_text(model: &Model, derivations: &[Derivation]) -> String {
         let _ = writeln!(out, "\nEquations of motion, one row for each of {}", e.rows.join(", "));
         for (row, right) in e.matrix.iter().zip(&e.forcing) {
             let _ = writeln!(out, "  {} = {}", row_text(arena, row, &e.unknowns), text(arena, *right));
+        }
+        if let Some(solved) = solved {
+            let _ = writeln!(out, "\nSolved for the accelerations, each line by those before it");
+            for step in &solved.steps {
+                let name = arena.symbol_name(step.symbol).unwrap_or_default();
+                let _ = writeln!(out, "  {name} = {}", text(arena, step.value));
+            }
         }
         let _ = writeln!(out, "\nT = {}\nV = {}", text(arena, e.kinetic_energy), text(arena, e.potential_energy));
         if !e.divisors.is_empty() {
@@ -122,8 +138,10 @@ fn as_mathml(derivations: &[Derivation]) -> String {
     out
 }
 
-fn as_json(derivation: &Derivation) -> Value {
-    let Derivation { arena, equations: e } = derivation;
+fn as_json(derivation: &mut Derivation) -> Value {
+    let solved = solved(derivation).unwrap_or_default();
+    let Derivation { arena, equations: e } = &*derivation;
+    let line = |step: &Definition| json!({ "name": arena.symbol_name(step.symbol).unwrap_or_default(), "value": whole_text(arena, step.value) });
     let texts = |list: &[Expr]| list.iter().map(|x| whole_text(arena, *x)).collect::<Vec<_>>();
     let steps: Vec<Value> = e
         .steps
@@ -147,6 +165,8 @@ fn as_json(derivation: &Derivation) -> Value {
         "kinetic_energy": whole_text(arena, e.kinetic_energy),
         "potential_energy": whole_text(arena, e.potential_energy),
         "singular_where": texts(&e.divisors),
+        "accelerations": solved.steps.iter().map(line).collect::<Vec<_>>(),
+        "accelerations_divide_by": texts(&solved.divisors),
         "steps": steps,
     })
 }
