@@ -7,7 +7,7 @@ use crate::catalogue::{By, Code, code};
 use crate::failure::Failure;
 use tripos_derive::scene::{Extended, Motion, Scene, Solve};
 use tripos_derive::{Formulation, Model};
-use tripos_sim::{Dynamics, Eliminated, Event, Options, SimError, Solution, integrate};
+use tripos_sim::{Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, integrate};
 use tripos_traits::{DoubleDouble, Scalar, System};
 
 /// A scene, the equations that run it, and how.
@@ -169,10 +169,11 @@ impl<'a> Problem<'a> {
         events: &mut [Event<'_>],
     ) -> Result<Solution, SimError> {
         let (system, p) = (self.system(), self.scene.parameters.as_slice());
-        match Eliminated::new(system, p).filter(|_| self.solve == Solve::Eliminated) {
-            Some(rhs) => integrate(rhs, span, y0, options, events),
-            None => integrate(self.dynamics()?, span, y0, options, events),
-        }
+        let mut rhs: Box<dyn RightHandSide<f64> + '_> = match Eliminated::new(system, p) {
+            Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
+            _ => Box::new(self.dynamics()?),
+        };
+        integrate(Lent(rhs.as_mut()), span, y0, options, events)
     }
 
     /// Coordinates, then generalized speeds, of an integrated state, without rounding a distance away.

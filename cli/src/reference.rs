@@ -11,7 +11,7 @@ use tripos_derive::mechanics::Distance;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::work_precision::error;
-use tripos_sim::{AbsoluteTolerance, Eliminated, Method, Options, Output, Solution, integrate};
+use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, Output, RightHandSide, Solution, integrate};
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// States at some instants, known better than any run in doubles knows them.
@@ -99,7 +99,7 @@ fn run(
             let mut rhs = Eliminated::new(system, &p).expect("checked to be eliminated, with the model's parameters");
             let rtol = tolerance(EXTENDED);
             let walk = |t0: f64, t1: f64, y: &[DoubleDouble]| {
-                integrate(tripos_sim::Lent(&mut rhs), (t0, t1), y, &options(rtol), &mut [])
+                integrate(Lent(&mut rhs as &mut dyn RightHandSide<DoubleDouble>), (t0, t1), y, &options(rtol), &mut [])
             };
             let states = along(&scene, times, y0, walk)?;
             let states = states.iter().map(|y| problem.extended_state(&p, y)).collect();

@@ -56,9 +56,12 @@ where
 }
 
 /// A right-hand side that is lent to a run and used again afterwards.
-pub struct Lent<'a, R>(pub &'a mut R);
+///
+/// As `Lent(&mut f as &mut dyn RightHandSide<S>)` its type is forgotten: all methods are then compiled once, not once for
+/// every right-hand side, at the price of an indirect call.
+pub struct Lent<'a, R: ?Sized>(pub &'a mut R);
 
-impl<S: Scalar, R: RightHandSide<S>> RightHandSide<S> for Lent<'_, R> {
+impl<S: Scalar, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
     #[inline]
     fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
         self.0.rhs(t, y, dydt)

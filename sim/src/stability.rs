@@ -5,7 +5,7 @@
 use crate::error::{Failure, SimError};
 use crate::integrate::integrate;
 use crate::options::Options;
-use crate::rhs::RightHandSide;
+use crate::rhs::{Lent, RightHandSide};
 use crate::solution::{Output, Stop};
 
 /// How much a small error at the start has grown.
@@ -60,7 +60,7 @@ pub fn slope(x: &[f64], y: &[f64]) -> f64 {
 /// # Errors
 /// [`SimError`] as [`integrate`]; [`SimError::NoJacobian`] for a right-hand side without one.
 pub fn growth(
-    rhs: &mut impl RightHandSide<f64>,
+    rhs: &mut dyn RightHandSide<f64>,
     span: (f64, f64),
     y0: &[f64],
     direction: &[f64],
@@ -74,7 +74,7 @@ pub fn growth(
     let length = size(direction, y0);
     let start: Vec<f64> = y0.iter().copied().chain(direction.iter().map(|w| w / length)).chain([0.0]).collect();
     // y' = f,  w' = J w − r w,  l' = r  with r = (w · J w) / (w · w): the length of w stays, and l is the logarithm lost.
-    let joined = |t: f64, z: &[f64], dz: &mut [f64]| -> Result<(), Failure> {
+    let mut joined = |t: f64, z: &[f64], dz: &mut [f64]| -> Result<(), Failure> {
         let (y, w) = (&z[..n], &z[n..2 * n]);
         rhs.rhs(t, y, &mut dz[..n])?;
         rhs.jacobian(t, y, &mut jacobian).unwrap_or(Ok(()))?;
@@ -92,7 +92,7 @@ pub fn growth(
         Ok(())
     };
     let options = Options { output: Output::Steps { refine: 1 }, ..options.clone() };
-    let solution = integrate(joined, span, &start, &options, &mut [])?;
+    let solution = integrate(Lent(&mut joined as &mut dyn RightHandSide<f64>), span, &start, &options, &mut [])?;
     let logarithms = solution.y.iter().map(|z| z[2 * n] + size(&z[n..2 * n], &z[..n]).ln()).collect();
     Ok(Growth { times: solution.t, logarithms, stop: solution.stop })
 }
