@@ -49,6 +49,29 @@ pub enum FigureKind {
     Energy,
     /// Every coordinate and speed over time, a panel each.
     States,
+    /// Speed against accuracy, by every formulation, solve and method.
+    WorkPrecision,
+    /// Errors after passages near a singular surface, as a heat map.
+    Passages,
+    /// Errors of the accelerations along a passage, beside condition numbers.
+    Conditioning,
+}
+
+impl FigureKind {
+    /// All, in the order in which they are always listed.
+    pub const ALL: [Self; 5] = [Self::Energy, Self::States, Self::WorkPrecision, Self::Passages, Self::Conditioning];
+
+    /// The name in scene files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Energy => "energy",
+            Self::States => "states",
+            Self::WorkPrecision => "work-precision",
+            Self::Passages => "passages",
+            Self::Conditioning => "conditioning",
+        }
+    }
 }
 
 /// A figure of the scene's page.
@@ -291,11 +314,8 @@ impl<'a> Values<'a, '_> {
             if self.reader.need(entry, "kind", "a figure", &value.span()).is_none() {
                 continue;
             }
-            let kind = match self.choice(Some(entry), "kind", &["energy", "states"]) {
-                Some("energy") => FigureKind::Energy,
-                Some(_) => FigureKind::States,
-                None => continue,
-            };
+            let name = self.choice(Some(entry), "kind", &FigureKind::ALL.map(FigureKind::name));
+            let Some(kind) = FigureKind::ALL.into_iter().find(|kind| Some(kind.name()) == name) else { continue };
             figures.push(Figure { kind, caption: self.text(entry, "caption").unwrap_or_default() });
         }
         figures

@@ -79,7 +79,7 @@ mod tests {
     #[test]
     fn what_a_double_leaves_of_a_decimal_is_kept() {
         let g = extended("9.81").unwrap();
-        assert_eq!(g, Extended { high: 9.81, low: -4.973_799_150_320_701_3e-16 });
+        assert_eq!(g, Extended { high: 9.81, low: -4.973_799_150_320_702e-16 });
     }
 
     /// The second double of π is 1.2246467991473532e-16 (sin of the first one, to its own rounding).

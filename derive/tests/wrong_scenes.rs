@@ -1,0 +1,102 @@
+//! Every wrong scene gets one error, at the right line and column, with the culprit's name and a hint.
+
+mod common;
+
+use common::place;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::model::load;
+use tripos_derive::scene::{self, FigureKind};
+
+const MODEL: &str = include_str!("../../models/disk/model.toml");
+
+const SCENE: &str = r#"span = [0, 2]
+[start]
+q1 = 0.2
+q2 = 0.3
+q3 = 0.1
+q4 = 0
+q5 = 0
+u1 = -0.1
+u2 = 0.7
+u3 = 0.5
+u4 = 0.2
+u5 = -0.1
+[ladder]
+u2 = [1.6, 0.8]
+[integration]
+method = "dop853"
+solve = "eliminated"
+rtol = 3e-14
+atol = { q1 = 1e-14 }
+step = 0.01
+distance = { q2 = "90*deg" }
+[[figures]]
+kind = "passages"
+"#;
+
+/// What is replaced in the scene, what by, where in it the error must stand, and what the message must contain.
+type Wrong = (&'static str, &'static str, &'static str, &'static str);
+
+const WRONG: &[Wrong] = &[
+    // The ladder.
+    ("u2 = [1.6, 0.8]", "u9 = [1.6, 0.8]", "u9", "no `u9`"),
+    ("u2 = [1.6, 0.8]", "u2 = [1.6]\nu3 = [1]", "", "`ladder` varies 2 numbers, not one"),
+    ("u2 = [1.6, 0.8]", "", "", "`ladder` varies 0 numbers, not one"),
+    ("u2 = [1.6, 0.8]", "u2 = []", "[]", "the ladder has no values"),
+    ("u2 = [1.6, 0.8]", "u2 = 1.6", "1.6", "must be a list"),
+    ("u2 = [1.6, 0.8]", "u2 = [1.6, nan]", "nan", "`nan`"),
+    ("u2 = [1.6, 0.8]", "u2 = [1.6, \"q1\"]", "q1", "`q1`"),
+    ("u2 = [1.6, 0.8]", "\"q2'\" = [1.6]", "\"q2'\"", "no `q2'`"),
+    // How it is integrated.
+    ("\"dop853\"", "\"ode23\"", "ode23", "`ode23` is not a value of `method`"),
+    ("\"eliminated\"", "\"magic\"", "magic", "`magic` is not a value of `solve`"),
+    ("step = 0.01", "step = 0", "0", "`step` is zero"),
+    ("step = 0.01", "step = -1", "-1", "`step` is negative"),
+    ("q1 = 1e-14", "q7 = 1e-14", "q7", "no coordinate or speed `q7`"),
+    ("q1 = 1e-14", "q1 = -1", "-1", "`q1` is negative"),
+    ("{ q1 = 1e-14 }", "[1e-14]", "[", "`atol`"),
+    ("{ q2 = \"90*deg\" }", "{ q7 = \"90*deg\" }", "q7", "no coordinate `q7`"),
+    ("{ q2 = \"90*deg\" }", "{ u2 = \"90*deg\" }", "u2", "no coordinate `u2`"),
+    ("\"90*deg\"", "\"45*deg\"", "45*deg", "not a multiple of a right angle"),
+    ("\"90*deg\"", "0", "0", "not a multiple of a right angle"),
+    ("\"90*deg\"", "\"pi/2 + 1/100000000000\"", "pi/2", "not a multiple of a right angle"),
+    ("{ q2 = \"90*deg\" }", "{ q1 = \"90*deg\", q2 = \"90*deg\" }", "{", "names 2 coordinates, not one"),
+    ("{ q2 = \"90*deg\" }", "\"q2\"", "\"q2\"", "`distance`"),
+    // Figures.
+    ("\"passages\"", "\"passage\"", "passage", "`passage` is not a value of `kind`"),
+    ("kind = \"passages\"", "caption = \"x\"", "", "a figure has no `kind`"),
+];
+
+#[test]
+fn one_error_at_the_right_place() {
+    for (old, new, at, needle) in WRONG {
+        let text = SCENE.replacen(old, new, 1);
+        let mut model = load(&Source::from_text("model.toml", MODEL)).unwrap_or_else(|e| panic!("{e}"));
+        let Err(found) = scene::load(&Source::from_text("scene.toml", &text), &mut model) else {
+            panic!("`{new}` is taken");
+        };
+        let all = found.to_string();
+        assert_eq!(found.list.len(), 1, "`{new}`: one error, not\n{all}");
+        let error = &found.list[0];
+        assert!(error.message.contains(needle), "`{new}`: `{needle}` is not in\n{all}");
+        assert!(error.help.as_ref().is_some_and(|h| !h.is_empty()), "`{new}`: no help in\n{all}");
+        // Where no word is to blame the table is.
+        let start = SCENE.find(old).unwrap_or_else(|| panic!("{old}"));
+        let expected =
+            if at.is_empty() { text[..start].rfind('[').unwrap() } else { start + text[start..].find(at).unwrap() };
+        let (line, column) = place(&text, expected);
+        let near = if at.is_empty() { format!("scene.toml:{line}:") } else { format!("scene.toml:{line}:{column}\n") };
+        assert!(all.contains(&near), "`{new}`: not at {line}:{column}\n{all}");
+    }
+}
+
+/// Goal: the scene that is spoilt above is right, and figures of every kind are read.
+#[test]
+fn every_kind_of_figure_is_read() {
+    let kinds = FigureKind::ALL.map(|kind| format!("[[figures]]\nkind = \"{}\"\n", kind.name()));
+    let text = SCENE.replace("[[figures]]\nkind = \"passages\"\n", &kinds.concat());
+    let mut model = load(&Source::from_text("model.toml", MODEL)).unwrap();
+    let scene = scene::load(&Source::from_text("scene.toml", &text), &mut model).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(scene.figures.iter().map(|f| f.kind).collect::<Vec<_>>(), FigureKind::ALL);
+    assert_eq!(scene.rungs().len(), 2);
+}
