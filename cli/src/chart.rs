@@ -2,6 +2,8 @@
 
 pub mod figure;
 pub mod files;
+pub mod session;
+pub mod words;
 
 use crate::catalogue::{By, Code, code};
 use crate::failure::Failure;
@@ -177,10 +179,8 @@ fn first(
     let bare = problem.integrate(y0, how, &mut []).map_err(|error| refused(problem.scene, &error))?;
     let seconds = start.elapsed().as_secs_f64();
     let watched = Options { output: Output::Steps { refine: 1 }, ..how.clone() };
-    let drifts = match seconds < 1.0 {
-        true => problem.integrate(y0, &watched, &mut []).map_or_else(|_| Vec::new(), |s| watch.changes(problem, &s)),
-        false => Vec::new(),
-    };
+    let again = (seconds < 1.0).then(|| problem.integrate(y0, &watched, &mut []));
+    let drifts = again.and_then(Result::ok).map_or_else(Vec::new, |solution| watch.changes(problem, &solution));
     let arrived = bare.stop.code() == "end";
     Ok(Measurement {
         formulation: problem.by.name.clone(),

@@ -1,8 +1,10 @@
 //! The report: one page that needs nothing else, with a derivation and the runs of its equations.
 //!
-//! Invariant: the same input gives the same bytes; every text that came from a file is escaped. Absent on
-//! purpose: scripts, outside resources, dates and paths of the machine.
+//! Invariant: the same input gives the same bytes, but for times that are measured; every text that came from a file is escaped. Absent on
+//! purpose: scripts, outside resources, dates and paths of the machine. Links to the tables of measured figures are all that
+//! leads out of the page.
 
+mod advice;
 mod derivation;
 mod errata;
 mod html;
@@ -48,6 +50,10 @@ pub struct SceneSection {
     pub not_run: Vec<(String, String)>,
     /// Its figures.
     pub figures: Vec<Figure>,
+    /// Figures that it cannot have, and why.
+    pub not_drawn: Vec<String>,
+    /// What to run it by, if that was measured.
+    pub advice: Option<Advice>,
     /// First integrals over time, if there are any.
     pub integrals: Option<Figure>,
     /// Determinants, condition numbers and kinematic divisors over time.
@@ -107,6 +113,34 @@ pub struct Figure {
     pub caption: String,
     /// An `<svg>` element.
     pub svg: String,
+    /// What to learn from it, below the caption.
+    pub remark: Option<String>,
+    /// Tables with every plotted point, relative to the page.
+    pub data: Vec<String>,
+}
+
+/// Which equations, solve and method to use, as measured.
+pub struct Advice {
+    /// In words.
+    pub lead: String,
+    /// (accuracy, the fastest run that reaches it).
+    pub rows: Vec<(f64, Option<Choice>)>,
+}
+
+/// One run that was measured.
+pub struct Choice {
+    /// The name of the equations.
+    pub equations: String,
+    /// How accelerations were found.
+    pub solve: &'static str,
+    /// The method.
+    pub method: &'static str,
+    /// Its tolerance.
+    pub tolerance: f64,
+    /// How long it took, s.
+    pub seconds: f64,
+    /// Its error.
+    pub error: f64,
 }
 
 /// The page as HTML.

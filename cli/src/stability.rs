@@ -9,6 +9,7 @@ pub mod domain;
 pub mod drift;
 pub mod growth;
 pub mod ladder;
+pub mod words;
 
 use crate::chart::files::table;
 use crate::failure::Failure;
@@ -40,11 +41,36 @@ pub struct Row {
     pub remark: String,
 }
 
+/// A run past a singular surface: a cell of the heat map.
+#[derive(Clone, Debug)]
+pub struct Passed {
+    /// Which equations.
+    pub formulation: String,
+    /// How accelerations were found.
+    pub solve: &'static str,
+    /// The method.
+    pub method: &'static str,
+    /// What was integrated: `coordinate` or `distance`.
+    pub variable: &'static str,
+    /// How near it came: the least size of what the kinematic equations divide by.
+    pub least: f64,
+    /// The error at the end; none if the run did not get there.
+    pub error: Option<f64>,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Why it ended.
+    pub stop: String,
+    /// Where it ended, s.
+    pub t_end: f64,
+}
+
 /// What the studies found.
 #[derive(Default)]
 pub struct Findings {
     /// Every number.
     pub rows: Vec<Row>,
+    /// The cells of the heat map of passages.
+    pub passages: Vec<Passed>,
     /// Figures by file name.
     pub figures: Vec<(&'static str, String)>,
     /// What to take away, a line each.
@@ -63,13 +89,16 @@ pub struct Study<'a> {
     pub bar: &'a ProgressBar,
 }
 
+/// A study: what it finds is added.
+pub type Run = fn(&Study<'_>, &mut Findings) -> Result<(), Failure>;
+
 /// Runs every study that applies.
 ///
 /// # Errors
 /// [`Failure`] if the scene cannot be run at all.
 pub fn all(study: &Study<'_>) -> Result<Findings, Failure> {
     let mut findings = Findings::default();
-    let studies: [(&str, fn(&Study<'_>, &mut Findings) -> Result<(), Failure>); 5] = [
+    let studies: [(&str, Run); 5] = [
         ("passages", ladder::study),
         ("conditioning", conditioning::study),
         ("domain", domain::study),
@@ -86,11 +115,23 @@ pub fn all(study: &Study<'_>) -> Result<Findings, Failure> {
 }
 
 impl Findings {
-    /// `stability.csv` and the figures.
+    /// `stability.csv`, `passages.csv` and the figures.
     ///
     /// # Errors
     /// [`Failure::Output`] if a file cannot be written.
     pub fn write(&self, out: &Path) -> Result<(), Failure> {
+        self.tables(out)?;
+        for (name, svg) in &self.figures {
+            crate::chart::files::text(&out.join(name), svg)?;
+        }
+        Ok(())
+    }
+
+    /// `stability.csv`, and `passages.csv` if there were any: what the heat map shows.
+    ///
+    /// # Errors
+    /// [`Failure::Output`] if a file cannot be written.
+    pub fn tables(&self, out: &Path) -> Result<(), Failure> {
         let header = ["check", "formulation", "solve", "method", "case", "quantity", "value", "expected", "remark"];
         let number = |x: Option<f64>| x.map_or_else(String::new, |x| format!("{x:e}"));
         let rows = self.rows.iter().map(|r| {
@@ -98,9 +139,15 @@ impl Findings {
             [words.to_vec(), vec![number(r.value), number(r.expected), r.remark.clone()]].concat()
         });
         table(&out.join("stability.csv"), &header, rows)?;
-        for (name, svg) in &self.figures {
-            crate::chart::files::text(&out.join(name), svg)?;
+        if self.passages.is_empty() {
+            return Ok(());
         }
-        Ok(())
+        let header = ["formulation", "solve", "method", "variable", "least", "error", "steps", "stop", "t"];
+        let rows = self.passages.iter().map(|p| {
+            let words = [&p.formulation, p.solve, p.method, p.variable].map(str::to_owned);
+            let numbers = [format!("{:.2e}", p.least), number(p.error), p.steps.to_string(), p.stop.clone()];
+            [words.to_vec(), numbers.to_vec(), vec![p.t_end.to_string()]].concat()
+        });
+        table(&out.join("passages.csv"), &header, rows)
     }
 }

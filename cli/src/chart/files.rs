@@ -1,10 +1,10 @@
 //! What a chart leaves behind: tables for programs, and a table for people.
 
 use super::Measurement;
+use super::words::{TARGETS, fastest};
 use crate::failure::Failure;
 use std::fmt::Write;
 use std::path::Path;
-use tripos_sim::work_precision::cheapest;
 
 /// A table as a file.
 ///
@@ -68,10 +68,9 @@ pub fn write(out: &Path, list: &[Measurement], integrals: &[(String, String)]) -
 
 /// "to reach 1e-6 use …" for three accuracies.
 pub fn advice(list: &[Measurement]) -> String {
-    let points: Vec<(f64, f64)> = list.iter().map(|m| (m.seconds.median, m.error.unwrap_or(f64::NAN))).collect();
     let mut out = "to reach  use                                          tolerance  time       error\n".to_owned();
-    for target in [1e-3, 1e-6, 1e-9] {
-        let _ = match cheapest(&points, target).map(|at| &list[at]) {
+    for target in TARGETS {
+        let _ = match fastest(list, target, |_| true) {
             Some(m) => {
                 let name = format!("{}, {}, {}", m.formulation, m.solve.name(), m.method.name());
                 let (time, error) = (seconds(m.seconds.median), m.error.unwrap_or(f64::NAN));

@@ -1,6 +1,9 @@
 //! `tripos report`: the main job. Derive, run every scene by every formulation, write one page.
 
+mod measured;
+
 use crate::catalogue::{By, Code, code, model_file, read_model};
+use crate::commands::chart::progress;
 use crate::failure::{Failure, say, status, warn};
 use crate::figures::{self, Curve};
 use crate::invariants::{Course, Watch};
@@ -8,7 +11,8 @@ use crate::page::{self, Figure, Nearest, Page, RunRow, SceneSection};
 use crate::plot::{self, Panel};
 use crate::run::{Run, how, run_code, state_names};
 use crate::study::{Printed, Study};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
+use measured::Measured;
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::Derivation;
@@ -25,9 +29,9 @@ const MOST_PRINTED_CURVES: usize = 5;
 pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
     let mut model = read_model(argument)?;
     let (scenes, mut broken) = scenes(&model_file(argument), &mut model)?;
-    let bar = ProgressBar::new((Formulation::ALL.len() * (1 + scenes.len())) as u64 + 2);
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let bar = progress();
+    let figures: usize = scenes.iter().map(|scene| scene.figures.len()).sum();
+    bar.set_length((Formulation::ALL.len() * (1 + scenes.len()) + figures) as u64 + 2);
     let derivations = derivations(&model, &bar)?;
     bar.set_message("proving");
     let (study, broken_report) = Study::new(&model)?;
@@ -55,7 +59,10 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
             stopped |= run.solution.stop.is_failure();
             doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
         }
-        sections.push(work.section(scene, &runs)?);
+        let section = work.section(scene, &runs, out, &bar)?;
+        let path = scene.source.path.display();
+        doubts.extend(section.not_drawn.iter().map(|why| format!("{path}: {why}")));
+        sections.push(section);
     }
     let command = format!("tripos report {}", argument.display());
     let html = page::render(&Page { model: &model, derivations, study: &study, scenes: sections, command });
@@ -212,15 +219,19 @@ impl Work<'_> {
         (curves, (!notes.is_empty()).then(|| notes.join(" ")))
     }
 
-    fn section(&self, scene: &Scene, runs: &Runs) -> Result<SceneSection, Failure> {
+    fn section(&self, scene: &Scene, runs: &Runs, out: &Path, bar: &ProgressBar) -> Result<SceneSection, Failure> {
         let derived = curves(&runs.derived);
+        let mut measured = Measured::new(self.model, scene, out);
         let mut shown = Vec::new();
         for figure in &scene.figures {
-            let (panels, columns) = match figure.kind {
-                FigureKind::Energy => (vec![figures::energy(&derived)], 1),
-                FigureKind::States => (figures::states(self.model, &derived), 2),
-            };
-            shown.push(drawing(&figure.caption, &panels, columns)?);
+            let (kind, caption) = (figure.kind, figure.caption.as_str());
+            bar.set_message(format!("{} of {}", kind.name(), scene.source.path.display()));
+            shown.extend(match kind {
+                FigureKind::Energy => Some(drawing(caption, &[figures::energy(&derived)], 1)?),
+                FigureKind::States => Some(drawing(caption, &figures::states(self.model, &derived), 2)?),
+                _ => measured.figure(kind, caption)?,
+            });
+            bar.inc(1);
         }
         let (curves, note) = self.drawn(runs);
         let note = note.map(|note| format!(" {note}")).unwrap_or_default();
@@ -244,6 +255,8 @@ impl Work<'_> {
             runs: runs.derived.iter().chain(&runs.printed).map(|(run, course)| row(scene, run, course)).collect(),
             not_run: runs.not_run.clone(),
             figures: shown,
+            not_drawn: measured.not_drawn,
+            advice: measured.advice,
             integrals,
             nearness,
         })
@@ -257,7 +270,7 @@ fn curves(runs: &[(Run, Course)]) -> Vec<Curve<'_>> {
 fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
     let svg = plot::draw(panels, columns)
         .map_err(|error| Failure::Stopped(format!("the figure `{caption}` cannot be drawn: {error}")))?;
-    Ok(Figure { caption: caption.to_owned(), svg })
+    Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
 }
 
 /// The title of a scene; without one, its file's name.

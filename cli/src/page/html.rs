@@ -5,6 +5,12 @@ pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
+/// A relative path as an address: what could end it or mean something else in it is encoded.
+pub fn address(path: &str) -> String {
+    let plain = |byte: &u8| byte.is_ascii_alphanumeric() || b"/-_.".contains(byte);
+    path.bytes().map(|b| if plain(&b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
+}
+
 /// The place of a scene in the page.
 pub fn anchor(scene: usize) -> String {
     format!("scene-{}", scene + 1)

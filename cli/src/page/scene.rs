@@ -1,9 +1,9 @@
 //! One simulated scene: what was given, how each run went, figures.
 
-use super::html::{anchor, each, escape, head, number, scroll};
+use super::html::{address, anchor, each, escape, head, number, scroll};
 use super::math::inline;
 use super::proof::{integral_name, integral_symbol};
-use super::{Figure, Page, RunRow, SceneSection, singular};
+use super::{Figure, Page, RunRow, SceneSection, advice, singular};
 use crate::plot::pretty;
 use std::fmt::Write;
 use tripos_derive::algebra::compare::Verdict;
@@ -30,6 +30,12 @@ pub fn section(page: &Page, scene: &SceneSection, at: usize, figures: &mut usize
     for shown in &scene.figures {
         out += &figure(shown, figures);
     }
+    for why in &scene.not_drawn {
+        let _ = writeln!(out, "<p class=\"missing\">{}</p>", escape(why));
+    }
+    if let Some(measured) = &scene.advice {
+        out += &advice::section(measured);
+    }
     if let Some(shown) = &scene.integrals {
         out += "<h4>First integrals along the runs</h4>\n";
         out += &figure(shown, figures);
@@ -45,11 +51,29 @@ pub fn section(page: &Page, scene: &SceneSection, at: usize, figures: &mut usize
 
 fn figure(figure: &Figure, count: &mut usize) -> String {
     *count += 1;
+    let link = |path: &String| format!("<a href=\"{}\"><code>{}</code></a>", address(path), escape(path));
+    let data = match figure.data.iter().map(link).collect::<Vec<_>>().join(", ") {
+        links if links.is_empty() => links,
+        links => format!(" Data: {links}."),
+    };
+    let remark = figure.remark.as_ref().map_or_else(String::new, |remark| format!("<p>{}</p>\n", words(remark)));
     format!(
-        "<figure>\n<div class=\"card\">\n{}</div>\n<figcaption>Figure {count}. {}</figcaption>\n</figure>\n",
+        "<figure>\n<div class=\"card\">\n{}</div>\n<figcaption>Figure {count}. {}{data}</figcaption>\n</figure>\n{remark}",
         figure.svg,
-        escape(&figure.caption)
+        words(&figure.caption)
     )
+}
+
+/// Words with numbers such as 1e-9 in them: their minus signs do not end a line.
+fn words(text: &str) -> String {
+    let mut pieces = text.split("e-");
+    let mut out = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let number = out.ends_with(|c: char| c.is_ascii_digit()) && piece.starts_with(|c: char| c.is_ascii_digit());
+        out += if number { "e−" } else { "e-" };
+        out += piece;
+    }
+    escape(&out)
 }
 
 /// `q1 = 0.2, q2 = 1e-3` with subscripts; other texts as they are.

@@ -84,7 +84,21 @@ fn scene() -> SceneSection {
         series: vec![series()],
         note: Some("ends & stops".to_owned()),
     };
-    let figure = |caption: &str| Figure { caption: caption.to_owned(), svg: draw(&[panel()], 1).unwrap() };
+    let data = vec!["fall <2>/work_precision.csv".to_owned()];
+    let figure = |caption: &str| Figure {
+        caption: caption.to_owned(),
+        svg: draw(&[panel()], 1).unwrap(),
+        remark: Some("<errors> differ".to_owned()),
+        data: data.clone(),
+    };
+    let choice = Choice {
+        equations: "kane & <sons>".to_owned(),
+        solve: "eliminated",
+        method: "dop853",
+        tolerance: 1e-9,
+        seconds: 2.5e-4,
+        error: 7.421e-7,
+    };
     SceneSection {
         title: "Fall <1>".to_owned(),
         about: "a & b".to_owned(),
@@ -96,6 +110,8 @@ fn scene() -> SceneSection {
         ],
         not_run: vec![("printed:<odd>".to_owned(), "it mentions `<N>`".to_owned())],
         figures: vec![figure("x > y")],
+        not_drawn: vec!["`passages` cannot be drawn: <no divisor>".to_owned()],
+        advice: Some(Advice { lead: "Use <dop853>".to_owned(), rows: vec![(1e-6, Some(choice)), (1e-9, None)] }),
         integrals: Some(figure("I & I")),
         nearness: Some(figure("A & A")),
     }
@@ -173,7 +189,9 @@ fn every_tag_of_a_page_is_closed() {
 fn texts_of_the_model_are_escaped() {
     let page = page_with_report();
     let report = ["<course>", "report & more", "Smith & Sons", "V<1>", "hard to <read>", "<odd>", "<N>", "a, a > 0"];
-    for text in ["<b>bob", "R&D", "mass & <more>", "Fall <1>", "<badly>", "report <x>", "K & <L>"].iter().chain(&report)
+    for text in ["<b>bob", "R&D", "mass & <more>", "Fall <1>", "<badly>", "report <x>", "K & <L>", "& <sons>"]
+        .iter()
+        .chain(&report)
     {
         assert!(!page.contains(text), "`{text}` stands unescaped");
     }
@@ -199,6 +217,22 @@ fn an_untrusted_run_is_shown_with_its_reason() {
     assert!(page.contains("<tr class=\"untrusted\"><th scope=\"row\">Lagrange's equations</th>"));
     assert!(page.contains("<strong>not trusted</strong>"));
     assert!(page.contains("<strong>How it ended:</strong> component 3 &lt; 0 is not finite"));
+}
+
+/// The advice of a chart is a table, a figure links to its data, and one that cannot be had is explained.
+#[test]
+fn measured_figures_have_data_and_advice() {
+    let page = page();
+    assert!(
+        page.contains(
+            "<a href=\"fall%20%3C2%3E/work_precision.csv\"><code>fall &lt;2&gt;/work_precision.csv</code></a>"
+        )
+    );
+    let advice = part(&page, "Which equations, accelerations and method to use", "</table>");
+    assert!(advice.contains("<td>kane &amp; &lt;sons&gt;</td><td>eliminated</td><td>dop853</td>"), "{advice}");
+    assert!(advice.contains("<td>250 µs</td><td>7.4 × 10<sup>−7</sup></td>"), "{advice}");
+    assert!(advice.contains("<td>nothing measured here</td>") && advice.contains("Use &lt;dop853&gt;"), "{advice}");
+    assert!(page.contains("<p class=\"missing\">`passages` cannot be drawn: &lt;no divisor&gt;</p>"));
 }
 
 #[test]

@@ -72,13 +72,15 @@ pub fn draw_heat(map: &HeatMap) -> Result<String, PlotError> {
 
 fn draw_cell(canvas: &Canvas, map: &HeatMap, cell: &Cell, at: (f64, f64), width: f64) -> Result<(), PlotError> {
     let (colour, text) = match cell {
-        Cell::Value(value) if value.is_finite() => (colour(*value, map.range), format!("{value:.0e}")),
+        Cell::Value(value) if value.is_finite() => {
+            (colour(*value, map.range), format!("{value:.0e}").replace('-', "−"))
+        }
         Cell::Value(_) => (GREY, "—".to_owned()),
         Cell::Stopped(why) => (GREY, why.clone()),
     };
     rectangle(canvas, at, (at.0 + width - 2.0, at.1 + HEIGHT - 2.0), colour)?;
     let middle = (at.0 + width / 2.0 - 1.0, at.1 + HEIGHT / 2.0 - 1.0);
-    write(canvas, &text.replace('-', "−"), middle, HPos::Center, FontStyle::Normal)
+    write(canvas, &text, middle, HPos::Center, FontStyle::Normal)
 }
 
 /// By the logarithm, between the ends of the range.

@@ -1,6 +1,6 @@
 //! Passages near a singular surface: every formulation, solve and method, in the coordinate and in its distance.
 
-use super::{Findings, Row, Study};
+use super::{Findings, Passed, Row, Study, words};
 use crate::catalogue::By;
 use crate::chart::{Case, cases, figure::failed};
 use crate::failure::Failure;
@@ -98,10 +98,14 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         columns: rungs.iter().map(|rung| format!("least {:.0e}", rung.least)).collect(),
         rows,
         range: (1e-14, 1e-1),
-        note: "Largest |e| / (1 + |reference|) over all coordinates and speeds. Grey: where and why a run stopped. The references are double-double runs by two formulations.".to_owned(),
+        note: format!(
+            "Largest |e| / (1 + |reference|) over all coordinates and speeds. Grey: why and when a run stopped; it is given \
+             up after {limit} steps. The references are double-double runs by two formulations."
+        ),
     };
     findings.figures.push(("ladder.svg", draw_heat(&map).map_err(|error| failed(&error))?));
     summary(findings, &rungs);
+    findings.statements.extend(words::coordinate(model, &findings.passages));
     Ok(())
 }
 
@@ -131,6 +135,17 @@ fn cell(
         expected: None,
         remark,
     };
+    let passed = |error, steps, stop: &str, t_end| Passed {
+        formulation: case.by.name.clone(),
+        solve: case.solve.name(),
+        method: options.method.name(),
+        variable: place,
+        least: rung.least,
+        error,
+        steps,
+        stop: stop.to_owned(),
+        t_end,
+    };
     let mut last = f64::NAN;
     for (quantity, next, state) in rung
         .reference
@@ -143,16 +158,20 @@ fn cell(
         let solution = problem.integrate_over((t, next), &y, options, &mut []).map_err(|e| refused(&scene, &e))?;
         steps += solution.steps;
         if solution.stop.is_failure() {
-            let why = format!("{} at {:.3} s", solution.stop.code(), solution.t_end);
+            let stop = solution.stop.code();
+            let why = format!("{stop} at {:.3} s", solution.t_end);
+            findings.passages.push(passed(None, steps, &stop, solution.t_end));
             findings.rows.push(row(quantity, None, why.clone()));
             findings.rows.push(row("steps", Some(steps as f64), why.clone()));
-            return Ok(Cell::Stopped(why));
+            // A cell is narrow.
+            return Ok(Cell::Stopped(format!("{stop} {:.2} s", solution.t_end)));
         }
         (t, y) = (next, solution.y_end);
         last = error(&problem.precise_state(&y), state);
         findings.rows.push(row(quantity, Some(last), String::new()));
     }
     findings.rows.push(row("steps", Some(steps as f64), String::new()));
+    findings.passages.push(passed(Some(last), steps, "end", t));
     Ok(Cell::Value(last))
 }
 

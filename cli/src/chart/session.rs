@@ -1,0 +1,62 @@
+//! A whole chart: what a scene is charted to, its reference, its measurements.
+
+use super::{Measurement, Plan, cases, measure};
+use crate::catalogue::{By, code};
+use crate::failure::Failure;
+use crate::invariants::Watch;
+use crate::problem::Problem;
+use crate::reference::Reference;
+use crate::run::{Balance, events, options, refused};
+use indicatif::ProgressBar;
+use tripos_derive::Model;
+use tripos_derive::scene::Scene;
+use tripos_sim::{Method, Options, Output};
+
+/// Measurements and what they were held against.
+pub struct Session {
+    /// Every point.
+    pub list: Vec<Measurement>,
+    /// What errors are differences from.
+    pub reference: Reference,
+    /// What is conserved.
+    pub watch: Watch,
+    /// The instant at which errors were taken, s.
+    pub until: f64,
+    /// Why that is before the end of the scene, if it is.
+    pub cut: Option<String>,
+}
+
+/// Charts a scene to its end, or to shortly before the motion leaves the domain of its equations.
+///
+/// # Errors
+/// [`Failure`] if the scene cannot be run at all.
+pub fn chart(model: &Model, scene: &Scene, printed: bool, plan: &Plan, bar: &ProgressBar) -> Result<Session, Failure> {
+    let mut scene = scene.clone();
+    bar.set_message("reference");
+    let cases = cases(model, &scene, printed)?;
+    let mut cut = None;
+    if let Some(t) = leaves(model, &scene, &cases[0].by)? {
+        let (from, to) = scene.span;
+        scene.span.1 = from + (t - from) * 0.99;
+        cut = Some(format!(
+            "the motion ends at t = {t} s of {to} s, where it leaves the domain or meets a terminal event: charted to t = {}",
+            scene.span.1
+        ));
+    }
+    let reference = Reference::new(model, &scene, &[scene.span.1])?;
+    let watch = Watch::of_model(model)?;
+    let list = measure(model, &scene, &cases, plan, &watch, &reference, bar)?;
+    Ok(Session { list, reference, watch, until: scene.span.1, cut })
+}
+
+/// When the motion leaves the domain of its equations, or meets a terminal event, before the end of its span.
+fn leaves(model: &Model, scene: &Scene, by: &By) -> Result<Option<f64>, Failure> {
+    let code = code(model, by, scene.integration.distance)?;
+    let problem = Problem::new(model, scene, by, &code, None)?;
+    let balance = Balance::new(model, scene, by)?;
+    let mut events = events(&problem, &balance)?;
+    let how = Options { method: Method::Ode45, output: Output::Ends, rtol: 1e-9, step: None, ..options(scene)? };
+    let solution = problem.integrate(&problem.start()?, &how, &mut events).map_err(|error| refused(scene, &error))?;
+    let code = solution.stop.code();
+    Ok((code.starts_with("event:") || code.starts_with("domain:")).then_some(solution.t_end))
+}

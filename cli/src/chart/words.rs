@@ -1,0 +1,183 @@
+//! What a chart says in words. Every figure in a sentence is one of its measurements.
+
+use super::Measurement;
+use super::files::seconds;
+use tripos_derive::scene::Solve;
+use tripos_sim::Method;
+use tripos_sim::work_precision::cheapest;
+
+/// The accuracies that advice is given for.
+pub const TARGETS: [f64; 3] = [1e-3, 1e-6, 1e-9];
+
+/// The fastest run of some whose error is no larger than `target`; printed equations answer another question.
+pub fn fastest(list: &[Measurement], target: f64, of: impl Fn(&Measurement) -> bool) -> Option<&Measurement> {
+    let some: Vec<&Measurement> = list.iter().filter(|m| of(m) && !m.formulation.starts_with("printed:")).collect();
+    let points: Vec<(f64, f64)> = some.iter().map(|m| (m.seconds.median, m.error.unwrap_or(f64::NAN))).collect();
+    cheapest(&points, target).map(|at| some[at])
+}
+
+/// The accuracy that kinds are compared at: the middle one, or the first where that is not reached.
+fn compared_at(list: &[Measurement]) -> Option<f64> {
+    [TARGETS[1], TARGETS[0]].into_iter().find(|target| fastest(list, *target, |_| true).is_some())
+}
+
+/// The time at which a curve crosses an accuracy, s: read between its points on logarithmic axes, since tolerances are far apart.
+fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
+    let points: Vec<(f64, f64)> =
+        curve.iter().filter_map(|m| Some((m.error?.max(f64::MIN_POSITIVE).ln(), m.seconds.median.ln()))).collect();
+    let target = target.ln();
+    let between = points.windows(2).filter(|p| p[0].0 > target && p[1].0 <= target);
+    let between = between.map(|p| p[0].1 + (p[1].1 - p[0].1) * (target - p[0].0) / (p[1].0 - p[0].0));
+    let at_once = points.first().filter(|p| p.0 <= target).map(|p| p.1);
+    at_once.into_iter().chain(between).reduce(f64::min).map(f64::exp)
+}
+
+/// The time that each kind needs, with the best of everything else; none where it does not get there.
+fn each<'a>(
+    list: &[Measurement],
+    target: f64,
+    kinds: &[&'a str],
+    of: impl Fn(&Measurement) -> &str,
+) -> Vec<(&'a str, Option<f64>)> {
+    let mut curves: Vec<Vec<&Measurement>> = Vec::new();
+    for m in list.iter().filter(|m| !m.formulation.starts_with("printed:")) {
+        let same = |o: &Measurement| o.formulation == m.formulation && o.solve == m.solve && o.method == m.method;
+        match curves.iter_mut().find(|curve| same(curve[0])) {
+            Some(curve) => curve.push(m),
+            None => curves.push(vec![m]),
+        }
+    }
+    let time = |kind: &str| {
+        let own = curves.iter().filter(|curve| of(curve[0]) == kind);
+        own.filter_map(|curve| crossing(curve, target)).reduce(f64::min)
+    };
+    kinds.iter().map(|kind| (*kind, time(kind))).collect()
+}
+
+fn listed(times: &[(&str, Option<f64>)]) -> String {
+    let one = |(kind, time): &(&str, Option<f64>)| match time {
+        Some(time) => format!("{kind} in {}", seconds(*time)),
+        None => format!("{kind} not at all"),
+    };
+    times.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// How many times longer the slowest kind takes than the fastest, among those that arrive.
+fn factor(times: &[(&str, Option<f64>)]) -> Option<f64> {
+    let arrived: Vec<f64> = times.iter().filter_map(|(_, time)| *time).collect();
+    let (least, most) = (arrived.iter().copied().reduce(f64::min)?, arrived.iter().copied().reduce(f64::max)?);
+    (arrived.len() > 1).then_some(most / least)
+}
+
+fn formulations(list: &[Measurement]) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for m in list.iter().filter(|m| !m.formulation.starts_with("printed:")) {
+        if !names.contains(&m.formulation.as_str()) {
+            names.push(&m.formulation);
+        }
+    }
+    names
+}
+
+/// What is seen in the chart.
+pub fn caption(list: &[Measurement], until: f64) -> String {
+    let seen = format!(
+        "Each point is a run at one tolerance: its time, the middle one of several, and its error at t = {until} s; lower \
+         and further left is better. What no other point of a panel beats in both is its Pareto front."
+    );
+    let Some(target) = compared_at(list) else { return seen };
+    let methods = each(list, target, &Method::ALL.map(Method::name), |m| m.method.name());
+    let solves = each(list, target, &Solve::ALL.map(Solve::name), |m| m.solve.name());
+    format!(
+        "{seen} Read off the curves, an error of {target:e} takes, by method: {}; by how accelerations are found: {}.",
+        listed(&methods),
+        listed(&solves)
+    )
+}
+
+/// What to use, in one paragraph.
+pub fn lead(list: &[Measurement]) -> String {
+    let best: Vec<&Measurement> = TARGETS.iter().filter_map(|t| fastest(list, *t, |_| true)).collect();
+    let Some(target) = compared_at(list) else {
+        return format!("Nothing that was measured on this scene reaches an error of {:e}.", TARGETS[0]);
+    };
+    let common = |of: &dyn Fn(&Measurement) -> &str| {
+        let first = best.first().map(|m| of(m))?;
+        best.iter().all(|m| of(m) == first).then_some(first)
+    };
+    let use_ = match (common(&|m| m.solve.name()), common(&|m| m.method.name())) {
+        (Some(solve), Some(method)) => format!(
+            "Use {method} with {solve} accelerations: on this scene that is the fastest to every accuracy below."
+        ),
+        (Some(solve), None) => format!(
+            "Use {solve} accelerations: on this scene they are the fastest to every accuracy below; the method depends on the accuracy."
+        ),
+        (None, Some(method)) => format!(
+            "Use {method}: on this scene it is the fastest to every accuracy below; how accelerations are best found depends on the accuracy."
+        ),
+        (None, None) => "On this scene solve and method depend on the accuracy, as listed below.".to_owned(),
+    };
+    let factors = [
+        ("methods", factor(&each(list, target, &Method::ALL.map(Method::name), |m| m.method.name()))),
+        ("solves", factor(&each(list, target, &Solve::ALL.map(Solve::name), |m| m.solve.name()))),
+        ("formulations", factor(&each(list, target, &formulations(list), |m| &m.formulation))),
+    ];
+    let factors: Vec<String> =
+        factors.iter().filter_map(|(what, factor)| Some(format!("{what} {:.1}", (*factor)?))).collect();
+    if factors.is_empty() {
+        return use_;
+    }
+    format!(
+        "{use_} At an error of {target:e} the slowest that gets there takes longer than the fastest by a factor: {}.",
+        factors.join(", ")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tripos_sim::work_precision::Spread;
+
+    fn run(formulation: &str, solve: Solve, method: Method, time: f64, error: Option<f64>) -> Measurement {
+        Measurement {
+            formulation: formulation.to_owned(),
+            solve,
+            method,
+            tolerance: 1e-9,
+            seconds: Spread { least: time, median: time, most: time },
+            error,
+            steps: 1,
+            evaluations: 1,
+            stop: "end".to_owned(),
+            drifts: Vec::new(),
+        }
+    }
+
+    /// Half way between 1e-4 in 0.1 ms and 1e-8 in 10 ms, on logarithmic axes, stands 1e-6 in 1 ms.
+    #[test]
+    fn words_are_those_of_the_measurements() {
+        let list = [
+            run("kane", Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-4)),
+            run("kane", Solve::Eliminated, Method::Dop853, 1e-2, Some(1e-8)),
+            run("lagrange", Solve::Eliminated, Method::Dop853, 2e-3, Some(1e-10)),
+            run("kane", Solve::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
+            run("kane", Solve::Eliminated, Method::Ode45, 8e-3, Some(1e-9)),
+            run("kane", Solve::Eliminated, Method::Rk4, 1e-3, Some(1e-2)),
+            run("kane", Solve::Eliminated, Method::Gauss6, 1e-3, None),
+            run("printed:x", Solve::Numeric, Method::Dop853, 1e-6, Some(0.0)),
+        ];
+        let caption = caption(&list, 10.0);
+        assert!(caption.contains("at t = 10 s") && caption.contains("an error of 1e-6 takes"), "{caption}");
+        assert!(caption.contains("rk4 not at all, ode45 in 8.00 ms"), "{caption}");
+        assert!(caption.contains("eliminated in 1.00 ms, numeric in 3.00 ms."), "{caption}");
+        let lead = lead(&list);
+        assert!(lead.starts_with("Use dop853 with eliminated accelerations"), "{lead}");
+        assert!(lead.ends_with("methods 8.0, solves 3.0, formulations 2.0."), "{lead}");
+    }
+
+    #[test]
+    fn where_nothing_arrives_it_is_said() {
+        let list = [run("kane", Solve::Eliminated, Method::Dop853, 1e-3, None)];
+        assert!(lead(&list).starts_with("Nothing that was measured") && caption(&list, 1.0).ends_with("front."));
+    }
+}

@@ -1,0 +1,122 @@
+//! Figures of a scene that take runs of their own: speed against accuracy, passages, conditioning.
+//!
+//! Invariant: every point of such a figure is in a table beside the page, in a folder named after the scene.
+
+use crate::chart::words::{TARGETS, caption, fastest, lead};
+use crate::chart::{Plan, figure, files, session};
+use crate::failure::Failure;
+use crate::page::{Advice, Choice, Figure};
+use crate::stability::{Findings, Run, Study, conditioning, ladder, words};
+use indicatif::ProgressBar;
+use std::path::{Path, PathBuf};
+use tripos_derive::Model;
+use tripos_derive::scene::{FigureKind, Scene};
+
+/// What is measured of a scene, as far as its figures ask for it.
+pub struct Measured<'a> {
+    model: &'a Model,
+    scene: &'a Scene,
+    /// The folder of the page, and in it that of the scene.
+    out: &'a Path,
+    folder: PathBuf,
+    findings: Findings,
+    /// What the chart says is best.
+    pub advice: Option<Advice>,
+    /// Figures that this scene cannot have, and why.
+    pub not_drawn: Vec<String>,
+}
+
+impl<'a> Measured<'a> {
+    /// Nothing is measured yet.
+    pub fn new(model: &'a Model, scene: &'a Scene, out: &'a Path) -> Self {
+        let folder = PathBuf::from(scene.source.path.file_stem().unwrap_or_default());
+        Self { model, scene, out, folder, findings: Findings::default(), advice: None, not_drawn: Vec::new() }
+    }
+
+    /// The figure, measured; nothing if the scene cannot have it, which [`Self::not_drawn`] then explains.
+    ///
+    /// # Errors
+    /// [`Failure::Output`] if its table cannot be written.
+    pub fn figure(&mut self, kind: FigureKind, own: &str) -> Result<Option<Figure>, Failure> {
+        let result = match kind {
+            FigureKind::WorkPrecision => self.work_precision(),
+            FigureKind::Passages => self.passages(),
+            FigureKind::Conditioning => self.conditioning(),
+            FigureKind::Energy | FigureKind::States => Ok(None),
+        };
+        match result {
+            Ok(figure) => Ok(figure.map(|figure| Figure { caption: format!("{own}. {}", figure.caption), ..figure })),
+            Err(Failure::Output(path, error)) => Err(Failure::Output(path, error)),
+            // The page has other things to show.
+            Err(failure) => {
+                let why = failure.to_string().trim_start_matches("error: ").replace('\n', "; ");
+                self.not_drawn.push(format!("The figure `{}` cannot be drawn: {why}", kind.name()));
+                Ok(None)
+            }
+        }
+    }
+
+    /// Where a table goes, and how the page links to it.
+    fn table(&self, name: &str) -> Result<(PathBuf, String), Failure> {
+        let folder = self.out.join(&self.folder);
+        files::folder(&folder)?;
+        Ok((folder, format!("{}/{name}", self.folder.display())))
+    }
+
+    fn work_precision(&mut self) -> Result<Option<Figure>, Failure> {
+        let session = session::chart(self.model, self.scene, false, &Plan::new(true), &ProgressBar::hidden())?;
+        let (folder, link) = self.table("work_precision.csv")?;
+        files::write(&folder, &session.list, &session.watch.integrals)?;
+        let choice = |target: f64| {
+            let m = fastest(&session.list, target, |_| true)?;
+            Some(Choice {
+                equations: m.formulation.clone(),
+                solve: m.solve.name(),
+                method: m.method.name(),
+                tolerance: m.tolerance,
+                seconds: m.seconds.median,
+                error: m.error?,
+            })
+        };
+        let rows = TARGETS.into_iter().map(|target| (target, choice(target))).collect();
+        self.advice = Some(Advice { lead: lead(&session.list), rows });
+        let cut = session.cut.map_or_else(String::new, |cut| format!(" Note: {cut}."));
+        let caption =
+            format!("{} The reference: {}.{cut}", caption(&session.list, session.until), session.reference.how);
+        let svg = figure::chart(&session.list, session.reference.uncertainty)?;
+        Ok(Some(Figure { caption, svg, remark: None, data: vec![link] }))
+    }
+
+    fn passages(&mut self) -> Result<Option<Figure>, Failure> {
+        let Some(svg) = self.study(FigureKind::Passages, ladder::study)? else { return Ok(None) };
+        let data = self.tables(&["passages.csv", "stability.csv"])?;
+        let remark = words::coordinate(self.model, &self.findings.passages);
+        Ok(Some(Figure { caption: words::passages(self.model, &self.findings), svg, remark, data }))
+    }
+
+    fn conditioning(&mut self) -> Result<Option<Figure>, Failure> {
+        let Some(svg) = self.study(FigureKind::Conditioning, conditioning::study)? else { return Ok(None) };
+        let data = self.tables(&["stability.csv"])?;
+        Ok(Some(Figure { caption: words::conditioning(self.model, &self.findings), svg, remark: None, data }))
+    }
+
+    /// Writes what was found. It is written anew after each study: the tables have the numbers of all.
+    fn tables(&self, names: &[&str]) -> Result<Vec<String>, Failure> {
+        let (folder, _) = self.table("")?;
+        self.findings.tables(&folder)?;
+        names.iter().map(|name| Ok(self.table(name)?.1)).collect()
+    }
+
+    /// Runs a study of stability and gives its figure; without one the scene has no such place.
+    fn study(&mut self, kind: FigureKind, run: Run) -> Result<Option<String>, Failure> {
+        let before = self.findings.figures.len();
+        let bar = ProgressBar::hidden();
+        run(&Study { model: self.model, scene: self.scene, quick: true, bar: &bar }, &mut self.findings)?;
+        let svg = self.findings.figures.get(before).map(|(_, svg)| svg.clone());
+        if svg.is_none() {
+            let why = "the motion does not come near a place where the kinematic equations divide by zero";
+            self.not_drawn.push(format!("The figure `{}` cannot be drawn: {why}", kind.name()));
+        }
+        Ok(svg)
+    }
+}

@@ -1,0 +1,37 @@
+//! Which equations, solve and method to use for a scene: what was measured, in one paragraph and a table.
+
+use super::Advice;
+use super::html::{escape, number, table};
+use super::scene::rounded;
+use crate::chart::files::seconds;
+
+const HEAD: [&str; 7] = ["Error below", "Equations", "Accelerations", "Method", "Tolerance", "Time of a run", "Error"];
+
+/// The paragraph and the table.
+pub fn section(advice: &Advice) -> String {
+    let rows: Vec<Vec<String>> = advice
+        .rows
+        .iter()
+        .map(|(target, choice)| {
+            let size = |x: f64| number(&format!("{x:e}"));
+            let mut cells = vec![size(*target)];
+            match choice {
+                Some(c) => cells.extend([
+                    escape(&c.equations),
+                    c.solve.to_owned(),
+                    c.method.to_owned(),
+                    size(c.tolerance),
+                    seconds(c.seconds),
+                    size(rounded(c.error, 2).parse().unwrap_or(c.error)),
+                ]),
+                None => cells.extend(["nothing measured here", "", "", "", "", ""].map(str::to_owned)),
+            }
+            cells
+        })
+        .collect();
+    format!(
+        "<h4>Which equations, accelerations and method to use</h4>\n<p>{}</p>\n{}",
+        escape(&advice.lead),
+        table("The fastest run to three accuracies", &HEAD, &rows)
+    )
+}
