@@ -120,6 +120,25 @@ fn system(id: &str, matrix: &str, right: &str) -> String {
     )
 }
 
+/// Measured figures of a model that is interpreted: a chart with its table, and a reason for the passages it cannot have.
+#[test]
+fn measured_figures_come_with_their_table_or_a_reason() {
+    let folder = slider(&format!("title = \"Right\"\n{}", system("right", "m", "-k*x")));
+    let figures = "[[figures]]\nkind = \"work-precision\"\n[[figures]]\nkind = \"passages\"\n";
+    std::fs::write(folder.path().join("scenes/my run.toml"), format!("{SCENE}{figures}")).unwrap();
+    let out = tempfile::tempdir().unwrap();
+    let output = tripos(&["report", folder.path().to_str().unwrap(), "--out", out.path().to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let page = std::fs::read_to_string(out.path().join("index.html")).unwrap();
+    assert!(page.contains("<a href=\"my%20run/work_precision.csv\">"));
+    assert!(page.contains(". Each point is a run") && !page.contains(". . "), "without a caption of its own");
+    assert!(page.contains("Which equations, accelerations and method to use") && !page.contains("NaN"));
+    assert!(page.contains("<p class=\"missing\">The figure `passages` cannot be drawn: the motion does not come near"));
+    assert!(stderr(&output).contains("my run.toml: The figure `passages` cannot be drawn"), "{}", stderr(&output));
+    let table = std::fs::read_to_string(out.path().join("my run/work_precision.csv")).unwrap();
+    assert!(table.lines().count() > 60 && !out.path().join("my run/stability.csv").exists(), "{table}");
+}
+
 /// Printed equations end as they like: that is shown, and the command succeeds.
 #[test]
 fn printed_equations_that_fail_do_not_fail_the_page() {

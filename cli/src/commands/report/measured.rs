@@ -45,7 +45,7 @@ impl<'a> Measured<'a> {
             FigureKind::Energy | FigureKind::States => Ok(None),
         };
         match result {
-            Ok(figure) => Ok(figure.map(|figure| Figure { caption: format!("{own}. {}", figure.caption), ..figure })),
+            Ok(figure) => Ok(figure.map(|figure| Figure { caption: after(own, &figure.caption), ..figure })),
             Err(Failure::Output(path, error)) => Err(Failure::Output(path, error)),
             // The page has other things to show.
             Err(failure) => {
@@ -118,5 +118,13 @@ impl<'a> Measured<'a> {
             self.not_drawn.push(format!("The figure `{}` cannot be drawn: {why}", kind.name()));
         }
         Ok(svg)
+    }
+}
+
+/// What was measured, after the caption of the scene file if it has one.
+fn after(own: &str, measured: &str) -> String {
+    match own.trim_end_matches('.') {
+        "" => measured.to_owned(),
+        own => format!("{own}. {measured}"),
     }
 }
