@@ -27,7 +27,7 @@ static const double SPAN = 10;
 
 /* From START to the end of the span, at rtol = atol = tolerance. */
 static Counts integrate(const Parameters *p, double tolerance, double end[N]);
-/* The right-hand side at START + 1e-300 carried: a number that depends on all of it. */
+/* The right-hand side at START + 1e-300 carried, by a call, its state and result in memory: a number that depends on it. */
 static double touch_rates(const Parameters *p, double carried);
 
 /* Row i: the point of stage i + 1, from 0; the last row is the end of the step. */

@@ -10,14 +10,15 @@ KANE = "Tripos, Kane, native"
 DYN = "Tripos, through `dyn System`, native"
 LAGRANGE_DEFAULT = "Tripos, Lagrange, default build"
 DYN_DEFAULT = "Tripos, through `dyn System`, default build"
+UNFUSED = "C by hand, loops, nothing fused"
 LOOPS = "C by hand, loops"
 VECTORS = "C by hand, vector types"
 HEYOKA = "heyoka, Taylor"
 ODE = "SciPy `ode('dop853')`, numba"
 SOLVE_IVP = "SciPy `solve_ivp`, DOP853, numba"
-PEERS = [LOOPS, VECTORS, HEYOKA, ODE, SOLVE_IVP]
+PEERS = [UNFUSED, LOOPS, VECTORS, HEYOKA, ODE, SOLVE_IVP]
 # Those whose every call of the right-hand side is part of a DOP853 of their own, and who tell what it costs.
-DOP853 = [LAGRANGE, KANE, DYN, LAGRANGE_DEFAULT, DYN_DEFAULT, LOOPS, VECTORS]
+DOP853 = [LAGRANGE, KANE, DYN, LAGRANGE_DEFAULT, DYN_DEFAULT, UNFUSED, LOOPS, VECTORS]
 
 
 def tables(peers, rounds, loads):
@@ -40,8 +41,9 @@ def tables(peers, rounds, loads):
             "",
             *details(peers),
             "",
-            "Where the time goes: a call of the right-hand side, each waiting for the one before; and the rest of the run, per",
-            f"call, at the error {TARGETS[-1]:.0e}.",
+            "Where the time goes: a call of the right-hand side by itself, its arguments and results in memory and each waiting for",
+            f"the one before; and the rest of the run for each call, at the error {TARGETS[-1]:.0e}. Rough: a run hides part of",
+            "either behind the other.",
             "",
             *shares(peers),
             "",
@@ -108,14 +110,14 @@ def shares(peers):
 def notes(peers, rounds, loads):
     by_name = {peer.name: peer for peer in peers}
     compiled = [f"{reached.prepared:.1f} s for {target:.0e}" for target, reached in by_name[HEYOKA].reached.items()]
-    floors = ", ".join(f"{peer.name} {peer.best:.0e}" for peer in peers)
+    floors = sorted(peer.best for peer in peers)
     yield f"- Medians of {rounds} samples, taken in turns; load average {loads[0]:.1f} before and {loads[1]:.1f} after."
     yield f"- Not in the times: heyoka's compilation ({', '.join(compiled)});"
     yield f"  numba's, with the start of Python ({by_name[ODE].ready:.1f} s)."
     yield "- `native`: built with `-C target-cpu=native`, as the C programs are with `-march=native`. gcc then fuses"
-    yield "  multiplications with additions; rustc never does. Parameters are known to heyoka and numba when they compile, not to"
-    yield "  C and Rust."
-    yield f"- Smallest error at any tolerance: {floors}."
+    yield f"  multiplications with additions, unless told not to (`{build.UNFUSED}`); rustc never does. Parameters are known to"
+    yield "  heyoka and numba when they compile, not to C and Rust."
+    yield f"- Smallest errors at any tolerance: between {floors[0]:.0e} and {floors[-1]:.0e}; the rounding of the start is part of it."
     yield "- Reference: DOP853 in 32 digits (`DoubleDouble`); heyoka's Taylor method in 33 digits gives the same to 14 or more."
     for what, value in build.machine().items():
         yield f"- {what}: {value}."

@@ -64,6 +64,7 @@ def main():
 def started():
     python = build.python()
     loops, vectors = build.c_program("disk_loops"), build.c_program("disk_vectors")
+    unfused = build.c_program("disk_loops", build.UNFUSED)
     default, native = build.rust_program(native=False), build.rust_program(native=True)
     commands = {
         report.LAGRANGE: [native, "lagrange"],
@@ -71,6 +72,7 @@ def started():
         report.DYN: [native, "eliminated-lagrange"],
         report.LAGRANGE_DEFAULT: [default, "lagrange"],
         report.DYN_DEFAULT: [default, "eliminated-lagrange"],
+        report.UNFUSED: [unfused],
         report.LOOPS: [loops],
         report.VECTORS: [vectors],
         report.HEYOKA: [python, "-B", build.HERE / "heyoka_worker.py"],
