@@ -7,8 +7,9 @@
 /* The rates of the state: 41 operations, two sines and cosines.
  *
  * The moment about the vertical gives q1'', that about the axis of symmetry q3''. The moment about the contact line, with the
- * normal force from the vertical motion of the centre, gives q2''. The centre has no horizontal acceleration, so that the contact
- * point has minus that of the offset R sin q2 (-sin q1, cos q1) between them: `radial` along it, `across` at right angles.
+ * normal force from the vertical motion of the centre, gives q2''. The centre has no horizontal acceleration, so that the
+ * contact point has minus that of the offset R sin q2 (-sin q1, cos q1) between them: `radial` along it, `across` at right
+ * angles.
  */
 static inline void rates(const Parameters *p, const double y[N], double out[N])
 {

@@ -41,9 +41,9 @@ def tables(peers, rounds, loads):
             "",
             *details(peers),
             "",
-            "Where the time goes: a call of the right-hand side by itself, its arguments and results in memory and each waiting for",
-            f"the one before; and the rest of the run for each call, at the error {TARGETS[-1]:.0e}. Rough: a run hides part of",
-            "either behind the other.",
+            "Where the time goes: a call of the right-hand side by itself, its arguments and results in memory, each waiting",
+            f"for the one before; and a run to the error {TARGETS[-1]:.0e}, divided by its calls. The first is rough: it depends",
+            "on where in memory a process starts, and a run hides part of it.",
             "",
             *shares(peers),
             "",
@@ -68,16 +68,26 @@ def times(peers, base):
 def cell(time, unit):
     if time == float("inf"):
         return "not reached"
-    return f"{time * 1e3:#.3g} ms ({time / unit:.3g})"
+    return f"{milliseconds(time)} ({time / unit:.2f})"
+
+
+def milliseconds(time):
+    return f"{time * 1e3:#.3g}".rstrip(".") + " ms"
 
 
 def ratios(peers, base):
-    yield "| Tripos ÷ peer | " + " | ".join(f"error {target:.0e}" for target in TARGETS) + " |"
+    yield "| Tripos ÷ peer, by medians (by fastest samples) | " + " | ".join(f"error {target:.0e}" for target in TARGETS) + " |"
     yield "|---|" + "---:|" * len(TARGETS)
     for peer in peers:
         if peer.name in PEERS:
-            cells = [ratio(seconds(base, target) / seconds(peer, target)) for target in TARGETS]
+            cells = [quotients(base.reached.get(target), peer.reached.get(target)) for target in TARGETS]
             yield f"| {peer.name} | {' | '.join(cells)} |"
+
+
+def quotients(ours, theirs):
+    if ours is None or theirs is None:
+        return "not reached"
+    return f"{ratio(ours.seconds / theirs.seconds)} ({ratio(min(ours.samples) / min(theirs.samples))})"
 
 
 def ratio(value):
@@ -85,39 +95,41 @@ def ratio(value):
 
 
 def details(peers):
-    yield "| | error | tolerance | error reached | steps | evaluations | a sample | spread |"
-    yield "|---|---:|---:|---:|---:|---:|---:|---:|"
+    yield "| | error | tolerance | error reached | steps | evaluations | a sample | fastest | spread |"
+    yield "|---|---:|---:|---:|---:|---:|---:|---:|---:|"
     for peer in peers:
         for target, reached in peer.reached.items():
             a = reached.answer
             runs = "1 run" if reached.repeats == 1 else f"{reached.repeats} runs"
             yield (
                 f"| {peer.name} | {target:.0e} | {reached.tolerance:.1e} | {a.error:.1e} | {a.steps} | {a.evaluations} "
-                f"| {runs} | {100 * reached.spread:.1f} % |"
+                f"| {runs} | {milliseconds(min(reached.samples))} | {100 * reached.spread:.1f} % |"
             )
 
 
 def shares(peers):
-    yield "| | right-hand side | all else | together |"
-    yield "|---|---:|---:|---:|"
+    yield "| | right-hand side alone | the run, for each call |"
+    yield "|---|---:|---:|"
     for peer in peers:
         if peer.rates is not None:
             reached = peer.reached[TARGETS[-1]]
             whole = reached.seconds / reached.answer.evaluations
-            yield f"| {peer.name} | {peer.rates * 1e9:.1f} ns | {(whole - peer.rates) * 1e9:.1f} ns | {whole * 1e9:.1f} ns |"
+            cells = [f"{time * 1e9:.1f} ns" for time in (peer.rates, whole)]
+            yield f"| {peer.name} | {' | '.join(cells)} |"
 
 
 def notes(peers, rounds, loads):
     by_name = {peer.name: peer for peer in peers}
     compiled = [f"{reached.prepared:.1f} s for {target:.0e}" for target, reached in by_name[HEYOKA].reached.items()]
     floors = sorted(peer.best for peer in peers)
-    yield f"- Medians of {rounds} samples, taken in turns; load average {loads[0]:.1f} before and {loads[1]:.1f} after."
+    yield f"- Medians of {rounds} samples, taken in turns; load average {loads[0]:.1f} before, {loads[1]:.1f} after. What runs"
+    yield "  longer than a turn of the scheduler, as SciPy does, waits for other programs if there are any: see `fastest`."
     yield f"- Not in the times: heyoka's compilation ({', '.join(compiled)});"
     yield f"  numba's, with the start of Python ({by_name[ODE].ready:.1f} s)."
     yield "- `native`: built with `-C target-cpu=native`, as the C programs are with `-march=native`. gcc then fuses"
     yield f"  multiplications with additions, unless told not to (`{build.UNFUSED}`); rustc never does. Parameters are known to"
     yield "  heyoka and numba when they compile, not to C and Rust."
-    yield f"- Smallest errors at any tolerance: between {floors[0]:.0e} and {floors[-1]:.0e}; the rounding of the start is part of it."
+    yield f"- Smallest errors at any tolerance: {floors[0]:.0e} to {floors[-1]:.0e}, the rounding of the start included."
     yield "- Reference: DOP853 in 32 digits (`DoubleDouble`); heyoka's Taylor method in 33 digits gives the same to 14 or more."
     for what, value in build.machine().items():
         yield f"- {what}: {value}."
