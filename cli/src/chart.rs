@@ -166,6 +166,9 @@ pub fn measure(
     Ok(list)
 }
 
+/// Steps of a run up to which its first integrals are watched at each.
+const MOST_WATCHED: u64 = 200_000;
+
 /// The first run of a kind: its error and drifts, and a first time.
 fn first(
     problem: &Problem<'_>,
@@ -179,7 +182,7 @@ fn first(
     let bare = problem.integrate(y0, how, &mut []).map_err(|error| refused(problem.scene, &error))?;
     let seconds = start.elapsed().as_secs_f64();
     let watched = Options { output: Output::Steps { refine: 1 }, ..how.clone() };
-    let again = (seconds < 1.0).then(|| problem.integrate(y0, &watched, &mut []));
+    let again = (bare.steps <= MOST_WATCHED).then(|| problem.integrate(y0, &watched, &mut []));
     let drifts = again.and_then(Result::ok).map_or_else(Vec::new, |solution| watch.changes(problem, &solution));
     let arrived = bare.stop.code() == "end";
     Ok(Measurement {
