@@ -14,7 +14,7 @@ TARGET = Path(os.environ.get("CARGO_TARGET_DIR") or ROOT / "target")
 PLACE = TARGET / "peers"
 REQUIREMENTS = HERE / "requirements.txt"
 C_FLAGS = ["-std=gnu17", "-O3", "-march=native"]
-# Without leave to fuse a multiplication and an addition, as rustc never does.
+# Without leave to fuse a multiplication and an addition, which rustc does only where a program asks for it.
 UNFUSED = "-ffp-contract=off"
 
 

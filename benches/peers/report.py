@@ -127,7 +127,7 @@ def notes(peers, rounds, loads):
     yield f"- Not in the times: heyoka's compilation ({', '.join(compiled)});"
     yield f"  numba's, with the start of Python ({by_name[ODE].ready:.1f} s)."
     yield "- `native`: built with `-C target-cpu=native`, as the C programs are with `-march=native`. gcc then fuses"
-    yield f"  multiplications with additions, unless told not to (`{build.UNFUSED}`); rustc never does. Parameters are known to"
+    yield f"  multiplications with additions, unless told not to (`{build.UNFUSED}`); Tripos asks for that in stage sums only. Parameters are known to"
     yield "  heyoka and numba when they compile, not to C and Rust."
     yield f"- Smallest errors at any tolerance: {floors[0]:.0e} to {floors[-1]:.0e}, the rounding of the start included."
     yield "- Reference: DOP853 in 32 digits (`DoubleDouble`); heyoka's Taylor method in 33 digits gives the same to 14 or more."

@@ -171,7 +171,7 @@ impl<S: Scalar> Dop853<S> {
             k[END - 1] = *f;
             let eighth = combination(b, &USED[END], k, END);
             let fifth = combination(e5, &USED_BY_ERROR, k, END);
-            let next: Block<S> = from_fn(|l| y[l] + h * eighth[l]);
+            let next: Block<S> = from_fn(|l| h.mul_add(eighth[l], y[l]));
             let third: Block<S> =
                 from_fn(|l| eighth[l] - e3[0][l % 2] * k[0][l] - e3[8][l % 2] * k[8][l] - e3[11][l % 2] * k[11][l]);
             finite.note(&next);
@@ -200,7 +200,7 @@ fn combination<S: Scalar>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; 
     let mut sum: Block<S> = from_fn(|l| a[0][l % 2] * k[0][l]);
     for j in 1..end {
         if used[j] {
-            sum = from_fn(|l| sum[l] + a[j][l % 2] * k[j][l]);
+            sum = from_fn(|l| a[j][l % 2].mul_add(k[j][l], sum[l]));
         }
     }
     sum
@@ -224,11 +224,11 @@ fn advance<S: Scalar, const I: usize>(
         let newest = if I > 1 { *f } else { k[0] };
         let before: Block<S> = if I > 1 {
             let sum = combination(a, &USED[I], k, I - 1);
-            from_fn(|l| y[l] + h * sum[l])
+            from_fn(|l| h.mul_add(sum[l], y[l]))
         } else {
             *y
         };
-        let next: Block<S> = from_fn(|l| before[l] + last * newest[l]);
+        let next: Block<S> = from_fn(|l| last.mul_add(newest[l], before[l]));
         finite.note(&next);
         *out = next;
         if I > 1 {

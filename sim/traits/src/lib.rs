@@ -7,6 +7,10 @@
 //! Absent on purpose: names, units and files. They belong to the model, not to its numbers.
 #![no_std]
 
+// A fused product and sum is an instruction, but only the standard library has a name for it.
+#[cfg(target_feature = "fma")]
+extern crate std;
+
 mod double_double;
 mod scalar;
 mod system;

@@ -76,6 +76,14 @@ pub trait Scalar:
     /// −1, 0 or 1 with the sign of x; 0 at 0, as the derivative of |x| is taken there.
     #[must_use]
     fn sign(self) -> Self;
+    /// x·a + b, rounded once where the processor that is compiled for does that in one instruction (as
+    /// `-C target-cpu=native` may say), else twice. Results then differ in their last bits from build to build, as those of
+    /// any program do that a compiler may contract.
+    #[must_use]
+    #[inline]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
     /// xⁿ by repeated multiplication; n may be negative.
     #[must_use]
     fn powi(self, n: i32) -> Self {
@@ -157,6 +165,11 @@ macro_rules! float_scalar {
             #[inline]
             fn tanh(self) -> Self {
                 $tanh(self)
+            }
+            #[cfg(target_feature = "fma")]
+            #[inline]
+            fn mul_add(self, a: Self, b: Self) -> Self {
+                <$type>::mul_add(self, a, b)
             }
             #[inline]
             fn abs(self) -> Self {
