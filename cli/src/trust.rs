@@ -18,6 +18,9 @@ const MOST_SAMPLES: usize = 400;
 /// Steps after which the growth of errors is not followed further.
 const MOST_STEPS: u64 = 100_000;
 
+/// A part of the span at whose end a growth says nothing about the rest.
+const LAST_PART: f64 = 0.01;
+
 /// Objections to a run, each with its figure.
 pub fn objections(problem: &Problem<'_>, solution: &Solution, watch: Option<&Watch>, energy_drift: f64) -> Vec<String> {
     let mut list: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
@@ -54,8 +57,8 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64, worst: &[Worst
     // A run that ended where energy has no value says so by its stop.
     (drift > ALLOWED_ENERGY * allowed).then(|| {
         format!(
-            "total energy, constant in this motion, changed by {drift:.3e} J, {:.0} times what the tolerances allow: do not trust this run",
-            drift / allowed
+            "total energy, constant in this motion, changed by {drift:.3e} J, {} times what the tolerances allow: do not trust this run",
+            times(drift / allowed)
         )
     })
 }
@@ -69,6 +72,11 @@ fn allowance(scene: &Scene, at: usize, value: f64) -> f64 {
     atol + scene.integration.rtol * value.abs()
 }
 
+/// How many times, in few digits.
+fn times(ratio: f64) -> String {
+    if ratio < 1e6 { format!("{ratio:.0}") } else { format!("{ratio:.0e}") }
+}
+
 /// A first integral's name and unit, and where it is furthest from its start.
 type Worst<'a> = (&'a str, &'a str, Drift);
 
@@ -80,7 +88,8 @@ fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Ve
 
 fn said((name, unit, Drift { t, change, ratio }): &Worst<'_>) -> String {
     format!(
-        "{name}, constant in this motion, has changed by {change:.3e} {unit} at t = {t:.4} s, {ratio:.0} times what the tolerances allow in a step: do not trust this run"
+        "{name}, constant in this motion, has changed by {change:.3e} {unit} at t = {t:.4} s, {} times what the tolerances allow in a step: do not trust this run",
+        times(*ratio)
     )
 }
 
@@ -108,8 +117,9 @@ fn condition(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
     (lost > asked).then(|| {
         let digits = (-lost.log10()).floor().max(0.0);
         format!(
-            "the matrix is ill-conditioned at t = {t} s: equilibrated rcond {rcond:.1e}, so the numeric solve leaves {digits} digits there, less than rtol {:e} asks for; eliminated accelerations lose none of them",
-            problem.scene.integration.rtol
+            "the matrix is ill-conditioned at t = {t} s: equilibrated rcond {rcond:.1e}, so the numeric solve leaves {digits} digits there, less than rtol {:e} asks for{}",
+            problem.scene.integration.rtol,
+            if problem.system().has_accelerations() { "; eliminated accelerations lose none of them" } else { "" }
         )
     })
 }
@@ -119,14 +129,17 @@ fn horizon(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
     let scene = problem.scene;
     let start = solution.y.first()?;
     let mut rhs = Eliminated::new(problem.system(), &scene.parameters)?;
-    let options = Options { method: Method::Ode45, rtol: 1e-4, step_limit: MOST_STEPS, ..Options::default() };
+    // Tight, whatever the run: of a motion that is wrong the growth is wrong too.
+    let (rtol, atol) = (1e-9, tripos_sim::AbsoluteTolerance::Uniform(1e-9));
+    let options = Options { method: Method::Dop853, rtol, atol, step_limit: MOST_STEPS, ..Options::default() };
     let span = (solution.t[0], solution.t_end);
     if span.0 - span.1 == 0.0 {
         return None;
     }
     let growth = growth(&mut rhs, span, start, &vec![1.0; start.len()], &options).ok()?;
     let tolerance = scene.integration.rtol.max(scene.integration.smallest_atol()).max(f64::EPSILON);
-    let t = growth.horizon(tolerance)?;
+    // What only the very end shows is the surface that the motion ends at.
+    let t = growth.horizon(tolerance).filter(|t| (span.1 - t).abs() > LAST_PART * (span.1 - span.0).abs())?;
     Some(format!(
         "an error of {tolerance:.0e}, which the tolerances allow in a step, has grown to 1 at t = {t:.4} s: no digit is left after that"
     ))

@@ -13,12 +13,20 @@ use tripos_derive::algebra::print::text;
 use tripos_derive::mechanics::{Distance, distances};
 use tripos_derive::scene::Scene;
 use tripos_derive::{Formulation, Model};
-use tripos_sim::work_precision::error;
-use tripos_sim::{AbsoluteTolerance, Method, Options, Output};
+use tripos_sim::work_precision::{error, options};
+use tripos_sim::{Method, Options, Output};
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// The methods that are compared, each at a tolerance near the finest that it takes.
-const METHODS: [(Method, f64); 2] = [(Method::Dop853, 3e-14), (Method::Ode45, 1e-12)];
+const METHODS: [(Method, f64); 5] = [
+    (Method::Dop853, 3e-14),
+    (Method::Ode45, 1e-12),
+    (Method::Dopri5, 1e-12),
+    (Method::Gauss6, 1e-11),
+    (Method::Rk4, 1e-12),
+];
+/// How many of them a quick study takes.
+const QUICK: usize = 2;
 
 /// The passage of a motion by a singular surface.
 pub struct Passage {
@@ -38,7 +46,7 @@ pub fn passage(model: &Model, scene: &Scene) -> Result<Option<Passage>, Failure>
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let inputs = [model.p(), model.q()].concat();
     let Ok(tape) = Tape::new(&model.arena, &inputs, &[*divisor]) else { return Ok(None) };
-    let options = Options { output: Output::Steps { refine: 20 }, ..tight(Method::Dop853, 1e-12, 1_000_000) };
+    let options = Options { output: Output::Steps { refine: 20 }, ..options(Method::Dop853, 1e-12, 1.0, 1_000_000) };
     let run = problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?;
     let values: Vec<f64> = run
         .y
@@ -47,11 +55,6 @@ pub fn passage(model: &Model, scene: &Scene) -> Result<Option<Passage>, Failure>
         .collect();
     let least = values.windows(3).position(|v| v[1] <= v[0] && v[1] < v[2] && v[1] < 0.5).map(|at| at + 1);
     Ok(least.map(|at| Passage { t: run.t[at], least: values[at] }))
-}
-
-fn tight(method: Method, tolerance: f64, step_limit: u64) -> Options {
-    let atol = AbsoluteTolerance::Uniform(tolerance);
-    Options { method, rtol: tolerance, atol, step_limit, output: Output::Ends, ..Options::default() }
 }
 
 /// One rung: the reference at the passage and at the end.
@@ -81,12 +84,18 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         let mut scene = study.scene.clone();
         scene.integration.distance = *variable;
         for case in cases(model, &scene, false)? {
-            for (method, tolerance) in METHODS {
+            for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
+                if method.needs_jacobian() && !case.code.system().has_accelerations() {
+                    continue;
+                }
+                let length = study.scene.span.1 - study.scene.span.0;
                 let name = variable.map_or_else(String::new, |v| format!(", {}", v.name(model)));
                 study.bar.set_message(format!("{} {} {}{name}", case.by.name, case.solve.name(), method.name()));
                 let cells = rungs
                     .iter()
-                    .map(|rung| cell(study, findings, rung, &case, *variable, &tight(method, tolerance, limit)))
+                    .map(|rung| {
+                        cell(study, findings, rung, &case, *variable, &options(method, tolerance, length, limit))
+                    })
                     .collect::<Result<Vec<_>, _>>()?;
                 rows.push((format!("{} {} {}{name}", case.by.name, case.solve.name(), method.name()), cells));
             }
