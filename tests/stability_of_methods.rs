@@ -3,9 +3,9 @@
 
 mod support;
 
-use support::stability::{Equations, Start, fixed, options, wide};
-use tripos_sim::stability::{Trend, trend};
-use tripos_sim::{Method, Options, Output, Warning};
+use support::stability::{Equations, Start, fixed, options, rounded, wide};
+use tripos_sim::stability::{Trend, growth, trend};
+use tripos_sim::{Eliminated, Method, Options, Output, Warning};
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// |R(iy)|² of a Runge–Kutta method with this stability polynomial.
@@ -108,4 +108,26 @@ fn a_tolerance_below_rounding_is_longer_no_better_and_said() {
     assert!(absurd.steps + absurd.rejected > 3 * sensible.steps, "{absurd}");
     let worse = equations.error(&start, &absurd, &truth);
     assert!(worse.is_nan() || worse > 0.1 * best, "{worse:e} {best:e}");
+}
+
+/// Goal: a regular motion has a horizon too, since every step adds an error. Method: a pendulum whose phase is lost within 2 500 s at
+/// a loose tolerance, by its exact solution.
+#[test]
+fn the_phase_of_a_long_run_is_lost_where_it_is_predicted() {
+    let (tolerance, span) = (1e-3, 2500.0);
+    let start = Start::new(&["1", "1", "9.81"], &["2"], &["0"]);
+    let equations = Equations::new("pendulum", "kane");
+    let exact = tripos_sim::exact::Pendulum::new(wide("9.81"), wide("2"), wide("0"));
+    let run = equations.run(&start, span, &options(Method::Dop853, tolerance), &mut []);
+    let seconds = DoubleDouble::from_f64(span);
+    let lost = equations.error(&start, &run, &[exact.angle(seconds), exact.rate(seconds)]);
+    assert!(lost > 0.1, "{lost:e} {run}");
+    let mut rhs = Eliminated::new(equations.system.double, &rounded(&start.p)).unwrap();
+    let follow = Options { output: Output::Steps { refine: 1 }, ..options(Method::Dop853, 1e-9) };
+    let found = growth(&mut rhs, (0.0, span), &rounded(&equations.state(&start)), &[1.0, 1.0], &follow).unwrap();
+    let steps = run.steps as f64;
+    let horizon = found.horizon(|t| tolerance * (steps * t / span).max(1.0)).expect("before the end");
+    assert!((1.0..1000.0).contains(&horizon), "{horizon}");
+    // One error alone would be said to last far longer.
+    assert!(found.horizon(|_| tolerance).is_none_or(|t| t > 3.0 * horizon));
 }

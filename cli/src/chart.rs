@@ -25,6 +25,8 @@ pub struct Plan {
     pub repeats: usize,
     /// Steps after which a run is given up.
     pub step_limit: u64,
+    /// Whether tolerances finer than one that used up the steps are left out.
+    pub quick: bool,
     /// A run that takes longer than this, s, is not repeated.
     pub patience: f64,
 }
@@ -37,6 +39,7 @@ impl Plan {
             tolerances: powers.into_iter().map(|n| 10_f64.powi(-n)).collect(),
             repeats: if quick { 3 } else { 7 },
             step_limit: if quick { 100_000 } else { 1_000_000 },
+            quick,
             patience: if quick { 0.1 } else { 1.0 },
         }
     }
@@ -145,8 +148,13 @@ pub fn measure(
                 } else {
                     bar.inc(plan.repeats as u64);
                 }
+                // Finer ones would use up the steps too.
+                let exhausted = plan.quick && measurement.stop == "step-limit";
                 list.push(measurement);
                 bar.inc(1);
+                if exhausted {
+                    break;
+                }
             }
         }
     }
@@ -191,7 +199,7 @@ fn first(
         method: how.method,
         tolerance,
         seconds: Spread { least: seconds, median: seconds, most: seconds },
-        error: arrived.then(|| error(&problem.precise_state(&bare.y_end), reference.end())),
+        error: arrived.then(|| error(&problem.precise_state(&bare.y_end), reference.end()).max(reference.uncertainty)),
         steps: bare.steps,
         evaluations: bare.evaluations,
         stop: bare.stop.code(),

@@ -25,6 +25,9 @@ pub struct Watch {
     tape: Option<Tape>,
 }
 
+/// Units in the last place of a first integral that its evaluation may be off by.
+const ROUNDINGS: f64 = 64.0;
+
 /// How far a first integral is from its start.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Drift {
@@ -147,7 +150,9 @@ impl Watch {
             }
             for (at, worst) in worst.iter_mut().enumerate() {
                 let change = (here[at] - start[at]).abs();
-                let ratio = change / allowed[at].max(f64::MIN_POSITIVE);
+                // A value is not known better than to its own rounding.
+                let rounding = ROUNDINGS * f64::EPSILON * here[at].abs().max(start[at].abs()).max(1e-290);
+                let ratio = change / allowed[at].max(rounding);
                 if ratio > worst.ratio {
                     *worst = Drift { t: *t, change, ratio };
                 }

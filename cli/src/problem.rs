@@ -37,6 +37,11 @@ fn wide(number: &Extended) -> DoubleDouble {
     DoubleDouble::sum(number.high, number.low)
 }
 
+/// `count` + 1 instants, evenly from the first to the last, which is exact whatever the division rounds to.
+pub fn instants((from, to): (f64, f64), count: u32) -> Vec<f64> {
+    (0..=count).map(|i| if i == count { to } else { from + (to - from) * (f64::from(i) / f64::from(count)) }).collect()
+}
+
 impl<'a> Problem<'a> {
     /// By these equations, which are in the scene's distance if it has one. Without `solve` the scene decides, then the
     /// equations: eliminated accelerations where there are such.
@@ -193,5 +198,23 @@ impl<'a> Problem<'a> {
     pub fn dynamics(&self) -> Result<Dynamics<'a>, SimError> {
         let label = format!("{}, {}", self.model.title, self.by.name);
         Ok(Dynamics::new(self.system(), &self.scene.parameters)?.labelled(label))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::instants;
+
+    /// Spans whose parts do not add up in doubles, both ways.
+    #[test]
+    fn the_last_instant_is_the_end_of_the_span() {
+        for hundredths in 1..1000 {
+            let to = f64::from(hundredths) / 100.0;
+            for span in [(0.0, to), (to, 0.1), (0.0, 1e-12 * to)] {
+                let list = instants(span, 40);
+                assert!(list[0].total_cmp(&span.0).is_eq() && list[40].total_cmp(&span.1).is_eq(), "{span:?}");
+                assert!(list.windows(2).all(|w| (w[1] - w[0]) * (span.1 - span.0) >= 0.0), "{span:?}");
+            }
+        }
     }
 }

@@ -77,8 +77,8 @@ impl fmt::Display for SimError {
             Self::NoJacobian { method } => {
                 write!(
                     f,
-                    "method {method} needs the derivatives of the right-hand side (`RightHandSide::jacobian`), which \
-                     these equations do not give; choose an explicit method, such as dop853"
+                    "method {method} needs the derivatives of the equations, which are not known for these; choose an \
+                     explicit method, such as dop853"
                 )
             }
             Self::OutputTime { index, t } => {

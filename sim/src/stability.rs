@@ -21,12 +21,13 @@ pub struct Growth {
 }
 
 impl Growth {
-    /// The instant from which on an error of `size` has grown to 1 or more, so that no digit is left; none if digits are
-    /// left at the end. A growth that goes back again, as in passing a singular surface, is none.
+    /// The instant from which on errors have grown to 1 or more, so that no digit is left; none if digits are left at the
+    /// end. `size` is the error up to an instant before it grows: of a run all its steps' errors together. A growth that
+    /// goes back again, as in passing a singular surface, is none.
     #[must_use]
-    pub fn horizon(&self, size: f64) -> Option<f64> {
-        let limit = -size.ln();
-        let beyond = self.logarithms.iter().rev().take_while(|l| **l >= limit).count();
+    pub fn horizon(&self, size: impl Fn(f64) -> f64) -> Option<f64> {
+        let lost = |(t, l): &(&f64, &f64)| size(**t).ln() + **l >= 0.0;
+        let beyond = self.times.iter().zip(&self.logarithms).rev().take_while(lost).count();
         let first = self.times.len() - beyond;
         self.times.get(first).copied()
     }
@@ -142,7 +143,7 @@ mod tests {
         let found = growth(&mut both, (0.0, 2000.0), &[0.0, 0.0], &[1.0, 0.0], &options).unwrap();
         assert!((found.rate() - 0.5).abs() < 1e-6, "{}", found.rate());
         // cosh(t/2) = 1e10 at t = 2 ln 2e10.
-        let horizon = found.horizon(1e-10).unwrap();
+        let horizon = found.horizon(|_| 1e-10).unwrap();
         assert!((horizon / (2.0 * 2e10_f64.ln()) - 1.0).abs() < 0.1, "{horizon}");
         let mut bare = |_t: f64, y: &[f64], dydt: &mut [f64]| {
             dydt.copy_from_slice(y);

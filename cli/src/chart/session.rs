@@ -37,6 +37,10 @@ pub fn chart(model: &Model, scene: &Scene, printed: bool, plan: &Plan, bar: &Pro
     let mut cut = None;
     if let Some(t) = leaves(model, &scene, &cases[0].by)? {
         let (from, to) = scene.span;
+        if t - from == 0.0 {
+            let help = "choose another start: `tripos simulate` says which condition does not hold".to_owned();
+            return Err(Failure::Request("the start is outside the domain of the model's equations".to_owned(), help));
+        }
         scene.span.1 = from + (t - from) * 0.99;
         cut = Some(format!(
             "the motion ends at t = {t} s of {to} s, where it leaves the domain or meets a terminal event: charted to t = {}",

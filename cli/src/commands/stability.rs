@@ -16,7 +16,8 @@ pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
     let findings = all(&Study { model: &model, scene: &scene, quick, bar: &bar })?;
     bar.finish_and_clear();
     findings.write(out)?;
-    let mut text = format!("{}, {}\n\n", model.title, scene.title);
+    let scene_title = if scene.title.is_empty() { String::new() } else { format!(", {}", scene.title) };
+    let mut text = format!("{}{scene_title}\n\n", model.title);
     for statement in &findings.statements {
         let _ = writeln!(text, "- {statement}");
     }

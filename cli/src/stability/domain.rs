@@ -60,7 +60,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
             if !said {
                 said = true;
                 findings.statements.push(format!(
-                    "the motion leaves its domain at t = {:.12} s ({}); without the domain the run goes on to t = {} s, ends with `{}`, and its energy has changed by {drift:.1e} J: no drift shows it",
+                    "the motion leaves its domain at t = {:.12} s ({}); without the domain the run goes on to t = {} s, ends with `{}`, and its energy has changed by {drift:.1e} J",
                     run.t_end,
                     run.stop.code(),
                     through.t_end,

@@ -6,7 +6,7 @@ use crate::chart::figure::failed;
 use crate::failure::Failure;
 use crate::invariants::Watch;
 use crate::plot::{Panel, Scale, Series, draw};
-use crate::problem::Problem;
+use crate::problem::{Problem, instants};
 use crate::run::refused;
 use tripos_derive::Formulation;
 use tripos_sim::stability::{Trend, trend};
@@ -34,7 +34,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     let (from, to) = scene.span;
     let length = (to - from) * if study.quick { SPANS[0] } else { SPANS[1] };
     let limit = if study.quick { 200_000 } else { 2_000_000 };
-    let samples: Vec<f64> = (0..=500).map(|i| from + length * f64::from(i) / 500.0).collect();
+    let long = (from, from + length);
+    let samples = instants(long, 500);
     let unit = &watch.integrals[energy].1;
     let mut series = Vec::new();
     for method in Method::ALL {
@@ -56,13 +57,16 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
                 output: Output::At(samples.clone()),
                 ..Options::default()
             };
-            let run = problem
-                .integrate_over((from, from + length), &y0, &options, &mut [])
-                .map_err(|e| refused(scene, &e))?;
+            let run = problem.integrate_over(long, &y0, &options, &mut []).map_err(|e| refused(scene, &e))?;
             let drifts = watch.course(&problem, &run, energy);
             let trend = trend(&drifts);
             let largest = drifts.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) });
-            let word = if trend == Trend::Secular { "secular" } else { "bounded" };
+            // Of a run that did not arrive nothing is said.
+            let word = match trend {
+                _ if run.stop.is_failure() => "stopped",
+                Trend::Secular => "secular",
+                Trend::Bounded => "bounded",
+            };
             findings.rows.push(Row {
                 check: "long run",
                 formulation: by.name.clone(),

@@ -48,11 +48,13 @@ pub fn passage(model: &Model, scene: &Scene) -> Result<Option<Passage>, Failure>
     let Ok(tape) = Tape::new(&model.arena, &inputs, &[*divisor]) else { return Ok(None) };
     let options = Options { output: Output::Steps { refine: 20 }, ..options(Method::Dop853, 1e-12, 1.0, 1_000_000) };
     let run = problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?;
-    let values: Vec<f64> = run
-        .y
-        .iter()
-        .map(|y| tape.evaluate(&[scene.parameters.clone(), problem.coordinates(y)].concat())[0].abs())
-        .collect();
+    let values: Vec<f64> =
+        run.y.iter().map(|y| tape.evaluate(&[scene.parameters.clone(), problem.coordinates(y)].concat())[0]).collect();
+    // A motion that goes through the surface does not pass by it.
+    if values.iter().any(|v| *v > 0.0) && values.iter().any(|v| *v < 0.0) {
+        return Ok(None);
+    }
+    let values: Vec<f64> = values.into_iter().map(f64::abs).collect();
     let least = values.windows(3).position(|v| v[1] <= v[0] && v[1] < v[2] && v[1] < 0.5).map(|at| at + 1);
     Ok(least.map(|at| Passage { t: run.t[at], least: values[at] }))
 }
@@ -176,7 +178,7 @@ fn cell(
             return Ok(Cell::Stopped(format!("{stop} {:.2} s", solution.t_end)));
         }
         (t, y) = (next, solution.y_end);
-        last = error(&problem.precise_state(&y), state);
+        last = error(&problem.precise_state(&y), state).max(rung.reference.uncertainty);
         findings.rows.push(row(quantity, Some(last), String::new()));
     }
     findings.rows.push(row("steps", Some(steps as f64), String::new()));
