@@ -198,7 +198,7 @@ fn first(
         solve: problem.solve,
         method: how.method,
         tolerance,
-        seconds: Spread { least: seconds, median: seconds, most: seconds },
+        seconds: Spread { least: seconds, median: seconds, most: seconds, runs: 1 },
         error: arrived.then(|| error(&problem.precise_state(&bare.y_end), reference.end()).max(reference.uncertainty)),
         steps: bare.steps,
         evaluations: bare.evaluations,

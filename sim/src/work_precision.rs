@@ -21,6 +21,8 @@ pub struct Spread {
     pub median: f64,
     /// The longest.
     pub most: f64,
+    /// How many there are.
+    pub runs: usize,
 }
 
 impl Spread {
@@ -30,7 +32,7 @@ impl Spread {
         let mut sorted = times.to_vec();
         sorted.sort_by(f64::total_cmp);
         let (least, most) = (*sorted.first()?, *sorted.last()?);
-        Some(Self { least, median: sorted[(sorted.len() - 1) / 2], most })
+        Some(Self { least, median: sorted[(sorted.len() - 1) / 2], most, runs: sorted.len() })
     }
 }
 
@@ -103,7 +105,7 @@ mod tests {
     #[test]
     fn a_spread_has_the_middle_time() {
         let spread = Spread::of(&[3.0, 1.0, 9.0, 2.0]).unwrap();
-        assert_eq!((spread.least, spread.median, spread.most), (1.0, 2.0, 9.0));
+        assert_eq!((spread.least, spread.median, spread.most, spread.runs), (1.0, 2.0, 9.0, 4));
         assert_eq!(Spread::of(&[]), None);
     }
 

@@ -42,7 +42,7 @@ pub fn folder(path: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(path).map_err(|error| Failure::Output(path.display().to_string(), error))
 }
 
-/// `work_precision.csv` and `drifts.csv`.
+/// `work_precision.csv`, `times.csv` (the bars of the chart) and `drifts.csv`.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
@@ -58,6 +58,12 @@ pub fn write(out: &Path, list: &[Measurement], integrals: &[(String, String)]) -
         [key(m), numbers.to_vec(), vec![m.stop.clone()]].concat()
     });
     table(&out.join("work_precision.csv"), &header, rows)?;
+    let header = ["formulation", "solve", "method", "tolerance", "runs", "shortest", "median", "longest"];
+    let rows = list.iter().map(|m| {
+        let times = [m.seconds.least, m.seconds.median, m.seconds.most].map(|t| format!("{t:e}"));
+        [key(m), vec![m.seconds.runs.to_string()], times.to_vec()].concat()
+    });
+    table(&out.join("times.csv"), &header, rows)?;
     let header = ["formulation", "solve", "method", "tolerance", "integral", "drift"];
     let rows = list.iter().flat_map(|m| {
         let each = integrals.iter().zip(&m.drifts);

@@ -144,7 +144,7 @@ mod tests {
             solve,
             method,
             tolerance: 1e-9,
-            seconds: Spread { least: time, median: time, most: time },
+            seconds: Spread { least: time, median: time, most: time, runs: 1 },
             error,
             steps: 1,
             evaluations: 1,
