@@ -119,7 +119,9 @@ pub fn how(scene: &Scene) -> String {
         (None, Tolerance::Uniform(atol)) => format!("rtol {:e}, atol {atol:e}", how.rtol),
         (None, Tolerance::Each(_)) => format!("rtol {:e}, an atol for each state", how.rtol),
     };
-    let distance = how.distance.map_or_else(String::new, |_| ", in the distance from a singular surface".to_owned());
+    let distance = how.distance.map_or_else(String::new, |d| {
+        format!(", in a coordinate's distance from {}°", 90 * i64::from(d.quarter_turns))
+    });
     format!("{} with {steps}{distance}", how.method)
 }
 
