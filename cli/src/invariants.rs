@@ -14,6 +14,7 @@ use tripos_derive::algebra::print::text;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::{Integral, prove};
 use tripos_derive::scene::Scene;
+use tripos_sim::work_precision::larger;
 use tripos_sim::{Dynamics, Solution};
 
 /// Functions of the state that are watched, as tapes.
@@ -86,7 +87,6 @@ impl Watch {
         let n = self.integrals.len();
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; n + self.divisors.len()]);
         let (mut first, mut largest) = (None, vec![0.0; n]);
-        let larger = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
         for y in solution.y.iter().chain([&solution.y_end]) {
             if let Some(tape) = &self.tape {
                 let inputs = [problem.scene.parameters.clone(), problem.state(y)].concat();
@@ -208,7 +208,6 @@ impl Course {
 
     /// The largest change of each first integral; not a number if a sample has no value.
     pub fn largest_changes(&self) -> Vec<f64> {
-        let larger = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
         (0..self.integrals.len()).map(|at| self.changes(at).into_iter().fold(0.0, larger)).collect()
     }
 }

@@ -8,9 +8,9 @@ use tripos_derive::scene::{AbsoluteTolerance, Scene, Solve};
 use tripos_sim::stability::growth;
 use tripos_sim::{Eliminated, Method, Options, Solution};
 
-/// How many times what the tolerances allow a conserved energy may change before a run warns.
-const ALLOWED_ENERGY: f64 = 100.0;
-/// The same for every first integral, in units of what the allowed error of one step moves it where it is: there are many steps,
+/// How many times what the tolerances allow a conserved quantity may change before it can be an objection.
+const ALLOWED: f64 = 100.0;
+/// How many times it may change before it is one whatever the tolerance, in units of what the allowed error of one step moves it where it is: there are many steps,
 /// and they all may err to one side.
 const ALLOWED_DRIFT: f64 = 1e4;
 /// An integral that moves as if the state erred by this leaves no more than three digits, whatever the tolerance.
@@ -21,7 +21,6 @@ const FIXED: f64 = THREE_DIGITS / ALLOWED_DRIFT;
 const MOST_SAMPLES: usize = 400;
 /// Steps after which the growth of errors is not followed further.
 const MOST_STEPS: u64 = 100_000;
-
 /// A part of the span at whose end a growth says nothing about the rest.
 const LAST_PART: f64 = 0.01;
 
@@ -56,7 +55,7 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
     let how = &scene.integration;
     let allowed = how.smallest_atol() + how.rtol * scale;
     // A run that ended where energy has no value says so by its stop.
-    (drift > ALLOWED_ENERGY * allowed).then(|| {
+    (drift > ALLOWED * allowed).then(|| {
         format!(
             "total energy, constant in this motion, changed by {drift:.3e} J, {} times what the tolerances allow: do not trust this run",
             times(drift / allowed)
@@ -68,7 +67,7 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
 /// digits are lost.
 fn is_lost(scene: &Scene, ratio: f64) -> bool {
     let tolerance = if scene.integration.step.is_some() { FIXED } else { scene.integration.rtol };
-    ratio > ALLOWED_DRIFT || (ratio > ALLOWED_ENERGY && ratio * tolerance > THREE_DIGITS)
+    ratio > ALLOWED_DRIFT || (ratio > ALLOWED && ratio * tolerance > THREE_DIGITS)
 }
 
 /// The error that the tolerances allow in a component.

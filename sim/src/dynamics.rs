@@ -9,6 +9,7 @@ use crate::error::{Failure, SimError};
 use crate::linear::{self, Shape, Unsolvable};
 use crate::rhs::RightHandSide;
 use crate::solution::Solution;
+use crate::work_precision::larger;
 
 /// One formulation of one model with its parameters.
 pub struct Dynamics<'a> {
@@ -135,7 +136,6 @@ impl<'a> Dynamics<'a> {
         };
         let start = energy(solution.y.first().unwrap_or(&solution.y_end));
         let drift = |y| (energy(y) - start).abs();
-        let larger = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
         solution.y.iter().chain([&solution.y_end]).map(drift).fold(0.0, larger)
     }
 

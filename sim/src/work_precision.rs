@@ -36,6 +36,12 @@ impl Spread {
     }
 }
 
+/// The larger of two numbers, and not a number if either is none: a maximum that hides nothing.
+#[must_use]
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
 /// The largest |found − reference| / (1 + |reference|), the difference taken in twice the precision of a double; not a
 /// number where a component has no value or a length differs.
 #[must_use]
@@ -44,7 +50,6 @@ pub fn error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
         return f64::NAN;
     }
     let one = |(x, r): (&DoubleDouble, &DoubleDouble)| ((*x - *r).abs() / (DoubleDouble::int(1) + r.abs())).to_f64();
-    let larger = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
     found.iter().zip(reference).map(one).fold(0.0, larger)
 }
 
