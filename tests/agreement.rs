@@ -9,7 +9,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::{Formulation, Model, derive};
 use tripos_sim::Dynamics;
-use tripos_traits::{DoubleDouble, Scalar, System};
+use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 /// Parameters, coordinates and speeds of the disk, away from lying flat: |cos q2| ≥ 0.01.
 fn disk_states() -> impl Strategy<Value = (Vec<f64>, Vec<f64>, Vec<f64>)> {

@@ -6,7 +6,7 @@
 
 use tripos::{heavy_top, pendulum};
 use tripos_sim::exact::{HeavyTop, Pendulum, Top, TopStart};
-use tripos_traits::{DoubleDouble, Scalar, System};
+use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 type Dd = DoubleDouble;
 

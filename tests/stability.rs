@@ -9,7 +9,7 @@ use support::stability::{Equations, Start, options, right_angle, rounded, wide};
 use tripos_sim::stability::{growth, slope};
 use tripos_sim::work_precision::error;
 use tripos_sim::{Direction, Dynamics, Eliminated, Event, Method, Options, Output, linear};
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// The near-flat ladder: u2 at the start, the least cos q2 on the way, the aim for the error at t = 2 s.
 const LADDER: [(&str, f64, f64); 5] = [
@@ -215,7 +215,7 @@ fn the_flat_fall_is_stopped_by_the_domain_alone() {
 }
 
 /// N of the disk by its meaning, M (g + z̈) with z = R cos q2, in any number, from Lagrange's accelerations.
-fn reaction<S: Scalar>(system: &dyn tripos_traits::System<S>, p: &[S], y: &[S]) -> S {
+fn reaction<S: Real>(system: &dyn tripos_traits::System<S>, p: &[S], y: &[S]) -> S {
     let mut v_dot = vec![S::int(0); 5];
     system.accelerations(p, &y[..5], &y[5..], &mut v_dot);
     let (sine, cosine) = y[1].sin_cos();

@@ -14,7 +14,7 @@ use tripos::disk::{kane, lagrange};
 use tripos_sim::{
     AbsoluteTolerance, Eliminated, Failure, Lent, Method, Options, Output, RightHandSide, Solution, Stop, integrate,
 };
-use tripos_traits::{DoubleDouble, Scalar, System};
+use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 /// Coordinates; as many rates follow them in a state.
 const N: usize = 5;
@@ -26,7 +26,7 @@ const PARAMETERS: [&str; 3] = ["1", "1", "9.81"];
 const START: [&str; 2 * N] = ["10", "2", "45", "5", "1", "0.01", "-0.1", "0.02", "0.4", "0.1"];
 
 /// The scene's start and parameters, rounded once to `S`.
-fn question<S: Scalar>() -> (Vec<S>, Vec<S>) {
+fn question<S: Real>() -> (Vec<S>, Vec<S>) {
     let degree = DoubleDouble::pi() / DoubleDouble::int(180);
     let state = START.iter().enumerate().map(|(i, text)| {
         let value = DoubleDouble::decimal(text);
@@ -35,7 +35,7 @@ fn question<S: Scalar>() -> (Vec<S>, Vec<S>) {
     (PARAMETERS.iter().map(|text| S::decimal(text)).collect(), state.collect())
 }
 
-fn narrow<S: Scalar>(x: DoubleDouble) -> S {
+fn narrow<S: Real>(x: DoubleDouble) -> S {
     S::from_f64(x.hi()) + S::from_f64(x.lo())
 }
 
@@ -45,7 +45,7 @@ struct Equations<'a, S> {
     parameters: Vec<S>,
 }
 
-impl<S: Scalar> Equations<'_, S> {
+impl<S: Real> Equations<'_, S> {
     /// [q; v] from [q; q̇]: the speeds of Lagrange's equations are the q̇, and every formulation knows the generalized
     /// speeds of the model file.
     fn state(&self, y: &[S]) -> Vec<S> {
@@ -82,7 +82,7 @@ impl<E: System<f64>> RightHandSide for Known<E> {
 }
 
 /// From the start to the end of the span at rtol = atol = `tolerance`.
-fn run<S: Scalar, R: RightHandSide<S>>(rhs: &mut R, y0: &[S], tolerance: f64) -> Solution<S> {
+fn run<S: Real, R: RightHandSide<S>>(rhs: &mut R, y0: &[S], tolerance: f64) -> Solution<S> {
     let options = Options {
         method: Method::Dop853,
         rtol: tolerance,

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use tripos_derive::scene::{Extended, Motion, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, integrate};
-use tripos_traits::{DoubleDouble, Scalar, System};
+use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 /// A scene, the equations that run it, and how.
 pub struct Problem<'a> {

@@ -12,7 +12,7 @@ use tripos_derive::scene::{Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::work_precision::error;
 use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, Output, RightHandSide, Solution, integrate};
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// States at some instants, known better than any run in doubles knows them.
 pub struct Reference {
@@ -127,7 +127,7 @@ fn options(rtol: f64) -> Options {
 }
 
 /// From instant to instant: each is the end of a run, where the solution is as good as the tolerance.
-fn along<S: Scalar>(
+fn along<S: Real>(
     scene: &Scene,
     times: &[f64],
     start: Vec<S>,

@@ -3,7 +3,7 @@
 //! Why: a loop over the lanes of a block has a known length and no bounds to check, so it becomes vector
 //! instructions; and the stages of one block lie side by side.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// Width of a block: the doubles of a register that every x86-64 and ARM processor has.
 pub(crate) const LANES: usize = 2;
@@ -18,7 +18,7 @@ pub(crate) struct Blocks<S> {
     n: usize,
 }
 
-impl<S: Scalar> Blocks<S> {
+impl<S: Real> Blocks<S> {
     pub(crate) fn zeros(n: usize) -> Self {
         Self { blocks: vec![[S::from_f64(0.0); LANES]; n.div_ceil(LANES)], n }
     }
@@ -43,7 +43,7 @@ impl Finite {
 
     /// Notes the numbers of a block.
     #[inline]
-    pub(crate) fn note<S: Scalar>(&mut self, block: &Block<S>) {
+    pub(crate) fn note<S: Real>(&mut self, block: &Block<S>) {
         // x − x is 0, but not a number if x is infinite or none.
         let rest = block.map(|x| x.to_f64() - x.to_f64());
         for (sum, rest) in self.0.iter_mut().zip(rest) {

@@ -6,7 +6,7 @@
 
 use std::array::from_fn;
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::blocks::{Block, Blocks, Finite, LANES};
 use crate::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
@@ -52,7 +52,7 @@ struct Coefficients<S> {
     dense: [[Twice<S>; STAGES]; 4],
 }
 
-impl<S: Scalar> Coefficients<S> {
+impl<S: Real> Coefficients<S> {
     fn new() -> Self {
         Self {
             a: PUBLISHED.a.map(row),
@@ -63,7 +63,7 @@ impl<S: Scalar> Coefficients<S> {
     }
 }
 
-fn row<S: Scalar>(entries: Row) -> [Twice<S>; STAGES] {
+fn row<S: Real>(entries: Row) -> [Twice<S>; STAGES] {
     let mut values = [[S::from_f64(0.0); 2]; STAGES];
     for (stage, decimal) in entries {
         values[*stage] = [decimal.to(); 2];
@@ -91,7 +91,7 @@ pub(crate) struct Dop853<S> {
     evaluations: u64,
 }
 
-impl<S: Scalar> Dop853<S> {
+impl<S: Real> Dop853<S> {
     /// The method for `n` equations.
     pub(crate) fn new(n: usize) -> Self {
         let zero = S::from_f64(0.0);
@@ -176,7 +176,7 @@ impl<S: Scalar> Dop853<S> {
                 from_fn(|l| eighth[l] - e3[0][l % 2] * k[0][l] - e3[8][l % 2] * k[8][l] - e3[11][l % 2] * k[11][l]);
             finite.note(&next);
             *y_new = next;
-            let inverse = test.inverse_weights(absolute, &y.map(Scalar::to_f64), &next.map(Scalar::to_f64));
+            let inverse = test.inverse_weights(absolute, &y.map(Real::to_f64), &next.map(Real::to_f64));
             *quotients = [from_fn(|l| fifth[l].to_f64() * inverse[l]), from_fn(|l| third[l].to_f64() * inverse[l])];
         }
         for [q5, q3] in &self.quotients {
@@ -196,7 +196,7 @@ impl<S: Scalar> Dop853<S> {
 /// Σⱼ aⱼ kⱼ over the stages before `end` that are used, stage 0 always among them.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "with the stages known, the loops below become straight vector code")]
-fn combination<S: Scalar>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; STAGES], end: usize) -> Block<S> {
+fn combination<S: Real>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; STAGES], end: usize) -> Block<S> {
     let mut sum: Block<S> = from_fn(|l| a[0][l % 2] * k[0][l]);
     for j in 1..end {
         if used[j] {
@@ -211,7 +211,7 @@ fn combination<S: Scalar>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; 
 ///
 /// That stage comes last and by itself: it is known late, and two operations after it the point is complete.
 #[inline]
-fn advance<S: Scalar, const I: usize>(
+fn advance<S: Real, const I: usize>(
     a: &[Twice<S>; STAGES],
     h: S,
     y: &Blocks<S>,
@@ -238,8 +238,8 @@ fn advance<S: Scalar, const I: usize>(
     finite
 }
 
-impl<S: Scalar> Interpolant for Dop853<S> {
-    type Scalar = S;
+impl<S: Real> Interpolant for Dop853<S> {
+    type Real = S;
 
     fn span(&self) -> (f64, f64) {
         (self.t, self.t_new)
@@ -259,7 +259,7 @@ impl<S: Scalar> Interpolant for Dop853<S> {
     }
 }
 
-impl<S: Scalar> Stepper for Dop853<S> {
+impl<S: Real> Stepper for Dop853<S> {
     fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
         (self.t, self.t_new) = (t, t);
         self.y.components_mut().copy_from_slice(y);

@@ -6,7 +6,7 @@
 #![expect(clippy::excessive_precision, reason = "the digits are kept for scalars wider than f64")]
 #![expect(clippy::unreadable_literal, reason = "the text of a coefficient is read as it stands")]
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// A coefficient as it is published: more digits than an `f64` holds, and the nearest `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Decimal {
 impl Decimal {
     /// The coefficient, as exactly as the scalar can hold it.
     #[must_use]
-    pub fn to<S: Scalar>(&self) -> S {
+    pub fn to<S: Real>(&self) -> S {
         if S::EPSILON < f64::EPSILON { S::decimal(self.text) } else { S::from_f64(self.value) }
     }
 }

@@ -3,7 +3,7 @@
 //! Watching costs nothing where it matters: a relative tolerance is never below rounding, so that only runs without
 //! one are looked at step by step, and whether f is smooth shows in rejected steps alone.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::solution::Warning;
 use crate::stepper::Stepper;
@@ -72,7 +72,7 @@ impl Doubts {
     fn note_rounding<M: Stepper>(&mut self, stepper: &M, test: &ErrorTest) {
         let (y, y_new) = stepper.ends();
         let size = |i: usize| y[i].to_f64().abs().max(y_new[i].to_f64().abs());
-        let below = |i: usize| test.allowed(i) < 4.0 * <M::Scalar as Scalar>::EPSILON * size(i);
+        let below = |i: usize| test.allowed(i) < 4.0 * <M::Real as Real>::EPSILON * size(i);
         if !(0..y.len()).any(below) {
             return;
         }
@@ -88,7 +88,7 @@ impl Doubts {
     }
 
     /// What the caller should know.
-    pub(crate) fn warnings<S: Scalar>(self) -> impl Iterator<Item = Warning> {
+    pub(crate) fn warnings<S: Real>(self) -> impl Iterator<Item = Warning> {
         let below = self.below.filter(|below| below.attempts >= ENOUGH);
         let below = below.map(|Below { component, t, size, allowed, attempts }| {
             let spacing = S::EPSILON * size;

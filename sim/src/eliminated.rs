@@ -1,6 +1,6 @@
 //! Equations whose accelerations were solved for when their code was generated, as a right-hand side.
 
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Real, System};
 
 use crate::error::Failure;
 use crate::rhs::RightHandSide;
@@ -8,12 +8,12 @@ use crate::rhs::RightHandSide;
 /// y' = [q̇; v̇] by [`System::derivative`], with its exact Jacobian, in any kind of number.
 ///
 /// The state is y = [q; v], as for [`crate::Dynamics`], which solves the linear system at each state instead.
-pub struct Eliminated<'a, S: Scalar = f64> {
+pub struct Eliminated<'a, S: Real = f64> {
     system: &'a dyn System<S>,
     parameters: Vec<S>,
 }
 
-impl<'a, S: Scalar> Eliminated<'a, S> {
+impl<'a, S: Real> Eliminated<'a, S> {
     /// `parameters` in the order of the model file; `None` for equations that were not solved for.
     #[must_use]
     pub fn new(system: &'a dyn System<S>, parameters: &[S]) -> Option<Self> {
@@ -22,7 +22,7 @@ impl<'a, S: Scalar> Eliminated<'a, S> {
     }
 }
 
-impl<S: Scalar> RightHandSide<S> for Eliminated<'_, S> {
+impl<S: Real> RightHandSide<S> for Eliminated<'_, S> {
     #[inline]
     fn rhs(&mut self, _t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
         let n = self.system.coordinates();

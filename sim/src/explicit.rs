@@ -4,7 +4,7 @@
 //! end. Buffers are made once; a step allocates nothing. Absent on purpose: the choice of the step
 //! size.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
@@ -34,7 +34,7 @@ pub(crate) struct ExplicitRungeKutta<T, const S: usize> {
     evaluations: u64,
 }
 
-impl<T: Scalar, const S: usize> ExplicitRungeKutta<T, S> {
+impl<T: Real, const S: usize> ExplicitRungeKutta<T, S> {
     /// A method for `n` equations; [`Stepper::start`] must come first.
     pub(crate) fn new(tableau: &Tableau<S>, length: Length, n: usize) -> Self {
         let zeros = || vec![T::from_f64(0.0); n];
@@ -66,7 +66,7 @@ impl<T: Scalar, const S: usize> ExplicitRungeKutta<T, S> {
 }
 
 /// sum = Σⱼ weight(j) kⱼ.
-fn combine<T: Scalar>(sum: &mut [T], k: &[Vec<T>], weight: impl Fn(usize) -> T) {
+fn combine<T: Real>(sum: &mut [T], k: &[Vec<T>], weight: impl Fn(usize) -> T) {
     let zero = T::from_f64(0.0);
     sum.fill(zero);
     for (j, k_j) in k.iter().enumerate() {
@@ -79,8 +79,8 @@ fn combine<T: Scalar>(sum: &mut [T], k: &[Vec<T>], weight: impl Fn(usize) -> T) 
     }
 }
 
-impl<T: Scalar, const S: usize> Interpolant for ExplicitRungeKutta<T, S> {
-    type Scalar = T;
+impl<T: Real, const S: usize> Interpolant for ExplicitRungeKutta<T, S> {
+    type Real = T;
 
     fn span(&self) -> (f64, f64) {
         (self.t, self.t_new)
@@ -108,7 +108,7 @@ impl<T: Scalar, const S: usize> Interpolant for ExplicitRungeKutta<T, S> {
     }
 }
 
-impl<T: Scalar, const S: usize> Stepper for ExplicitRungeKutta<T, S> {
+impl<T: Real, const S: usize> Stepper for ExplicitRungeKutta<T, S> {
     fn start<R: RightHandSide<T>>(&mut self, rhs: &mut R, t: f64, y: &[T]) -> Result<(), Trouble> {
         (self.t, self.t_new) = (t, t);
         self.y.copy_from_slice(y);

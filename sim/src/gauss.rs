@@ -10,7 +10,7 @@
 //! act like a force and let the invariants drift. What rounding cuts off a sum y + h Σ b k is carried to the next step,
 //! for the same reason.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::error::Failure;
 use crate::lu::Lu;
@@ -28,7 +28,7 @@ struct Nodes<S> {
     a: [[S; 3]; 3],
 }
 
-impl<S: Scalar> Nodes<S> {
+impl<S: Real> Nodes<S> {
     fn new() -> Self {
         let root = S::int(15).sqrt();
         let (half, s) = (S::ratio(1, 2), root / S::int(10));
@@ -54,7 +54,7 @@ struct Slope<S> {
     second: S,
 }
 
-impl<S: Scalar> Slope<S> {
+impl<S: Real> Slope<S> {
     /// Through the derivatives at the nodes.
     fn through(s: S, [k1, k2, k3]: [S; 3]) -> Self {
         let first = (k3 - k1) / (S::int(4) * s);
@@ -107,7 +107,7 @@ pub(crate) struct Gauss6<S> {
     jacobians: u64,
 }
 
-impl<S: Scalar> Gauss6<S> {
+impl<S: Real> Gauss6<S> {
     /// The method for `n` equations.
     pub(crate) fn new(n: usize) -> Self {
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
@@ -289,8 +289,8 @@ fn no_jacobian() -> Trouble {
     Trouble::Failed(Failure { code: "no-jacobian", message })
 }
 
-impl<S: Scalar> Interpolant for Gauss6<S> {
-    type Scalar = S;
+impl<S: Real> Interpolant for Gauss6<S> {
+    type Real = S;
 
     fn span(&self) -> (f64, f64) {
         (self.t, self.t_new)
@@ -308,7 +308,7 @@ impl<S: Scalar> Interpolant for Gauss6<S> {
     }
 }
 
-impl<S: Scalar> Stepper for Gauss6<S> {
+impl<S: Real> Stepper for Gauss6<S> {
     fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
         (self.t, self.t_new) = (t, t);
         self.y.copy_from_slice(y);

@@ -1,6 +1,6 @@
 //! From a question to a [`Solution`]: checks the question, and picks the method.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::dop853::Dop853;
 use crate::dormand_prince::DORMAND_PRINCE_54;
@@ -40,7 +40,7 @@ pub fn integrate<S, R>(
     events: &mut [Event<'_>],
 ) -> Result<Solution<S>, SimError>
 where
-    S: Scalar,
+    S: Real,
     R: RightHandSide<S>,
 {
     options::check(span, y0, options)?;

@@ -27,7 +27,7 @@
 //!
 //! Methods ([`Method`]): `ode45` and `dopri5` (order 5), `dop853` (order 8), `gauss6` (order 6, implicit, conserving) choose
 //! their steps by the error; each of them and `rk4` also takes equal steps ([`Options::step`]). The state may be of any
-//! [`tripos_traits::Scalar`].
+//! [`tripos_traits::Real`].
 //!
 //! Units are those of the equations, time in s. Absent on purpose: models. The crate knows
 //! equations by the trait [`tripos_traits::System`] ([`Dynamics`] joins one to the integrator) or

@@ -2,7 +2,7 @@
 //!
 //! For the orders that implicit steps have (three times the state's length); nothing is allocated after `new`.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// A matrix, or its factors once it is factored.
 pub(crate) struct Lu<S> {
@@ -13,7 +13,7 @@ pub(crate) struct Lu<S> {
     pivots: Vec<usize>,
 }
 
-impl<S: Scalar> Lu<S> {
+impl<S: Real> Lu<S> {
     /// A zero matrix of order `n`.
     pub(crate) fn new(n: usize) -> Self {
         Self { n, entries: vec![S::from_f64(0.0); n * n], pivots: vec![0; n] }

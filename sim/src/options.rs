@@ -1,6 +1,6 @@
 //! How a run is to be made, and which questions make no sense.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::control;
 use crate::error::SimError;
@@ -47,7 +47,7 @@ impl Default for Options {
 }
 
 /// Refuses what cannot be run, tolerances aside.
-pub(crate) fn check<S: Scalar>((t0, t1): (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
+pub(crate) fn check<S: Real>((t0, t1): (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
     if !(t0.is_finite() && t1.is_finite() && (t1 - t0).is_finite()) {
         return Err(SimError::NotFinite { what: format!("the span from {t0} s to {t1} s") });
     }

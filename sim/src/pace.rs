@@ -1,6 +1,6 @@
 //! The sizes of the steps of a run: equal ones, or as large as their errors allow.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::control::{self, Control, Rules};
 use crate::error::SimError;
@@ -56,7 +56,7 @@ struct Adaptive {
 impl Pace {
     /// # Errors
     /// [`SimError`] for tolerances that make no sense, and for a method that cannot choose its steps.
-    pub(crate) fn new<S: Scalar>(
+    pub(crate) fn new<S: Real>(
         (t0, t1): (f64, f64),
         n: usize,
         options: &Options,
@@ -80,7 +80,7 @@ impl Pace {
     /// Chooses the size of the first step, where that is open, from y' at the start.
     pub(crate) fn start<S, R>(&mut self, rhs: &mut R, y: &[S], slope: &[S], initial: Option<f64>)
     where
-        S: Scalar,
+        S: Real,
         R: RightHandSide<S>,
     {
         let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return };
@@ -161,7 +161,7 @@ fn equal_steps(quotient: f64) -> f64 {
 /// Norm of y'' from a step of Euler's method; `None` if f has no value at its end.
 fn curvature<S, R>(rhs: &mut R, (t, h): (f64, f64), y: &[S], slope: &[S], test: &ErrorTest) -> Option<f64>
 where
-    S: Scalar,
+    S: Real,
     R: RightHandSide<S>,
 {
     let step = S::from_f64(h);

@@ -1,6 +1,6 @@
 //! Keeps the samples of a solution that were asked for.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::solution::Output;
 use crate::stepper::{DenseStep, Interpolant, same};
@@ -13,7 +13,7 @@ pub(crate) struct Recorder<'a, S> {
     pub(crate) y: Vec<Vec<S>>,
 }
 
-impl<'a, S: Scalar> Recorder<'a, S> {
+impl<'a, S: Real> Recorder<'a, S> {
     /// Starts at (t0, y0). `Output::At` must have been checked to be in order.
     pub(crate) fn new(output: &'a Output, t0: f64, y0: &[S]) -> Self {
         let mut recorder = Self { output, next: 0, t: Vec::new(), y: Vec::new() };
@@ -34,7 +34,7 @@ impl<'a, S: Scalar> Recorder<'a, S> {
         self.y.push(y);
     }
 
-    fn sample(&mut self, step: &impl Interpolant<Scalar = S>, t: f64, theta: f64) {
+    fn sample(&mut self, step: &impl Interpolant<Real = S>, t: f64, theta: f64) {
         self.push(t, step.sample(theta, t));
     }
 
@@ -49,7 +49,7 @@ impl<'a, S: Scalar> Recorder<'a, S> {
     }
 
     /// Records an accepted step up to its fraction `end` (1 unless an event ends the run inside the step).
-    pub(crate) fn step(&mut self, step: &impl Interpolant<Scalar = S>, end: f64) {
+    pub(crate) fn step(&mut self, step: &impl Interpolant<Real = S>, end: f64) {
         if end == 0.0 {
             return; // the run ends where the step began
         }

@@ -1,6 +1,6 @@
 //! What is integrated: y' = f(t, y), and ∂f/∂y where a method needs it.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::error::Failure;
 
@@ -61,7 +61,7 @@ where
 /// every right-hand side, at the price of an indirect call.
 pub struct Lent<'a, R: ?Sized>(pub &'a mut R);
 
-impl<S: Scalar, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
+impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
     #[inline]
     fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
         self.0.rhs(t, y, dydt)

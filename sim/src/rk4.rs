@@ -4,7 +4,7 @@
 //! 435–453: k₁ = f(t, y), k₂ = f(t + h/2, y + h/2 k₁), k₃ = f(t + h/2, y + h/2 k₂), k₄ = f(t + h, y + h k₃), and
 //! the new point is y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
@@ -20,7 +20,7 @@ pub(crate) struct Rk4<S> {
     evaluations: u64,
 }
 
-impl<S: Scalar> Rk4<S> {
+impl<S: Real> Rk4<S> {
     /// The method for `n` equations.
     pub(crate) fn new(n: usize) -> Self {
         let zeros = || vec![S::from_f64(0.0); n];
@@ -41,8 +41,8 @@ impl<S: Scalar> Rk4<S> {
     }
 }
 
-impl<S: Scalar> Interpolant for Rk4<S> {
-    type Scalar = S;
+impl<S: Real> Interpolant for Rk4<S> {
+    type Real = S;
 
     fn span(&self) -> (f64, f64) {
         (self.t, self.t_new)
@@ -64,7 +64,7 @@ impl<S: Scalar> Interpolant for Rk4<S> {
     }
 }
 
-impl<S: Scalar> Stepper for Rk4<S> {
+impl<S: Real> Stepper for Rk4<S> {
     fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
         (self.t, self.t_new) = (t, t);
         self.y.copy_from_slice(y);

@@ -28,13 +28,13 @@ pub(crate) fn solve<M, R>(
     stepper: M,
     pace: Pace,
     rhs: &mut R,
-    y0: &[M::Scalar],
+    y0: &[M::Real],
     options: &Options,
     events: &mut [Event<'_>],
-) -> Solution<M::Scalar>
+) -> Solution<M::Real>
 where
     M: Stepper,
-    R: RightHandSide<M::Scalar>,
+    R: RightHandSide<M::Real>,
 {
     let t0 = pace.t0;
     let mut run = Run { stepper, pace, options, steps: 0, rejected: 0, doubts: Doubts::default() };
@@ -57,15 +57,15 @@ where
         jacobians: run.stepper.jacobians(),
         stop,
         events: watch.records,
-        warnings: run.doubts.warnings::<M::Scalar>().collect(),
+        warnings: run.doubts.warnings::<M::Real>().collect(),
     }
 }
 
 impl<M: Stepper> Run<'_, M> {
     /// Prepares the first step; returns a reason not to take it.
-    fn start<R>(&mut self, rhs: &mut R, y0: &[M::Scalar], watch: &mut Watch<'_, '_>) -> Option<Stop>
+    fn start<R>(&mut self, rhs: &mut R, y0: &[M::Real], watch: &mut Watch<'_, '_>) -> Option<Stop>
     where
-        R: RightHandSide<M::Scalar>,
+        R: RightHandSide<M::Real>,
     {
         let t0 = self.pace.t0;
         if let Some(stop) = watch.start(t0, y0) {
@@ -83,11 +83,11 @@ impl<M: Stepper> Run<'_, M> {
         &mut self,
         rhs: &mut R,
         watch: &mut Watch<'_, '_>,
-        recorder: &mut Recorder<'_, M::Scalar>,
-        y_end: &mut [M::Scalar],
+        recorder: &mut Recorder<'_, M::Real>,
+        y_end: &mut [M::Real],
     ) -> (Stop, f64)
     where
-        R: RightHandSide<M::Scalar>,
+        R: RightHandSide<M::Real>,
     {
         let stop = loop {
             let last = match self.advance(rhs) {
@@ -122,7 +122,7 @@ impl<M: Stepper> Run<'_, M> {
     /// span.
     fn advance<R>(&mut self, rhs: &mut R) -> Result<bool, Stop>
     where
-        R: RightHandSide<M::Scalar>,
+        R: RightHandSide<M::Real>,
     {
         self.pace.begin(self.stepper.span().0, self.steps);
         loop {

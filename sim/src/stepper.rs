@@ -1,6 +1,6 @@
 //! What the driver asks of a one-step method: a trial step, its error, and the solution inside it.
 
-use tripos_traits::Scalar;
+use tripos_traits::{Real, Scalar};
 
 use crate::error::Failure;
 use crate::rhs::RightHandSide;
@@ -24,7 +24,7 @@ pub(crate) enum Trouble {
 }
 
 /// Position of the first entry that is not finite.
-pub(crate) fn check_finite<S: Scalar>(values: &[S]) -> Result<(), Trouble> {
+pub(crate) fn check_finite<S: Real>(values: &[S]) -> Result<(), Trouble> {
     match values.iter().position(|x| !x.to_f64().is_finite()) {
         Some(component) => Err(Trouble::NotFinite { component }),
         None => Ok(()),
@@ -35,7 +35,7 @@ pub(crate) fn check_finite<S: Scalar>(values: &[S]) -> Result<(), Trouble> {
 #[inline]
 pub(crate) fn evaluate<S, R>(rhs: &mut R, t: f64, y: &[S], out: &mut [S]) -> Result<(), Trouble>
 where
-    S: Scalar,
+    S: Real,
     R: RightHandSide<S>,
 {
     rhs.rhs(t, y, out).map_err(Trouble::Failed)?;
@@ -59,7 +59,7 @@ pub(crate) struct Trial {
 
 impl Trial {
     /// The distance from `t` to the end, without the rounding of t + h: in a scalar wider than `f64` it is exact.
-    pub(crate) fn exact<S: Scalar>(self, t: f64) -> S {
+    pub(crate) fn exact<S: Real>(self, t: f64) -> S {
         S::from_f64(self.t_new) - S::from_f64(t)
     }
 }
@@ -81,16 +81,16 @@ pub(crate) trait DenseStep {
 /// The solution inside one step, in the scalar of the run.
 pub(crate) trait Interpolant {
     /// The scalar of the run.
-    type Scalar: Scalar;
+    type Real: Real;
     /// Start and end of the step, in s.
     fn span(&self) -> (f64, f64);
     /// States at the start and at the end of the step.
-    fn ends(&self) -> (&[Self::Scalar], &[Self::Scalar]);
+    fn ends(&self) -> (&[Self::Real], &[Self::Real]);
     /// Hands each component of the state at the fraction `theta` to `put`.
-    fn inside(&self, theta: Self::Scalar, put: impl FnMut(usize, Self::Scalar));
+    fn inside(&self, theta: Self::Real, put: impl FnMut(usize, Self::Real));
 
     /// The state at the fraction `theta`, which is at the time `t`.
-    fn sample(&self, theta: f64, t: f64) -> Vec<Self::Scalar> {
+    fn sample(&self, theta: f64, t: f64) -> Vec<Self::Real> {
         let (y, y_new) = self.ends();
         let mut out = if same(theta, 1.0) { y_new.to_vec() } else { y.to_vec() };
         if !same(theta, 0.0) && !same(theta, 1.0) {
@@ -100,9 +100,9 @@ pub(crate) trait Interpolant {
     }
 
     /// The fraction of the step at the time `t`, as exactly as the scalar can tell; `theta` is its `f64`.
-    fn fraction(&self, theta: f64, t: f64) -> Self::Scalar {
-        let wide = <Self::Scalar as Scalar>::from_f64;
-        if <Self::Scalar as Scalar>::EPSILON < f64::EPSILON {
+    fn fraction(&self, theta: f64, t: f64) -> Self::Real {
+        let wide = <Self::Real as Scalar>::from_f64;
+        if <Self::Real as Real>::EPSILON < f64::EPSILON {
             let (start, end) = self.span();
             (wide(t) - wide(start)) / (wide(end) - wide(start))
         } else {
@@ -118,7 +118,7 @@ impl<I: Interpolant> DenseStep for I {
 
     fn interpolate(&self, theta: f64, out: &mut [f64]) {
         let (y, y_new) = self.ends();
-        let mut round = |values: &[I::Scalar]| {
+        let mut round = |values: &[I::Real]| {
             for (o, value) in out.iter_mut().zip(values) {
                 *o = value.to_f64();
             }
@@ -128,7 +128,7 @@ impl<I: Interpolant> DenseStep for I {
         } else if same(theta, 1.0) {
             round(y_new);
         } else {
-            self.inside(I::Scalar::from_f64(theta), |i, value| out[i] = value.to_f64());
+            self.inside(I::Real::from_f64(theta), |i, value| out[i] = value.to_f64());
         }
     }
 }
@@ -136,19 +136,19 @@ impl<I: Interpolant> DenseStep for I {
 /// A one-step method. The driver alone knows about step sizes, events and output.
 pub(crate) trait Stepper: Interpolant {
     /// Puts the method at (t, y) and evaluates the derivative there.
-    fn start<R>(&mut self, rhs: &mut R, t: f64, y: &[Self::Scalar]) -> Result<(), Trouble>
+    fn start<R>(&mut self, rhs: &mut R, t: f64, y: &[Self::Real]) -> Result<(), Trouble>
     where
-        R: RightHandSide<Self::Scalar>;
+        R: RightHandSide<Self::Real>;
     /// Tries a step from the current point, and returns its error in the norm of `test`; 0 without a test. A step
     /// that passes the test has a derivative at its end.
     fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
     where
-        R: RightHandSide<Self::Scalar>;
+        R: RightHandSide<Self::Real>;
     /// Evaluates what only the solution inside the step last tried needs. Says no if f has no value there; the
     /// solution inside is then of lower order.
     fn prepare_inside<R>(&mut self, rhs: &mut R) -> bool
     where
-        R: RightHandSide<Self::Scalar>,
+        R: RightHandSide<Self::Real>,
     {
         let _ = rhs;
         true
@@ -158,7 +158,7 @@ pub(crate) trait Stepper: Interpolant {
     /// Moves to the end of the step last tried.
     fn accept(&mut self);
     /// Derivative at the start; asked for before the first step.
-    fn slope(&self) -> &[Self::Scalar];
+    fn slope(&self) -> &[Self::Real];
     /// Calls of the right-hand side so far.
     fn evaluations(&self) -> u64;
     /// Evaluations of the Jacobian so far.

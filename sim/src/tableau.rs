@@ -4,7 +4,7 @@
 //! order conditions can therefore be tested exactly, and another number type can round them better.
 //! Absent on purpose: any arithmetic of a step; that is [`crate::explicit`].
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// The fraction numerator / denominator.
 pub type Fraction = (i64, i64);
@@ -40,7 +40,7 @@ pub(crate) struct Coefficients<T, const S: usize> {
     pub(crate) dense: [[T; 4]; S],
 }
 
-impl<T: Scalar, const S: usize> Coefficients<T, S> {
+impl<T: Real, const S: usize> Coefficients<T, S> {
     pub(crate) fn new(tableau: &Tableau<S>) -> Self {
         Self {
             a: tableau.a.map(|row| row.map(round)),
@@ -51,7 +51,7 @@ impl<T: Scalar, const S: usize> Coefficients<T, S> {
     }
 }
 
-fn round<T: Scalar>((numerator, denominator): Fraction) -> T {
+fn round<T: Real>((numerator, denominator): Fraction) -> T {
     T::ratio(numerator, denominator)
 }
 

@@ -1,6 +1,6 @@
 //! How large an error a step may have: relative and absolute tolerances, and the norm they define.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::blocks::LANES;
 use crate::error::SimError;
@@ -56,7 +56,7 @@ impl ErrorTest {
     /// # Errors
     /// [`SimError::Tolerance`] for a tolerance that is negative or not finite, or a component with
     /// none; [`SimError::Length`] for a wrong number of absolute tolerances.
-    pub(crate) fn new<S: Scalar>(
+    pub(crate) fn new<S: Real>(
         norm: Norm,
         rtol: f64,
         atol: &AbsoluteTolerance,
@@ -92,7 +92,7 @@ impl ErrorTest {
     }
 
     /// The norm of an error. An error of exactly 0 counts as 0 even where the weight is 0.
-    pub(crate) fn norm<S: Scalar>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
+    pub(crate) fn norm<S: Real>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
         match self.norm {
             Norm::Largest => self.largest(error, y, y_new),
             Norm::MeanSquare => {
@@ -106,7 +106,7 @@ impl ErrorTest {
         }
     }
 
-    fn largest<S: Scalar>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
+    fn largest<S: Real>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
         let mut norm = 0.0_f64;
         for (i, e) in error.iter().enumerate() {
             let e = e.to_f64();
@@ -122,17 +122,17 @@ impl ErrorTest {
 
     /// maxᵢ |y′ᵢ| / wᵢ, leaving out components without a weight: there is nothing to
     /// compare them with, and the error test will see to them after the first step.
-    pub(crate) fn slope_norm<S: Scalar>(&self, slope: &[S], y: &[S]) -> f64 {
+    pub(crate) fn slope_norm<S: Real>(&self, slope: &[S], y: &[S]) -> f64 {
         self.weighed(slope, y).fold(0.0, f64::max)
     }
 
     /// √Σᵢ (xᵢ / wᵢ)², leaving out components without a weight: the norm by which Hairer's codes choose the first
     /// step, a sum rather than a mean.
-    pub(crate) fn root_sum<S: Scalar>(&self, x: &[S], y: &[S]) -> f64 {
+    pub(crate) fn root_sum<S: Real>(&self, x: &[S], y: &[S]) -> f64 {
         self.weighed(x, y).map(|q| q * q).sum::<f64>().sqrt()
     }
 
-    fn weighed<'a, S: Scalar>(&'a self, x: &'a [S], y: &'a [S]) -> impl Iterator<Item = f64> + 'a {
+    fn weighed<'a, S: Real>(&'a self, x: &'a [S], y: &'a [S]) -> impl Iterator<Item = f64> + 'a {
         x.iter()
             .enumerate()
             .map(|(i, x)| (x.to_f64().abs(), self.weight(i, y[i].to_f64().abs())))
@@ -158,7 +158,7 @@ impl ErrorTest {
     }
 
     /// The component with the largest error by its weight; none if there is no error.
-    pub(crate) fn worst<S: Scalar>(&self, error: impl Iterator<Item = S>, y: &[S], y_new: &[S]) -> Option<usize> {
+    pub(crate) fn worst<S: Real>(&self, error: impl Iterator<Item = S>, y: &[S], y_new: &[S]) -> Option<usize> {
         let magnitude = |i: usize| y[i].to_f64().abs().max(y_new[i].to_f64().abs());
         let quotients = error.enumerate().map(|(i, e)| (i, e.to_f64().abs() / self.weight(i, magnitude(i))));
         quotients.filter(|(_, q)| *q > 0.0).max_by(|(_, p), (_, q)| p.total_cmp(q)).map(|(i, _)| i)

@@ -1,6 +1,6 @@
 //! All events of a run, step by step, in order of time.
 
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 use crate::error::Failure;
 use crate::events::{Direction, Effect, Event, EventRecord, Kind};
@@ -26,7 +26,7 @@ impl<'w, 'e> Watch<'w, 'e> {
     }
 
     /// Evaluates the events at the start; returns a reason not to start.
-    pub(crate) fn start<S: Scalar>(&mut self, t: f64, y: &[S]) -> Option<Stop> {
+    pub(crate) fn start<S: Real>(&mut self, t: f64, y: &[S]) -> Option<Stop> {
         for (rounded, y) in self.y.iter_mut().zip(y) {
             *rounded = y.to_f64();
         }

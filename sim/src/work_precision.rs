@@ -5,7 +5,7 @@
 
 use std::time::Instant;
 
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar};
 
 use crate::method::Method;
 use crate::options::Options;

@@ -9,19 +9,19 @@ mod wide;
 
 use trees::{Number, Tree, dot, trees};
 use tripos_sim::{DORMAND_PRINCE_853, Failure, Method, Options, Output, RightHandSide, Row, WithJacobian, integrate};
-use tripos_traits::Scalar;
+use tripos_traits::{Real, Scalar};
 use wide::Wide;
 
 const ECCENTRICITY: f64 = 0.5;
 
-fn kepler<S: Scalar>(_t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
+fn kepler<S: Real>(_t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
     let r2 = y[0] * y[0] + y[1] * y[1];
     let r3 = r2 * r2.sqrt();
     dydt.copy_from_slice(&[y[2], y[3], -y[0] / r3, -y[1] / r3]);
     Ok(())
 }
 
-fn jacobian<S: Scalar>(_t: f64, y: &[S], out: &mut [S]) -> Result<(), Failure> {
+fn jacobian<S: Real>(_t: f64, y: &[S], out: &mut [S]) -> Result<(), Failure> {
     let (zero, one, three) = (S::int(0), S::int(1), S::int(3));
     let r2 = y[0] * y[0] + y[1] * y[1];
     let (r3, r5) = (r2 * r2.sqrt(), r2 * r2 * r2.sqrt());
@@ -32,11 +32,11 @@ fn jacobian<S: Scalar>(_t: f64, y: &[S], out: &mut [S]) -> Result<(), Failure> {
     Ok(())
 }
 
-fn equations<S: Scalar>() -> impl RightHandSide<S> {
+fn equations<S: Real>() -> impl RightHandSide<S> {
     WithJacobian { rhs: kepler::<S>, jacobian: jacobian::<S> }
 }
 
-fn start<S: Scalar>() -> [S; 4] {
+fn start<S: Real>() -> [S; 4] {
     let e = S::from_f64(ECCENTRICITY);
     let one = S::int(1);
     [one - e, S::int(0), S::int(0), ((one + e) / (one - e)).sqrt()]

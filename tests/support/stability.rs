@@ -3,7 +3,7 @@
 use super::compiled;
 use tripos_sim::work_precision::error;
 use tripos_sim::{AbsoluteTolerance, Dynamics, Eliminated, Event, Method, Options, Output, Solution, integrate};
-use tripos_traits::{CompiledSystem, DoubleDouble, Scalar};
+use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar};
 
 /// A number to 32 digits from its decimals.
 pub fn wide(text: &str) -> DoubleDouble {

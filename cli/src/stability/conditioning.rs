@@ -14,7 +14,7 @@ use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::print::text;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, Options, Output, linear};
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// Distances from the singular surface at which matrices are looked at, for one decade.
 const PER_DECADE: usize = 6;

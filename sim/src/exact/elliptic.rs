@@ -4,7 +4,7 @@
 //! Stegun 17.6 (the incomplete integral).
 
 use super::trigonometry::nearest_whole;
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// More steps than any precision takes: each doubles the digits.
 const STEPS_LIMIT: usize = 40;
@@ -46,7 +46,7 @@ pub struct JacobiValues<S> {
     pub am: S,
 }
 
-impl<S: Scalar> Elliptic<S> {
+impl<S: Real> Elliptic<S> {
     /// Functions of the parameter m in [0, 1].
     #[must_use]
     pub fn new(m: S) -> Self {
@@ -140,7 +140,7 @@ impl<S: Scalar> Elliptic<S> {
 }
 
 /// The steps of the mean of 1 and √complement, until what is left is below rounding.
-fn mean_steps<S: Scalar>(complement: S) -> Vec<Step<S>> {
+fn mean_steps<S: Real>(complement: S) -> Vec<Step<S>> {
     let two = S::int(2);
     let (mut a, mut b) = (S::int(1), complement.sqrt());
     let mut steps = Vec::new();

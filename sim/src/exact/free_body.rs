@@ -2,7 +2,7 @@
 
 use super::elliptic::Elliptic;
 use super::trigonometry::angle_of;
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// Euler's equations  I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃  and cyclic: the angular velocity of a free rigid body, or of one held at its
 /// mass centre, along its principal axes.
@@ -34,7 +34,7 @@ struct Circling<S> {
     start: S,
 }
 
-impl<S: Scalar> FreeBody<S> {
+impl<S: Real> FreeBody<S> {
     /// The motion of a body with principal moments `inertia` (positive), from the angular velocity `omega_0`.
     #[must_use]
     pub fn new(inertia: [S; 3], omega_0: [S; 3]) -> Self {
@@ -64,7 +64,7 @@ impl<S: Scalar> FreeBody<S> {
     }
 }
 
-impl<S: Scalar> Circling<S> {
+impl<S: Real> Circling<S> {
     /// Nothing if ω is constant.
     fn new(inertia: [S; 3], omega_0: [S; 3], axes: [usize; 3]) -> Option<Self> {
         let zero = S::int(0);
@@ -103,18 +103,18 @@ impl<S: Scalar> Circling<S> {
 }
 
 /// L² − 2 T I_b: its sign says about which outer axis ω circles.
-fn excess_over_middle<S: Scalar>(inertia: [S; 3], omega: [S; 3], [a, b, c]: [usize; 3]) -> S {
+fn excess_over_middle<S: Real>(inertia: [S; 3], omega: [S; 3], [a, b, c]: [usize; 3]) -> S {
     let of = |axis: usize| inertia[axis] * (inertia[axis] - inertia[b]) * omega[axis] * omega[axis];
     of(c) + of(a)
 }
 
-fn rising_order<S: Scalar>(inertia: [S; 3]) -> [usize; 3] {
+fn rising_order<S: Real>(inertia: [S; 3]) -> [usize; 3] {
     let mut axes = [0, 1, 2];
     axes.sort_by(|&a, &b| inertia[a].partial_cmp(&inertia[b]).unwrap_or(core::cmp::Ordering::Equal));
     axes
 }
 
 /// 1 for a cyclic order of the axes, −1 for the others.
-fn handedness<S: Scalar>([a, b, _]: [usize; 3]) -> S {
+fn handedness<S: Real>([a, b, _]: [usize; 3]) -> S {
     if (a + 1) % 3 == b { S::int(1) } else { S::int(-1) }
 }

@@ -1,7 +1,7 @@
 //! The symmetric heavy top about a fixed point.
 
 use super::polar::{Polar, PolarStart};
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// A symmetric top with a fixed point on its axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +46,7 @@ pub struct HeavyTop<S> {
     free_spin: S,
 }
 
-impl<S: Scalar> HeavyTop<S> {
+impl<S: Real> HeavyTop<S> {
     /// The motion of `top` from `start`.
     #[must_use]
     pub fn new(top: Top<S>, start: TopStart<S>) -> Self {

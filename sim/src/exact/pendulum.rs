@@ -2,7 +2,7 @@
 
 use super::elliptic::Elliptic;
 use super::trigonometry::{angle_of, nearest_whole, root_of_positive};
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// The pendulum  θ″ = −(g/l) sin θ,  θ from hanging, counted on over full turns.
 ///
@@ -30,7 +30,7 @@ enum Motion<S> {
     Rotation,
 }
 
-impl<S: Scalar> Pendulum<S> {
+impl<S: Real> Pendulum<S> {
     /// The motion with g/l = `stiffness` > 0, in 1/s², from the angle θ₀ and the rate ω₀.
     #[must_use]
     pub fn new(stiffness: S, theta_0: S, omega_0: S) -> Self {

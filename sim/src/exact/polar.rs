@@ -9,7 +9,7 @@
 use super::elliptic::{Elliptic, JacobiValues};
 use super::quadrature::PeriodicIntegral;
 use super::trigonometry::{angle_of, root_of_positive};
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// Steps of Newton's method to the largest zero: each takes off a third of the distance at least.
 const NEWTON_LIMIT: usize = 400;
@@ -44,7 +44,7 @@ pub(super) struct Polar<S> {
     at_start: [S; 2],
 }
 
-impl<S: Scalar> Polar<S> {
+impl<S: Real> Polar<S> {
     pub(super) fn new(start: PolarStart<S>) -> Self {
         let momenta = half_momenta(start);
         let zeros = Zeros::new(start, momenta);
@@ -157,7 +157,7 @@ impl<S: Scalar> Polar<S> {
 }
 
 /// ½(a + b) and ½(a − b) with a = φ′ sin² θ + b cos θ: no cancellation next to θ = 0 or π.
-fn half_momenta<S: Scalar>(start: PolarStart<S>) -> [S; 2] {
+fn half_momenta<S: Real>(start: PolarStart<S>) -> [S; 2] {
     let two = S::int(2);
     let (sin, cos) = (start.theta / two).sin_cos();
     let about_vertical = two * start.phi_rate * sin * sin * cos * cos;
@@ -175,7 +175,7 @@ struct Zeros<S> {
     beyond_top: S,
 }
 
-impl<S: Scalar> Zeros<S> {
+impl<S: Real> Zeros<S> {
     fn new(start: PolarStart<S>, momenta: [S; 2]) -> Self {
         let [zero, two] = [0, 2].map(S::int);
         let (sin, cos) = (start.theta / two).sin_cos();
@@ -225,7 +225,7 @@ impl<S: Scalar> Zeros<S> {
 }
 
 /// u₁ − u₀ and u₂ − u₀, given f(u₀ + v)/β and u₃ − u₀.
-fn inner_zeros<S: Scalar>([c_0, _, c_2]: [S; 3], third: S) -> [S; 2] {
+fn inner_zeros<S: Real>([c_0, _, c_2]: [S; 3], third: S) -> [S; 2] {
     let [zero, two] = [0, 2].map(S::int);
     // By their sum and their product, which is not positive: so the root below is of a sum.
     let half_sum = -(c_2 + third) / two;
@@ -241,7 +241,7 @@ fn inner_zeros<S: Scalar>([c_0, _, c_2]: [S; 3], third: S) -> [S; 2] {
 }
 
 /// f(1 + v)/β = v³ + c₂ v² + c₁ v + c₀, given 1 − u₀. Only next to 1 can u₂ and u₃ be close; seen from there they are not.
-fn coefficients_from_top<S: Scalar>(start: PolarStart<S>, momenta: [S; 2], below: S) -> [S; 3] {
+fn coefficients_from_top<S: Real>(start: PolarStart<S>, momenta: [S; 2], below: S) -> [S; 3] {
     let PolarStart { theta, theta_rate, phi_rate, beta, spin } = start;
     let two = S::int(2);
     let sin = theta.sin_cos().0;
@@ -255,7 +255,7 @@ fn coefficients_from_top<S: Scalar>(start: PolarStart<S>, momenta: [S; 2], below
 }
 
 /// f(u₀ + v)/β = v³ + c₂ v² + c₁ v + c₀.
-fn coefficients_from_start<S: Scalar>(start: PolarStart<S>) -> [S; 3] {
+fn coefficients_from_start<S: Real>(start: PolarStart<S>) -> [S; 3] {
     let PolarStart { theta, theta_rate, phi_rate, beta, spin } = start;
     let two = S::int(2);
     let (sin, cos) = theta.sin_cos();
@@ -270,7 +270,7 @@ fn coefficients_from_start<S: Scalar>(start: PolarStart<S>) -> [S; 3] {
 }
 
 /// Newton's method from above, where a cubic with real zeros falls steadily to its largest.
-fn largest_zero<S: Scalar>([c_0, c_1, c_2]: [S; 3]) -> S {
+fn largest_zero<S: Real>([c_0, c_1, c_2]: [S; 3]) -> S {
     // Fujiwara (1916): no zero is larger in size.
     let sizes = [c_2.to_f64().abs(), c_1.to_f64().abs().sqrt(), c_0.to_f64().abs().cbrt()];
     let mut v = S::from_f64(2.001 * sizes.into_iter().fold(0.0, f64::max));

@@ -1,7 +1,7 @@
 //! Integrals of smooth functions to rounding.
 
 use super::trigonometry::nearest_whole;
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// Points of the rule. With 20 of them a panel that resolves the function to 1 % gives 30 digits.
 const POINTS: i64 = 20;
@@ -25,13 +25,13 @@ struct Panel<S> {
     error: f64,
 }
 
-impl<S: Scalar> Panel<S> {
+impl<S: Real> Panel<S> {
     fn total(&self) -> S {
         self.halves[0] + self.halves[1]
     }
 }
 
-impl<S: Scalar> Quadrature<S> {
+impl<S: Real> Quadrature<S> {
     pub(super) fn new() -> Self {
         Self { points: (1..=POINTS / 2).map(point_and_weight).collect() }
     }
@@ -71,7 +71,7 @@ impl<S: Scalar> Quadrature<S> {
 }
 
 /// The i-th largest zero x of the Legendre polynomial P_n by Newton's method, with its weight 2/((1 − x²) P_n′(x)²).
-fn point_and_weight<S: Scalar>(i: i64) -> (S, S) {
+fn point_and_weight<S: Real>(i: i64) -> (S, S) {
     let one = S::int(1);
     let guess = (core::f64::consts::PI * (i as f64 - 0.25) / (POINTS as f64 + 0.5)).cos();
     let mut x = S::from_f64(guess);
@@ -85,7 +85,7 @@ fn point_and_weight<S: Scalar>(i: i64) -> (S, S) {
 }
 
 /// P_n(x) and P_n′(x), by the recurrence  k P_k = (2 k − 1) x P_{k−1} − (k − 1) P_{k−2}.
-fn legendre<S: Scalar>(x: S) -> (S, S) {
+fn legendre<S: Real>(x: S) -> (S, S) {
     let one = S::int(1);
     let (mut before, mut value) = (one, x);
     for k in 2..=POINTS {
@@ -104,7 +104,7 @@ pub(super) struct PeriodicIntegral<S> {
     over_period: S,
 }
 
-impl<S: Scalar> PeriodicIntegral<S> {
+impl<S: Real> PeriodicIntegral<S> {
     /// Of nothing.
     pub(super) fn none() -> Self {
         let zero = S::int(0);

@@ -1,7 +1,7 @@
 //! The spherical pendulum.
 
 use super::polar::{Polar, PolarStart};
-use tripos_traits::Scalar;
+use tripos_traits::Real;
 
 /// A particle on a massless rod about a fixed point: θ from the *upward* vertical, so that it hangs at θ = π, and the
 /// azimuth φ about the upward vertical; φ(0) = 0.
@@ -15,7 +15,7 @@ pub struct SphericalPendulum<S> {
     polar: Polar<S>,
 }
 
-impl<S: Scalar> SphericalPendulum<S> {
+impl<S: Real> SphericalPendulum<S> {
     /// The motion with g/l = `stiffness` > 0, in 1/s², from the angle θ and the rates θ′ and φ′.
     #[must_use]
     pub fn new(stiffness: S, theta: S, theta_rate: S, phi_rate: S) -> Self {

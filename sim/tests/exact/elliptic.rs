@@ -2,7 +2,7 @@
 
 use crate::{Dd, assert_close, dd};
 use tripos_sim::exact::Elliptic;
-use tripos_traits::Scalar;
+use tripos_traits::{Real, Scalar};
 
 /// Functions of m, with 1 − m rounded from its own decimals where m is next to 1 and its rounding counts.
 fn elliptic(m: &str) -> Elliptic<Dd> {

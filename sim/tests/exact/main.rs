@@ -10,7 +10,7 @@ mod heavy_top;
 mod pendulum;
 mod spherical_pendulum;
 
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar};
 
 type Dd = DoubleDouble;
 

@@ -5,7 +5,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use tripos_traits::Scalar;
+use tripos_traits::{Real, Scalar};
 
 /// hi + lo.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -64,13 +64,17 @@ impl Div for Wide {
     }
 }
 
-impl Scalar for Wide {
+impl Real for Wide {
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
-    fn from_f64(x: f64) -> Self {
-        Self(x, 0.0)
-    }
+
     fn to_f64(self) -> f64 {
         self.0
+    }
+}
+
+impl Scalar for Wide {
+    fn from_f64(x: f64) -> Self {
+        Self(x, 0.0)
     }
     fn decimal(text: &str) -> Self {
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));

@@ -15,14 +15,14 @@ mod error_free;
 mod tables;
 mod text;
 
-use crate::Scalar;
+use crate::{Real, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use error_free::{quick_two_sum, two_product, two_sum};
 
 /// The unevaluated sum hi + lo of two f64: a real number to about 32 digits.
 ///
 /// ```
-/// use tripos_traits::{DoubleDouble, Scalar};
+/// use tripos_traits::{DoubleDouble, Real, Scalar};
 ///
 /// let third = DoubleDouble::ratio(1, 3);
 /// assert_eq!(third.to_string(), "3.3333333333333333333333333333333e-1");
@@ -212,17 +212,20 @@ impl Div for DoubleDouble {
     }
 }
 
-impl Scalar for DoubleDouble {
+impl Real for DoubleDouble {
     /// 2⁻¹⁰⁴. Next to 1 there are closer values, 1 + 1e-300 among them, but operations do not keep such a distance.
     const EPSILON: f64 = 4.930_380_657_631_324e-32;
 
     #[inline]
-    fn from_f64(x: f64) -> Self {
-        Self::from(x)
-    }
-    #[inline]
     fn to_f64(self) -> f64 {
         self.hi
+    }
+}
+
+impl Scalar for DoubleDouble {
+    #[inline]
+    fn from_f64(x: f64) -> Self {
+        Self::from(x)
     }
     /// To 2 units where the last digit stands within 45 places of the point, to 16 elsewhere; digits after
     /// the 38th are not looked at.

@@ -16,5 +16,5 @@ mod scalar;
 mod system;
 
 pub use double_double::DoubleDouble;
-pub use scalar::Scalar;
+pub use scalar::{Real, Scalar};
 pub use system::{CompiledModel, CompiledSystem, System};

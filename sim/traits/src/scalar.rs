@@ -3,28 +3,16 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number type that generated equations can be evaluated in.
+/// What generated equations can be evaluated in: a number, or several in lanes.
 ///
 /// Angles are in radians. Functions outside their domain return the type's "not a number", never
 /// panic: the simulator looks for it and stops the run with a reason.
 pub trait Scalar:
-    Copy
-    + Debug
-    + PartialEq
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// The distance from 1 to the next larger value.
-    const EPSILON: f64;
     /// The nearest value to `x`.
     #[must_use]
     fn from_f64(x: f64) -> Self;
-    /// The nearest `f64`.
-    fn to_f64(self) -> f64;
     /// The nearest value to a number in decimal notation, such as `"-5.26e-2"`: coefficients of methods are
     /// written with more digits than an `f64` holds. Not a number if `text` is none.
     #[must_use]
@@ -84,6 +72,12 @@ pub trait Scalar:
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
     }
+    /// `work`, compiled for the vector instructions that this processor has where the type gains by them. The numbers
+    /// are the same as those of `work()`.
+    #[inline]
+    fn dispatch<R>(work: impl FnOnce() -> R) -> R {
+        work()
+    }
     /// xⁿ by repeated multiplication; n may be negative.
     #[must_use]
     fn powi(self, n: i32) -> Self {
@@ -101,19 +95,31 @@ pub trait Scalar:
     }
 }
 
+/// One real number, which can be compared: what a run is made in.
+pub trait Real: Scalar + PartialEq + PartialOrd {
+    /// The distance from 1 to the next larger value.
+    const EPSILON: f64;
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+}
+
 macro_rules! float_scalar {
     ($type:ty, $sincos:path, $sqrt:path, $asin:path, $acos:path, $atan:path, $exp:path, $ln:path,
      $sinh:path, $cosh:path, $tanh:path) => {
         #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
-        impl Scalar for $type {
+        impl Real for $type {
             const EPSILON: f64 = <$type>::EPSILON as f64;
-            #[inline]
-            fn from_f64(x: f64) -> Self {
-                x as Self
-            }
             #[inline]
             fn to_f64(self) -> f64 {
                 self as f64
+            }
+        }
+
+        #[allow(clippy::cast_possible_truncation, clippy::cast_lossless, clippy::cast_precision_loss)]
+        impl Scalar for $type {
+            #[inline]
+            fn from_f64(x: f64) -> Self {
+                x as Self
             }
             fn decimal(text: &str) -> Self {
                 text.parse().unwrap_or(<$type>::NAN)

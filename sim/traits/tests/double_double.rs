@@ -8,7 +8,7 @@
 
 use astro_float_num::{BigFloat, Consts, RoundingMode};
 use std::cell::RefCell;
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar};
 
 const BITS: usize = 320;
 const NEAREST: RoundingMode = RoundingMode::ToEven;
