@@ -37,7 +37,8 @@ impl Solved {
 /// Emits the file of one formulation, such as `kane.rs`, from a source such as `models/disk/model.toml`.
 #[must_use]
 pub fn file(model: &Model, source: &str, arena: &Arena, equations: &Equations, solved: Option<&Solved>) -> String {
-    let writer = Writer { model, arena, equations, variables: Variables::new(arena, &type_name(&equations.name)) };
+    let variables = Variables::new(arena, &type_name(&equations.name));
+    let writer = Writer { model, arena, equations, variables, shares: solved.is_some() };
     let mut functions = linear_system(&writer);
     if let Some(solved) = solved {
         functions.extend(eliminated(&writer, solved));

@@ -1,11 +1,13 @@
 //! One generated function: signature, body, cost.
 
 use crate::identifiers::{Variables, fields};
-use crate::program::{Output, program};
+use crate::program::{Output, Program, program};
 use crate::tokens::{Cost, section, statements};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::algebra::elimination::{Definition, needed};
+use tripos_derive::algebra::sharing::{Reading, share};
+use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Formulation, Model};
 
@@ -48,6 +50,16 @@ pub struct Writer<'a> {
     pub equations: &'a Equations,
     /// The variable of each symbol.
     pub variables: Variables,
+    /// Whether operations are shared. Printed equations are not: they run with their own cancellations.
+    pub shares: bool,
+}
+
+/// What a call of a program costs.
+fn cost(program: &Program) -> Cost {
+    let mut cost = Cost::default();
+    statements(program, &mut cost);
+    section("", &program.outputs, &mut cost);
+    cost
 }
 
 /// A generated function.
@@ -96,9 +108,12 @@ impl Writer<'_> {
         let wanted = |at: usize| !mirrored(at) && !is_step(at) && value_of(at) != Expr::ZERO;
         let outputs: Vec<Output> = (0..values.len())
             .filter(|at| wanted(*at))
-            .map(|at| Output { name: values[at].0.clone(), label: values[at].1.clone(), value: values[at].2 })
+            .map(|at| {
+                let (name, label, value) = values[at].clone();
+                Output { name, label, value, stated: value }
+            })
             .collect();
-        let program = program(self.arena, &self.variables, &steps, &outputs);
+        let program = self.cheapest(&steps, &outputs);
         let mut computed = program.outputs.iter().map(|s| s.name.as_str());
         let name_of = |at: usize| match value_of(at) {
             _ if wanted(at) => computed.next().unwrap_or("zero"),
@@ -161,6 +176,28 @@ impl Writer<'_> {
             }
         };
         Function { tokens, name, cost }
+    }
+
+    /// The program for these outputs that costs least: as it stands, or with common sub-sums and sub-products
+    /// taken out of one reading of it or another.
+    fn cheapest(&self, steps: &[Definition], outputs: &[Output]) -> Program {
+        let mut best = program(self.arena, &self.variables, steps, steps, outputs);
+        let mut least = cost(&best).weight();
+        if !self.shares {
+            return best;
+        }
+        let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
+        for reading in Reading::ALL {
+            let mut arena = self.arena.clone();
+            let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, &values);
+            let rewritten = outputs.iter().zip(shared.values).map(|(o, value)| Output { value, ..o.clone() });
+            let candidate = program(&arena, &self.variables, &shared.steps, steps, &rewritten.collect::<Vec<_>>());
+            let weight = cost(&candidate).weight();
+            if weight < least {
+                (best, least) = (candidate, weight);
+            }
+        }
+        best
     }
 
     /// The argument list and the statements that unpack what is used.

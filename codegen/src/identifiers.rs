@@ -22,11 +22,10 @@ impl Allocator {
         Self { taken: IN_SCOPE.iter().copied().chain([type_name]).map(str::to_owned).collect() }
     }
 
-    /// `wanted`, or with an underscore or a number behind it if that is a keyword or taken.
+    /// `wanted`, with an underscore behind it if that is a keyword, or with a number if it is taken.
     pub fn unique(&mut self, wanted: &str) -> String {
         let usable = syn::parse_str::<syn::Ident>(wanted).is_ok() && wanted != "_";
-        let candidates = std::iter::once(wanted.to_owned()).filter(|_| usable);
-        let candidates = candidates.chain(std::iter::once(format!("{wanted}_")));
+        let candidates = std::iter::once(if usable { wanted.to_owned() } else { format!("{wanted}_") });
         let candidates = candidates.chain((2..).map(|n| format!("{wanted}_{n}")));
         let found = candidates.into_iter().find(|name| !self.taken.contains(name)).expect("numbers do not end");
         self.taken.insert(found.clone());
@@ -41,6 +40,8 @@ pub struct Variables {
     pub of: FxHashMap<Expr, String>,
     /// What is taken by them.
     pub allocator: Allocator,
+    /// The variables of symbols that sharing introduced, by their names in formulas.
+    shared: FxHashMap<String, String>,
 }
 
 impl Variables {
@@ -52,7 +53,27 @@ impl Variables {
             let Some(symbol) = arena.find_symbol(name) else { continue };
             of.insert(symbol, allocator.unique(&spelled(name)));
         }
-        Self { of, allocator }
+        Self { of, allocator, shared: FxHashMap::default() }
+    }
+
+    /// Enters the variable of a symbol that sharing introduced.
+    pub fn insert(&mut self, arena: &Arena, symbol: Expr, name: &str) {
+        self.of.insert(symbol, name.to_owned());
+        self.shared.insert(arena.symbol_name(symbol).unwrap_or_default().to_owned(), name.to_owned());
+    }
+
+    /// A formula with the variables of symbols that sharing introduced, which are spelled `#1`, `#2`, ….
+    #[must_use]
+    pub fn spell(&self, formula: &str) -> String {
+        let mut parts = formula.split('#');
+        let mut spelled = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let digits = part.bytes().take_while(u8::is_ascii_digit).count();
+            let name = self.shared.get(&format!("#{}", &part[..digits]));
+            spelled.push_str(name.map_or(&part[..digits], String::as_str));
+            spelled.push_str(&part[digits..]);
+        }
+        spelled
     }
 }
 

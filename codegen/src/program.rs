@@ -5,6 +5,7 @@ use crate::identifiers::{Allocator, Variables, spelled};
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::elimination::Definition;
 use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::sharing::is_shared_symbol;
 use tripos_derive::algebra::view::{View, view};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
@@ -60,16 +61,27 @@ pub struct Output {
     pub label: String,
     /// What is computed.
     pub value: Expr,
+    /// The same as comments state it.
+    pub stated: Expr,
 }
 
 /// Orders, shares and names everything that the outputs need. The symbols of `steps` are no inputs: each is
-/// computed after the ones before it, and before what mentions it.
+/// computed after the ones before it, and before what mentions it. Comments state the values that `stated` has for steps;
+/// symbols that [`tripos_derive::algebra::sharing`] introduced get names here.
 #[must_use]
-pub fn program(arena: &Arena, variables: &Variables, steps: &[Definition], outputs: &[Output]) -> Program {
+pub fn program(
+    arena: &Arena,
+    variables: &Variables,
+    steps: &[Definition],
+    stated: &[Definition],
+    outputs: &[Output],
+) -> Program {
+    let mut variables = variables.clone();
     let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
     let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(values.iter().copied()).collect();
     let parts = arena.reachable(&roots);
     let uses = use_counts(arena, &parts, &roots);
+    let needs = first_needs(arena, &variables, steps, outputs);
     let mut names = Names { allocator: variables.allocator.clone(), circular: FxHashMap::default() };
     let output_names: Vec<String> = outputs.iter().map(|o| names.allocator.unique(&o.name)).collect();
     let mut shared = variables.of.clone();
@@ -92,27 +104,40 @@ pub fn program(arena: &Arena, variables: &Variables, steps: &[Definition], outpu
                     }
                 }
                 Node::Sum(..) | Node::Product(_) | Node::Apply(..) if uses.get(&e).copied().unwrap_or(0) > 1 => {
-                    let name = names.descriptive(arena, variables, e, steps, outputs);
+                    let name = names.descriptive(arena, &variables, e, &needs);
                     let value = lines.resolve(arena, &mut names, view(arena, e, &shared, BUDGET));
-                    let comment = format!("{}; used {} times", text(arena, e), uses[&e]);
+                    let comment = format!("{}; used {} times", variables.spell(&text(arena, e)), uses[&e]);
                     shared.insert(e, name.clone());
                     lines.list.push(Line::Let(Statement { name, value, comment }));
                 }
                 _ => {}
             }
         }
-        if let Some(step) = step {
+        let Some(step) = step else { continue };
+        if is_shared_symbol(arena, step.symbol) {
+            let name = names.descriptive(arena, &variables, step.value, &needs);
+            let value = lines.resolve(arena, &mut names, operand(arena, step.value, &shared));
+            let meaning = variables.spell(&text(arena, step.value));
+            let comment = match uses.get(&step.symbol) {
+                Some(n) if *n > 1 => format!("{meaning}; used {n} times"),
+                _ => meaning,
+            };
+            variables.insert(arena, step.symbol, &name);
+            shared.insert(step.symbol, name.clone());
+            lines.list.push(Line::Let(Statement { name, value, comment }));
+        } else {
             let name = variables.of[&step.symbol].clone();
             let value = lines.resolve(arena, &mut names, operand(arena, step.value, &shared));
             let symbol = arena.symbol_name(step.symbol).unwrap_or_default();
-            let comment = format!("{symbol} = {}", text(arena, step.value));
+            let stated = stated.iter().find(|s| s.symbol == step.symbol).map_or(step.value, |s| s.value);
+            let comment = format!("{symbol} = {}", text(arena, stated));
             lines.list.push(Line::Step(Statement { name, value, comment }));
         }
     }
     let mut result = Vec::new();
     for (output, name) in outputs.iter().zip(output_names) {
         let value = lines.resolve(arena, &mut names, operand(arena, output.value, &shared));
-        let comment = format!("{} = {}", output.label, text(arena, output.value));
+        let comment = format!("{} = {}", output.label, text(arena, output.stated));
         result.push(Statement { name, value, comment });
     }
     let computed: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
@@ -180,6 +205,30 @@ fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, 
     uses
 }
 
+/// For each term, the first step or output that needs it: what it is named after.
+fn first_needs(
+    arena: &Arena,
+    variables: &Variables,
+    steps: &[Definition],
+    outputs: &[Output],
+) -> FxHashMap<Expr, String> {
+    let behind: FxHashMap<Expr, Expr> =
+        steps.iter().filter(|s| is_shared_symbol(arena, s.symbol)).map(|s| (s.symbol, s.value)).collect();
+    let named = steps.iter().filter_map(|step| Some((step.value, variables.of.get(&step.symbol)?)));
+    let mut needs: FxHashMap<Expr, String> = FxHashMap::default();
+    for (value, name) in named.chain(outputs.iter().map(|o| (o.value, &o.name))) {
+        let mut stack = vec![value];
+        while let Some(e) = stack.pop() {
+            if let std::collections::hash_map::Entry::Vacant(place) = needs.entry(e) {
+                place.insert(name.clone());
+                stack.extend(arena.operands(e));
+                stack.extend(behind.get(&e));
+            }
+        }
+    }
+    needs
+}
+
 /// Letters and digits of a formula as one word, if that is short enough.
 fn identifier(formula: &str, longest: usize) -> Option<String> {
     let spelled = formula.replace('-', "_minus_").replace('+', "_plus_").replace('/', "_by_");
@@ -222,8 +271,7 @@ impl Names {
         arena: &Arena,
         variables: &Variables,
         e: Expr,
-        steps: &[Definition],
-        outputs: &[Output],
+        needs: &FxHashMap<Expr, String>,
     ) -> String {
         let factors: Vec<(Expr, i32)> = match arena.node(e) {
             Node::Product(factors) => factors.to_vec(),
@@ -253,13 +301,10 @@ impl Names {
             let scaled = matches!(arena.node(e), Node::Sum(..));
             return self.allocator.unique(&if scaled { format!("{joined}_scaled") } else { joined });
         }
-        if let Some(word) = identifier(&text(arena, e), 16) {
+        if let Some(word) = identifier(&variables.spell(&text(arena, e)), 16) {
             return self.allocator.unique(&word);
         }
-        let steps = steps.iter().map(|step| (step.value, &variables.of[&step.symbol]));
-        let mut needing = steps.chain(outputs.iter().map(|o| (o.value, &o.name)));
-        let first = needing.find(|(value, _)| arena.reachable(&[*value]).binary_search(&e).is_ok());
-        let stem = first.map_or("shared".to_owned(), |(_, name)| name.clone());
+        let stem = needs.get(&e).map_or("shared", String::as_str);
         self.allocator.unique(&format!("{stem}_part"))
     }
 

@@ -12,10 +12,23 @@ use tripos_derive::algebra::view::View;
 pub struct Cost {
     /// Additions, subtractions, multiplications, divisions and sign changes.
     pub operations: usize,
+    /// The divisions among them.
+    pub divisions: usize,
     /// Pairs of sine and cosine.
     pub sincos: usize,
     /// Other function values.
     pub functions: usize,
+}
+
+impl Cost {
+    /// What one division costs in additions, roughly: on current processors it holds its unit that much longer.
+    const DIVISION: usize = 4;
+
+    /// The price of a call by which programs for the same values are compared.
+    #[must_use]
+    pub fn weight(&self) -> usize {
+        self.operations + (Self::DIVISION - 1) * self.divisions
+    }
 }
 
 impl std::fmt::Display for Cost {
@@ -146,6 +159,7 @@ fn fraction(above: &View, below: &View, cost: &mut Cost) -> TokenStream {
         [] => numerator,
         [one] => {
             cost.operations += 1;
+            cost.divisions += 1;
             let product = matches!(one, View::Power(..));
             let one = factor(one, cost);
             // A power may be written as a product, which binds no tighter than the division.
@@ -153,6 +167,7 @@ fn fraction(above: &View, below: &View, cost: &mut Cost) -> TokenStream {
         }
         many => {
             cost.operations += many.len();
+            cost.divisions += 1;
             let many: Vec<TokenStream> = many.iter().map(|f| factor(f, cost)).collect();
             let denominator = join_products(&many);
             quote!(#numerator / (#denominator))

@@ -23,6 +23,7 @@ pub mod rank;
 mod rational;
 pub mod relations;
 mod ring;
+pub mod sharing;
 pub mod simplify;
 pub mod view;
 

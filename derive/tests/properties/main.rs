@@ -17,6 +17,7 @@ use tripos_derive::algebra::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::normal::{Normalizer, Zero};
 use tripos_derive::algebra::parse::parse_free;
 use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::sharing::{Reading, share};
 use tripos_derive::algebra::simplify::{Simplifier, cost};
 use tripos_derive::algebra::{Arena, Expr, Rational};
 
@@ -51,6 +52,38 @@ proptest! {
         let (left, a2, b2) = (arena.mul(plus, minus), arena.square(a), arena.square(b));
         let right = arena.sub(a2, b2);
         equal(arena, left, right)?;
+    }
+
+    /// Goal: common parts are taken out of anything without changing it. Method: the values with what was taken out put
+    /// back; sums of products of the same factors, so that there is much to take out.
+    #[test]
+    fn sharing_keeps_the_meaning(
+        parts in prop::collection::vec(factor(), 3),
+        picks in prop::collection::vec((0..3_usize, 0..3_usize, 0..3_usize, -3..4_i64), 6),
+        reading in prop::sample::select(&Reading::ALL[..]),
+    ) {
+        let arena = &mut arena();
+        let parts: Vec<Expr> = parts.iter().map(|t| t.build(arena)).collect();
+        let products: Vec<Expr> = picks
+            .iter()
+            .map(|(i, j, k, n)| {
+                let number = arena.integer(*n);
+                arena.product(&[number, parts[*i], parts[*j], parts[*k]])
+            })
+            .collect();
+        let values: Vec<Expr> = products.chunks(2).map(|pair| arena.sum(pair)).chain([parts[0]]).collect();
+        let shared = share(arena, &mut Simplifier::default(), reading, &[], &values);
+        let mut pairs: Vec<(Expr, Expr)> = Vec::new();
+        for step in &shared.steps {
+            let value = Substitution::new(&pairs).apply(arena, step.value);
+            pairs.push((step.symbol, value));
+        }
+        let mut put = Substitution::new(&pairs);
+        for (old, new) in values.iter().zip(&shared.values) {
+            let new = put.apply(arena, *new);
+            let difference = arena.sub(*old, new);
+            prop_assert_ne!(zero_test(arena, difference), ZeroTest::NonZero, "{}", text(arena, *old));
+        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/chaotic_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
 //! 2 coordinates, 2 speeds, 9 parameters. Unknowns: (omega', alpha').
-//! Cost: mass_matrix 12 operations, 1 sine and cosine; forcing 17 operations, 2 sines and cosines; accelerations 31 operations, 2 sines and cosines.
+//! Cost: mass_matrix 11 operations, 1 sine and cosine; forcing 14 operations, 2 sines and cosines; accelerations 26 operations, 2 sines and cosines.
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2, by IBzz.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows omega, alpha.
 ///
-/// 12 operations, 1 sine and cosine.
+/// 11 operations, 1 sine and cosine.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -22,11 +22,11 @@ pub fn mass_matrix<S: Scalar>(
     let [_, phi] = *q;
     let zero = S::int(0);
     // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (_, cos_phi) = phi.sin_cos();
     // Entries that are not zero; upper triangle.
     // M11 = mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2
-    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-        + IByy * cos_phi * cos_phi;
+    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx
+        + cos_phi * cos_phi * (IByy - IBxx);
     // M22 = IBzz
     let m22 = IBzz;
     [[m11, zero], [zero, m22]]
@@ -34,7 +34,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (omega', alpha').
 ///
-/// 17 operations, 2 sines and cosines.
+/// 14 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let Parameters { mA, mB, lA, lB, IBxx, IByy, g, .. } = *p;
@@ -44,20 +44,19 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // IBxx - IByy; used 2 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // omega*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
+    let f1_part = omega * sin_phi * cos_phi * (IBxx - IByy);
     // Values.
     // f1 = 2*omega*alpha*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
-    let f1 = -g * sin_theta * (mA * lA + mB * lB)
-        - S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy;
+    let f1 = -g * sin_theta * (mA * lA + mB * lB) - S::int(2) * alpha * f1_part;
     // f2 = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
-    let f2 = omega * omega * sin_phi * cos_phi * ibxx_minus_ibyy;
+    let f2 = omega * f1_part;
     [f1, f2]
 }
 
 /// The accelerations (omega', alpha'), solved for when this code was generated.
 ///
-/// 31 operations, 2 sines and cosines.
+/// 26 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
@@ -67,23 +66,27 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // IBxx - IByy; used 2 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
+    // omega*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
+    let omega_dot_part = omega * sin_phi * cos_phi * (IBxx - IByy);
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot = -(g * sin_theta * (mA * lA + mB * lB)
-        + S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy)
-        / (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-            + IByy * cos_phi * cos_phi);
+    let omega_dot = -(g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * alpha * omega_dot_part)
+        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + lA * ma_la
+            + lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot = omega * omega * sin_phi * cos_phi * ibxx_minus_ibyy / IBzz;
+    let alpha_dot = omega * omega_dot_part / IBzz;
     [omega_dot, alpha_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 31 operations, 2 sines and cosines.
+/// 26 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -97,17 +100,21 @@ pub fn derivative<S: Scalar>(
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // IBxx - IByy; used 2 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
+    // omega*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
+    let omega_dot_part = omega * sin_phi * cos_phi * (IBxx - IByy);
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot = -(g * sin_theta * (mA * lA + mB * lB)
-        + S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy)
-        / (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-            + IByy * cos_phi * cos_phi);
+    let omega_dot = -(g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * alpha * omega_dot_part)
+        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + lA * ma_la
+            + lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot = omega * omega * sin_phi * cos_phi * ibxx_minus_ibyy / IBzz;
+    let alpha_dot = omega * omega_dot_part / IBzz;
     // Values.
     // theta' = omega
     let theta_dot_value = omega;
@@ -118,7 +125,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns theta, phi, omega, alpha.
 ///
-/// 81 operations, 2 sines and cosines.
+/// 54 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
@@ -129,60 +136,71 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
-    // mA*lA + mB*lB; used 2 times
-    let ma_la_plus_mb_lb = mA * lA + mB * lB;
-    // mA*lA^2; used 2 times
-    let ma_la_sq = mA * lA * lA;
-    // mB*lB^2; used 2 times
-    let mb_lb_sq = mB * lB * lB;
-    // IByy*cos(phi)^2; used 2 times
-    let ibyy_cos_phi_sq = IByy * cos_phi * cos_phi;
-    // cos(phi)^2; used 2 times
+    // cos(phi)^2; used 4 times
     let cos_phi_sq = cos_phi * cos_phi;
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
+    // lA*ma_la + lB*mb_lb
+    let omega_dot_by_theta_part = lA * ma_la + lB * mb_lb;
+    // IAxx + IByy*cos_phi_sq
+    let omega_dot_by_theta_part_2 = IAxx + IByy * cos_phi_sq;
+    // omega_dot_by_theta_part + omega_dot_by_theta_part_2; used 2 times
+    let omega_dot_by_theta_part_3 = omega_dot_by_theta_part + omega_dot_by_theta_part_2;
+    // g*(ma_la + mb_lb); used 2 times
+    let omega_dot_by_theta_part_4 = g * (ma_la + mb_lb);
     // Elimination, step by step.
     // omega_dot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_theta = -g * cos_theta * ma_la_plus_mb_lb
-        / (ma_la_sq + mb_lb_sq + IAxx + ibyy_cos_phi_sq
-            + IBxx * (S::int(1) - cos_phi_sq));
+    let omega_dot_by_theta = -omega_dot_by_theta_part_4 * cos_theta
+        / (IBxx * (S::int(1) - cos_phi_sq) + omega_dot_by_theta_part_3);
     // Shared terms.
-    // mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2; used 4 times
-    let omega_dot_by_phi_part = ma_la_sq + mb_lb_sq + IAxx + IBxx * sin_phi * sin_phi
-        + ibyy_cos_phi_sq;
-    // IBxx - IByy; used 6 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // sin(phi)^2; used 2 times
+    let sin_phi_sq = sin_phi * sin_phi;
+    // 1/(omega_dot_by_theta_part_3 + IBxx*sin_phi_sq); used 2 times
+    let omega_dot_by_phi_part = S::int(1)
+        / (omega_dot_by_theta_part_3 + IBxx * sin_phi_sq);
+    // 2*omega_dot_by_phi_part; used 3 times
+    let omega_dot_by_phi_part_2 = S::int(2) * omega_dot_by_phi_part;
+    // sin(phi)*cos(phi); used 3 times
+    let sin_phi_cos_phi = sin_phi * cos_phi;
+    // IByy - IBxx; used 3 times
+    let ibyy_minus_ibxx = IByy - IBxx;
+    // -ibyy_minus_ibxx; used 2 times
+    let ibyy_minus_ibxx_scaled = -ibyy_minus_ibxx;
+    // omega*ibyy_minus_ibxx_scaled; used 2 times
+    let omega_dot_by_phi_part_3 = omega * ibyy_minus_ibxx_scaled;
+    // sin_phi_cos_phi*omega_dot_by_phi_part_3; used 2 times
+    let omega_dot_by_phi_part_4 = sin_phi_cos_phi * omega_dot_by_phi_part_3;
+    // 2*omega_dot_by_phi_part_4; used 2 times
+    let omega_dot_by_phi_part_5 = S::int(2) * omega_dot_by_phi_part_4;
     // Elimination, step by step.
     // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) - IByy*sin(phi)*cos(phi))*(g*sin(theta)*(mA*lA + mB*lB)
     //   + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 +
     //   IByy*cos(phi)^2)^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot_by_phi = S::int(2)
-        * (IBxx * sin_phi * cos_phi - IByy * sin_phi * cos_phi)
-        * (g * sin_theta * ma_la_plus_mb_lb
-            + S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy)
-        / (omega_dot_by_phi_part * omega_dot_by_phi_part)
-        + S::int(2)
-            * (omega * alpha * sin_phi * sin_phi * ibxx_minus_ibyy
-                - omega * alpha * cos_phi * cos_phi * ibxx_minus_ibyy)
-            / omega_dot_by_phi_part;
+    let omega_dot_by_phi = -omega_dot_by_phi_part_2
+        * (alpha * omega_dot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq)
+            + omega_dot_by_phi_part * sin_phi_cos_phi * ibyy_minus_ibxx
+                * (omega_dot_by_theta_part_4 * sin_theta
+                    + alpha * omega_dot_by_phi_part_5));
     // Shared terms.
-    // 2*cos(phi)^2 - 1; used 2 times
-    let alpha_dot_by_phi_part = S::int(2) * cos_phi_sq - S::int(1);
+    // 1/IBzz; used 2 times
+    let ibzz_inv = S::int(1) / IBzz;
     // Elimination, step by step.
     // alpha_dot_by_phi = omega^2*(IBxx*(2*cos(phi)^2 - 1) + IByy*(1 - 2*cos(phi)^2))/IBzz
-    let alpha_dot_by_phi = omega * omega
-        * (IBxx * alpha_dot_by_phi_part - IByy * alpha_dot_by_phi_part) / IBzz;
+    let alpha_dot_by_phi = omega * omega * ibyy_minus_ibxx * ibzz_inv
+        * (S::int(1) - S::int(2) * cos_phi_sq);
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot_by_omega = -S::int(2) * alpha * sin_phi * cos_phi * ibxx_minus_ibyy
-        / omega_dot_by_phi_part;
+    let omega_dot_by_omega = -alpha * omega_dot_by_phi_part_2 * sin_phi_cos_phi
+        * ibyy_minus_ibxx_scaled;
     // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot_by_omega = S::int(2) * omega * sin_phi * cos_phi * ibxx_minus_ibyy
-        / IBzz;
+    let alpha_dot_by_omega = omega_dot_by_phi_part_5 * ibzz_inv;
     // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot_by_alpha = -S::int(2) * omega * sin_phi * cos_phi * ibxx_minus_ibyy
-        / omega_dot_by_phi_part;
+    let omega_dot_by_alpha = -omega_dot_by_phi_part_2 * omega_dot_by_phi_part_4;
     // Entries that are not zero.
     // d(theta')/d(omega) = 1
     let theta_dot_by_omega_value = S::int(1);
@@ -216,7 +234,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 19 operations, 1 sine and cosine.
+/// 18 operations, 1 sine and cosine.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
@@ -224,11 +242,14 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S
     let [omega, alpha] = *u;
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
+    // Shared terms.
+    // omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2) + IBzz*alpha^2
+    let energy_part = omega * omega
+        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi) + IBzz * alpha * alpha;
     // Values.
     // T = omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*alpha^2/2
-    let energy = S::ratio(1, 2) * omega * omega
-        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-            + IByy * cos_phi * cos_phi) + S::ratio(1, 2) * IBzz * alpha * alpha;
+    let energy = S::ratio(1, 2) * energy_part;
     energy
 }
 

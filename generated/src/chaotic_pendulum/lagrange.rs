@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/chaotic_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
 //! 2 coordinates, 2 speeds, 9 parameters. Unknowns: (theta'', phi'').
-//! Cost: mass_matrix 12 operations, 1 sine and cosine; forcing 17 operations, 2 sines and cosines; accelerations 31 operations, 2 sines and cosines.
+//! Cost: mass_matrix 11 operations, 1 sine and cosine; forcing 14 operations, 2 sines and cosines; accelerations 26 operations, 2 sines and cosines.
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2, by IBzz.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows theta, phi.
 ///
-/// 12 operations, 1 sine and cosine.
+/// 11 operations, 1 sine and cosine.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -22,11 +22,11 @@ pub fn mass_matrix<S: Scalar>(
     let [_, phi] = *q;
     let zero = S::int(0);
     // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (_, cos_phi) = phi.sin_cos();
     // Entries that are not zero; upper triangle.
     // M11 = mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2
-    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-        + IByy * cos_phi * cos_phi;
+    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx
+        + cos_phi * cos_phi * (IByy - IBxx);
     // M22 = IBzz
     let m22 = IBzz;
     [[m11, zero], [zero, m22]]
@@ -34,7 +34,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (theta'', phi'').
 ///
-/// 17 operations, 2 sines and cosines.
+/// 14 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) -> [S; 2] {
     let Parameters { mA, mB, lA, lB, IBxx, IByy, g, .. } = *p;
@@ -44,20 +44,19 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) -> [S; 
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // IBxx - IByy; used 2 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // theta'*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
+    let f1_part = theta_dot * sin_phi * cos_phi * (IBxx - IByy);
     // Values.
     // f1 = 2*theta'*phi'*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
-    let f1 = -g * sin_theta * (mA * lA + mB * lB)
-        - S::int(2) * theta_dot * phi_dot * sin_phi * cos_phi * ibxx_minus_ibyy;
+    let f1 = -g * sin_theta * (mA * lA + mB * lB) - S::int(2) * phi_dot * f1_part;
     // f2 = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)
-    let f2 = theta_dot * theta_dot * sin_phi * cos_phi * ibxx_minus_ibyy;
+    let f2 = theta_dot * f1_part;
     [f1, f2]
 }
 
 /// The accelerations (theta'', phi''), solved for when this code was generated.
 ///
-/// 31 operations, 2 sines and cosines.
+/// 26 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(
     p: &Parameters<S>,
@@ -71,23 +70,27 @@ pub fn accelerations<S: Scalar>(
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // IBxx - IByy; used 2 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
+    // theta'*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
+    let theta_ddot_part = theta_dot * sin_phi * cos_phi * (IBxx - IByy);
     // Elimination, step by step.
     // theta'' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot = -(g * sin_theta * (mA * lA + mB * lB)
-        + S::int(2) * theta_dot * phi_dot * sin_phi * cos_phi * ibxx_minus_ibyy)
-        / (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-            + IByy * cos_phi * cos_phi);
+    let theta_ddot = -(g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * phi_dot * theta_ddot_part)
+        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + lA * ma_la
+            + lB * mb_lb);
     // phi'' = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let phi_ddot = theta_dot * theta_dot * sin_phi * cos_phi * ibxx_minus_ibyy / IBzz;
+    let phi_ddot = theta_dot * theta_ddot_part / IBzz;
     [theta_ddot, phi_ddot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 31 operations, 2 sines and cosines.
+/// 26 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -101,17 +104,21 @@ pub fn derivative<S: Scalar>(
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // IBxx - IByy; used 2 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
+    // theta'*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
+    let theta_ddot_part = theta_dot * sin_phi * cos_phi * (IBxx - IByy);
     // Elimination, step by step.
     // theta'' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot = -(g * sin_theta * (mA * lA + mB * lB)
-        + S::int(2) * theta_dot * phi_dot * sin_phi * cos_phi * ibxx_minus_ibyy)
-        / (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-            + IByy * cos_phi * cos_phi);
+    let theta_ddot = -(g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * phi_dot * theta_ddot_part)
+        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + lA * ma_la
+            + lB * mb_lb);
     // phi'' = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let phi_ddot = theta_dot * theta_dot * sin_phi * cos_phi * ibxx_minus_ibyy / IBzz;
+    let phi_ddot = theta_dot * theta_ddot_part / IBzz;
     // Values.
     // theta' = theta'
     let theta_dot_value = theta_dot;
@@ -122,7 +129,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns theta, phi, theta', phi'.
 ///
-/// 81 operations, 2 sines and cosines.
+/// 54 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -137,60 +144,72 @@ pub fn jacobian<S: Scalar>(
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
-    // mA*lA^2; used 2 times
-    let ma_la_sq = mA * lA * lA;
-    // mB*lB^2; used 2 times
-    let mb_lb_sq = mB * lB * lB;
-    // IByy*cos(phi)^2; used 2 times
-    let ibyy_cos_phi_sq = IByy * cos_phi * cos_phi;
-    // mA*lA + mB*lB; used 2 times
-    let ma_la_plus_mb_lb = mA * lA + mB * lB;
-    // cos(phi)^2; used 2 times
+    // cos(phi)^2; used 4 times
     let cos_phi_sq = cos_phi * cos_phi;
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
+    // lA*ma_la + lB*mb_lb
+    let theta_ddot_by_theta_part = lA * ma_la + lB * mb_lb;
+    // IAxx + IByy*cos_phi_sq
+    let theta_ddot_by_theta_part_2 = IAxx + IByy * cos_phi_sq;
+    // theta_ddot_by_theta_part + theta_ddot_by_theta_part_2; used 2 times
+    let theta_ddot_by_theta_part_3 = theta_ddot_by_theta_part
+        + theta_ddot_by_theta_part_2;
+    // g*(ma_la + mb_lb); used 2 times
+    let theta_ddot_by_theta_part_4 = g * (ma_la + mb_lb);
     // Elimination, step by step.
     // theta_ddot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))
-    let theta_ddot_by_theta = -g * cos_theta * ma_la_plus_mb_lb
-        / (ma_la_sq + mb_lb_sq + IAxx + ibyy_cos_phi_sq
-            + IBxx * (S::int(1) - cos_phi_sq));
+    let theta_ddot_by_theta = -theta_ddot_by_theta_part_4 * cos_theta
+        / (IBxx * (S::int(1) - cos_phi_sq) + theta_ddot_by_theta_part_3);
     // Shared terms.
-    // mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2; used 4 times
-    let theta_ddot_by_phi_part = ma_la_sq + mb_lb_sq + IAxx + IBxx * sin_phi * sin_phi
-        + ibyy_cos_phi_sq;
-    // IBxx - IByy; used 6 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // sin(phi)^2; used 2 times
+    let sin_phi_sq = sin_phi * sin_phi;
+    // 1/(theta_ddot_by_theta_part_3 + IBxx*sin_phi_sq); used 2 times
+    let theta_ddot_by_phi_part = S::int(1)
+        / (theta_ddot_by_theta_part_3 + IBxx * sin_phi_sq);
+    // 2*theta_ddot_by_phi_part; used 3 times
+    let theta_ddot_by_phi_part_2 = S::int(2) * theta_ddot_by_phi_part;
+    // IByy - IBxx; used 3 times
+    let ibyy_minus_ibxx = IByy - IBxx;
+    // sin(phi)*cos(phi); used 3 times
+    let sin_phi_cos_phi = sin_phi * cos_phi;
+    // -ibyy_minus_ibxx; used 2 times
+    let ibyy_minus_ibxx_scaled = -ibyy_minus_ibxx;
+    // theta'*ibyy_minus_ibxx_scaled; used 2 times
+    let theta_ddot_by_phi_part_3 = theta_dot * ibyy_minus_ibxx_scaled;
+    // sin_phi_cos_phi*theta_ddot_by_phi_part_3; used 2 times
+    let theta_ddot_by_phi_part_4 = sin_phi_cos_phi * theta_ddot_by_phi_part_3;
+    // 2*theta_ddot_by_phi_part_4; used 2 times
+    let theta_ddot_by_phi_part_5 = S::int(2) * theta_ddot_by_phi_part_4;
     // Elimination, step by step.
     // theta_ddot_by_phi = 2*(IBxx*sin(phi)*cos(phi) - IByy*sin(phi)*cos(phi))*(g*sin(theta)*(mA*lA +
     //   mB*lB) + 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2
     //   + IByy*cos(phi)^2)^2 - 2*(theta'*phi'*sin(phi)^2*(IByy - IBxx) + theta'*phi'*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot_by_phi = S::int(2)
-        * (IBxx * sin_phi * cos_phi - IByy * sin_phi * cos_phi)
-        * (g * sin_theta * ma_la_plus_mb_lb
-            + S::int(2) * theta_dot * phi_dot * sin_phi * cos_phi * ibxx_minus_ibyy)
-        / (theta_ddot_by_phi_part * theta_ddot_by_phi_part)
-        + S::int(2)
-            * (theta_dot * phi_dot * sin_phi * sin_phi * ibxx_minus_ibyy
-                - theta_dot * phi_dot * cos_phi * cos_phi * ibxx_minus_ibyy)
-            / theta_ddot_by_phi_part;
+    let theta_ddot_by_phi = -theta_ddot_by_phi_part_2
+        * (phi_dot * theta_ddot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq)
+            + theta_ddot_by_phi_part * ibyy_minus_ibxx * sin_phi_cos_phi
+                * (theta_ddot_by_theta_part_4 * sin_theta
+                    + phi_dot * theta_ddot_by_phi_part_5));
     // Shared terms.
-    // 2*cos(phi)^2 - 1; used 2 times
-    let phi_ddot_by_phi_part = S::int(2) * cos_phi_sq - S::int(1);
+    // 1/IBzz; used 2 times
+    let ibzz_inv = S::int(1) / IBzz;
     // Elimination, step by step.
     // phi_ddot_by_phi = theta'^2*(IBxx*(2*cos(phi)^2 - 1) + IByy*(1 - 2*cos(phi)^2))/IBzz
-    let phi_ddot_by_phi = theta_dot * theta_dot
-        * (IBxx * phi_ddot_by_phi_part - IByy * phi_ddot_by_phi_part) / IBzz;
+    let phi_ddot_by_phi = theta_dot * theta_dot * ibyy_minus_ibxx * ibzz_inv
+        * (S::int(1) - S::int(2) * cos_phi_sq);
     // theta_ddot_by_theta_dot = 2*phi'*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot_by_theta_dot = -S::int(2) * phi_dot * sin_phi * cos_phi
-        * ibxx_minus_ibyy / theta_ddot_by_phi_part;
+    let theta_ddot_by_theta_dot = -phi_dot * theta_ddot_by_phi_part_2 * sin_phi_cos_phi
+        * ibyy_minus_ibxx_scaled;
     // phi_ddot_by_theta_dot = 2*theta'*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let phi_ddot_by_theta_dot = S::int(2) * theta_dot * sin_phi * cos_phi
-        * ibxx_minus_ibyy / IBzz;
+    let phi_ddot_by_theta_dot = theta_ddot_by_phi_part_5 * ibzz_inv;
     // theta_ddot_by_phi_dot = 2*theta'*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot_by_phi_dot = -S::int(2) * theta_dot * sin_phi * cos_phi
-        * ibxx_minus_ibyy / theta_ddot_by_phi_part;
+    let theta_ddot_by_phi_dot = -theta_ddot_by_phi_part_2 * theta_ddot_by_phi_part_4;
     // Entries that are not zero.
     // d(theta')/d(theta') = 1
     let theta_dot_by_theta_dot_value = S::int(1);
@@ -229,7 +248,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 19 operations, 1 sine and cosine.
+/// 18 operations, 1 sine and cosine.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) -> S {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
@@ -237,11 +256,14 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) 
     let [theta_dot, phi_dot] = *q_dot;
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
+    // Shared terms.
+    // theta'^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2) + IBzz*phi'^2
+    let energy_part = theta_dot * theta_dot
+        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi) + IBzz * phi_dot * phi_dot;
     // Values.
     // T = theta'^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*phi'^2/2
-    let energy = S::ratio(1, 2) * theta_dot * theta_dot
-        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-            + IByy * cos_phi * cos_phi) + S::ratio(1, 2) * IBzz * phi_dot * phi_dot;
+    let energy = S::ratio(1, 2) * energy_part;
     energy
 }
 

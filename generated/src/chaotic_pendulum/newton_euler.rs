@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/chaotic_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
 //! 2 coordinates, 2 speeds, 9 parameters, 10 reactions. Unknowns: (omega', alpha', pin1, pin2, pin3, pin_torque1, pin_torque3, bearing1, bearing2, bearing3, bearing_torque1, bearing_torque2).
-//! Cost: mass_matrix 19 operations, 1 sine and cosine; forcing 34 operations, 2 sines and cosines; accelerations 32 operations, 2 sines and cosines.
+//! Cost: mass_matrix 18 operations, 1 sine and cosine; forcing 27 operations, 2 sines and cosines; accelerations 22 operations, 2 sines and cosines.
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2), by IBzz.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rod force a1, rod force a2, rod force a3, rod moment a1, rod moment a2, rod moment a3, plate force b1, plate force b2, plate force b3, plate moment b1, plate moment b2, plate moment b3.
 ///
-/// 19 operations, 1 sine and cosine.
+/// 18 operations, 1 sine and cosine.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -24,6 +24,10 @@ pub fn mass_matrix<S: Scalar>(
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Shared terms.
+    // lA - lB; used 2 times
+    let la_minus_lb = lA - lB;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
     // -sin(phi); used 2 times
     let sin_phi_scaled = -sin_phi;
     // -cos(phi); used 4 times
@@ -48,7 +52,7 @@ pub fn mass_matrix<S: Scalar>(
     // M_4_6 = -1
     let m_4_6 = -S::int(1);
     // M_4_9 = lA - lB
-    let m_4_9 = lA - lB;
+    let m_4_9 = la_minus_lb;
     // M_4_11 = 1
     let m_4_11 = S::int(1);
     // M_5_1 = IAxx
@@ -56,19 +60,19 @@ pub fn mass_matrix<S: Scalar>(
     // M_5_3 = lA
     let m_5_3 = lA;
     // M_5_8 = lB - lA
-    let m_5_8 = lB - lA;
+    let m_5_8 = -la_minus_lb;
     // M_5_12 = 1
     let m_5_12 = S::int(1);
     // M_6_7 = -1
     let m_6_7 = -S::int(1);
     // M_7_1 = mB*lB*cos(phi)
-    let m_7_1 = mB * lB * cos_phi;
+    let m_7_1 = mb_lb * cos_phi;
     // M_7_8 = -cos(phi)
     let m_7_8 = cos_phi_scaled;
     // M_7_9 = -sin(phi)
     let m_7_9 = sin_phi_scaled;
     // M_8_1 = -mB*lB*sin(phi)
-    let m_8_1 = -mB * lB * sin_phi;
+    let m_8_1 = -mb_lb * sin_phi;
     // M_8_8 = sin(phi)
     let m_8_8 = sin_phi;
     // M_8_9 = -cos(phi)
@@ -107,7 +111,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (omega', alpha', pin1, pin2, pin3, pin_torque1, pin_torque3, bearing1, bearing2, bearing3, bearing_torque1, bearing_torque2).
 ///
-/// 34 operations, 2 sines and cosines.
+/// 27 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 12] {
     let Parameters { mA, mB, lA, lB, IBxx, IByy, IBzz, g, .. } = *p;
@@ -115,34 +119,44 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 12] 
     let [omega, alpha] = *u;
     let zero = S::int(0);
     // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
+    let (sin_phi, cos_phi) = phi.sin_cos();
     // Shared terms.
+    // g*sin(theta); used 2 times
+    let g_sin_theta = g * sin_theta;
+    // omega^2; used 3 times
+    let omega_sq = omega * omega;
     // g*cos(theta); used 2 times
     let g_cos_theta = g * cos_theta;
+    // mB*g_sin_theta; used 2 times
+    let mb_g_sin_theta = mB * g_sin_theta;
+    // IBxx - IByy; used 3 times
+    let ibxx_minus_ibyy = IBxx - IByy;
+    // omega*alpha; used 2 times
+    let omega_alpha = omega * alpha;
     // Values.
     // f_1 = -mA*g*sin(theta)
-    let f_1 = -mA * g * sin_theta;
+    let f_1 = -mA * g_sin_theta;
     // f_3 = mA*(g*cos(theta) + lA*omega^2)
-    let f_3 = mA * (g_cos_theta + lA * omega * omega);
+    let f_3 = mA * (lA * omega_sq + g_cos_theta);
     // f_7 = -mB*g*sin(theta)*cos(phi)
-    let f_7 = -mB * g * sin_theta * cos_phi;
+    let f_7 = -mb_g_sin_theta * cos_phi;
     // f_8 = mB*g*sin(theta)*sin(phi)
-    let f_8 = mB * g * sin_theta * sin_phi;
+    let f_8 = mb_g_sin_theta * sin_phi;
     // f_9 = mB*(g*cos(theta) + lB*omega^2)
-    let f_9 = mB * (g_cos_theta + lB * omega * omega);
+    let f_9 = mB * (lB * omega_sq + g_cos_theta);
     // f_10 = omega*alpha*cos(phi)*(IByy - IBxx - IBzz)
-    let f_10 = omega * alpha * cos_phi * (IByy - IBxx - IBzz);
+    let f_10 = -omega_alpha * cos_phi * (IBzz + ibxx_minus_ibyy);
     // f_11 = omega*alpha*sin(phi)*(IByy - IBxx + IBzz)
-    let f_11 = omega * alpha * sin_phi * (IByy - IBxx + IBzz);
+    let f_11 = omega_alpha * sin_phi * (IBzz - ibxx_minus_ibyy);
     // f_12 = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
-    let f_12 = omega * omega * sin_phi * cos_phi * (IBxx - IByy);
+    let f_12 = omega_sq * ibxx_minus_ibyy * sin_phi * cos_phi;
     [f_1, zero, f_3, zero, zero, zero, f_7, f_8, f_9, f_10, f_11, f_12]
 }
 
 /// The accelerations (omega', alpha'), solved for when this code was generated.
 ///
-/// 32 operations, 2 sines and cosines.
+/// 22 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
@@ -152,23 +166,28 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // IBxx - IByy; used 2 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // cos(phi)*(IBxx - IByy); used 2 times
+    let omega_dot_part = cos_phi * (IBxx - IByy);
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
+    // omega*omega_dot_part*sin(phi); used 2 times
+    let omega_dot_part_2 = omega * omega_dot_part * sin_phi;
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot = -(g * sin_theta * (mA * lA + mB * lB)
-        + S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy)
-        / (mA * lA * lA + mB * lB * lB + IAxx + IByy * cos_phi * cos_phi
-            + IBxx * (S::int(1) - cos_phi * cos_phi));
+    let omega_dot = (g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * alpha * omega_dot_part_2)
+        / (omega_dot_part * cos_phi - IAxx - IBxx - lA * ma_la - lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot = omega * omega * sin_phi * cos_phi * ibxx_minus_ibyy / IBzz;
+    let alpha_dot = omega * omega_dot_part_2 / IBzz;
     [omega_dot, alpha_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 32 operations, 2 sines and cosines.
+/// 22 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -182,17 +201,22 @@ pub fn derivative<S: Scalar>(
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // IBxx - IByy; used 2 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // cos(phi)*(IBxx - IByy); used 2 times
+    let omega_dot_part = cos_phi * (IBxx - IByy);
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
+    // omega*omega_dot_part*sin(phi); used 2 times
+    let omega_dot_part_2 = omega * omega_dot_part * sin_phi;
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot = -(g * sin_theta * (mA * lA + mB * lB)
-        + S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy)
-        / (mA * lA * lA + mB * lB * lB + IAxx + IByy * cos_phi * cos_phi
-            + IBxx * (S::int(1) - cos_phi * cos_phi));
+    let omega_dot = (g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * alpha * omega_dot_part_2)
+        / (omega_dot_part * cos_phi - IAxx - IBxx - lA * ma_la - lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot = omega * omega * sin_phi * cos_phi * ibxx_minus_ibyy / IBzz;
+    let alpha_dot = omega * omega_dot_part_2 / IBzz;
     // Values.
     // theta' = omega
     let theta_dot_value = omega;
@@ -203,7 +227,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns theta, phi, omega, alpha.
 ///
-/// 75 operations, 2 sines and cosines.
+/// 54 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
@@ -214,52 +238,61 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
-    // mA*lA + mB*lB; used 2 times
-    let ma_la_plus_mb_lb = mA * lA + mB * lB;
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // mB*lB; used 2 times
+    let mb_lb = mB * lB;
+    // IBxx - IByy; used 3 times
+    let ibxx_minus_ibyy = IBxx - IByy;
     // cos(phi)^2; used 2 times
     let cos_phi_sq = cos_phi * cos_phi;
-    // mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2); used 5 times
-    let omega_dot_by_theta_part = mA * lA * lA + mB * lB * lB + IAxx
-        + IByy * cos_phi * cos_phi + IBxx * (S::int(1) - cos_phi_sq);
+    // 1/(IAxx + IBxx + lA*ma_la + lB*mb_lb - ibxx_minus_ibyy*cos_phi_sq); used 3 times
+    let omega_dot_by_theta_part = S::int(1)
+        / (IAxx + IBxx + lA * ma_la + lB * mb_lb - ibxx_minus_ibyy * cos_phi_sq);
+    // g*omega_dot_by_theta_part*(ma_la + mb_lb); used 2 times
+    let omega_dot_by_theta_part_2 = g * omega_dot_by_theta_part * (ma_la + mb_lb);
     // Elimination, step by step.
     // omega_dot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_theta = -g * cos_theta * ma_la_plus_mb_lb / omega_dot_by_theta_part;
+    let omega_dot_by_theta = -omega_dot_by_theta_part_2 * cos_theta;
     // Shared terms.
-    // IBxx - IByy; used 6 times
-    let ibxx_minus_ibyy = IBxx - IByy;
+    // 2*ibxx_minus_ibyy; used 3 times
+    let ibxx_minus_ibyy_scaled = S::int(2) * ibxx_minus_ibyy;
+    // omega*ibxx_minus_ibyy_scaled; used 4 times
+    let omega_dot_by_phi_part = omega * ibxx_minus_ibyy_scaled;
+    // omega_dot_by_theta_part*cos(phi); used 2 times
+    let omega_dot_by_phi_part_2 = omega_dot_by_theta_part * cos_phi;
+    // omega_dot_by_phi_part_2*sin(phi); used 3 times
+    let omega_dot_by_phi_part_3 = omega_dot_by_phi_part_2 * sin_phi;
+    // alpha*omega_dot_by_phi_part_3; used 2 times
+    let omega_dot_by_phi_part_4 = alpha * omega_dot_by_phi_part_3;
     // Elimination, step by step.
     // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) - IByy*sin(phi)*cos(phi))*(g*sin(theta)*(mA*lA + mB*lB)
     //   + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_phi = S::int(2)
-        * (IBxx * sin_phi * cos_phi - IByy * sin_phi * cos_phi)
-        * (g * sin_theta * ma_la_plus_mb_lb
-            + S::int(2) * omega * alpha * sin_phi * cos_phi * ibxx_minus_ibyy)
-        / (omega_dot_by_theta_part * omega_dot_by_theta_part)
-        + S::int(2)
-            * (omega * alpha * sin_phi * sin_phi * ibxx_minus_ibyy
-                - omega * alpha * cos_phi * cos_phi * ibxx_minus_ibyy)
-            / omega_dot_by_theta_part;
+    let omega_dot_by_phi = alpha * omega_dot_by_phi_part
+        * (omega_dot_by_theta_part * sin_phi * sin_phi
+            - omega_dot_by_phi_part_2 * cos_phi)
+        + omega_dot_by_phi_part_3
+            * (omega_dot_by_theta_part_2 * ibxx_minus_ibyy_scaled * sin_theta
+                + S::int(4) * omega * omega_dot_by_phi_part_4
+                    * (IByy * IByy + IBxx * (IBxx - S::int(2) * IByy)));
     // Shared terms.
-    // 2*cos(phi)^2 - 1; used 2 times
-    let alpha_dot_by_phi_part = S::int(2) * cos_phi_sq - S::int(1);
+    // 1/IBzz; used 2 times
+    let ibzz_inv = S::int(1) / IBzz;
     // Elimination, step by step.
     // alpha_dot_by_phi = omega^2*(IBxx*(2*cos(phi)^2 - 1) + IByy*(1 - 2*cos(phi)^2))/IBzz
-    let alpha_dot_by_phi = omega * omega
-        * (IBxx * alpha_dot_by_phi_part - IByy * alpha_dot_by_phi_part) / IBzz;
+    let alpha_dot_by_phi = omega * ibzz_inv
+        * (cos_phi_sq * omega_dot_by_phi_part - omega * ibxx_minus_ibyy);
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_omega = -S::int(2) * alpha * sin_phi * cos_phi * ibxx_minus_ibyy
-        / omega_dot_by_theta_part;
+    let omega_dot_by_omega = -ibxx_minus_ibyy_scaled * omega_dot_by_phi_part_4;
     // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot_by_omega = S::int(2) * omega * sin_phi * cos_phi * ibxx_minus_ibyy
-        / IBzz;
+    let alpha_dot_by_omega = omega_dot_by_phi_part * ibzz_inv * sin_phi * cos_phi;
     // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_alpha = -S::int(2) * omega * sin_phi * cos_phi * ibxx_minus_ibyy
-        / omega_dot_by_theta_part;
+    let omega_dot_by_alpha = -omega_dot_by_phi_part * omega_dot_by_phi_part_3;
     // Entries that are not zero.
     // d(theta')/d(omega) = 1
     let theta_dot_by_omega_value = S::int(1);
@@ -293,7 +326,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 19 operations, 1 sine and cosine.
+/// 18 operations, 1 sine and cosine.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
@@ -301,11 +334,14 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S
     let [omega, alpha] = *u;
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
+    // Shared terms.
+    // omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2) + IBzz*alpha^2
+    let energy_part = omega * omega
+        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi) + IBzz * alpha * alpha;
     // Values.
     // T = omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*alpha^2/2
-    let energy = S::ratio(1, 2) * omega * omega
-        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-            + IByy * cos_phi * cos_phi) + S::ratio(1, 2) * IBzz * alpha * alpha;
+    let energy = S::ratio(1, 2) * energy_part;
     energy
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
 //! 5 coordinates, 5 speeds, 3 parameters. Unknowns: (u1', u2', u3', u4', u5').
-//! Cost: mass_matrix 27 operations, 2 sines and cosines; forcing 56 operations, 2 sines and cosines; accelerations 60 operations, 2 sines and cosines.
+//! Cost: mass_matrix 18 operations, 2 sines and cosines; forcing 36 operations, 2 sines and cosines; accelerations 39 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
 //! The accelerations divide by cos(q2), by R, by 4*cos(q2)^2 - 5.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3, u4, u5.
 ///
-/// 27 operations, 2 sines and cosines.
+/// 18 operations, 2 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -25,25 +25,33 @@ pub fn mass_matrix<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // M*R^2; used 2 times
-    let m_r_sq = M * R * R;
+    // M*R; used 3 times
+    let m_r = M * R;
+    // R*m_r; used 4 times
+    let r_m_r = R * m_r;
+    // m_r*cos(q2); used 2 times
+    let c2_m_r = m_r * c2;
     // tan(q2)
     let t2 = s2 / c2;
+    // tan(q2); used 2 times
+    let c2_inv_s2 = t2;
+    // m_r*c2_inv_s2; used 2 times
+    let m_r_c2_inv_s2 = m_r * c2_inv_s2;
     // Entries that are not zero; upper triangle.
     // M11 = 5*M*R^2/4
-    let m11 = S::ratio(5, 4) * m_r_sq;
+    let m11 = S::ratio(5, 4) * r_m_r;
     // M14 = M*R*sin(q1)*cos(q2)
-    let m14 = M * R * s1 * c2;
+    let m14 = c2_m_r * s1;
     // M15 = -M*R*cos(q1)*cos(q2)
-    let m15 = -M * R * c1 * c2;
+    let m15 = -c2_m_r * c1;
     // M22 = M*R^2*(1 + 4*tan(q2)^2)/4
-    let m22 = S::ratio(1, 4) * M * R * R * (S::int(1) + S::int(4) * t2 * t2);
+    let m22 = S::ratio(1, 4) * r_m_r + r_m_r * c2_inv_s2 * c2_inv_s2;
     // M24 = -M*R*cos(q1)*tan(q2)
-    let m24 = -M * R * c1 * t2;
+    let m24 = -m_r_c2_inv_s2 * c1;
     // M25 = -M*R*sin(q1)*tan(q2)
-    let m25 = -M * R * s1 * t2;
+    let m25 = -m_r_c2_inv_s2 * s1;
     // M33 = M*R^2/2
-    let m33 = S::ratio(1, 2) * m_r_sq;
+    let m33 = S::ratio(1, 2) * r_m_r;
     // M44 = M
     let m44 = M;
     // M55 = M
@@ -59,7 +67,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3', u4', u5').
 ///
-/// 56 operations, 2 sines and cosines.
+/// 36 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { M, R, g } = *p;
@@ -70,27 +78,41 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // 1 + 1/cos(q2)^2; used 2 times
-    let f4_part = S::int(1) + S::int(1) / (c2 * c2);
-    // tan(q2)
-    let t2 = s2 / c2;
+    // M*R; used 3 times
+    let m_r = M * R;
+    // m_r*sin(q2); used 3 times
+    let s2_m_r = m_r * s2;
+    // u2*m_r; used 2 times
+    let u2_m_r = u2 * m_r;
+    // 1/cos(q2); used 2 times
+    let c2_inv = S::int(1) / c2;
+    // u2*c2_inv; used 3 times
+    let u2_c2_inv = u2 * c2_inv;
+    // 2*u3 + 3*u2_c2_inv*sin(q2)
+    let f1_part = S::int(2) * u3 + S::int(3) * u2_c2_inv * s2;
+    // f1_part/4; used 2 times
+    let f1_part_scaled = S::ratio(1, 4) * f1_part;
+    // c2_inv^2; used 2 times
+    let c2_inv_sq = c2_inv * c2_inv;
+    // s2_m_r*(u1^2 + u2_c2_inv^2); used 2 times
+    let f4_part = s2_m_r * (u1 * u1 + u2_c2_inv * u2_c2_inv);
+    // u1*u2_m_r*(1 + c2_inv_sq); used 2 times
+    let f4_part_2 = u1 * u2_m_r * (S::int(1) + c2_inv_sq);
     // Values.
     // f1 = -M*R*(4*g*sin(q2) + R*u2*(3*u2*tan(q2) + 2*u3))/4
-    let f1 = -S::ratio(1, 4) * M * R
-        * (S::int(4) * g * s2 + R * u2 * (S::int(3) * u2 * t2 + S::int(2) * u3));
+    let f1 = -g * s2_m_r - R * u2_m_r * f1_part_scaled;
     // f2 = M*R^2*u1*(u2*tan(q2)*(7 + 4*tan(q2)^2) + 2*u3)/4
-    let f2 = S::ratio(1, 4) * M * R * R * u1
-        * (u2 * t2 * (S::int(7) + S::int(4) * t2 * t2) + S::int(2) * u3);
+    let f2 = R * u1 * (m_r * f1_part_scaled + s2_m_r * u2_c2_inv * c2_inv_sq);
     // f4 = -M*R*(u2^2*sin(q1)*tan(q2)/cos(q2) + u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)))
-    let f4 = -M * R * (u2 * u2 * s1 * t2 / c2 + u1 * (u1 * s1 * s2 + u2 * c1 * f4_part));
+    let f4 = -f4_part * s1 - f4_part_2 * c1;
     // f5 = M*R*(u2^2*cos(q1)*tan(q2)/cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)))
-    let f5 = M * R * (u2 * u2 * c1 * t2 / c2 - u1 * (u2 * s1 * f4_part - u1 * c1 * s2));
+    let f5 = f4_part * c1 - f4_part_2 * s1;
     [f1, f2, zero, f4, f5]
 }
 
 /// The accelerations (u1', u2', u3', u4', u5'), solved for when this code was generated.
 ///
-/// 60 operations, 2 sines and cosines.
+/// 39 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { R, g, .. } = *p;
@@ -100,36 +122,43 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // 1/cos(q2); used 2 times
+    let c2_inv = S::int(1) / c2;
+    // u2*c2_inv; used 3 times
+    let u2_c2_inv = u2 * c2_inv;
+    // u2_c2_inv*sin(q2) - 2*u3; used 2 times
+    let u1_dot_part = u2_c2_inv * s2 - S::int(2) * u3;
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = (s2 * (S::int(4) * g / R - S::int(4) * u1 * u1 * c2 - u2 * u2 / c2)
-        + S::int(2) * u2 * u3) / (S::int(4) * c2 * c2 - S::int(5));
-    // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // Elimination, step by step.
+    let u1_dot = (S::int(4) * s2 * (g / R - u1_sq * c2) - u2 * u1_dot_part)
+        / (S::int(4) * c2 * c2 - S::int(5));
     // u2' = u1*(2*u3 - u2*tan(q2))
-    let u2_dot = u1 * (S::int(2) * u3 - u2 * t2);
+    let u2_dot = -u1 * u1_dot_part;
     // Shared terms.
-    // 1 + 1/cos(q2)^2; used 2 times
-    let u5_dot_part = S::int(1) + S::int(1) / (c2 * c2);
+    // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2)); used 2 times
+    let u5_dot_part = u1 * u2 + c2_inv * (u1 * u2_c2_inv - u2_dot * s2);
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2); used 2 times
+    let u5_dot_part_2 = u1_dot * c2 + s2 * (u1_sq + u2_c2_inv * u2_c2_inv);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = R*(u1'*cos(q1)*cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) +
     //   tan(q2)*(u2^2*cos(q1)/cos(q2) + u2'*sin(q1)))
-    let u5_dot = R
-        * (u1_dot * c1 * c2 - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * s2)
-            + t2 * (u2 * u2 * c1 / c2 + u2_dot * s1));
+    let u5_dot = u5_dot_part_2 * r_c1 - u5_dot_part * r_s1;
     // u4' = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
     //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
-    let u4_dot = -R
-        * (u1 * (u1 * s1 * s2 + u2 * c1 * u5_dot_part) + u1_dot * s1 * c2
-            + t2 * (u2 * u2 * s1 / c2 - u2_dot * c1));
+    let u4_dot = -r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
     [u1_dot, u2_dot, zero, u4_dot, u5_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 63 operations, 2 sines and cosines.
+/// 41 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -143,39 +172,46 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // 1/cos(q2); used 2 times
+    let c2_inv = S::int(1) / c2;
+    // u2*c2_inv; used 4 times
+    let u2_c2_inv = u2 * c2_inv;
+    // u2_c2_inv*sin(q2); used 2 times
+    let s2_u2_c2_inv = u2_c2_inv * s2;
+    // s2_u2_c2_inv - 2*u3; used 2 times
+    let u1_dot_part = s2_u2_c2_inv - S::int(2) * u3;
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = (s2 * (S::int(4) * g / R - S::int(4) * u1 * u1 * c2 - u2 * u2 / c2)
-        + S::int(2) * u2 * u3) / (S::int(4) * c2 * c2 - S::int(5));
-    // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // u2*tan(q2); used 2 times
-    let u2_c2_inv_s2 = u2 * t2;
-    // Elimination, step by step.
+    let u1_dot = (S::int(4) * s2 * (g / R - u1_sq * c2) - u2 * u1_dot_part)
+        / (S::int(4) * c2 * c2 - S::int(5));
     // u2' = u1*(2*u3 - u2*tan(q2))
-    let u2_dot = u1 * (S::int(2) * u3 - u2_c2_inv_s2);
+    let u2_dot = -u1 * u1_dot_part;
     // Shared terms.
-    // 1 + 1/cos(q2)^2; used 2 times
-    let u5_dot_part = S::int(1) + S::int(1) / (c2 * c2);
+    // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2)); used 2 times
+    let u5_dot_part = u1 * u2 + c2_inv * (u1 * u2_c2_inv - u2_dot * s2);
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2); used 2 times
+    let u5_dot_part_2 = u1_dot * c2 + s2 * (u1_sq + u2_c2_inv * u2_c2_inv);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = R*(u1'*cos(q1)*cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) +
     //   tan(q2)*(u2^2*cos(q1)/cos(q2) + u2'*sin(q1)))
-    let u5_dot = R
-        * (u1_dot * c1 * c2 - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * s2)
-            + t2 * (u2 * u2 * c1 / c2 + u2_dot * s1));
+    let u5_dot = u5_dot_part_2 * r_c1 - u5_dot_part * r_s1;
     // u4' = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
     //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
-    let u4_dot = -R
-        * (u1 * (u1 * s1 * s2 + u2 * c1 * u5_dot_part) + u1_dot * s1 * c2
-            + t2 * (u2 * u2 * s1 / c2 - u2_dot * c1));
+    let u4_dot = -r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
     // Values.
     // q1' = u2/cos(q2)
-    let q1_dot_value = u2 / c2;
+    let q1_dot_value = u2_c2_inv;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 - u2*tan(q2)
-    let q3_dot_value = u3 - u2_c2_inv_s2;
+    let q3_dot_value = u3 - s2_u2_c2_inv;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5
@@ -188,7 +224,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q1, q2, q3, q4, q5, u1, u2, u3, u4, u5.
 ///
-/// 216 operations, 2 sines and cosines.
+/// 148 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10]; 10] {
     let Parameters { R, g, .. } = *p;
@@ -199,130 +235,170 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // cos(q2)^2; used 4 times
-    let c2_sq = c2 * c2;
-    // 4*cos(q2)^2 - 5; used 5 times
-    let u1_dot_part = S::int(4) * c2_sq - S::int(5);
+    // 1/(4*cos(q2)^2 - 5); used 4 times
+    let u1_dot_part = S::int(1) / (S::int(4) * c2 * c2 - S::int(5));
+    // u2*u1_dot_part; used 4 times
+    let u2_u1_dot_part = u2 * u1_dot_part;
+    // 2*u3; used 3 times
+    let u3_scaled = S::int(2) * u3;
+    // 1/cos(q2); used 7 times
+    let c2_inv = S::int(1) / c2;
+    // u2*c2_inv; used 9 times
+    let u2_c2_inv = u2 * c2_inv;
+    // u1_dot_part*sin(q2); used 5 times
+    let s2_u1_dot_part = u1_dot_part * s2;
+    // u2*s2_u1_dot_part; used 2 times
+    let u2_s2_u1_dot_part = u2 * s2_u1_dot_part;
+    // u1^2; used 5 times
+    let u1_sq = u1 * u1;
+    // s2_u1_dot_part*cos(q2); used 3 times
+    let c2_s2_u1_dot_part = s2_u1_dot_part * c2;
+    // g/R; used 2 times
+    let r_inv_g = g / R;
+    // s2_u1_dot_part*r_inv_g; used 2 times
+    let u1_dot_part_2 = s2_u1_dot_part * r_inv_g;
+    // u1_sq*c2_s2_u1_dot_part - u1_dot_part_2
+    let u1_dot_part_3 = u1_sq * c2_s2_u1_dot_part - u1_dot_part_2;
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = (s2 * (S::int(4) * g / R - S::int(4) * u1 * u1 * c2 - u2 * u2 / c2)
-        + S::int(2) * u2 * u3) / u1_dot_part;
+    let u1_dot = u2_u1_dot_part * u3_scaled - u2_c2_inv * u2_s2_u1_dot_part
+        - S::int(4) * u1_dot_part_3;
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // u2*tan(q2); used 2 times
-    let u2_c2_inv_s2 = u2 * t2;
-    // 2*u3 - u2*tan(q2); used 2 times
-    let u2_dot_part = S::int(2) * u3 - u2_c2_inv_s2;
+    // 2*u1; used 4 times
+    let u1_scaled = S::int(2) * u1;
+    // u2_c2_inv*sin(q2); used 2 times
+    let s2_u2_c2_inv = u2_c2_inv * s2;
     // Elimination, step by step.
     // u2' = u1*(2*u3 - u2*tan(q2))
-    let u2_dot = u1 * u2_dot_part;
+    let u2_dot = u3 * u1_scaled - u1 * s2_u2_c2_inv;
     // Shared terms.
-    // 1/cos(q2)^2; used 2 times
-    let c2_inv2 = S::int(1) / (c2 * c2);
-    // 1 + 1/cos(q2)^2; used 3 times
-    let u5_dot_by_q1_part = S::int(1) + c2_inv2;
+    // R*c2_inv; used 5 times
+    let r_c2_inv = R * c2_inv;
+    // r_c2_inv*sin(q2); used 7 times
+    let s2_r_c2_inv = r_c2_inv * s2;
+    // R + c2_inv*r_c2_inv; used 2 times
+    let u5_dot_by_q1_part = R + c2_inv * r_c2_inv;
+    // u1*u5_dot_by_q1_part; used 2 times
+    let u1_u5_dot_by_q1_part = u1 * u5_dot_by_q1_part;
+    // u2*u1_u5_dot_by_q1_part - u2'*s2_r_c2_inv; used 2 times
+    let u5_dot_by_q1_part_2 = u2 * u1_u5_dot_by_q1_part - u2_dot * s2_r_c2_inv;
+    // R*cos(q2); used 6 times
+    let r_c2 = R * c2;
+    // R*sin(q2); used 3 times
+    let r_s2 = R * s2;
+    // u2*u2_c2_inv*s2_r_c2_inv + u1_sq*r_s2
+    let u5_dot_by_q1_part_3 = u2 * u2_c2_inv * s2_r_c2_inv + u1_sq * r_s2;
+    // u1'*r_c2 + u5_dot_by_q1_part_3; used 2 times
+    let u5_dot_by_q1_part_4 = u1_dot * r_c2 + u5_dot_by_q1_part_3;
     // Elimination, step by step.
     // u5_dot_by_q1 = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
     //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
-    let u5_dot_by_q1 = -R
-        * (u1 * (u1 * s1 * s2 + u2 * c1 * u5_dot_by_q1_part) + u1_dot * s1 * c2
-            + t2 * (u2 * u2 * s1 / c2 - u2_dot * c1));
+    let u5_dot_by_q1 = -u5_dot_by_q1_part_2 * c1 - u5_dot_by_q1_part_4 * s1;
     // u4_dot_by_q1 = R*(u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) - u1'*cos(q1)*cos(q2) -
     //   tan(q2)*(u2^2*cos(q1)/cos(q2) + u2'*sin(q1)))
-    let u4_dot_by_q1 = R
-        * (u1 * (u2 * s1 * u5_dot_by_q1_part - u1 * c1 * s2) - u1_dot * c1 * c2
-            - t2 * (u2 * u2 * c1 / c2 + u2_dot * s1));
+    let u4_dot_by_q1 = u5_dot_by_q1_part_2 * s1 - u5_dot_by_q1_part_4 * c1;
+    // Shared terms.
+    // r_inv_g*cos(q2) - u1_sq
+    let u1_dot_by_q2_part = r_inv_g * c2 - u1_sq;
+    // Elimination, step by step.
     // u1_dot_by_q2 = (5*R*u2^2 + 4*cos(q2)^2*(g*cos(q2)*(3 - 4*cos(q2)^2) + R*(u1^2*(6*cos(q2)^2 - 5) +
     //   u2*(u2*(2*cos(q2)^2 - 3) + 4*u3*sin(q2)*cos(q2)))))/(R*cos(q2)^2*(4*cos(q2)^2 - 5)^2)
-    let u1_dot_by_q2 = (S::int(5) * R * u2 * u2
-        + S::int(4) * c2 * c2
-            * (g * c2 * (S::int(3) - S::int(4) * c2_sq)
-                + R
-                    * (u1 * u1 * (S::int(6) * c2_sq - S::int(5))
-                        + u2
-                            * (u2 * (S::int(2) * c2_sq - S::int(3))
-                                + S::int(4) * u3 * s2 * c2))))
-        / (R * c2 * c2 * u1_dot_part * u1_dot_part);
-    // u2_dot_by_q2 = -u1*u2/cos(q2)^2
-    let u2_dot_by_q2 = -u1 * u2 / (c2 * c2);
+    let u1_dot_by_q2 = S::int(16) * c2_s2_u1_dot_part
+        * (u3 * u2_u1_dot_part + u1_dot_part_2)
+        - S::int(4) * u2_u1_dot_part * u2_u1_dot_part
+        - S::int(8) * u2_s2_u1_dot_part * u2_s2_u1_dot_part
+        - S::int(24) * s2_u1_dot_part * s2_u1_dot_part * u1_sq
+        + u1_dot_part * u1_dot_part
+            * (S::int(5) * u2_c2_inv * u2_c2_inv - S::int(4) * u1_dot_by_q2_part);
     // Shared terms.
-    // 2/cos(q2)^2 - 1; used 2 times
-    let u5_dot_by_q2_part = S::int(2) * c2_inv2 - S::int(1);
-    // u2'/cos(q2) + u2_dot_by_q2*sin(q2); used 2 times
-    let u5_dot_by_q2_part_ = u2_dot / c2 + u2_dot_by_q2 * s2;
-    // cos(q2)*(u1^2 + u1_dot_by_q2) - u1'*sin(q2); used 2 times
-    let u5_dot_by_q2_part_2 = c2 * (u1 * u1 + u1_dot_by_q2) - u1_dot * s2;
+    // c2_inv*u2_c2_inv; used 2 times
+    let c2_inv_u2_c2_inv = c2_inv * u2_c2_inv;
+    // Elimination, step by step.
+    // u2_dot_by_q2 = -u1*u2/cos(q2)^2
+    let u2_dot_by_q2 = -u1 * c2_inv_u2_c2_inv;
+    // Shared terms.
+    // u1_scaled*s2_r_c2_inv; used 3 times
+    let u5_dot_by_q2_part = u1_scaled * s2_r_c2_inv;
+    // c2_inv*(u2_c2_inv*u5_dot_by_q2_part - u2'*r_c2_inv) - u2_dot_by_q2*s2_r_c2_inv; used 2 times
+    let u5_dot_by_q2_part_2 = c2_inv
+        * (u2_c2_inv * u5_dot_by_q2_part - u2_dot * r_c2_inv)
+        - u2_dot_by_q2 * s2_r_c2_inv;
+    // 2*u2_c2_inv; used 3 times
+    let u2_c2_inv_scaled = S::int(2) * u2_c2_inv;
+    // u1'*r_s2 - u2_c2_inv*r_c2_inv*u2_c2_inv_scaled
+    let u5_dot_by_q2_part_3 = u1_dot * r_s2 - u2_c2_inv * r_c2_inv * u2_c2_inv_scaled;
+    // u1_sq*r_c2 - u2^2*r_c2_inv
+    let u5_dot_by_q2_part_4 = u1_sq * r_c2 - u2 * u2 * r_c2_inv;
+    // u1_dot_by_q2*r_c2 - u5_dot_by_q2_part_3
+    let u5_dot_by_q2_part_5 = u1_dot_by_q2 * r_c2 - u5_dot_by_q2_part_3;
+    // u5_dot_by_q2_part_4 + u5_dot_by_q2_part_5; used 2 times
+    let u5_dot_by_q2_part_6 = u5_dot_by_q2_part_4 + u5_dot_by_q2_part_5;
     // Elimination, step by step.
     // u5_dot_by_q2 = -R*(cos(q1)*(u1'*sin(q2) - cos(q2)*(u1^2 + u1_dot_by_q2)) +
     //   (u2*(2*u1*sin(q1)*tan(q2)/cos(q2) + u2*cos(q1)*(1 - 2/cos(q2)^2)) - sin(q1)*(u2'/cos(q2) +
     //   u2_dot_by_q2*sin(q2)))/cos(q2))
-    let u5_dot_by_q2 = R
-        * (c1 * u5_dot_by_q2_part_2
-            - (u2 * (S::int(2) * u1 * s1 * t2 / c2 - u2 * c1 * u5_dot_by_q2_part)
-                - s1 * u5_dot_by_q2_part_) / c2);
+    let u5_dot_by_q2 = u5_dot_by_q2_part_6 * c1 - u5_dot_by_q2_part_2 * s1;
     // u4_dot_by_q2 = -R*(sin(q1)*(cos(q2)*(u1^2 + u1_dot_by_q2) - u1'*sin(q2)) +
     //   (u2*(2*u1*cos(q1)*tan(q2)/cos(q2) + u2*sin(q1)*(2/cos(q2)^2 - 1)) - cos(q1)*(u2'/cos(q2) +
     //   u2_dot_by_q2*sin(q2)))/cos(q2))
-    let u4_dot_by_q2 = -R
-        * (s1 * u5_dot_by_q2_part_2
-            + (u2 * (S::int(2) * u1 * c1 * t2 / c2 + u2 * s1 * u5_dot_by_q2_part)
-                - c1 * u5_dot_by_q2_part_) / c2);
+    let u4_dot_by_q2 = -u5_dot_by_q2_part_2 * c1 - u5_dot_by_q2_part_6 * s1;
     // u1_dot_by_u1 = 8*u1*sin(q2)*cos(q2)/(5 - 4*cos(q2)^2)
-    let u1_dot_by_u1 = -S::int(8) * u1 * s2 * c2 / u1_dot_part;
+    let u1_dot_by_u1 = -S::int(8) * u1 * c2_s2_u1_dot_part;
     // u2_dot_by_u1 = 2*u3 - u2*tan(q2)
-    let u2_dot_by_u1 = u2_dot_part;
+    let u2_dot_by_u1 = u3_scaled - s2_u2_c2_inv;
     // Shared terms.
-    // u2*(1 + 1/cos(q2)^2) - u2_dot_by_u1*tan(q2); used 2 times
-    let u5_dot_by_u1_part = u2 * u5_dot_by_q1_part - u2_dot_by_u1 * t2;
-    // 2*u1*sin(q2) + u1_dot_by_u1*cos(q2); used 2 times
-    let u5_dot_by_u1_part_ = S::int(2) * u1 * s2 + u1_dot_by_u1 * c2;
+    // u1_dot_by_u1*r_c2 + u1_scaled*r_s2; used 2 times
+    let u5_dot_by_u1_part = u1_dot_by_u1 * r_c2 + u1_scaled * r_s2;
+    // u2*u5_dot_by_q1_part - u2_dot_by_u1*s2_r_c2_inv; used 2 times
+    let u5_dot_by_u1_part_2 = u2 * u5_dot_by_q1_part - u2_dot_by_u1 * s2_r_c2_inv;
     // Elimination, step by step.
     // u5_dot_by_u1 = R*(cos(q1)*(2*u1*sin(q2) + u1_dot_by_u1*cos(q2)) - sin(q1)*(u2*(1 + 1/cos(q2)^2) -
     //   u2_dot_by_u1*tan(q2)))
-    let u5_dot_by_u1 = R * (c1 * u5_dot_by_u1_part_ - s1 * u5_dot_by_u1_part);
+    let u5_dot_by_u1 = u5_dot_by_u1_part * c1 - u5_dot_by_u1_part_2 * s1;
     // u4_dot_by_u1 = -R*(sin(q1)*(2*u1*sin(q2) + u1_dot_by_u1*cos(q2)) + cos(q1)*(u2*(1 + 1/cos(q2)^2) -
     //   u2_dot_by_u1*tan(q2)))
-    let u4_dot_by_u1 = -R * (s1 * u5_dot_by_u1_part_ + c1 * u5_dot_by_u1_part);
+    let u4_dot_by_u1 = -u5_dot_by_u1_part * s1 - u5_dot_by_u1_part_2 * c1;
     // u1_dot_by_u2 = 2*(u3 - u2*tan(q2))/(4*cos(q2)^2 - 5)
-    let u1_dot_by_u2 = S::int(2) * (u3 - u2_c2_inv_s2) / u1_dot_part;
-    // u2_dot_by_u2 = -u1*tan(q2)
-    let u2_dot_by_u2 = -u1 * t2;
+    let u1_dot_by_u2 = u1_dot_part * u3_scaled - s2_u1_dot_part * u2_c2_inv_scaled;
     // Shared terms.
-    // u1*sin(q1); used 2 times
-    let u1_s1 = u1 * s1;
+    // c2_inv*sin(q2); used 3 times
+    let s2_c2_inv = c2_inv * s2;
+    // Elimination, step by step.
+    // u2_dot_by_u2 = -u1*tan(q2)
+    let u2_dot_by_u2 = -u1 * s2_c2_inv;
+    // Shared terms.
+    // u1_dot_by_u2*r_c2 + s2_r_c2_inv*u2_c2_inv_scaled; used 2 times
+    let u5_dot_by_u2_part = u1_dot_by_u2 * r_c2 + s2_r_c2_inv * u2_c2_inv_scaled;
+    // u1_u5_dot_by_q1_part - u2_dot_by_u2*s2_r_c2_inv; used 2 times
+    let u5_dot_by_u2_part_2 = u1_u5_dot_by_q1_part - u2_dot_by_u2 * s2_r_c2_inv;
     // Elimination, step by step.
     // u5_dot_by_u2 = R*(u1_dot_by_u2*cos(q1)*cos(q2) - u1*sin(q1) - ((u1*sin(q1) -
     //   2*u2*cos(q1)*sin(q2))/cos(q2) - u2_dot_by_u2*sin(q1)*sin(q2))/cos(q2))
-    let u5_dot_by_u2 = R
-        * (u1_dot_by_u2 * c1 * c2 - u1_s1
-            - ((u1_s1 - S::int(2) * u2 * c1 * s2) / c2 - u2_dot_by_u2 * s1 * s2) / c2);
-    // Shared terms.
-    // u1*cos(q1); used 2 times
-    let u1_c1 = u1 * c1;
-    // Elimination, step by step.
+    let u5_dot_by_u2 = u5_dot_by_u2_part * c1 - u5_dot_by_u2_part_2 * s1;
     // u4_dot_by_u2 = -R*(u1*cos(q1) + u1_dot_by_u2*sin(q1)*cos(q2) + ((u1*cos(q1) +
     //   2*u2*sin(q1)*sin(q2))/cos(q2) - u2_dot_by_u2*cos(q1)*sin(q2))/cos(q2))
-    let u4_dot_by_u2 = -R
-        * (u1_c1 + u1_dot_by_u2 * s1 * c2
-            + ((u1_c1 + S::int(2) * u2 * s1 * s2) / c2 - u2_dot_by_u2 * c1 * s2) / c2);
+    let u4_dot_by_u2 = -u5_dot_by_u2_part * s1 - u5_dot_by_u2_part_2 * c1;
     // u1_dot_by_u3 = 2*u2/(4*cos(q2)^2 - 5)
-    let u1_dot_by_u3 = S::int(2) * u2 / u1_dot_part;
+    let u1_dot_by_u3 = S::int(2) * u2_u1_dot_part;
+    // Shared terms.
+    // u1_dot_by_u3*r_c2; used 2 times
+    let u1_dot_by_u3_r_c2 = u1_dot_by_u3 * r_c2;
+    // Elimination, step by step.
     // u5_dot_by_u3 = R*(2*u1*sin(q1)*tan(q2) + u1_dot_by_u3*cos(q1)*cos(q2))
-    let u5_dot_by_u3 = R * (S::int(2) * u1 * s1 * t2 + u1_dot_by_u3 * c1 * c2);
+    let u5_dot_by_u3 = u5_dot_by_q2_part * s1 + u1_dot_by_u3_r_c2 * c1;
     // u4_dot_by_u3 = R*(2*u1*cos(q1)*tan(q2) - u1_dot_by_u3*sin(q1)*cos(q2))
-    let u4_dot_by_u3 = R * (S::int(2) * u1 * c1 * t2 - u1_dot_by_u3 * s1 * c2);
+    let u4_dot_by_u3 = u5_dot_by_q2_part * c1 - u1_dot_by_u3_r_c2 * s1;
     // Entries that are not zero.
     // d(q1')/d(q2) = u2*tan(q2)/cos(q2)
-    let q1_dot_by_q2_value = u2 * t2 / c2;
+    let q1_dot_by_q2_value = u2_c2_inv * s2_c2_inv;
     // d(q1')/d(u2) = 1/cos(q2)
-    let q1_dot_by_u2_value = S::int(1) / c2;
+    let q1_dot_by_u2_value = c2_inv;
     // d(q2')/d(u1) = -1
     let q2_dot_by_u1_value = -S::int(1);
     // d(q3')/d(q2) = -u2/cos(q2)^2
-    let q3_dot_by_q2_value = -u2 / (c2 * c2);
+    let q3_dot_by_q2_value = -c2_inv_u2_c2_inv;
     // d(q3')/d(u2) = -tan(q2)
-    let q3_dot_by_u2_value = -t2;
+    let q3_dot_by_u2_value = -s2_c2_inv;
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
     // d(q4')/d(u4) = 1
@@ -330,7 +406,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // d(q5')/d(u5) = 1
     let q5_dot_by_u5_value = S::int(1);
     // d(u2')/d(u3) = 2*u1
-    let u2_dot_by_u3_value = S::int(2) * u1;
+    let u2_dot_by_u3_value = u1_scaled;
     [
         [
             zero,
@@ -413,7 +489,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 5 operations, 1 sine and cosine.
+/// 4 operations, 1 sine and cosine.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -425,15 +501,15 @@ pub fn coordinate_rates<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
+    // u2/cos(q2); used 2 times
+    let u2_c2_inv = u2 / c2;
     // Values.
     // q1' = u2/cos(q2)
-    let q1_dot_value = u2 / c2;
+    let q1_dot_value = u2_c2_inv;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 - u2*tan(q2)
-    let q3_dot_value = u3 - u2 * t2;
+    let q3_dot_value = u3 - u2_c2_inv * s2;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5
@@ -443,7 +519,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 54 operations, 2 sines and cosines.
+/// 35 operations, 2 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S {
     let Parameters { M, R, .. } = *p;
@@ -453,18 +529,22 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
+    // M*R; used 2 times
+    let m_r = M * R;
     // tan(q2)
     let t2 = s2 / c2;
+    // tan(q2); used 2 times
+    let c2_inv_s2 = t2;
+    // 5*u1^2 + u2^2*(1 + 4*c2_inv_s2^2)
+    let energy_part = S::int(5) * u1 * u1
+        + u2 * u2 * (S::int(1) + S::int(4) * c2_inv_s2 * c2_inv_s2);
     // Values.
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
     //   M*R*u2*u5*sin(q1)*tan(q2)
-    let energy = S::ratio(5, 8) * M * R * R * u1 * u1
-        + S::ratio(1, 8) * M * R * R * u2 * u2 * (S::int(1) + S::int(4) * t2 * t2)
-        + S::ratio(1, 4) * M * R * R * u3 * u3 + S::ratio(1, 2) * M * u4 * u4
-        + M * R * u1 * u4 * s1 * c2 - M * R * u2 * u4 * c1 * t2
-        + S::ratio(1, 2) * M * u5 * u5 - M * R * u1 * u5 * c1 * c2
-        - M * R * u2 * u5 * s1 * t2;
+    let energy = S::ratio(1, 2) * M * (u4 * u4 + u5 * u5)
+        + m_r * (u1 * c2 * (u4 * s1 - u5 * c1) - u2 * c2_inv_s2 * (u4 * c1 + u5 * s1))
+        + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part);
     energy
 }
 

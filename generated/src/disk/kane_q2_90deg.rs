@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
 //! 5 coordinates, 5 speeds, 3 parameters. Unknowns: (u1', u2', u3', u4', u5').
-//! Cost: mass_matrix 25 operations, 2 sines and cosines; forcing 56 operations, 2 sines and cosines; accelerations 55 operations, 2 sines and cosines.
+//! Cost: mass_matrix 17 operations, 2 sines and cosines; forcing 36 operations, 2 sines and cosines; accelerations 38 operations, 2 sines and cosines.
 //! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
 //! The accelerations divide by sin(q2_minus_90deg), by R, by 4*sin(q2_minus_90deg)^2 - 5.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3, u4, u5.
 ///
-/// 25 operations, 2 sines and cosines.
+/// 17 operations, 2 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -25,26 +25,33 @@ pub fn mass_matrix<S: Scalar>(
     let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // M*R^2; used 2 times
-    let m_r_sq = M * R * R;
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // M*R; used 3 times
+    let m_r = M * R;
+    // R*m_r; used 4 times
+    let r_m_r = R * m_r;
+    // m_r*sin(q1); used 2 times
+    let s1_m_r = m_r * s1;
+    // m_r*cos(q1); used 2 times
+    let c1_m_r = m_r * c1;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let m22_part = S::int(1) / sin_q2_minus_90deg;
+    // m22_part*cos(q2_minus_90deg); used 2 times
+    let m24_part = m22_part * cos_q2_minus_90deg;
     // Entries that are not zero; upper triangle.
     // M11 = 5*M*R^2/4
-    let m11 = S::ratio(5, 4) * m_r_sq;
+    let m11 = S::ratio(5, 4) * r_m_r;
     // M14 = -M*R*sin(q1)*sin(q2_minus_90deg)
-    let m14 = -M * R * s1 * sin_q2_minus_90deg;
+    let m14 = -s1_m_r * sin_q2_minus_90deg;
     // M15 = M*R*cos(q1)*sin(q2_minus_90deg)
-    let m15 = M * R * c1 * sin_q2_minus_90deg;
+    let m15 = c1_m_r * sin_q2_minus_90deg;
     // M22 = M*R^2*(1 + 4/tan(q2_minus_90deg)^2)/4
-    let m22 = S::ratio(1, 4) * M * R * R
-        * (S::int(1) + S::int(4) / (tan_q2_minus_90deg * tan_q2_minus_90deg));
+    let m22 = r_m_r * m22_part * m22_part - S::ratio(3, 4) * r_m_r;
     // M24 = M*R*cos(q1)/tan(q2_minus_90deg)
-    let m24 = M * R * c1 / tan_q2_minus_90deg;
+    let m24 = c1_m_r * m24_part;
     // M25 = M*R*sin(q1)/tan(q2_minus_90deg)
-    let m25 = M * R * s1 / tan_q2_minus_90deg;
+    let m25 = s1_m_r * m24_part;
     // M33 = M*R^2/2
-    let m33 = S::ratio(1, 2) * m_r_sq;
+    let m33 = S::ratio(1, 2) * r_m_r;
     // M44 = M
     let m44 = M;
     // M55 = M
@@ -60,7 +67,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3', u4', u5').
 ///
-/// 56 operations, 2 sines and cosines.
+/// 36 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { M, R, g } = *p;
@@ -68,39 +75,46 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let [u1, u2, u3, _, _] = *u;
     let zero = S::int(0);
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // 1 + 1/sin(q2_minus_90deg)^2; used 2 times
-    let f4_part = S::int(1) + S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // M*R; used 3 times
+    let m_r = M * R;
+    // m_r*cos(q2_minus_90deg); used 3 times
+    let f1_part = m_r * cos_q2_minus_90deg;
+    // u2*m_r; used 2 times
+    let u2_m_r = u2 * m_r;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let f1_part_2 = S::int(1) / sin_q2_minus_90deg;
+    // u2*f1_part_2; used 3 times
+    let u2_f1_part_2 = u2 * f1_part_2;
+    // 3*u2_f1_part_2*cos(q2_minus_90deg) - 2*u3
+    let f1_part_3 = S::int(3) * u2_f1_part_2 * cos_q2_minus_90deg - S::int(2) * u3;
+    // f1_part_3/4; used 2 times
+    let f1_part_3_scaled = S::ratio(1, 4) * f1_part_3;
+    // f1_part_2^2; used 2 times
+    let f1_part_2_sq = f1_part_2 * f1_part_2;
+    // f1_part*(u1^2 + u2_f1_part_2^2); used 2 times
+    let f4_part = f1_part * (u1 * u1 + u2_f1_part_2 * u2_f1_part_2);
+    // u1*u2_m_r*(1 + f1_part_2_sq); used 2 times
+    let f4_part_2 = u1 * u2_m_r * (S::int(1) + f1_part_2_sq);
     // Values.
     // f1 = -M*R*(4*g*cos(q2_minus_90deg) + R*u2*(2*u3 - 3*u2/tan(q2_minus_90deg)))/4
-    let f1 = -S::ratio(1, 4) * M * R
-        * (S::int(4) * g * cos_q2_minus_90deg
-            + R * u2 * (S::int(2) * u3 - S::int(3) * u2 / tan_q2_minus_90deg));
+    let f1 = R * u2_m_r * f1_part_3_scaled - g * f1_part;
     // f2 = M*R^2*u1*(2*u3 - u2*(7 + 4/tan(q2_minus_90deg)^2)/tan(q2_minus_90deg))/4
-    let f2 = S::ratio(1, 4) * M * R * R * u1
-        * (S::int(2) * u3
-            - u2 * (S::int(7) + S::int(4) / (tan_q2_minus_90deg * tan_q2_minus_90deg))
-                / tan_q2_minus_90deg);
+    let f2 = -R * u1 * (m_r * f1_part_3_scaled + f1_part * u2_f1_part_2 * f1_part_2_sq);
     // f4 = -M*R*(u2^2*sin(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) +
     //   u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)))
-    let f4 = -M * R
-        * (u2 * u2 * s1 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
-            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * f4_part));
+    let f4 = -f4_part * s1 - f4_part_2 * c1;
     // f5 = M*R*(u2^2*cos(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1*(u2*sin(q1)*(1 +
     //   1/sin(q2_minus_90deg)^2) - u1*cos(q1)*cos(q2_minus_90deg)))
-    let f5 = M * R
-        * (u2 * u2 * c1 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
-            - u1 * (u2 * s1 * f4_part - u1 * c1 * cos_q2_minus_90deg));
+    let f5 = f4_part * c1 - f4_part_2 * s1;
     [f1, f2, zero, f4, f5]
 }
 
 /// The accelerations (u1', u2', u3', u4', u5'), solved for when this code was generated.
 ///
-/// 55 operations, 2 sines and cosines.
+/// 38 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { R, g, .. } = *p;
@@ -110,46 +124,49 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let u1_dot_part = S::int(1) / sin_q2_minus_90deg;
+    // u2*u1_dot_part; used 3 times
+    let u2_u1_dot_part = u2 * u1_dot_part;
+    // 2*u3 + u2_u1_dot_part*cos(q2_minus_90deg); used 2 times
+    let u1_dot_part_2 = S::int(2) * u3 + u2_u1_dot_part * cos_q2_minus_90deg;
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (S::int(2) * u2 * u3
-        + cos_q2_minus_90deg
-            * (S::int(4) * g / R + S::int(4) * u1 * u1 * sin_q2_minus_90deg
-                + u2 * u2 / sin_q2_minus_90deg))
+    let u1_dot = (S::int(4) * cos_q2_minus_90deg * (g / R + u1_sq * sin_q2_minus_90deg)
+        + u2 * u1_dot_part_2)
         / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
-    // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // Elimination, step by step.
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
-    let u2_dot = u1 * (S::int(2) * u3 + u2 / tan_q2_minus_90deg);
+    let u2_dot = u1 * u1_dot_part_2;
     // Shared terms.
-    // 1 + 1/sin(q2_minus_90deg)^2; used 2 times
-    let u5_dot_part = S::int(1) + S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
-    // u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1'*sin(q2_minus_90deg); used 2 times
-    let u5_dot_part_ = u2 * u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
-        - u1_dot * sin_q2_minus_90deg;
+    // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
+    let u5_dot_part = u1 * u2
+        + u1_dot_part * (u2_dot * cos_q2_minus_90deg + u1 * u2_u1_dot_part);
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
+    let u5_dot_part_2 = u1_dot * sin_q2_minus_90deg
+        - cos_q2_minus_90deg * (u1_sq + u2_u1_dot_part * u2_u1_dot_part);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = -R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
     //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
     //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
-    let u5_dot = R
-        * (c1 * u5_dot_part_ - u2_dot * s1 / tan_q2_minus_90deg
-            - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * cos_q2_minus_90deg));
+    let u5_dot = -u5_dot_part * r_s1 - u5_dot_part_2 * r_c1;
     // u4' = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 +
     //   1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1'*sin(q2_minus_90deg)))
-    let u4_dot = -R
-        * (u2_dot * c1 / tan_q2_minus_90deg
-            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * u5_dot_part)
-            + s1 * u5_dot_part_);
+    let u4_dot = r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
     [u1_dot, u2_dot, zero, u4_dot, u5_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 59 operations, 2 sines and cosines.
+/// 41 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -163,49 +180,52 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let u1_dot_part = S::int(1) / sin_q2_minus_90deg;
+    // u2*u1_dot_part; used 4 times
+    let u2_u1_dot_part = u2 * u1_dot_part;
+    // u2_u1_dot_part*cos(q2_minus_90deg); used 2 times
+    let u1_dot_part_2 = u2_u1_dot_part * cos_q2_minus_90deg;
+    // 2*u3 + u1_dot_part_2; used 2 times
+    let u1_dot_part_3 = S::int(2) * u3 + u1_dot_part_2;
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (S::int(2) * u2 * u3
-        + cos_q2_minus_90deg
-            * (S::int(4) * g / R + S::int(4) * u1 * u1 * sin_q2_minus_90deg
-                + u2 * u2 / sin_q2_minus_90deg))
+    let u1_dot = (S::int(4) * cos_q2_minus_90deg * (g / R + u1_sq * sin_q2_minus_90deg)
+        + u2 * u1_dot_part_3)
         / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
-    // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // u2/tan(q2_minus_90deg); used 2 times
-    let u2_dot_part = u2 / tan_q2_minus_90deg;
-    // Elimination, step by step.
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
-    let u2_dot = u1 * (S::int(2) * u3 + u2_dot_part);
+    let u2_dot = u1 * u1_dot_part_3;
     // Shared terms.
-    // 1 + 1/sin(q2_minus_90deg)^2; used 2 times
-    let u5_dot_part = S::int(1) + S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
-    // u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1'*sin(q2_minus_90deg); used 2 times
-    let u5_dot_part_ = u2 * u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
-        - u1_dot * sin_q2_minus_90deg;
+    // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
+    let u5_dot_part = u1 * u2
+        + u1_dot_part * (u2_dot * cos_q2_minus_90deg + u1 * u2_u1_dot_part);
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
+    let u5_dot_part_2 = u1_dot * sin_q2_minus_90deg
+        - cos_q2_minus_90deg * (u1_sq + u2_u1_dot_part * u2_u1_dot_part);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = -R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
     //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
     //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
-    let u5_dot = R
-        * (c1 * u5_dot_part_ - u2_dot * s1 / tan_q2_minus_90deg
-            - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * cos_q2_minus_90deg));
+    let u5_dot = -u5_dot_part * r_s1 - u5_dot_part_2 * r_c1;
     // u4' = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 +
     //   1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1'*sin(q2_minus_90deg)))
-    let u4_dot = -R
-        * (u2_dot * c1 / tan_q2_minus_90deg
-            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * u5_dot_part)
-            + s1 * u5_dot_part_);
+    let u4_dot = r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
     // Values.
     // q1' = -u2/sin(q2_minus_90deg)
-    let q1_dot_value = -u2 / sin_q2_minus_90deg;
+    let q1_dot_value = -u2_u1_dot_part;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 + u2/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + u2_dot_part;
+    let q3_dot_value = u3 + u1_dot_part_2;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5
@@ -218,7 +238,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, q4, q5, u1, u2, u3, u4, u5.
 ///
-/// 178 operations, 2 sines and cosines.
+/// 137 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10]; 10] {
     let Parameters { R, g, .. } = *p;
@@ -229,161 +249,190 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // 4*sin(q2_minus_90deg)^2 - 5; used 7 times
-    let u1_dot_part = S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5);
-    // u1^2*sin(q2_minus_90deg); used 2 times
-    let u1_dot_part_ = u1 * u1 * sin_q2_minus_90deg;
-    // g/R; used 2 times
-    let r_inv_g = g / R;
+    // 4*sin(q2_minus_90deg); used 2 times
+    let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
+    // 1/(sin_q2_minus_90deg_scaled*sin(q2_minus_90deg) - 5); used 4 times
+    let u1_dot_part = S::int(1)
+        / (sin_q2_minus_90deg_scaled * sin_q2_minus_90deg - S::int(5));
+    // u2*u1_dot_part; used 3 times
+    let u2_u1_dot_part = u2 * u1_dot_part;
+    // 2*u3; used 3 times
+    let u3_scaled = S::int(2) * u3;
+    // u1_dot_part*cos(q2_minus_90deg); used 6 times
+    let u1_dot_part_2 = u1_dot_part * cos_q2_minus_90deg;
+    // 1/sin(q2_minus_90deg); used 9 times
+    let u1_dot_part_3 = S::int(1) / sin_q2_minus_90deg;
+    // u2*u1_dot_part_3; used 8 times
+    let u2_u1_dot_part_3 = u2 * u1_dot_part_3;
+    // u2*u2_u1_dot_part_3; used 2 times
+    let u2_u2_u1_dot_part_3 = u2 * u2_u1_dot_part_3;
+    // u1*sin(q2_minus_90deg); used 2 times
+    let u1_dot_part_4 = u1 * sin_q2_minus_90deg;
+    // g/R + u1*u1_dot_part_4; used 2 times
+    let u1_dot_part_5 = g / R + u1 * u1_dot_part_4;
+    // 4*u1_dot_part_2; used 2 times
+    let u1_dot_part_2_scaled = S::int(4) * u1_dot_part_2;
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (S::int(2) * u2 * u3
-        + cos_q2_minus_90deg
-            * (S::int(4) * r_inv_g + S::int(4) * u1_dot_part_
-                + u2 * u2 / sin_q2_minus_90deg)) / u1_dot_part;
+    let u1_dot = u2_u1_dot_part * u3_scaled + u1_dot_part_2 * u2_u2_u1_dot_part_3
+        + u1_dot_part_5 * u1_dot_part_2_scaled;
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // u2/tan(q2_minus_90deg); used 2 times
-    let u2_dot_part = u2 / tan_q2_minus_90deg;
-    // 2*u3 + u2/tan(q2_minus_90deg); used 2 times
-    let u2_dot_part_ = S::int(2) * u3 + u2_dot_part;
+    // 2*u1; used 4 times
+    let u1_scaled = S::int(2) * u1;
+    // u1*cos(q2_minus_90deg); used 3 times
+    let u2_dot_part = u1 * cos_q2_minus_90deg;
     // Elimination, step by step.
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
-    let u2_dot = u1 * u2_dot_part_;
+    let u2_dot = u3 * u1_scaled + u2_u1_dot_part_3 * u2_dot_part;
     // Shared terms.
-    // 1/sin(q2_minus_90deg)^2; used 2 times
-    let u5_dot_by_q1_part = S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
-    // 1 + 1/sin(q2_minus_90deg)^2; used 4 times
-    let u5_dot_by_q1_part_ = S::int(1) + u5_dot_by_q1_part;
-    // u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1'*sin(q2_minus_90deg); used 2 times
-    let u5_dot_by_q1_part_2 = u2 * u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
-        - u1_dot * sin_q2_minus_90deg;
+    // R*u1_dot_part_3; used 5 times
+    let r_u1_dot_part_3 = R * u1_dot_part_3;
+    // r_u1_dot_part_3*cos(q2_minus_90deg); used 7 times
+    let u5_dot_by_q1_part = r_u1_dot_part_3 * cos_q2_minus_90deg;
+    // R + u1_dot_part_3*r_u1_dot_part_3; used 2 times
+    let u5_dot_by_q1_part_2 = R + u1_dot_part_3 * r_u1_dot_part_3;
+    // u1*u5_dot_by_q1_part_2; used 2 times
+    let u5_dot_by_q1_part_3 = u1 * u5_dot_by_q1_part_2;
+    // u2'*u5_dot_by_q1_part + u2*u5_dot_by_q1_part_3; used 2 times
+    let u5_dot_by_q1_part_4 = u2_dot * u5_dot_by_q1_part + u2 * u5_dot_by_q1_part_3;
+    // R*sin(q2_minus_90deg); used 6 times
+    let r_sin_q2_minus_90deg = R * sin_q2_minus_90deg;
+    // u1*u2_dot_part; used 2 times
+    let u1_u2_dot_part = u1 * u2_dot_part;
+    // u2_u2_u1_dot_part_3*u5_dot_by_q1_part + R*u1_u2_dot_part
+    let u5_dot_by_q1_part_5 = u2_u2_u1_dot_part_3 * u5_dot_by_q1_part
+        + R * u1_u2_dot_part;
+    // u1'*r_sin_q2_minus_90deg - u5_dot_by_q1_part_5; used 2 times
+    let u5_dot_by_q1_part_6 = u1_dot * r_sin_q2_minus_90deg - u5_dot_by_q1_part_5;
     // Elimination, step by step.
     // u5_dot_by_q1 = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) +
     //   u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
     //   - u1'*sin(q2_minus_90deg)))
-    let u5_dot_by_q1 = -R
-        * (u2_dot * c1 / tan_q2_minus_90deg
-            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * u5_dot_by_q1_part_)
-            + s1 * u5_dot_by_q1_part_2);
+    let u5_dot_by_q1 = u5_dot_by_q1_part_6 * s1 - u5_dot_by_q1_part_4 * c1;
     // u4_dot_by_q1 = R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
     //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
     //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
-    let u4_dot_by_q1 = R
-        * (u2_dot * s1 / tan_q2_minus_90deg
-            + u1 * (u2 * s1 * u5_dot_by_q1_part_ - u1 * c1 * cos_q2_minus_90deg)
-            - c1 * u5_dot_by_q1_part_2);
+    let u4_dot_by_q1 = u5_dot_by_q1_part_4 * s1 + u5_dot_by_q1_part_6 * c1;
     // Shared terms.
+    // u2_u1_dot_part_3*cos(q2_minus_90deg); used 3 times
+    let u1_dot_by_q2_minus_90deg_part = u2_u1_dot_part_3 * cos_q2_minus_90deg;
     // u2^2; used 2 times
     let u2_sq = u2 * u2;
-    // u1^2; used 2 times
-    let u1_sq = u1 * u1;
-    // sin(q2_minus_90deg)*(g/R + u1^2*sin(q2_minus_90deg)); used 2 times
-    let u1_dot_by_q2_minus_90deg_part = sin_q2_minus_90deg * (r_inv_g + u1_dot_part_);
+    // 8*u1_dot_part_2; used 2 times
+    let u1_dot_part_2_scaled_2 = S::int(8) * u1_dot_part_2;
     // Elimination, step by step.
     // u1_dot_by_q2_minus_90deg = (u2^2 + 4*sin(q2_minus_90deg)*(g/R + u1^2*sin(q2_minus_90deg)) -
     //   cos(q2_minus_90deg)*(16*u2*u3*sin(q2_minus_90deg)/(5 - 4*sin(q2_minus_90deg)^2) +
     //   cos(q2_minus_90deg)*(4*u1^2 - u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + 4*sin(q2_minus_90deg)*(g/R +
     //   u1^2*sin(q2_minus_90deg)))/(5 - 4*sin(q2_minus_90deg)^2))))/(5 - 4*sin(q2_minus_90deg)^2)
-    let u1_dot_by_q2_minus_90deg = -(u2_sq + S::int(4) * u1_dot_by_q2_minus_90deg_part
-        + cos_q2_minus_90deg
-            * (S::int(16) * u2 * u3 * sin_q2_minus_90deg / u1_dot_part
-                - cos_q2_minus_90deg
-                    * (S::int(4) * u1_sq
-                        - u2 * u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg)
-                        - S::int(8) * (u2_sq + S::int(4) * u1_dot_by_q2_minus_90deg_part)
-                            / u1_dot_part))) / u1_dot_part;
-    // u2_dot_by_q2_minus_90deg = -u1*u2/sin(q2_minus_90deg)^2
-    let u2_dot_by_q2_minus_90deg = -u1 * u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    let u1_dot_by_q2_minus_90deg = u1_dot_part_2_scaled * u1_u2_dot_part
+        - u1_dot_part_2
+            * (S::int(16) * u3 * u2_u1_dot_part * sin_q2_minus_90deg
+                + u2_u1_dot_part_3 * u1_dot_by_q2_minus_90deg_part)
+        - (sin_q2_minus_90deg_scaled * u1_dot_part_5 + u2_sq)
+            * (u1_dot_part + u1_dot_part_2 * u1_dot_part_2_scaled_2);
     // Shared terms.
-    // u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 - 1)/sin(q2_minus_90deg) +
-    //   sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg); used 2 times
-    let u5_dot_by_q2_minus_90deg_part = u1_dot * cos_q2_minus_90deg
-        + u2 * u2 * (S::int(2) * u5_dot_by_q1_part - S::int(1)) / sin_q2_minus_90deg
-        + sin_q2_minus_90deg * (u1_sq + u1_dot_by_q2_minus_90deg);
-    // (u2' + 2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg) -
-    //   u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg); used 2 times
-    let u5_dot_by_q2_minus_90deg_part_ = (u2_dot
-        + S::int(2) * u1 * u2 / tan_q2_minus_90deg) / sin_q2_minus_90deg
-        - u2_dot_by_q2_minus_90deg * cos_q2_minus_90deg;
+    // u1_dot_part_3*u2_u1_dot_part_3; used 2 times
+    let u2_dot_by_q2_minus_90deg_part = u1_dot_part_3 * u2_u1_dot_part_3;
+    // Elimination, step by step.
+    // u2_dot_by_q2_minus_90deg = -u1*u2/sin(q2_minus_90deg)^2
+    let u2_dot_by_q2_minus_90deg = -u1 * u2_dot_by_q2_minus_90deg_part;
+    // Shared terms.
+    // u1_scaled*u5_dot_by_q1_part; used 3 times
+    let u5_dot_by_q2_minus_90deg_part = u1_scaled * u5_dot_by_q1_part;
+    // u1_dot_part_3*(u2'*r_u1_dot_part_3 + u2_u1_dot_part_3*u5_dot_by_q2_minus_90deg_part) -
+    //   u2_dot_by_q2_minus_90deg*u5_dot_by_q1_part; used 2 times
+    let u5_dot_by_q2_minus_90deg_part_2 = u1_dot_part_3
+        * (u2_dot * r_u1_dot_part_3 + u2_u1_dot_part_3 * u5_dot_by_q2_minus_90deg_part)
+        - u2_dot_by_q2_minus_90deg * u5_dot_by_q1_part;
+    // 2*u2_u1_dot_part_3; used 3 times
+    let u2_u1_dot_part_3_scaled = S::int(2) * u2_u1_dot_part_3;
+    // R*cos(q2_minus_90deg); used 2 times
+    let r_cos_q2_minus_90deg = R * cos_q2_minus_90deg;
+    // u2_u1_dot_part_3*r_u1_dot_part_3*u2_u1_dot_part_3_scaled + u1'*r_cos_q2_minus_90deg
+    let u5_dot_by_q2_minus_90deg_part_3 = u2_u1_dot_part_3 * r_u1_dot_part_3
+        * u2_u1_dot_part_3_scaled + u1_dot * r_cos_q2_minus_90deg;
+    // u1^2*r_sin_q2_minus_90deg - r_u1_dot_part_3*u2_sq
+    let u5_dot_by_q2_minus_90deg_part_4 = u1 * u1 * r_sin_q2_minus_90deg
+        - r_u1_dot_part_3 * u2_sq;
+    // u1_dot_by_q2_minus_90deg*r_sin_q2_minus_90deg + u5_dot_by_q2_minus_90deg_part_3
+    let u5_dot_by_q2_minus_90deg_part_5 = u1_dot_by_q2_minus_90deg * r_sin_q2_minus_90deg
+        + u5_dot_by_q2_minus_90deg_part_3;
+    // u5_dot_by_q2_minus_90deg_part_4 + u5_dot_by_q2_minus_90deg_part_5; used 2 times
+    let u5_dot_by_q2_minus_90deg_part_6 = u5_dot_by_q2_minus_90deg_part_4
+        + u5_dot_by_q2_minus_90deg_part_5;
     // Elimination, step by step.
     // u5_dot_by_q2_minus_90deg = -R*(cos(q1)*(u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 -
     //   1)/sin(q2_minus_90deg) + sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg)) +
     //   sin(q1)*(u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg) - (u2' +
     //   2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg))/sin(q2_minus_90deg))
-    let u5_dot_by_q2_minus_90deg = R
-        * (s1 * u5_dot_by_q2_minus_90deg_part_ / sin_q2_minus_90deg
-            - c1 * u5_dot_by_q2_minus_90deg_part);
+    let u5_dot_by_q2_minus_90deg = u5_dot_by_q2_minus_90deg_part_2 * s1
+        - u5_dot_by_q2_minus_90deg_part_6 * c1;
     // u4_dot_by_q2_minus_90deg = R*(sin(q1)*(u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 -
     //   1)/sin(q2_minus_90deg) + sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg)) + cos(q1)*((u2' +
     //   2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg) -
     //   u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg))/sin(q2_minus_90deg))
-    let u4_dot_by_q2_minus_90deg = R
-        * (s1 * u5_dot_by_q2_minus_90deg_part
-            + c1 * u5_dot_by_q2_minus_90deg_part_ / sin_q2_minus_90deg);
+    let u4_dot_by_q2_minus_90deg = u5_dot_by_q2_minus_90deg_part_2 * c1
+        + u5_dot_by_q2_minus_90deg_part_6 * s1;
     // u1_dot_by_u1 = 8*u1*sin(q2_minus_90deg)*cos(q2_minus_90deg)/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot_by_u1 = S::int(8) * u1 * sin_q2_minus_90deg * cos_q2_minus_90deg
-        / u1_dot_part;
+    let u1_dot_by_u1 = u1_dot_part_4 * u1_dot_part_2_scaled_2;
     // u2_dot_by_u1 = 2*u3 + u2/tan(q2_minus_90deg)
-    let u2_dot_by_u1 = u2_dot_part_;
+    let u2_dot_by_u1 = u3_scaled + u1_dot_by_q2_minus_90deg_part;
     // Shared terms.
-    // u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg); used 2 times
-    let u5_dot_by_u1_part = u2 * u5_dot_by_q1_part_ + u2_dot_by_u1 / tan_q2_minus_90deg;
-    // u1_dot_by_u1*sin(q2_minus_90deg) - 2*u1*cos(q2_minus_90deg); used 2 times
-    let u5_dot_by_u1_part_ = u1_dot_by_u1 * sin_q2_minus_90deg
-        - S::int(2) * u1 * cos_q2_minus_90deg;
+    // u1_scaled*r_cos_q2_minus_90deg - u1_dot_by_u1*r_sin_q2_minus_90deg; used 2 times
+    let u5_dot_by_u1_part = u1_scaled * r_cos_q2_minus_90deg
+        - u1_dot_by_u1 * r_sin_q2_minus_90deg;
+    // u2_dot_by_u1*u5_dot_by_q1_part + u2*u5_dot_by_q1_part_2; used 2 times
+    let u5_dot_by_u1_part_2 = u2_dot_by_u1 * u5_dot_by_q1_part
+        + u2 * u5_dot_by_q1_part_2;
     // Elimination, step by step.
     // u5_dot_by_u1 = -R*(cos(q1)*(u1_dot_by_u1*sin(q2_minus_90deg) - 2*u1*cos(q2_minus_90deg)) +
     //   sin(q1)*(u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg)))
-    let u5_dot_by_u1 = -R * (c1 * u5_dot_by_u1_part_ + s1 * u5_dot_by_u1_part);
+    let u5_dot_by_u1 = u5_dot_by_u1_part * c1 - u5_dot_by_u1_part_2 * s1;
     // u4_dot_by_u1 = -R*(sin(q1)*(2*u1*cos(q2_minus_90deg) - u1_dot_by_u1*sin(q2_minus_90deg)) +
     //   cos(q1)*(u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg)))
-    let u4_dot_by_u1 = R * (s1 * u5_dot_by_u1_part_ - c1 * u5_dot_by_u1_part);
+    let u4_dot_by_u1 = -u5_dot_by_u1_part * s1 - u5_dot_by_u1_part_2 * c1;
     // u1_dot_by_u2 = 2*(u3 + u2/tan(q2_minus_90deg))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot_by_u2 = S::int(2) * (u3 + u2_dot_part) / u1_dot_part;
+    let u1_dot_by_u2 = u1_dot_part * u3_scaled + u1_dot_part_2 * u2_u1_dot_part_3_scaled;
     // u2_dot_by_u2 = u1/tan(q2_minus_90deg)
-    let u2_dot_by_u2 = u1 / tan_q2_minus_90deg;
+    let u2_dot_by_u2 = u1_dot_part_3 * u2_dot_part;
     // Shared terms.
-    // u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)); used 2 times
-    let u5_dot_by_u2_part = u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg);
-    // 2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1_dot_by_u2*sin(q2_minus_90deg); used 2 times
-    let u5_dot_by_u2_part_ = S::int(2) * u5_dot_by_u2_part
-        - u1_dot_by_u2 * sin_q2_minus_90deg;
-    // u1*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u2/tan(q2_minus_90deg); used 2 times
-    let u5_dot_by_u2_part_2 = u1 * u5_dot_by_q1_part_
-        + u2_dot_by_u2 / tan_q2_minus_90deg;
+    // u1_dot_by_u2*r_sin_q2_minus_90deg - u5_dot_by_q1_part*u2_u1_dot_part_3_scaled; used 2 times
+    let u5_dot_by_u2_part = u1_dot_by_u2 * r_sin_q2_minus_90deg
+        - u5_dot_by_q1_part * u2_u1_dot_part_3_scaled;
+    // u2_dot_by_u2*u5_dot_by_q1_part + u5_dot_by_q1_part_3; used 2 times
+    let u5_dot_by_u2_part_2 = u2_dot_by_u2 * u5_dot_by_q1_part + u5_dot_by_q1_part_3;
     // Elimination, step by step.
     // u5_dot_by_u2 = R*(cos(q1)*(2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1_dot_by_u2*sin(q2_minus_90deg)) - sin(q1)*(u1*(1 + 1/sin(q2_minus_90deg)^2) +
     //   u2_dot_by_u2/tan(q2_minus_90deg)))
-    let u5_dot_by_u2 = R * (c1 * u5_dot_by_u2_part_ - s1 * u5_dot_by_u2_part_2);
+    let u5_dot_by_u2 = -u5_dot_by_u2_part * c1 - u5_dot_by_u2_part_2 * s1;
     // u4_dot_by_u2 = -R*(sin(q1)*(2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1_dot_by_u2*sin(q2_minus_90deg)) + cos(q1)*(u1*(1 + 1/sin(q2_minus_90deg)^2) +
     //   u2_dot_by_u2/tan(q2_minus_90deg)))
-    let u4_dot_by_u2 = -R * (s1 * u5_dot_by_u2_part_ + c1 * u5_dot_by_u2_part_2);
+    let u4_dot_by_u2 = u5_dot_by_u2_part * s1 - u5_dot_by_u2_part_2 * c1;
     // u1_dot_by_u3 = 2*u2/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot_by_u3 = S::int(2) * u2 / u1_dot_part;
+    let u1_dot_by_u3 = S::int(2) * u2_u1_dot_part;
+    // Shared terms.
+    // u1_dot_by_u3*r_sin_q2_minus_90deg; used 2 times
+    let u5_dot_by_u3_part = u1_dot_by_u3 * r_sin_q2_minus_90deg;
+    // Elimination, step by step.
     // u5_dot_by_u3 = -R*(2*u1*sin(q1)/tan(q2_minus_90deg) + u1_dot_by_u3*cos(q1)*sin(q2_minus_90deg))
-    let u5_dot_by_u3 = -R
-        * (S::int(2) * u1 * s1 / tan_q2_minus_90deg
-            + u1_dot_by_u3 * c1 * sin_q2_minus_90deg);
+    let u5_dot_by_u3 = -u5_dot_by_q2_minus_90deg_part * s1 - u5_dot_by_u3_part * c1;
     // u4_dot_by_u3 = R*(u1_dot_by_u3*sin(q1)*sin(q2_minus_90deg) - 2*u1*cos(q1)/tan(q2_minus_90deg))
-    let u4_dot_by_u3 = R
-        * (u1_dot_by_u3 * s1 * sin_q2_minus_90deg
-            - S::int(2) * u1 * c1 / tan_q2_minus_90deg);
+    let u4_dot_by_u3 = u5_dot_by_u3_part * s1 - u5_dot_by_q2_minus_90deg_part * c1;
     // Entries that are not zero.
     // d(q1')/d(q2_minus_90deg) = u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
-    let q1_dot_by_q2_minus_90deg_value = u5_dot_by_u2_part;
+    let q1_dot_by_q2_minus_90deg_value = u1_dot_part_3 * u1_dot_by_q2_minus_90deg_part;
     // d(q1')/d(u2) = -1/sin(q2_minus_90deg)
-    let q1_dot_by_u2_value = -S::int(1) / sin_q2_minus_90deg;
+    let q1_dot_by_u2_value = -u1_dot_part_3;
     // d(q2')/d(u1) = -1
     let q2_dot_by_u1_value = -S::int(1);
     // d(q3')/d(q2_minus_90deg) = -u2/sin(q2_minus_90deg)^2
-    let q3_dot_by_q2_minus_90deg_value = -u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    let q3_dot_by_q2_minus_90deg_value = -u2_dot_by_q2_minus_90deg_part;
     // d(q3')/d(u2) = 1/tan(q2_minus_90deg)
-    let q3_dot_by_u2_value = S::int(1) / tan_q2_minus_90deg;
+    let q3_dot_by_u2_value = u1_dot_part_3 * cos_q2_minus_90deg;
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
     // d(q4')/d(u4) = 1
@@ -391,7 +440,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // d(q5')/d(u5) = 1
     let q5_dot_by_u5_value = S::int(1);
     // d(u2')/d(u3) = 2*u1
-    let u2_dot_by_u3_value = S::int(2) * u1;
+    let u2_dot_by_u3_value = u1_scaled;
     [
         [
             zero,
@@ -474,7 +523,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 6 operations, 1 sine and cosine.
+/// 5 operations, 1 sine and cosine.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -486,15 +535,15 @@ pub fn coordinate_rates<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // u2/sin(q2_minus_90deg); used 2 times
+    let q1_dot_value_part = u2 / sin_q2_minus_90deg;
     // Values.
     // q1' = -u2/sin(q2_minus_90deg)
-    let q1_dot_value = -u2 / sin_q2_minus_90deg;
+    let q1_dot_value = -q1_dot_value_part;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 + u2/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + u2 / tan_q2_minus_90deg;
+    let q3_dot_value = u3 + q1_dot_value_part * cos_q2_minus_90deg;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5
@@ -511,24 +560,24 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let [u1, u2, u3, u4, u5] = *u;
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // M*R; used 2 times
+    let m_r = M * R;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let energy_part = S::int(1) / sin_q2_minus_90deg;
+    // 5*u1^2 + u2^2*(4*energy_part^2 - 3)
+    let energy_part_2 = S::int(5) * u1 * u1
+        + u2 * u2 * (S::int(4) * energy_part * energy_part - S::int(3));
     // Values.
     // T = M*(4*u4^2 + 4*u5^2 + R*(8*u1*sin(q2_minus_90deg)*(u5*cos(q1) - u4*sin(q1)) + 8*u2*(u4*cos(q1) +
     //   u5*sin(q1))/tan(q2_minus_90deg) + R*(5*u1^2 + 2*u3^2 + u2^2*(1 + 4/tan(q2_minus_90deg)^2))))/8
-    let energy = S::ratio(1, 8) * M
-        * (S::int(4) * u4 * u4 + S::int(4) * u5 * u5
-            + R
-                * (S::int(8) * u1 * sin_q2_minus_90deg * (u5 * c1 - u4 * s1)
-                    + S::int(8) * u2 * (u4 * c1 + u5 * s1) / tan_q2_minus_90deg
-                    + R
-                        * (S::int(5) * u1 * u1 + S::int(2) * u3 * u3
-                            + u2 * u2
-                                * (S::int(1)
-                                    + S::int(4) / (tan_q2_minus_90deg * tan_q2_minus_90deg)))));
+    let energy = S::ratio(1, 2) * M * (u4 * u4 + u5 * u5)
+        + m_r
+            * (u2 * energy_part * cos_q2_minus_90deg * (u4 * c1 + u5 * s1)
+                - u1 * sin_q2_minus_90deg * (u4 * s1 - u5 * c1))
+        + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part_2);
     energy
 }
 

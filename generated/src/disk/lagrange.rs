@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
 //! 5 coordinates, 5 speeds, 3 parameters. Unknowns: (q1'', q2'', q3'', q4'', q5'').
-//! Cost: mass_matrix 30 operations, 2 sines and cosines; forcing 56 operations, 2 sines and cosines; accelerations 54 operations, 2 sines and cosines.
+//! Cost: mass_matrix 18 operations, 2 sines and cosines; forcing 35 operations, 2 sines and cosines; accelerations 39 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
 //! The accelerations divide by cos(q2), by R, by 4*cos(q2)^2 - 5.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3, q4, q5.
 ///
-/// 30 operations, 2 sines and cosines.
+/// 18 operations, 2 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -25,25 +25,35 @@ pub fn mass_matrix<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // M*R^2; used 2 times
-    let m_r_sq = M * R * R;
+    // M*R; used 3 times
+    let m_r = M * R;
+    // R*m_r; used 3 times
+    let r_m_r = R * m_r;
+    // 5*r_m_r/4; used 2 times
+    let r_m_r_scaled = S::ratio(5, 4) * r_m_r;
+    // r_m_r/2; used 2 times
+    let r_m_r_scaled_2 = S::ratio(1, 2) * r_m_r;
+    // m_r*sin(q2); used 2 times
+    let s2_m_r = m_r * s2;
+    // m_r*cos(q2); used 2 times
+    let c2_m_r = m_r * c2;
     // Entries that are not zero; upper triangle.
     // M11 = M*R^2*(6 - 5*cos(q2)^2)/4
-    let m11 = S::ratio(1, 4) * M * R * R * (S::int(6) - S::int(5) * c2 * c2);
+    let m11 = S::ratio(3, 2) * r_m_r - r_m_r_scaled * c2 * c2;
     // M13 = M*R^2*sin(q2)/2
-    let m13 = S::ratio(1, 2) * M * R * R * s2;
+    let m13 = r_m_r_scaled_2 * s2;
     // M14 = -M*R*cos(q1)*sin(q2)
-    let m14 = -M * R * c1 * s2;
+    let m14 = -s2_m_r * c1;
     // M15 = -M*R*sin(q1)*sin(q2)
-    let m15 = -M * R * s1 * s2;
+    let m15 = -s2_m_r * s1;
     // M22 = 5*M*R^2/4
-    let m22 = S::ratio(5, 4) * m_r_sq;
+    let m22 = r_m_r_scaled;
     // M24 = -M*R*sin(q1)*cos(q2)
-    let m24 = -M * R * s1 * c2;
+    let m24 = -c2_m_r * s1;
     // M25 = M*R*cos(q1)*cos(q2)
-    let m25 = M * R * c1 * c2;
+    let m25 = c2_m_r * c1;
     // M33 = M*R^2/2
-    let m33 = S::ratio(1, 2) * m_r_sq;
+    let m33 = r_m_r_scaled_2;
     // M44 = M
     let m44 = M;
     // M55 = M
@@ -59,7 +69,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (q1'', q2'', q3'', q4'', q5'').
 ///
-/// 56 operations, 2 sines and cosines.
+/// 35 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 5] {
     let Parameters { M, R, g } = *p;
@@ -69,32 +79,43 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // q1'*sin(q2); used 2 times
-    let q1_dot_s2 = q1_dot * s2;
+    // M*R; used 2 times
+    let m_r = M * R;
+    // m_r*cos(q2); used 2 times
+    let c2_m_r = m_r * c2;
+    // q2'/2; used 2 times
+    let q2_dot_scaled = S::ratio(1, 2) * q2_dot;
+    // q1'*c2_m_r; used 2 times
+    let q1_dot_c2_m_r = q1_dot * c2_m_r;
+    // R*q1_dot_c2_m_r; used 3 times
+    let r_q1_dot_c2_m_r = R * q1_dot_c2_m_r;
+    // r_q1_dot_c2_m_r*sin(q2); used 2 times
+    let s2_r_q1_dot_c2_m_r = r_q1_dot_c2_m_r * s2;
+    // m_r*sin(q2); used 2 times
+    let s2_m_r = m_r * s2;
+    // s2_m_r*(q1'^2 + q2'^2); used 2 times
+    let f4_part = s2_m_r * (q1_dot * q1_dot + q2_dot * q2_dot);
+    // 2*q2'*q1_dot_c2_m_r; used 2 times
+    let q2_dot_q1_dot_c2_m_r_scaled = S::int(2) * q2_dot * q1_dot_c2_m_r;
     // Values.
     // f1 = -M*R^2*q2'*cos(q2)*(5*q1'*sin(q2) + q3')/2
-    let f1 = -S::ratio(1, 2) * M * R * R * q2_dot * c2
-        * (S::int(5) * q1_dot_s2 + q3_dot);
+    let f1 = -R * q3_dot * c2_m_r * q2_dot_scaled
+        - S::ratio(5, 2) * q2_dot * s2_r_q1_dot_c2_m_r;
     // f2 = M*R*(4*g*sin(q2) + R*q1'*cos(q2)*(5*q1'*sin(q2) + 2*q3'))/4
-    let f2 = S::ratio(1, 4) * M * R
-        * (S::int(4) * g * s2
-            + R * q1_dot * c2 * (S::int(5) * q1_dot_s2 + S::int(2) * q3_dot));
+    let f2 = S::ratio(1, 2) * q3_dot * r_q1_dot_c2_m_r
+        + S::ratio(5, 4) * q1_dot * s2_r_q1_dot_c2_m_r + g * s2_m_r;
     // f3 = -M*R^2*q1'*q2'*cos(q2)/2
-    let f3 = -S::ratio(1, 2) * M * R * R * q1_dot * q2_dot * c2;
+    let f3 = -q2_dot_scaled * r_q1_dot_c2_m_r;
     // f4 = -M*R*(q2'^2*sin(q1)*sin(q2) + q1'*(q1'*sin(q1)*sin(q2) - 2*q2'*cos(q1)*cos(q2)))
-    let f4 = -M * R
-        * (q2_dot * q2_dot * s1 * s2
-            + q1_dot * (q1_dot * s1 * s2 - S::int(2) * q2_dot * c1 * c2));
+    let f4 = q2_dot_q1_dot_c2_m_r_scaled * c1 - f4_part * s1;
     // f5 = M*R*(q2'^2*cos(q1)*sin(q2) + q1'*(q1'*cos(q1)*sin(q2) + 2*q2'*sin(q1)*cos(q2)))
-    let f5 = M * R
-        * (q2_dot * q2_dot * c1 * s2
-            + q1_dot * (q1_dot * c1 * s2 + S::int(2) * q2_dot * s1 * c2));
+    let f5 = f4_part * c1 + q2_dot_q1_dot_c2_m_r_scaled * s1;
     [f1, f2, f3, f4, f5]
 }
 
 /// The accelerations (q1'', q2'', q3'', q4'', q5''), solved for when this code was generated.
 ///
-/// 54 operations, 2 sines and cosines.
+/// 39 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(
     p: &Parameters<S>,
@@ -107,37 +128,48 @@ pub fn accelerations<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // 2*q2'; used 2 times
+    let q2_dot_scaled = S::int(2) * q2_dot;
     // Elimination, step by step.
     // q1'' = -2*q2'*q3'/cos(q2)
-    let q1_ddot = -S::int(2) * q2_dot * q3_dot / c2;
-    // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = (S::int(4) * g * s2
-        + R * c2
-            * (q1_dot * (q1_dot * s2 + S::int(2) * q3_dot)
-                - S::int(4) * q2_dot * q2_dot * s2))
-        / (R * (S::int(5) - S::int(4) * c2 * c2));
+    let q1_ddot = -q3_dot * q2_dot_scaled / c2;
     // Shared terms.
-    // q1'^2 + q2'^2; used 2 times
-    let q1_2_plus_q2_2 = q1_dot * q1_dot + q2_dot * q2_dot;
+    // q2'^2; used 2 times
+    let q2_dot_sq = q2_dot * q2_dot;
+    // q1'*cos(q2); used 3 times
+    let q1_dot_c2 = q1_dot * c2;
+    // Elimination, step by step.
+    // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
+    let q2_ddot = (S::int(4) * s2 * (g / R - q2_dot_sq * c2)
+        + q1_dot_c2 * (q1_dot * s2 + S::int(2) * q3_dot))
+        / (S::int(5) - S::int(4) * c2 * c2);
+    // Shared terms.
+    // q1''*sin(q2); used 2 times
+    let s2_q1_ddot = q1_ddot * s2;
+    // q2_dot_scaled*q1_dot_c2 + s2_q1_ddot; used 2 times
+    let q5_ddot_part = q2_dot_scaled * q1_dot_c2 + s2_q1_ddot;
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // q2''*cos(q2) - sin(q2)*(q1'^2 + q2_dot_sq); used 2 times
+    let q5_ddot_part_2 = q2_ddot * c2 - s2 * (q1_dot * q1_dot + q2_dot_sq);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // q5'' = R*(sin(q2)*(cos(q1)*(q1'^2 + q2'^2) + q1''*sin(q1)) + cos(q2)*(2*q1'*q2'*sin(q1) -
     //   q2''*cos(q1)))
-    let q5_ddot = R
-        * (s2 * (c1 * q1_2_plus_q2_2 + q1_ddot * s1)
-            + c2 * (S::int(2) * q1_dot * q2_dot * s1 - q2_ddot * c1));
+    let q5_ddot = q5_ddot_part * r_s1 - q5_ddot_part_2 * r_c1;
     // q4'' = R*(cos(q2)*(2*q1'*q2'*cos(q1) + q2''*sin(q1)) - sin(q2)*(sin(q1)*(q1'^2 + q2'^2) -
     //   q1''*cos(q1)))
-    let q4_ddot = R
-        * (c2 * (S::int(2) * q1_dot * q2_dot * c1 + q2_ddot * s1)
-            - s2 * (s1 * q1_2_plus_q2_2 - q1_ddot * c1));
+    let q4_ddot = r_s1 * q5_ddot_part_2 + q5_ddot_part * r_c1;
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
-    let q3_ddot = -q1_dot * q2_dot * c2 - q1_ddot * s2;
+    let q3_ddot = -q2_dot * q1_dot_c2 - s2_q1_ddot;
     [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 54 operations, 2 sines and cosines.
+/// 39 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -150,31 +182,42 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // 2*q2'; used 2 times
+    let q2_dot_scaled = S::int(2) * q2_dot;
     // Elimination, step by step.
     // q1'' = -2*q2'*q3'/cos(q2)
-    let q1_ddot = -S::int(2) * q2_dot * q3_dot / c2;
-    // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = (S::int(4) * g * s2
-        + R * c2
-            * (q1_dot * (q1_dot * s2 + S::int(2) * q3_dot)
-                - S::int(4) * q2_dot * q2_dot * s2))
-        / (R * (S::int(5) - S::int(4) * c2 * c2));
+    let q1_ddot = -q3_dot * q2_dot_scaled / c2;
     // Shared terms.
-    // q1'^2 + q2'^2; used 2 times
-    let q1_2_plus_q2_2 = q1_dot * q1_dot + q2_dot * q2_dot;
+    // q2'^2; used 2 times
+    let q2_dot_sq = q2_dot * q2_dot;
+    // q1'*cos(q2); used 3 times
+    let q1_dot_c2 = q1_dot * c2;
+    // Elimination, step by step.
+    // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
+    let q2_ddot = (S::int(4) * s2 * (g / R - q2_dot_sq * c2)
+        + q1_dot_c2 * (q1_dot * s2 + S::int(2) * q3_dot))
+        / (S::int(5) - S::int(4) * c2 * c2);
+    // Shared terms.
+    // q1''*sin(q2); used 2 times
+    let s2_q1_ddot = q1_ddot * s2;
+    // q2_dot_scaled*q1_dot_c2 + s2_q1_ddot; used 2 times
+    let q5_ddot_part = q2_dot_scaled * q1_dot_c2 + s2_q1_ddot;
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // q2''*cos(q2) - sin(q2)*(q1'^2 + q2_dot_sq); used 2 times
+    let q5_ddot_part_2 = q2_ddot * c2 - s2 * (q1_dot * q1_dot + q2_dot_sq);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // q5'' = R*(sin(q2)*(cos(q1)*(q1'^2 + q2'^2) + q1''*sin(q1)) + cos(q2)*(2*q1'*q2'*sin(q1) -
     //   q2''*cos(q1)))
-    let q5_ddot = R
-        * (s2 * (c1 * q1_2_plus_q2_2 + q1_ddot * s1)
-            + c2 * (S::int(2) * q1_dot * q2_dot * s1 - q2_ddot * c1));
+    let q5_ddot = q5_ddot_part * r_s1 - q5_ddot_part_2 * r_c1;
     // q4'' = R*(cos(q2)*(2*q1'*q2'*cos(q1) + q2''*sin(q1)) - sin(q2)*(sin(q1)*(q1'^2 + q2'^2) -
     //   q1''*cos(q1)))
-    let q4_ddot = R
-        * (c2 * (S::int(2) * q1_dot * q2_dot * c1 + q2_ddot * s1)
-            - s2 * (s1 * q1_2_plus_q2_2 - q1_ddot * c1));
+    let q4_ddot = r_s1 * q5_ddot_part_2 + q5_ddot_part * r_c1;
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
-    let q3_ddot = -q1_dot * q2_dot * c2 - q1_ddot * s2;
+    let q3_ddot = -q2_dot * q1_dot_c2 - s2_q1_ddot;
     // Values.
     // q1' = q1'
     let q1_dot_value = q1_dot;
@@ -194,7 +237,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q1, q2, q3, q4, q5, q1', q2', q3', q4', q5'.
 ///
-/// 187 operations, 2 sines and cosines.
+/// 139 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -208,133 +251,136 @@ pub fn jacobian<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // 2*q2'; used 7 times
+    let q2_dot_scaled = S::int(2) * q2_dot;
+    // 1/cos(q2); used 2 times
+    let c2_inv = S::int(1) / c2;
+    // q3'*c2_inv; used 3 times
+    let q3_dot_c2_inv = q3_dot * c2_inv;
     // Elimination, step by step.
     // q1'' = -2*q2'*q3'/cos(q2)
-    let q1_ddot = -S::int(2) * q2_dot * q3_dot / c2;
-    // Shared terms.
-    // q1'*sin(q2); used 2 times
-    let q1_dot_s2 = q1_dot * s2;
-    // cos(q2)^2; used 4 times
-    let c2_sq = c2 * c2;
-    // 4*cos(q2)^2 - 5; used 5 times
-    let q2_ddot_part = S::int(4) * c2_sq - S::int(5);
-    // Elimination, step by step.
-    // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = -(S::int(4) * g * s2
-        + R * c2
-            * (q1_dot * (q1_dot_s2 + S::int(2) * q3_dot)
-                - S::int(4) * q2_dot * q2_dot * s2)) / (R * q2_ddot_part);
+    let q1_ddot = -q2_dot_scaled * q3_dot_c2_inv;
     // Shared terms.
     // q1'^2; used 2 times
     let q1_dot_sq = q1_dot * q1_dot;
     // q2'^2; used 2 times
     let q2_dot_sq = q2_dot * q2_dot;
-    // q1'^2 + q2'^2; used 2 times
-    let q1_2_plus_q2_2 = q1_dot_sq + q2_dot_sq;
-    // q1''*cos(q1); used 2 times
-    let q1_ddot_c1 = q1_ddot * c1;
-    // q2''*sin(q1); used 2 times
-    let q2_ddot_s1 = q2_ddot * s1;
+    // 4*q2_dot_sq - q1_dot_sq; used 2 times
+    let q2_ddot_part = S::int(4) * q2_dot_sq - q1_dot_sq;
+    // 1/(4*cos(q2)^2 - 5); used 5 times
+    let q2_ddot_part_2 = S::int(1) / (S::int(4) * c2 * c2 - S::int(5));
+    // q2_ddot_part_2*sin(q2); used 4 times
+    let s2_q2_ddot_part_2 = q2_ddot_part_2 * s2;
+    // s2_q2_ddot_part_2*cos(q2); used 4 times
+    let c2_s2_q2_ddot_part_2 = s2_q2_ddot_part_2 * c2;
+    // g/R; used 2 times
+    let r_inv_g = g / R;
+    // 4*s2_q2_ddot_part_2; used 3 times
+    let s2_q2_ddot_part_2_scaled = S::int(4) * s2_q2_ddot_part_2;
+    // 2*q1'; used 6 times
+    let q1_dot_scaled = S::int(2) * q1_dot;
+    // q2_ddot_part_2*cos(q2); used 3 times
+    let c2_q2_ddot_part_2 = q2_ddot_part_2 * c2;
+    // q1_dot_scaled*c2_q2_ddot_part_2; used 2 times
+    let q2_ddot_part_3 = q1_dot_scaled * c2_q2_ddot_part_2;
+    // Elimination, step by step.
+    // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
+    let q2_ddot = q2_ddot_part * c2_s2_q2_ddot_part_2
+        - r_inv_g * s2_q2_ddot_part_2_scaled - q3_dot * q2_ddot_part_3;
+    // Shared terms.
+    // R*cos(q2); used 2 times
+    let r_c2 = R * c2;
+    // r_c2*sin(q1); used 9 times
+    let s1_r_c2 = r_c2 * s1;
+    // q1_dot_sq + q2_dot_sq; used 3 times
+    let q5_ddot_by_q1_part = q1_dot_sq + q2_dot_sq;
+    // R*sin(q2); used 2 times
+    let r_s2 = R * s2;
+    // r_s2*sin(q1); used 8 times
+    let s1_r_s2 = r_s2 * s1;
+    // r_s2*cos(q1); used 8 times
+    let c1_r_s2 = r_s2 * c1;
+    // r_c2*cos(q1); used 9 times
+    let c1_r_c2 = r_c2 * c1;
+    // q1'*q2_dot_scaled; used 3 times
+    let q1_dot_q2_dot_scaled = q1_dot * q2_dot_scaled;
     // Elimination, step by step.
     // q5_ddot_by_q1 = R*(cos(q2)*(2*q1'*q2'*cos(q1) + q2''*sin(q1)) - sin(q2)*(sin(q1)*(q1'^2 + q2'^2) -
     //   q1''*cos(q1)))
-    let q5_ddot_by_q1 = R
-        * (c2 * (S::int(2) * q1_dot * q2_dot * c1 + q2_ddot_s1)
-            - s2 * (s1 * q1_2_plus_q2_2 - q1_ddot_c1));
-    // Shared terms.
-    // q1''*sin(q1); used 2 times
-    let q1_ddot_s1 = q1_ddot * s1;
-    // q2''*cos(q1); used 2 times
-    let q2_ddot_c1 = q2_ddot * c1;
-    // Elimination, step by step.
+    let q5_ddot_by_q1 = q2_ddot * s1_r_c2 - q5_ddot_by_q1_part * s1_r_s2
+        + q1_ddot * c1_r_s2 + c1_r_c2 * q1_dot_q2_dot_scaled;
     // q4_ddot_by_q1 = -R*(sin(q2)*(cos(q1)*(q1'^2 + q2'^2) + q1''*sin(q1)) + cos(q2)*(2*q1'*q2'*sin(q1) -
     //   q2''*cos(q1)))
-    let q4_ddot_by_q1 = -R
-        * (s2 * (c1 * q1_2_plus_q2_2 + q1_ddot_s1)
-            + c2 * (S::int(2) * q1_dot * q2_dot * s1 - q2_ddot_c1));
+    let q4_ddot_by_q1 = q2_ddot * c1_r_c2 - q1_ddot * s1_r_s2
+        - q5_ddot_by_q1_part * c1_r_s2 - s1_r_c2 * q1_dot_q2_dot_scaled;
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
+    // q2_dot_scaled*c2_inv; used 2 times
+    let q2_dot_scaled_c2_inv = q2_dot_scaled * c2_inv;
     // Elimination, step by step.
     // q1_ddot_by_q2 = -2*q2'*q3'*tan(q2)/cos(q2)
-    let q1_ddot_by_q2 = -S::int(2) * q2_dot * q3_dot * t2 / c2;
+    let q1_ddot_by_q2 = -q3_dot_c2_inv * q2_dot_scaled_c2_inv * s2;
     // Shared terms.
-    // 6*cos(q2)^2 - 5; used 2 times
-    let q2_ddot_by_q2_part = S::int(6) * c2_sq - S::int(5);
+    // 2*q3'; used 2 times
+    let q3_dot_scaled = S::int(2) * q3_dot;
     // Elimination, step by step.
     // q2_ddot_by_q2 = (4*g*cos(q2)*(4*cos(q2)^2 - 3) + R*(4*q2'^2*(5 - 6*cos(q2)^2) +
     //   q1'*(q1'*(6*cos(q2)^2 - 5) - 2*q3'*sin(q2)*(5 + 4*cos(q2)^2))))/(R*(4*cos(q2)^2 - 5)^2)
-    let q2_ddot_by_q2 = (S::int(4) * g * c2 * (S::int(4) * c2_sq - S::int(3))
-        + R
-            * (q1_dot
-                * (q1_dot * q2_ddot_by_q2_part
-                    - S::int(2) * q3_dot * s2 * (S::int(5) + S::int(4) * c2_sq))
-                - S::int(4) * q2_dot * q2_dot * q2_ddot_by_q2_part))
-        / (R * q2_ddot_part * q2_ddot_part);
+    let q2_ddot_by_q2 = q2_ddot_part
+        * (S::int(6) * s2_q2_ddot_part_2 * s2_q2_ddot_part_2
+            - q2_ddot_part_2 * q2_ddot_part_2)
+        + S::int(4) * r_inv_g
+            * (q2_ddot_part_2 * c2_q2_ddot_part_2
+                - c2_s2_q2_ddot_part_2 * s2_q2_ddot_part_2_scaled)
+        + q1_dot * s2_q2_ddot_part_2 * q3_dot_scaled
+            * (s2_q2_ddot_part_2_scaled * s2 - S::int(9) * q2_ddot_part_2);
     // Shared terms.
-    // q1'^2 + q2'^2 - q2_ddot_by_q2; used 2 times
-    let q5_ddot_by_q2_part = q1_dot_sq + q2_dot_sq - q2_ddot_by_q2;
-    // q1'*q2'; used 2 times
-    let q1_dot_q2_dot = q1_dot * q2_dot;
-    // q1_ddot_by_q2 - 2*q1'*q2'; used 2 times
-    let q5_ddot_by_q2_part_ = q1_ddot_by_q2 - S::int(2) * q1_dot_q2_dot;
+    // q1_dot_q2_dot_scaled - q1_ddot_by_q2; used 2 times
+    let q5_ddot_by_q2_part = q1_dot_q2_dot_scaled - q1_ddot_by_q2;
+    // q2_ddot_by_q2 - q5_ddot_by_q1_part; used 2 times
+    let q5_ddot_by_q2_part_2 = q2_ddot_by_q2 - q5_ddot_by_q1_part;
     // Elimination, step by step.
     // q5_ddot_by_q2 = R*(sin(q2)*(q2''*cos(q1) + sin(q1)*(q1_ddot_by_q2 - 2*q1'*q2')) +
     //   cos(q2)*(q1''*sin(q1) + cos(q1)*(q1'^2 + q2'^2 - q2_ddot_by_q2)))
-    let q5_ddot_by_q2 = R
-        * (s2 * (q2_ddot_c1 + s1 * q5_ddot_by_q2_part_)
-            + c2 * (q1_ddot_s1 + c1 * q5_ddot_by_q2_part));
+    let q5_ddot_by_q2 = q1_ddot * s1_r_c2 + q2_ddot * c1_r_s2
+        - s1_r_s2 * q5_ddot_by_q2_part - c1_r_c2 * q5_ddot_by_q2_part_2;
     // q4_ddot_by_q2 = R*(cos(q2)*(q1''*cos(q1) + sin(q1)*(q2_ddot_by_q2 - q1'^2 - q2'^2)) -
     //   sin(q2)*(q2''*sin(q1) + cos(q1)*(2*q1'*q2' - q1_ddot_by_q2)))
-    let q4_ddot_by_q2 = R
-        * (s2 * (c1 * q5_ddot_by_q2_part_ - q2_ddot_s1)
-            + c2 * (q1_ddot_c1 - s1 * q5_ddot_by_q2_part));
+    let q4_ddot_by_q2 = q1_ddot * c1_r_c2 - q2_ddot * s1_r_s2
+        - c1_r_s2 * q5_ddot_by_q2_part + s1_r_c2 * q5_ddot_by_q2_part_2;
     // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
-    let q3_ddot_by_q2 = s2 * (q1_dot_q2_dot - q1_ddot_by_q2) - q1_ddot * c2;
+    let q3_ddot_by_q2 = s2 * (q1_dot * q2_dot - q1_ddot_by_q2) - q1_ddot * c2;
     // q2_ddot_by_q1_dot = 2*cos(q2)*(q1'*sin(q2) + q3')/(5 - 4*cos(q2)^2)
-    let q2_ddot_by_q1_dot = -S::int(2) * c2 * (q1_dot_s2 + q3_dot) / q2_ddot_part;
-    // Shared terms.
-    // q2'*sin(q1); used 2 times
-    let q2_dot_s1 = q2_dot * s1;
-    // Elimination, step by step.
+    let q2_ddot_by_q1_dot = -c2_s2_q2_ddot_part_2 * q1_dot_scaled
+        - c2_q2_ddot_part_2 * q3_dot_scaled;
     // q5_ddot_by_q1_dot = R*(2*q1'*cos(q1)*sin(q2) + cos(q2)*(2*q2'*sin(q1) - q2_ddot_by_q1_dot*cos(q1)))
-    let q5_ddot_by_q1_dot = R
-        * (S::int(2) * q1_dot * c1 * s2
-            + c2 * (S::int(2) * q2_dot_s1 - q2_ddot_by_q1_dot * c1));
-    // Shared terms.
-    // q2'*cos(q1); used 2 times
-    let q2_dot_c1 = q2_dot * c1;
-    // Elimination, step by step.
+    let q5_ddot_by_q1_dot = q2_dot_scaled * s1_r_c2 + q1_dot_scaled * c1_r_s2
+        - q2_ddot_by_q1_dot * c1_r_c2;
     // q4_ddot_by_q1_dot = R*(cos(q2)*(2*q2'*cos(q1) + q2_ddot_by_q1_dot*sin(q1)) - 2*q1'*sin(q1)*sin(q2))
-    let q4_ddot_by_q1_dot = R
-        * (c2 * (S::int(2) * q2_dot_c1 + q2_ddot_by_q1_dot * s1)
-            - S::int(2) * q1_dot * s1 * s2);
+    let q4_ddot_by_q1_dot = q2_ddot_by_q1_dot * s1_r_c2 - q1_dot_scaled * s1_r_s2
+        + q2_dot_scaled * c1_r_c2;
     // q1_ddot_by_q2_dot = -2*q3'/cos(q2)
-    let q1_ddot_by_q2_dot = -S::int(2) * q3_dot / c2;
+    let q1_ddot_by_q2_dot = -S::int(2) * q3_dot_c2_inv;
     // q2_ddot_by_q2_dot = 8*q2'*sin(q2)*cos(q2)/(4*cos(q2)^2 - 5)
-    let q2_ddot_by_q2_dot = S::int(8) * q2_dot * s2 * c2 / q2_ddot_part;
+    let q2_ddot_by_q2_dot = S::int(8) * q2_dot * c2_s2_q2_ddot_part_2;
     // q5_ddot_by_q2_dot = R*(sin(q2)*(2*q2'*cos(q1) + q1_ddot_by_q2_dot*sin(q1)) + cos(q2)*(2*q1'*sin(q1)
     //   - q2_ddot_by_q2_dot*cos(q1)))
-    let q5_ddot_by_q2_dot = R
-        * (s2 * (S::int(2) * q2_dot_c1 + q1_ddot_by_q2_dot * s1)
-            + c2 * (S::int(2) * q1_dot * s1 - q2_ddot_by_q2_dot * c1));
+    let q5_ddot_by_q2_dot = q1_dot_scaled * s1_r_c2 + q1_ddot_by_q2_dot * s1_r_s2
+        + q2_dot_scaled * c1_r_s2 - q2_ddot_by_q2_dot * c1_r_c2;
     // q4_ddot_by_q2_dot = R*(cos(q2)*(2*q1'*cos(q1) + q2_ddot_by_q2_dot*sin(q1)) - sin(q2)*(2*q2'*sin(q1)
     //   - q1_ddot_by_q2_dot*cos(q1)))
-    let q4_ddot_by_q2_dot = R
-        * (c2 * (S::int(2) * q1_dot * c1 + q2_ddot_by_q2_dot * s1)
-            - s2 * (S::int(2) * q2_dot_s1 - q1_ddot_by_q2_dot * c1));
+    let q4_ddot_by_q2_dot = q2_ddot_by_q2_dot * s1_r_c2 - q2_dot_scaled * s1_r_s2
+        + q1_ddot_by_q2_dot * c1_r_s2 + q1_dot_scaled * c1_r_c2;
     // q3_ddot_by_q2_dot = -q1'*cos(q2) - q1_ddot_by_q2_dot*sin(q2)
     let q3_ddot_by_q2_dot = -q1_dot * c2 - q1_ddot_by_q2_dot * s2;
     // q1_ddot_by_q3_dot = -2*q2'/cos(q2)
-    let q1_ddot_by_q3_dot = -S::int(2) * q2_dot / c2;
+    let q1_ddot_by_q3_dot = -q2_dot_scaled_c2_inv;
     // q2_ddot_by_q3_dot = 2*q1'*cos(q2)/(5 - 4*cos(q2)^2)
-    let q2_ddot_by_q3_dot = -S::int(2) * q1_dot * c2 / q2_ddot_part;
+    let q2_ddot_by_q3_dot = -q2_ddot_part_3;
     // q5_ddot_by_q3_dot = R*(q1_ddot_by_q3_dot*sin(q1)*sin(q2) - q2_ddot_by_q3_dot*cos(q1)*cos(q2))
-    let q5_ddot_by_q3_dot = R
-        * (q1_ddot_by_q3_dot * s1 * s2 - q2_ddot_by_q3_dot * c1 * c2);
+    let q5_ddot_by_q3_dot = q1_ddot_by_q3_dot * s1_r_s2 - q2_ddot_by_q3_dot * c1_r_c2;
     // q4_ddot_by_q3_dot = R*(q1_ddot_by_q3_dot*cos(q1)*sin(q2) + q2_ddot_by_q3_dot*sin(q1)*cos(q2))
-    let q4_ddot_by_q3_dot = R
-        * (q1_ddot_by_q3_dot * c1 * s2 + q2_ddot_by_q3_dot * s1 * c2);
+    let q4_ddot_by_q3_dot = q2_ddot_by_q3_dot * s1_r_c2 + q1_ddot_by_q3_dot * c1_r_s2;
     // Entries that are not zero.
     // d(q1')/d(q1') = 1
     let q1_dot_by_q1_dot_value = S::int(1);
@@ -445,7 +491,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 60 operations, 2 sines and cosines.
+/// 34 operations, 2 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> S {
     let Parameters { M, R, .. } = *p;
@@ -454,18 +500,25 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // M*R; used 2 times
+    let m_r = M * R;
+    // q1'*sin(q2); used 3 times
+    let q1_dot_s2 = q1_dot * s2;
+    // q2'^2 + q1_dot_s2^2
+    let energy_part = q2_dot * q2_dot + q1_dot_s2 * q1_dot_s2;
+    // q1'^2 + 2*q3'*(q3' + 2*q1_dot_s2)
+    let energy_part_2 = q1_dot * q1_dot
+        + S::int(2) * q3_dot * (q3_dot + S::int(2) * q1_dot_s2);
     // Values.
     // T = M*R^2*q1'^2*(6 - 5*cos(q2)^2)/8 + 5*M*R^2*q2'^2/8 + M*R^2*q3'^2/4 + M*R^2*q1'*q3'*sin(q2)/2 +
     //   M*q4'^2/2 - M*R*q1'*q4'*cos(q1)*sin(q2) - M*R*q2'*q4'*sin(q1)*cos(q2) + M*q5'^2/2 -
     //   M*R*q1'*q5'*sin(q1)*sin(q2) + M*R*q2'*q5'*cos(q1)*cos(q2)
-    let energy = S::ratio(1, 8) * M * R * R * q1_dot * q1_dot
-        * (S::int(6) - S::int(5) * c2 * c2)
-        + S::ratio(5, 8) * M * R * R * q2_dot * q2_dot
-        + S::ratio(1, 4) * M * R * R * q3_dot * q3_dot
-        + S::ratio(1, 2) * M * R * R * q1_dot * q3_dot * s2
-        + S::ratio(1, 2) * M * q4_dot * q4_dot - M * R * q1_dot * q4_dot * c1 * s2
-        - M * R * q2_dot * q4_dot * s1 * c2 + S::ratio(1, 2) * M * q5_dot * q5_dot
-        - M * R * q1_dot * q5_dot * s1 * s2 + M * R * q2_dot * q5_dot * c1 * c2;
+    let energy = S::ratio(1, 2) * M * (q4_dot * q4_dot + q5_dot * q5_dot)
+        - m_r
+            * (q2_dot * c2 * (q4_dot * s1 - q5_dot * c1)
+                + q1_dot_s2 * (q4_dot * c1 + q5_dot * s1))
+        + S::ratio(1, 8) * R * m_r * (S::int(5) * energy_part + energy_part_2);
     energy
 }
 
@@ -513,7 +566,7 @@ pub fn generalized_speeds<S: Scalar>(
 
 /// Their time derivatives u', from q, q' and q''.
 ///
-/// 10 operations, 1 sine and cosine.
+/// 9 operations, 1 sine and cosine.
 #[must_use]
 pub fn generalized_speed_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -526,13 +579,16 @@ pub fn generalized_speed_rates<S: Scalar>(
     let [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot] = *v_dot;
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // q1'*q2'; used 2 times
+    let q1_dot_q2_dot = q1_dot * q2_dot;
     // Values.
     // u1' = -q2''
     let u1_dot_value = -q2_ddot;
     // u2' = q1''*cos(q2) - q1'*q2'*sin(q2)
-    let u2_dot_value = q1_ddot * c2 - q1_dot * q2_dot * s2;
+    let u2_dot_value = q1_ddot * c2 - q1_dot_q2_dot * s2;
     // u3' = q1'*q2'*cos(q2) + q1''*sin(q2) + q3''
-    let u3_dot_value = q1_dot * q2_dot * c2 + q1_ddot * s2 + q3_ddot;
+    let u3_dot_value = q1_ddot * s2 + q3_ddot + q1_dot_q2_dot * c2;
     // u4' = q4''
     let u4_dot_value = q4_ddot;
     // u5' = q5''
@@ -542,7 +598,7 @@ pub fn generalized_speed_rates<S: Scalar>(
 
 /// q' from q and the generalized speeds u.
 ///
-/// 5 operations, 1 sine and cosine.
+/// 4 operations, 1 sine and cosine.
 #[must_use]
 pub fn motion_variables<S: Scalar>(
     _p: &Parameters<S>,
@@ -554,15 +610,15 @@ pub fn motion_variables<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
+    // u2/cos(q2); used 2 times
+    let u2_c2_inv = u2 / c2;
     // Values.
     // q1' = u2/cos(q2)
-    let q1_dot_value = u2 / c2;
+    let q1_dot_value = u2_c2_inv;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 - u2*tan(q2)
-    let q3_dot_value = u3 - u2 * t2;
+    let q3_dot_value = u3 - u2_c2_inv * s2;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
 //! 5 coordinates, 5 speeds, 3 parameters. Unknowns: (q1'', q2'', q3'', q4'', q5'').
-//! Cost: mass_matrix 30 operations, 2 sines and cosines; forcing 54 operations, 2 sines and cosines; accelerations 41 operations, 2 sines and cosines.
+//! Cost: mass_matrix 18 operations, 2 sines and cosines; forcing 34 operations, 2 sines and cosines; accelerations 39 operations, 2 sines and cosines.
 //! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
 //! The accelerations divide by sin(q2_minus_90deg), by R, by 4*sin(q2_minus_90deg)^2 - 5.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3, q4, q5.
 ///
-/// 30 operations, 2 sines and cosines.
+/// 18 operations, 2 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -22,29 +22,39 @@ pub fn mass_matrix<S: Scalar>(
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let zero = S::int(0);
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // M*R^2; used 2 times
-    let m_r_sq = M * R * R;
+    // M*R; used 3 times
+    let m_r = M * R;
+    // R*m_r; used 3 times
+    let r_m_r = R * m_r;
+    // 5*r_m_r/4; used 2 times
+    let r_m_r_scaled = S::ratio(5, 4) * r_m_r;
+    // r_m_r/2; used 2 times
+    let r_m_r_scaled_2 = S::ratio(1, 2) * r_m_r;
+    // m_r*cos(q2_minus_90deg); used 2 times
+    let m14_part = m_r * cos_q2_minus_90deg;
+    // m_r*sin(q2_minus_90deg); used 2 times
+    let m24_part = m_r * sin_q2_minus_90deg;
     // Entries that are not zero; upper triangle.
     // M11 = M*R^2*(6 - 5*sin(q2_minus_90deg)^2)/4
-    let m11 = S::ratio(1, 4) * M * R * R
-        * (S::int(6) - S::int(5) * sin_q2_minus_90deg * sin_q2_minus_90deg);
+    let m11 = S::ratio(3, 2) * r_m_r
+        - r_m_r_scaled * sin_q2_minus_90deg * sin_q2_minus_90deg;
     // M13 = M*R^2*cos(q2_minus_90deg)/2
-    let m13 = S::ratio(1, 2) * M * R * R * cos_q2_minus_90deg;
+    let m13 = r_m_r_scaled_2 * cos_q2_minus_90deg;
     // M14 = -M*R*cos(q1)*cos(q2_minus_90deg)
-    let m14 = -M * R * c1 * cos_q2_minus_90deg;
+    let m14 = -m14_part * c1;
     // M15 = -M*R*sin(q1)*cos(q2_minus_90deg)
-    let m15 = -M * R * s1 * cos_q2_minus_90deg;
+    let m15 = -m14_part * s1;
     // M22 = 5*M*R^2/4
-    let m22 = S::ratio(5, 4) * m_r_sq;
+    let m22 = r_m_r_scaled;
     // M24 = M*R*sin(q1)*sin(q2_minus_90deg)
-    let m24 = M * R * s1 * sin_q2_minus_90deg;
+    let m24 = m24_part * s1;
     // M25 = -M*R*cos(q1)*sin(q2_minus_90deg)
-    let m25 = -M * R * c1 * sin_q2_minus_90deg;
+    let m25 = -m24_part * c1;
     // M33 = M*R^2/2
-    let m33 = S::ratio(1, 2) * m_r_sq;
+    let m33 = r_m_r_scaled_2;
     // M44 = M
     let m44 = M;
     // M55 = M
@@ -60,49 +70,54 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (q1'', q2'', q3'', q4'', q5'').
 ///
-/// 54 operations, 2 sines and cosines.
+/// 34 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 5] {
     let Parameters { M, R, g } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let [q1_dot, q2_dot, q3_dot, _, _] = *q_dot;
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // q1'*cos(q2_minus_90deg); used 2 times
-    let f1_part = q1_dot * cos_q2_minus_90deg;
+    // M*R; used 2 times
+    let m_r = M * R;
+    // m_r*sin(q2_minus_90deg); used 2 times
+    let f1_part = m_r * sin_q2_minus_90deg;
+    // q2'/2; used 2 times
+    let q2_dot_scaled = S::ratio(1, 2) * q2_dot;
+    // q1'*f1_part; used 2 times
+    let q1_dot_f1_part = q1_dot * f1_part;
+    // R*q1_dot_f1_part; used 3 times
+    let r_q1_dot_f1_part = R * q1_dot_f1_part;
+    // r_q1_dot_f1_part*cos(q2_minus_90deg); used 2 times
+    let f1_part_2 = r_q1_dot_f1_part * cos_q2_minus_90deg;
+    // m_r*cos(q2_minus_90deg); used 2 times
+    let f2_part = m_r * cos_q2_minus_90deg;
+    // f2_part*(q1'^2 + q2'^2); used 2 times
+    let f4_part = f2_part * (q1_dot * q1_dot + q2_dot * q2_dot);
+    // 2*q2'*q1_dot_f1_part; used 2 times
+    let f4_part_2 = S::int(2) * q2_dot * q1_dot_f1_part;
     // Values.
     // f1 = M*R^2*q2'*sin(q2_minus_90deg)*(q3' + 5*q1'*cos(q2_minus_90deg))/2
-    let f1 = S::ratio(1, 2) * M * R * R * q2_dot * sin_q2_minus_90deg
-        * (q3_dot + S::int(5) * f1_part);
+    let f1 = R * q3_dot * f1_part * q2_dot_scaled + S::ratio(5, 2) * q2_dot * f1_part_2;
     // f2 = M*R*(4*g*cos(q2_minus_90deg) - R*q1'*sin(q2_minus_90deg)*(2*q3' + 5*q1'*cos(q2_minus_90deg)))/4
-    let f2 = S::ratio(1, 4) * M * R
-        * (S::int(4) * g * cos_q2_minus_90deg
-            - R * q1_dot * sin_q2_minus_90deg
-                * (S::int(2) * q3_dot + S::int(5) * f1_part));
+    let f2 = g * f2_part - S::ratio(1, 2) * q3_dot * r_q1_dot_f1_part
+        - S::ratio(5, 4) * q1_dot * f1_part_2;
     // f3 = M*R^2*q1'*q2'*sin(q2_minus_90deg)/2
-    let f3 = S::ratio(1, 2) * M * R * R * q1_dot * q2_dot * sin_q2_minus_90deg;
+    let f3 = q2_dot_scaled * r_q1_dot_f1_part;
     // f4 = -M*R*(q2'^2*sin(q1)*cos(q2_minus_90deg) + q1'*(2*q2'*cos(q1)*sin(q2_minus_90deg) +
     //   q1'*sin(q1)*cos(q2_minus_90deg)))
-    let f4 = -M * R
-        * (q2_dot * q2_dot * s1 * cos_q2_minus_90deg
-            + q1_dot
-                * (S::int(2) * q2_dot * c1 * sin_q2_minus_90deg
-                    + q1_dot * s1 * cos_q2_minus_90deg));
+    let f4 = -f4_part * s1 - f4_part_2 * c1;
     // f5 = M*R*(q2'^2*cos(q1)*cos(q2_minus_90deg) + q1'*(q1'*cos(q1)*cos(q2_minus_90deg) -
     //   2*q2'*sin(q1)*sin(q2_minus_90deg)))
-    let f5 = M * R
-        * (q2_dot * q2_dot * c1 * cos_q2_minus_90deg
-            + q1_dot
-                * (q1_dot * c1 * cos_q2_minus_90deg
-                    - S::int(2) * q2_dot * s1 * sin_q2_minus_90deg));
+    let f5 = f4_part * c1 - f4_part_2 * s1;
     [f1, f2, f3, f4, f5]
 }
 
 /// The accelerations (q1'', q2'', q3'', q4'', q5''), solved for when this code was generated.
 ///
-/// 41 operations, 2 sines and cosines.
+/// 39 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(
     p: &Parameters<S>,
@@ -115,41 +130,49 @@ pub fn accelerations<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // 2*q2'; used 2 times
+    let q2_dot_scaled = S::int(2) * q2_dot;
     // Elimination, step by step.
     // q1'' = 2*q2'*q3'/sin(q2_minus_90deg)
-    let q1_ddot = S::int(2) * q2_dot * q3_dot / sin_q2_minus_90deg;
+    let q1_ddot = q3_dot * q2_dot_scaled / sin_q2_minus_90deg;
+    // Shared terms.
+    // q2'^2; used 2 times
+    let q2_dot_sq = q2_dot * q2_dot;
+    // 4*cos(q2_minus_90deg); used 2 times
+    let cos_q2_minus_90deg_scaled = S::int(4) * cos_q2_minus_90deg;
+    // Elimination, step by step.
     // q2'' = (4*g*cos(q2_minus_90deg) + R*sin(q2_minus_90deg)*(4*q2'^2*cos(q2_minus_90deg) - q1'*(2*q3' +
     //   q1'*cos(q2_minus_90deg))))/(R*(5 - 4*sin(q2_minus_90deg)^2))
-    let q2_ddot = (S::int(4) * g * cos_q2_minus_90deg
-        + R * sin_q2_minus_90deg
-            * (S::int(4) * q2_dot * q2_dot * cos_q2_minus_90deg
-                - q1_dot * (S::int(2) * q3_dot + q1_dot * cos_q2_minus_90deg)))
-        / (R * (S::int(5) - S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg));
+    let q2_ddot = (R * sin_q2_minus_90deg
+        * (q1_dot * (S::int(2) * q3_dot + q1_dot * cos_q2_minus_90deg)
+            - q2_dot_sq * cos_q2_minus_90deg_scaled) - g * cos_q2_minus_90deg_scaled)
+        / (R * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5)));
     // Shared terms.
+    // q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2_dot_sq); used 2 times
+    let q5_ddot_part = q2_ddot * sin_q2_minus_90deg
+        + cos_q2_minus_90deg * (q1_dot * q1_dot + q2_dot_sq);
     // q1''*cos(q2_minus_90deg); used 2 times
-    let q5_ddot_part = q1_ddot * cos_q2_minus_90deg;
-    // q1'*q2'*sin(q2_minus_90deg); used 2 times
-    let q5_ddot_part_ = q1_dot * q2_dot * sin_q2_minus_90deg;
-    // q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2); used 2 times
-    let q5_ddot_part_2 = q2_ddot * sin_q2_minus_90deg
-        + cos_q2_minus_90deg * (q1_dot * q1_dot + q2_dot * q2_dot);
-    // q1''*cos(q2_minus_90deg) - 2*q1'*q2'*sin(q2_minus_90deg); used 2 times
-    let q5_ddot_part_3 = q5_ddot_part - S::int(2) * q5_ddot_part_;
+    let q5_ddot_part_2 = q1_ddot * cos_q2_minus_90deg;
+    // q1'*sin(q2_minus_90deg); used 2 times
+    let q5_ddot_part_3 = q1_dot * sin_q2_minus_90deg;
+    // q5_ddot_part_2 - q2_dot_scaled*q5_ddot_part_3; used 2 times
+    let q5_ddot_part_4 = q5_ddot_part_2 - q2_dot_scaled * q5_ddot_part_3;
     // Elimination, step by step.
     // q5'' = R*(cos(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   sin(q1)*(q1''*cos(q2_minus_90deg) - 2*q1'*q2'*sin(q2_minus_90deg)))
-    let q5_ddot = R * (c1 * q5_ddot_part_2 + s1 * q5_ddot_part_3);
+    let q5_ddot = R * (q5_ddot_part * c1 + q5_ddot_part_4 * s1);
     // q4'' = -R*(sin(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   cos(q1)*(2*q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)))
-    let q4_ddot = R * (c1 * q5_ddot_part_3 - s1 * q5_ddot_part_2);
+    let q4_ddot = R * (q5_ddot_part_4 * c1 - q5_ddot_part * s1);
     // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
-    let q3_ddot = q5_ddot_part_ - q5_ddot_part;
+    let q3_ddot = q2_dot * q5_ddot_part_3 - q5_ddot_part_2;
     [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 41 operations, 2 sines and cosines.
+/// 39 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -162,35 +185,43 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // 2*q2'; used 2 times
+    let q2_dot_scaled = S::int(2) * q2_dot;
     // Elimination, step by step.
     // q1'' = 2*q2'*q3'/sin(q2_minus_90deg)
-    let q1_ddot = S::int(2) * q2_dot * q3_dot / sin_q2_minus_90deg;
+    let q1_ddot = q3_dot * q2_dot_scaled / sin_q2_minus_90deg;
+    // Shared terms.
+    // q2'^2; used 2 times
+    let q2_dot_sq = q2_dot * q2_dot;
+    // 4*cos(q2_minus_90deg); used 2 times
+    let cos_q2_minus_90deg_scaled = S::int(4) * cos_q2_minus_90deg;
+    // Elimination, step by step.
     // q2'' = (4*g*cos(q2_minus_90deg) + R*sin(q2_minus_90deg)*(4*q2'^2*cos(q2_minus_90deg) - q1'*(2*q3' +
     //   q1'*cos(q2_minus_90deg))))/(R*(5 - 4*sin(q2_minus_90deg)^2))
-    let q2_ddot = (S::int(4) * g * cos_q2_minus_90deg
-        + R * sin_q2_minus_90deg
-            * (S::int(4) * q2_dot * q2_dot * cos_q2_minus_90deg
-                - q1_dot * (S::int(2) * q3_dot + q1_dot * cos_q2_minus_90deg)))
-        / (R * (S::int(5) - S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg));
+    let q2_ddot = (R * sin_q2_minus_90deg
+        * (q1_dot * (S::int(2) * q3_dot + q1_dot * cos_q2_minus_90deg)
+            - q2_dot_sq * cos_q2_minus_90deg_scaled) - g * cos_q2_minus_90deg_scaled)
+        / (R * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5)));
     // Shared terms.
+    // q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2_dot_sq); used 2 times
+    let q5_ddot_part = q2_ddot * sin_q2_minus_90deg
+        + cos_q2_minus_90deg * (q1_dot * q1_dot + q2_dot_sq);
     // q1''*cos(q2_minus_90deg); used 2 times
-    let q5_ddot_part = q1_ddot * cos_q2_minus_90deg;
-    // q1'*q2'*sin(q2_minus_90deg); used 2 times
-    let q5_ddot_part_ = q1_dot * q2_dot * sin_q2_minus_90deg;
-    // q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2); used 2 times
-    let q5_ddot_part_2 = q2_ddot * sin_q2_minus_90deg
-        + cos_q2_minus_90deg * (q1_dot * q1_dot + q2_dot * q2_dot);
-    // q1''*cos(q2_minus_90deg) - 2*q1'*q2'*sin(q2_minus_90deg); used 2 times
-    let q5_ddot_part_3 = q5_ddot_part - S::int(2) * q5_ddot_part_;
+    let q5_ddot_part_2 = q1_ddot * cos_q2_minus_90deg;
+    // q1'*sin(q2_minus_90deg); used 2 times
+    let q5_ddot_part_3 = q1_dot * sin_q2_minus_90deg;
+    // q5_ddot_part_2 - q2_dot_scaled*q5_ddot_part_3; used 2 times
+    let q5_ddot_part_4 = q5_ddot_part_2 - q2_dot_scaled * q5_ddot_part_3;
     // Elimination, step by step.
     // q5'' = R*(cos(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   sin(q1)*(q1''*cos(q2_minus_90deg) - 2*q1'*q2'*sin(q2_minus_90deg)))
-    let q5_ddot = R * (c1 * q5_ddot_part_2 + s1 * q5_ddot_part_3);
+    let q5_ddot = R * (q5_ddot_part * c1 + q5_ddot_part_4 * s1);
     // q4'' = -R*(sin(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   cos(q1)*(2*q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)))
-    let q4_ddot = R * (c1 * q5_ddot_part_3 - s1 * q5_ddot_part_2);
+    let q4_ddot = R * (q5_ddot_part_4 * c1 - q5_ddot_part * s1);
     // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
-    let q3_ddot = q5_ddot_part_ - q5_ddot_part;
+    let q3_ddot = q2_dot * q5_ddot_part_3 - q5_ddot_part_2;
     // Values.
     // q1' = q1'
     let q1_dot_value = q1_dot;
@@ -210,7 +241,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, q4, q5, q1', q2', q3', q4', q5'.
 ///
-/// 164 operations, 2 sines and cosines.
+/// 139 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -224,150 +255,175 @@ pub fn jacobian<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // 2*q2'; used 7 times
+    let q2_dot_scaled = S::int(2) * q2_dot;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let q1_ddot_part = S::int(1) / sin_q2_minus_90deg;
+    // q3'*q1_ddot_part; used 3 times
+    let q3_dot_q1_ddot_part = q3_dot * q1_ddot_part;
     // Elimination, step by step.
     // q1'' = 2*q2'*q3'/sin(q2_minus_90deg)
-    let q1_ddot = S::int(2) * q2_dot * q3_dot / sin_q2_minus_90deg;
+    let q1_ddot = q2_dot_scaled * q3_dot_q1_ddot_part;
     // Shared terms.
-    // q1'*cos(q2_minus_90deg); used 4 times
-    let q2_ddot_part = q1_dot * cos_q2_minus_90deg;
-    // 4*sin(q2_minus_90deg)^2 - 5; used 4 times
-    let q2_ddot_part_ = S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5);
+    // q1'^2; used 2 times
+    let q1_dot_sq = q1_dot * q1_dot;
+    // q2'^2; used 2 times
+    let q2_dot_sq = q2_dot * q2_dot;
+    // 4*q2_dot_sq - q1_dot_sq; used 2 times
+    let q2_ddot_part = S::int(4) * q2_dot_sq - q1_dot_sq;
+    // 4*sin(q2_minus_90deg); used 2 times
+    let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
+    // 1/(sin_q2_minus_90deg_scaled*sin(q2_minus_90deg) - 5); used 2 times
+    let q2_ddot_part_2 = S::int(1)
+        / (sin_q2_minus_90deg_scaled * sin_q2_minus_90deg - S::int(5));
+    // q2_ddot_part_2*sin(q2_minus_90deg); used 3 times
+    let q2_ddot_part_3 = q2_ddot_part_2 * sin_q2_minus_90deg;
+    // q2_ddot_part_3*cos(q2_minus_90deg); used 3 times
+    let q2_ddot_part_4 = q2_ddot_part_3 * cos_q2_minus_90deg;
+    // g/R; used 2 times
+    let r_inv_g = g / R;
+    // 4*cos(q2_minus_90deg); used 2 times
+    let cos_q2_minus_90deg_scaled = S::int(4) * cos_q2_minus_90deg;
+    // 2*q1'; used 7 times
+    let q1_dot_scaled = S::int(2) * q1_dot;
+    // q3'*q2_ddot_part_3; used 2 times
+    let q2_ddot_part_5 = q3_dot * q2_ddot_part_3;
     // Elimination, step by step.
     // q2'' = (4*g*cos(q2_minus_90deg) + R*sin(q2_minus_90deg)*(4*q2'^2*cos(q2_minus_90deg) - q1'*(2*q3' +
     //   q1'*cos(q2_minus_90deg))))/(R*(5 - 4*sin(q2_minus_90deg)^2))
-    let q2_ddot = -(S::int(4) * g * cos_q2_minus_90deg
-        + R * sin_q2_minus_90deg
-            * (S::int(4) * q2_dot * q2_dot * cos_q2_minus_90deg
-                - q1_dot * (S::int(2) * q3_dot + q2_ddot_part))) / (R * q2_ddot_part_);
+    let q2_ddot = q1_dot_scaled * q2_ddot_part_5 - q2_ddot_part * q2_ddot_part_4
+        - q2_ddot_part_2 * r_inv_g * cos_q2_minus_90deg_scaled;
     // Shared terms.
-    // q2'^2; used 2 times
-    let q2_dot_sq = q2_dot * q2_dot;
-    // q1'^2; used 2 times
-    let q1_dot_sq = q1_dot * q1_dot;
-    // q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2); used 2 times
-    let q5_ddot_by_q1_part = q2_ddot * sin_q2_minus_90deg
-        + cos_q2_minus_90deg * (q1_dot_sq + q2_dot_sq);
-    // q1''*cos(q2_minus_90deg) - 2*q1'*q2'*sin(q2_minus_90deg); used 2 times
-    let q5_ddot_by_q1_part_ = q1_ddot * cos_q2_minus_90deg
-        - S::int(2) * q1_dot * q2_dot * sin_q2_minus_90deg;
+    // R*sin(q2_minus_90deg); used 2 times
+    let r_sin_q2_minus_90deg = R * sin_q2_minus_90deg;
+    // r_sin_q2_minus_90deg*sin(q1); used 9 times
+    let q5_ddot_by_q1_part = r_sin_q2_minus_90deg * s1;
+    // q1_dot_sq + q2_dot_sq; used 3 times
+    let q5_ddot_by_q1_part_2 = q1_dot_sq + q2_dot_sq;
+    // R*cos(q2_minus_90deg); used 2 times
+    let r_cos_q2_minus_90deg = R * cos_q2_minus_90deg;
+    // r_cos_q2_minus_90deg*sin(q1); used 8 times
+    let q5_ddot_by_q1_part_3 = r_cos_q2_minus_90deg * s1;
+    // r_cos_q2_minus_90deg*cos(q1); used 8 times
+    let q5_ddot_by_q1_part_4 = r_cos_q2_minus_90deg * c1;
+    // r_sin_q2_minus_90deg*cos(q1); used 9 times
+    let q5_ddot_by_q1_part_5 = r_sin_q2_minus_90deg * c1;
+    // q1'*q2_dot_scaled; used 3 times
+    let q1_dot_q2_dot_scaled = q1_dot * q2_dot_scaled;
     // Elimination, step by step.
     // q5_ddot_by_q1 = -R*(sin(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   cos(q1)*(2*q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)))
-    let q5_ddot_by_q1 = R * (c1 * q5_ddot_by_q1_part_ - s1 * q5_ddot_by_q1_part);
+    let q5_ddot_by_q1 = q1_ddot * q5_ddot_by_q1_part_4 - q2_ddot * q5_ddot_by_q1_part
+        - q5_ddot_by_q1_part_2 * q5_ddot_by_q1_part_3
+        - q5_ddot_by_q1_part_5 * q1_dot_q2_dot_scaled;
     // q4_ddot_by_q1 = -R*(cos(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   sin(q1)*(q1''*cos(q2_minus_90deg) - 2*q1'*q2'*sin(q2_minus_90deg)))
-    let q4_ddot_by_q1 = -R * (c1 * q5_ddot_by_q1_part + s1 * q5_ddot_by_q1_part_);
+    let q4_ddot_by_q1 = q5_ddot_by_q1_part * q1_dot_q2_dot_scaled
+        - q1_ddot * q5_ddot_by_q1_part_3 - q5_ddot_by_q1_part_2 * q5_ddot_by_q1_part_4
+        - q2_ddot * q5_ddot_by_q1_part_5;
+    // q1_ddot_by_q3_dot = 2*q2'/sin(q2_minus_90deg)
+    let q1_ddot_by_q3_dot = q2_dot_scaled * q1_ddot_part;
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // q1_ddot_by_q3_dot*cos(q2_minus_90deg); used 2 times
+    let q1_ddot_by_q2_minus_90deg_part = q1_ddot_by_q3_dot * cos_q2_minus_90deg;
     // Elimination, step by step.
     // q1_ddot_by_q2_minus_90deg = -2*q2'*q3'/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
-    let q1_ddot_by_q2_minus_90deg = -S::int(2) * q2_dot * q3_dot
-        / (sin_q2_minus_90deg * tan_q2_minus_90deg);
+    let q1_ddot_by_q2_minus_90deg = -q3_dot_q1_ddot_part
+        * q1_ddot_by_q2_minus_90deg_part;
     // Shared terms.
-    // cos(q2_minus_90deg)^2; used 4 times
-    let q2_ddot_by_q2_minus_90deg_part = cos_q2_minus_90deg * cos_q2_minus_90deg;
+    // 1/(1 + cos_q2_minus_90deg_scaled*cos(q2_minus_90deg)); used 3 times
+    let q2_ddot_by_q2_minus_90deg_part = S::int(1)
+        / (S::int(1) + cos_q2_minus_90deg_scaled * cos_q2_minus_90deg);
+    // q2_ddot_by_q2_minus_90deg_part*cos(q2_minus_90deg); used 2 times
+    let q2_ddot_by_q2_minus_90deg_part_2 = q2_ddot_by_q2_minus_90deg_part
+        * cos_q2_minus_90deg;
+    // q2_ddot_by_q2_minus_90deg_part_2^2; used 3 times
+    let q2_ddot_by_q2_minus_90deg_part_3 = q2_ddot_by_q2_minus_90deg_part_2
+        * q2_ddot_by_q2_minus_90deg_part_2;
+    // q2_ddot_by_q2_minus_90deg_part^2; used 2 times
+    let q2_ddot_by_q2_minus_90deg_part_4 = q2_ddot_by_q2_minus_90deg_part
+        * q2_ddot_by_q2_minus_90deg_part;
+    // q1'*q3'; used 2 times
+    let q1_dot_q3_dot = q1_dot * q3_dot;
     // Elimination, step by step.
     // q2_ddot_by_q2_minus_90deg = (R*(q1'*(q1' - 2*cos(q2_minus_90deg)*(3*q1'*cos(q2_minus_90deg) + q3'*(9
     //   - 4*cos(q2_minus_90deg)^2))) + 4*q2'^2*(6*cos(q2_minus_90deg)^2 - 1)) +
     //   4*g*sin(q2_minus_90deg)*(4*cos(q2_minus_90deg)^2 - 1))/(R*(1 + 4*cos(q2_minus_90deg)^2)^2)
-    let q2_ddot_by_q2_minus_90deg = (R
-        * (q1_dot
-            * (q1_dot
-                - S::int(2) * cos_q2_minus_90deg
-                    * (S::int(3) * q2_ddot_part
-                        + q3_dot
-                            * (S::int(9) - S::int(4) * q2_ddot_by_q2_minus_90deg_part)))
-            + S::int(4) * q2_dot * q2_dot
-                * (S::int(6) * q2_ddot_by_q2_minus_90deg_part - S::int(1)))
-        + S::int(4) * g * sin_q2_minus_90deg
-            * (S::int(4) * q2_ddot_by_q2_minus_90deg_part - S::int(1)))
-        / (R * (S::int(1) + S::int(4) * q2_ddot_by_q2_minus_90deg_part).powi(2));
+    let q2_ddot_by_q2_minus_90deg = q2_ddot_part
+        * (S::int(6) * q2_ddot_by_q2_minus_90deg_part_3
+            - q2_ddot_by_q2_minus_90deg_part_4)
+        + sin_q2_minus_90deg_scaled * r_inv_g
+            * (S::int(4) * q2_ddot_by_q2_minus_90deg_part_3
+                - q2_ddot_by_q2_minus_90deg_part_4)
+        - S::int(18) * q2_ddot_by_q2_minus_90deg_part * q2_ddot_by_q2_minus_90deg_part_2
+            * q1_dot_q3_dot
+        + S::int(8) * q2_ddot_by_q2_minus_90deg_part_3 * q1_dot_q3_dot
+            * cos_q2_minus_90deg;
     // Shared terms.
-    // q1''*sin(q2_minus_90deg); used 2 times
-    let q5_ddot_by_q2_minus_90deg_part = q1_ddot * sin_q2_minus_90deg;
-    // q2''*cos(q2_minus_90deg) + sin(q2_minus_90deg)*(q2_ddot_by_q2_minus_90deg - q1'^2 - q2'^2); used 2
-    //   times
-    let q5_ddot_by_q2_minus_90deg_part_ = q2_ddot * cos_q2_minus_90deg
-        + sin_q2_minus_90deg * (q2_ddot_by_q2_minus_90deg - q1_dot_sq - q2_dot_sq);
-    // q1'*q2'; used 2 times
-    let q1_dot_q2_dot = q1_dot * q2_dot;
-    // q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(2*q1'*q2' - q1_ddot_by_q2_minus_90deg); used 2 times
-    let q5_ddot_by_q2_minus_90deg_part_2 = q5_ddot_by_q2_minus_90deg_part
-        + cos_q2_minus_90deg * (S::int(2) * q1_dot_q2_dot - q1_ddot_by_q2_minus_90deg);
+    // q1_dot_q2_dot_scaled - q1_ddot_by_q2_minus_90deg; used 2 times
+    let q5_ddot_by_q2_minus_90deg_part = q1_dot_q2_dot_scaled
+        - q1_ddot_by_q2_minus_90deg;
+    // q2_ddot_by_q2_minus_90deg - q5_ddot_by_q1_part_2; used 2 times
+    let q5_ddot_by_q2_minus_90deg_part_2 = q2_ddot_by_q2_minus_90deg
+        - q5_ddot_by_q1_part_2;
     // Elimination, step by step.
     // q5_ddot_by_q2_minus_90deg = R*(cos(q1)*(q2''*cos(q2_minus_90deg) +
     //   sin(q2_minus_90deg)*(q2_ddot_by_q2_minus_90deg - q1'^2 - q2'^2)) - sin(q1)*(q1''*sin(q2_minus_90deg)
     //   + cos(q2_minus_90deg)*(2*q1'*q2' - q1_ddot_by_q2_minus_90deg)))
-    let q5_ddot_by_q2_minus_90deg = R
-        * (c1 * q5_ddot_by_q2_minus_90deg_part_ - s1 * q5_ddot_by_q2_minus_90deg_part_2);
+    let q5_ddot_by_q2_minus_90deg = q2_ddot * q5_ddot_by_q1_part_4
+        - q1_ddot * q5_ddot_by_q1_part
+        - q5_ddot_by_q1_part_3 * q5_ddot_by_q2_minus_90deg_part
+        + q5_ddot_by_q1_part_5 * q5_ddot_by_q2_minus_90deg_part_2;
     // q4_ddot_by_q2_minus_90deg = -R*(cos(q1)*(q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(2*q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)) + sin(q1)*(q2''*cos(q2_minus_90deg) +
     //   sin(q2_minus_90deg)*(q2_ddot_by_q2_minus_90deg - q1'^2 - q2'^2)))
-    let q4_ddot_by_q2_minus_90deg = -R
-        * (c1 * q5_ddot_by_q2_minus_90deg_part_2 + s1 * q5_ddot_by_q2_minus_90deg_part_);
+    let q4_ddot_by_q2_minus_90deg = -q2_ddot * q5_ddot_by_q1_part_3
+        - q1_ddot * q5_ddot_by_q1_part_5
+        - q5_ddot_by_q1_part_4 * q5_ddot_by_q2_minus_90deg_part
+        - q5_ddot_by_q1_part * q5_ddot_by_q2_minus_90deg_part_2;
     // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)
-    let q3_ddot_by_q2_minus_90deg = q5_ddot_by_q2_minus_90deg_part
-        + cos_q2_minus_90deg * (q1_dot_q2_dot - q1_ddot_by_q2_minus_90deg);
+    let q3_ddot_by_q2_minus_90deg = q1_ddot * sin_q2_minus_90deg
+        + cos_q2_minus_90deg * (q1_dot * q2_dot - q1_ddot_by_q2_minus_90deg);
     // q2_ddot_by_q1_dot = 2*sin(q2_minus_90deg)*(q3' + q1'*cos(q2_minus_90deg))/(4*sin(q2_minus_90deg)^2 -
     //   5)
-    let q2_ddot_by_q1_dot = S::int(2) * sin_q2_minus_90deg * (q3_dot + q2_ddot_part)
-        / q2_ddot_part_;
-    // Shared terms.
-    // 2*q1'*cos(q2_minus_90deg) + q2_ddot_by_q1_dot*sin(q2_minus_90deg); used 2 times
-    let q5_ddot_by_q1_dot_part = S::int(2) * q2_ddot_part
-        + q2_ddot_by_q1_dot * sin_q2_minus_90deg;
-    // Elimination, step by step.
+    let q2_ddot_by_q1_dot = q2_ddot_part_4 * q1_dot_scaled + S::int(2) * q2_ddot_part_5;
     // q5_ddot_by_q1_dot = R*(cos(q1)*(2*q1'*cos(q2_minus_90deg) + q2_ddot_by_q1_dot*sin(q2_minus_90deg)) -
     //   2*q2'*sin(q1)*sin(q2_minus_90deg))
-    let q5_ddot_by_q1_dot = R
-        * (c1 * q5_ddot_by_q1_dot_part - S::int(2) * q2_dot * s1 * sin_q2_minus_90deg);
+    let q5_ddot_by_q1_dot = q1_dot_scaled * q5_ddot_by_q1_part_4
+        - q2_dot_scaled * q5_ddot_by_q1_part + q2_ddot_by_q1_dot * q5_ddot_by_q1_part_5;
     // q4_ddot_by_q1_dot = -R*(2*q2'*cos(q1)*sin(q2_minus_90deg) + sin(q1)*(2*q1'*cos(q2_minus_90deg) +
     //   q2_ddot_by_q1_dot*sin(q2_minus_90deg)))
-    let q4_ddot_by_q1_dot = -R
-        * (S::int(2) * q2_dot * c1 * sin_q2_minus_90deg + s1 * q5_ddot_by_q1_dot_part);
+    let q4_ddot_by_q1_dot = -q2_ddot_by_q1_dot * q5_ddot_by_q1_part
+        - q1_dot_scaled * q5_ddot_by_q1_part_3 - q2_dot_scaled * q5_ddot_by_q1_part_5;
     // q1_ddot_by_q2_dot = 2*q3'/sin(q2_minus_90deg)
-    let q1_ddot_by_q2_dot = S::int(2) * q3_dot / sin_q2_minus_90deg;
+    let q1_ddot_by_q2_dot = S::int(2) * q3_dot_q1_ddot_part;
     // q2_ddot_by_q2_dot = 8*q2'*sin(q2_minus_90deg)*cos(q2_minus_90deg)/(5 - 4*sin(q2_minus_90deg)^2)
-    let q2_ddot_by_q2_dot = -S::int(8) * q2_dot * sin_q2_minus_90deg * cos_q2_minus_90deg
-        / q2_ddot_part_;
-    // Shared terms.
-    // q1'*sin(q2_minus_90deg); used 2 times
-    let q5_ddot_by_q2_dot_part = q1_dot * sin_q2_minus_90deg;
-    // q1_ddot_by_q2_dot*cos(q2_minus_90deg); used 2 times
-    let q5_ddot_by_q2_dot_part_ = q1_ddot_by_q2_dot * cos_q2_minus_90deg;
-    // 2*q2'*cos(q2_minus_90deg) + q2_ddot_by_q2_dot*sin(q2_minus_90deg); used 2 times
-    let q5_ddot_by_q2_dot_part_2 = S::int(2) * q2_dot * cos_q2_minus_90deg
-        + q2_ddot_by_q2_dot * sin_q2_minus_90deg;
-    // 2*q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg); used 2 times
-    let q5_ddot_by_q2_dot_part_3 = S::int(2) * q5_ddot_by_q2_dot_part
-        - q5_ddot_by_q2_dot_part_;
-    // Elimination, step by step.
+    let q2_ddot_by_q2_dot = -S::int(8) * q2_dot * q2_ddot_part_4;
     // q5_ddot_by_q2_dot = R*(sin(q1)*(q1_ddot_by_q2_dot*cos(q2_minus_90deg) - 2*q1'*sin(q2_minus_90deg)) +
     //   cos(q1)*(2*q2'*cos(q2_minus_90deg) + q2_ddot_by_q2_dot*sin(q2_minus_90deg)))
-    let q5_ddot_by_q2_dot = R
-        * (c1 * q5_ddot_by_q2_dot_part_2 - s1 * q5_ddot_by_q2_dot_part_3);
+    let q5_ddot_by_q2_dot = q1_ddot_by_q2_dot * q5_ddot_by_q1_part_3
+        - q1_dot_scaled * q5_ddot_by_q1_part + q2_dot_scaled * q5_ddot_by_q1_part_4
+        + q2_ddot_by_q2_dot * q5_ddot_by_q1_part_5;
     // q4_ddot_by_q2_dot = -R*(cos(q1)*(2*q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg))
     //   + sin(q1)*(2*q2'*cos(q2_minus_90deg) + q2_ddot_by_q2_dot*sin(q2_minus_90deg)))
-    let q4_ddot_by_q2_dot = -R
-        * (c1 * q5_ddot_by_q2_dot_part_3 + s1 * q5_ddot_by_q2_dot_part_2);
+    let q4_ddot_by_q2_dot = q1_ddot_by_q2_dot * q5_ddot_by_q1_part_4
+        - q2_ddot_by_q2_dot * q5_ddot_by_q1_part - q2_dot_scaled * q5_ddot_by_q1_part_3
+        - q1_dot_scaled * q5_ddot_by_q1_part_5;
     // q3_ddot_by_q2_dot = q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg)
-    let q3_ddot_by_q2_dot = q5_ddot_by_q2_dot_part - q5_ddot_by_q2_dot_part_;
-    // q1_ddot_by_q3_dot = 2*q2'/sin(q2_minus_90deg)
-    let q1_ddot_by_q3_dot = S::int(2) * q2_dot / sin_q2_minus_90deg;
+    let q3_ddot_by_q2_dot = q1_dot * sin_q2_minus_90deg
+        - q1_ddot_by_q2_dot * cos_q2_minus_90deg;
     // q2_ddot_by_q3_dot = 2*q1'*sin(q2_minus_90deg)/(4*sin(q2_minus_90deg)^2 - 5)
-    let q2_ddot_by_q3_dot = S::int(2) * q1_dot * sin_q2_minus_90deg / q2_ddot_part_;
+    let q2_ddot_by_q3_dot = q2_ddot_part_3 * q1_dot_scaled;
     // q5_ddot_by_q3_dot = R*(q1_ddot_by_q3_dot*sin(q1)*cos(q2_minus_90deg) +
     //   q2_ddot_by_q3_dot*cos(q1)*sin(q2_minus_90deg))
-    let q5_ddot_by_q3_dot = R
-        * (q1_ddot_by_q3_dot * s1 * cos_q2_minus_90deg
-            + q2_ddot_by_q3_dot * c1 * sin_q2_minus_90deg);
+    let q5_ddot_by_q3_dot = q1_ddot_by_q3_dot * q5_ddot_by_q1_part_3
+        + q2_ddot_by_q3_dot * q5_ddot_by_q1_part_5;
     // q4_ddot_by_q3_dot = R*(q1_ddot_by_q3_dot*cos(q1)*cos(q2_minus_90deg) -
     //   q2_ddot_by_q3_dot*sin(q1)*sin(q2_minus_90deg))
-    let q4_ddot_by_q3_dot = R
-        * (q1_ddot_by_q3_dot * c1 * cos_q2_minus_90deg
-            - q2_ddot_by_q3_dot * s1 * sin_q2_minus_90deg);
+    let q4_ddot_by_q3_dot = q1_ddot_by_q3_dot * q5_ddot_by_q1_part_4
+        - q2_ddot_by_q3_dot * q5_ddot_by_q1_part;
     // Entries that are not zero.
     // d(q1')/d(q1') = 1
     let q1_dot_by_q1_dot_value = S::int(1);
@@ -382,7 +438,7 @@ pub fn jacobian<S: Scalar>(
     // d(q3'')/d(q1') = q2'*sin(q2_minus_90deg)
     let q3_ddot_by_q1_dot_value = q2_dot * sin_q2_minus_90deg;
     // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*cos(q2_minus_90deg)
-    let q3_ddot_by_q3_dot_value = -q1_ddot_by_q3_dot * cos_q2_minus_90deg;
+    let q3_ddot_by_q3_dot_value = -q1_ddot_by_q2_minus_90deg_part;
     [
         [zero, zero, zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero, zero, zero],
@@ -478,32 +534,34 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 38 operations, 2 sines and cosines.
+/// 34 operations, 2 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> S {
     let Parameters { M, R, .. } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let [q1_dot, q2_dot, q3_dot, q4_dot, q5_dot] = *q_dot;
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // M*R; used 2 times
+    let m_r = M * R;
+    // q1'*cos(q2_minus_90deg); used 3 times
+    let energy_part = q1_dot * cos_q2_minus_90deg;
+    // q2'^2 + energy_part^2
+    let energy_part_2 = q2_dot * q2_dot + energy_part * energy_part;
+    // q1'^2 + 2*q3'*(q3' + 2*energy_part)
+    let energy_part_3 = q1_dot * q1_dot
+        + S::int(2) * q3_dot * (q3_dot + S::int(2) * energy_part);
     // Values.
     // T = M*(4*q4'^2 + 4*q5'^2 - R*(8*q2'*sin(q2_minus_90deg)*(q5'*cos(q1) - q4'*sin(q1)) +
     //   8*q1'*cos(q2_minus_90deg)*(q4'*cos(q1) + q5'*sin(q1)) + R*(q1'*(q1'*(5*sin(q2_minus_90deg)^2 - 6) -
     //   4*q3'*cos(q2_minus_90deg)) - 5*q2'^2 - 2*q3'^2)))/8
-    let energy = S::ratio(1, 8) * M
-        * (S::int(4) * q4_dot * q4_dot + S::int(4) * q5_dot * q5_dot
-            - R
-                * (S::int(8) * q2_dot * sin_q2_minus_90deg * (q5_dot * c1 - q4_dot * s1)
-                    + S::int(8) * q1_dot * cos_q2_minus_90deg
-                        * (q4_dot * c1 + q5_dot * s1)
-                    + R
-                        * (q1_dot
-                            * (q1_dot
-                                * (S::int(5) * sin_q2_minus_90deg * sin_q2_minus_90deg
-                                    - S::int(6)) - S::int(4) * q3_dot * cos_q2_minus_90deg)
-                            - S::int(5) * q2_dot * q2_dot
-                            - S::int(2) * q3_dot * q3_dot)));
+    let energy = S::ratio(1, 2) * M * (q4_dot * q4_dot + q5_dot * q5_dot)
+        + m_r
+            * (q2_dot * sin_q2_minus_90deg * (q4_dot * s1 - q5_dot * c1)
+                - energy_part * (q4_dot * c1 + q5_dot * s1))
+        + S::ratio(1, 8) * R * m_r * (S::int(5) * energy_part_2 + energy_part_3);
     energy
 }
 
@@ -551,7 +609,7 @@ pub fn generalized_speeds<S: Scalar>(
 
 /// Their time derivatives u', from q, q' and q''.
 ///
-/// 11 operations, 1 sine and cosine.
+/// 10 operations, 1 sine and cosine.
 #[must_use]
 pub fn generalized_speed_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -564,15 +622,18 @@ pub fn generalized_speed_rates<S: Scalar>(
     let [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot] = *v_dot;
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // q1'*q2'; used 2 times
+    let q1_dot_q2_dot = q1_dot * q2_dot;
     // Values.
     // u1' = -q2''
     let u1_dot_value = -q2_ddot;
     // u2' = -q1''*sin(q2_minus_90deg) - q1'*q2'*cos(q2_minus_90deg)
     let u2_dot_value = -q1_ddot * sin_q2_minus_90deg
-        - q1_dot * q2_dot * cos_q2_minus_90deg;
+        - q1_dot_q2_dot * cos_q2_minus_90deg;
     // u3' = q3'' - q1'*q2'*sin(q2_minus_90deg) + q1''*cos(q2_minus_90deg)
-    let u3_dot_value = q3_ddot - q1_dot * q2_dot * sin_q2_minus_90deg
-        + q1_ddot * cos_q2_minus_90deg;
+    let u3_dot_value = q3_ddot + q1_ddot * cos_q2_minus_90deg
+        - q1_dot_q2_dot * sin_q2_minus_90deg;
     // u4' = q4''
     let u4_dot_value = q4_ddot;
     // u5' = q5''
@@ -582,7 +643,7 @@ pub fn generalized_speed_rates<S: Scalar>(
 
 /// q' from q and the generalized speeds u.
 ///
-/// 6 operations, 1 sine and cosine.
+/// 5 operations, 1 sine and cosine.
 #[must_use]
 pub fn motion_variables<S: Scalar>(
     _p: &Parameters<S>,
@@ -594,15 +655,15 @@ pub fn motion_variables<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // u2/sin(q2_minus_90deg); used 2 times
+    let q1_dot_value_part = u2 / sin_q2_minus_90deg;
     // Values.
     // q1' = -u2/sin(q2_minus_90deg)
-    let q1_dot_value = -u2 / sin_q2_minus_90deg;
+    let q1_dot_value = -q1_dot_value_part;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 + u2/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + u2 / tan_q2_minus_90deg;
+    let q3_dot_value = u3 + q1_dot_value_part * cos_q2_minus_90deg;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5

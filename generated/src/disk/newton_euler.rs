@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
 //! 5 coordinates, 5 speeds, 3 parameters, 1 reaction. Unknowns: (u1', u2', u3', u4', u5', N).
-//! Cost: mass_matrix 24 operations, 2 sines and cosines; forcing 38 operations, 1 sine and cosine; accelerations 60 operations, 2 sines and cosines.
+//! Cost: mass_matrix 18 operations, 2 sines and cosines; forcing 27 operations, 1 sine and cosine; accelerations 39 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
 //! The accelerations divide by cos(q2), by R, by 4*cos(q2)^2 - 5.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows disk force b1, disk force b2, disk force b3, disk moment b1, disk moment b2, disk moment b3.
 ///
-/// 24 operations, 2 sines and cosines.
+/// 18 operations, 2 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -22,44 +22,50 @@ pub fn mass_matrix<S: Scalar>(
     let [q1, q2, _, _, _] = *q;
     let zero = S::int(0);
     // Sines and cosines.
-    let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // M*R^2; used 2 times
-    let m_r_sq = M * R * R;
-    // M*R^2/4; used 2 times
-    let m_r_sq_scaled = S::ratio(1, 4) * m_r_sq;
+    // M*R; used 3 times
+    let m_r = M * R;
+    // M*cos(q1); used 3 times
+    let m_c1 = M * c1;
+    // M*sin(q1); used 3 times
+    let m_s1 = M * s1;
+    // R*m_r; used 2 times
+    let r_m_r = R * m_r;
+    // r_m_r/4; used 2 times
+    let r_m_r_scaled = S::ratio(1, 4) * r_m_r;
     // tan(q2)
     let t2 = s2 / c2;
     // Entries that are not zero.
     // M12 = -M*R*tan(q2)
-    let m12 = -M * R * t2;
+    let m12 = -m_r * t2;
     // M14 = M*cos(q1)
-    let m14 = M * c1;
+    let m14 = m_c1;
     // M15 = M*sin(q1)
-    let m15 = M * s1;
+    let m15 = m_s1;
     // M24 = -M*sin(q1)*sin(q2)
-    let m24 = -M * s1 * s2;
+    let m24 = -m_s1 * s2;
     // M25 = M*cos(q1)*sin(q2)
-    let m25 = M * c1 * s2;
+    let m25 = m_c1 * s2;
     // M26 = -cos(q2)
     let m26 = -c2;
     // M31 = M*R
-    let m31 = M * R;
+    let m31 = m_r;
     // M34 = M*sin(q1)*cos(q2)
-    let m34 = M * s1 * c2;
+    let m34 = m_s1 * c2;
     // M35 = -M*cos(q1)*cos(q2)
-    let m35 = -M * c1 * c2;
+    let m35 = -m_c1 * c2;
     // M36 = -sin(q2)
     let m36 = -s2;
     // M41 = M*R^2/4
-    let m41 = m_r_sq_scaled;
+    let m41 = r_m_r_scaled;
     // M46 = R*sin(q2)
     let m46 = R * s2;
     // M52 = M*R^2/4
-    let m52 = m_r_sq_scaled;
+    let m52 = r_m_r_scaled;
     // M63 = M*R^2/2
-    let m63 = S::ratio(1, 2) * m_r_sq;
+    let m63 = S::ratio(1, 2) * r_m_r;
     [
         [zero, m12, zero, m14, m15, zero],
         [zero, zero, zero, m24, m25, m26],
@@ -72,7 +78,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3', u4', u5', N).
 ///
-/// 38 operations, 1 sine and cosine.
+/// 27 operations, 1 sine and cosine.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let Parameters { M, R, g } = *p;
@@ -82,27 +88,41 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
+    // M*R; used 2 times
+    let m_r = M * R;
+    // u2*m_r; used 3 times
+    let u2_m_r = u2 * m_r;
     // tan(q2)
     let t2 = s2 / c2;
-    // 2*u3 - u2*tan(q2); used 2 times
-    let f4_part = S::int(2) * u3 - u2 * t2;
+    // tan(q2); used 3 times
+    let c2_inv_s2 = t2;
+    // M*g; used 2 times
+    let m_g = M * g;
+    // u1*m_r; used 2 times
+    let u1_m_r = u1 * m_r;
+    // u2*c2_inv_s2; used 2 times
+    let u2_c2_inv_s2 = u2 * c2_inv_s2;
+    // u2_m_r*u2_c2_inv_s2; used 2 times
+    let u2_m_r_u2_c2_inv_s2 = u2_m_r * u2_c2_inv_s2;
+    // R*(u2_c2_inv_s2 - 2*u3)/4; used 2 times
+    let f4_part = S::ratio(1, 4) * R * (u2_c2_inv_s2 - S::int(2) * u3);
     // Values.
     // f1 = -M*R*u1*u2*(2 + tan(q2)^2)
-    let f1 = -M * R * u1 * u2 * (S::int(2) + t2 * t2);
+    let f1 = -u1 * u2_m_r * (S::int(2) + c2_inv_s2 * c2_inv_s2);
     // f2 = M*(R*(u1^2 + u2^2*tan(q2)^2) - g*cos(q2))
-    let f2 = M * (R * (u1 * u1 + u2 * u2 * t2 * t2) - g * c2);
+    let f2 = u1 * u1_m_r - m_g * c2 + c2_inv_s2 * u2_m_r_u2_c2_inv_s2;
     // f3 = -M*sin(q2)*(g + R*u2^2/cos(q2))
-    let f3 = -M * s2 * (g + R * u2 * u2 / c2);
+    let f3 = -m_g * s2 - u2_m_r_u2_c2_inv_s2;
     // f4 = M*R^2*u2*(u2*tan(q2) - 2*u3)/4
-    let f4 = -S::ratio(1, 4) * M * R * R * u2 * f4_part;
+    let f4 = u2_m_r * f4_part;
     // f5 = M*R^2*u1*(2*u3 - u2*tan(q2))/4
-    let f5 = S::ratio(1, 4) * M * R * R * u1 * f4_part;
+    let f5 = -u1_m_r * f4_part;
     [f1, f2, f3, f4, f5, zero]
 }
 
 /// The accelerations (u1', u2', u3', u4', u5'), solved for when this code was generated.
 ///
-/// 60 operations, 2 sines and cosines.
+/// 39 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { R, g, .. } = *p;
@@ -112,36 +132,43 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // 1/cos(q2); used 2 times
+    let c2_inv = S::int(1) / c2;
+    // u2*c2_inv; used 3 times
+    let u2_c2_inv = u2 * c2_inv;
+    // u2_c2_inv*sin(q2) - 2*u3; used 2 times
+    let u1_dot_part = u2_c2_inv * s2 - S::int(2) * u3;
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = (s2 * (S::int(4) * g / R - S::int(4) * u1 * u1 * c2 - u2 * u2 / c2)
-        + S::int(2) * u2 * u3) / (S::int(4) * c2 * c2 - S::int(5));
-    // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // Elimination, step by step.
+    let u1_dot = (S::int(4) * s2 * (g / R - u1_sq * c2) - u2 * u1_dot_part)
+        / (S::int(4) * c2 * c2 - S::int(5));
     // u2' = u1*(2*u3 - u2*tan(q2))
-    let u2_dot = u1 * (S::int(2) * u3 - u2 * t2);
+    let u2_dot = -u1 * u1_dot_part;
     // Shared terms.
-    // 1 + 1/cos(q2)^2; used 2 times
-    let u5_dot_part = S::int(1) + S::int(1) / (c2 * c2);
+    // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2)); used 2 times
+    let u5_dot_part = u1 * u2 + c2_inv * (u1 * u2_c2_inv - u2_dot * s2);
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2); used 2 times
+    let u5_dot_part_2 = u1_dot * c2 + s2 * (u1_sq + u2_c2_inv * u2_c2_inv);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = R*(u1'*cos(q1)*cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) +
     //   tan(q2)*(u2^2*cos(q1)/cos(q2) + u2'*sin(q1)))
-    let u5_dot = R
-        * (u1_dot * c1 * c2 - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * s2)
-            + t2 * (u2 * u2 * c1 / c2 + u2_dot * s1));
+    let u5_dot = u5_dot_part_2 * r_c1 - u5_dot_part * r_s1;
     // u4' = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
     //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
-    let u4_dot = -R
-        * (u1 * (u1 * s1 * s2 + u2 * c1 * u5_dot_part) + u1_dot * s1 * c2
-            + t2 * (u2 * u2 * s1 / c2 - u2_dot * c1));
+    let u4_dot = -r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
     [u1_dot, u2_dot, zero, u4_dot, u5_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 63 operations, 2 sines and cosines.
+/// 41 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -155,39 +182,46 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // 1/cos(q2); used 2 times
+    let c2_inv = S::int(1) / c2;
+    // u2*c2_inv; used 4 times
+    let u2_c2_inv = u2 * c2_inv;
+    // u2_c2_inv*sin(q2); used 2 times
+    let s2_u2_c2_inv = u2_c2_inv * s2;
+    // s2_u2_c2_inv - 2*u3; used 2 times
+    let u1_dot_part = s2_u2_c2_inv - S::int(2) * u3;
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = (s2 * (S::int(4) * g / R - S::int(4) * u1 * u1 * c2 - u2 * u2 / c2)
-        + S::int(2) * u2 * u3) / (S::int(4) * c2 * c2 - S::int(5));
-    // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // u2*tan(q2); used 2 times
-    let u2_c2_inv_s2 = u2 * t2;
-    // Elimination, step by step.
+    let u1_dot = (S::int(4) * s2 * (g / R - u1_sq * c2) - u2 * u1_dot_part)
+        / (S::int(4) * c2 * c2 - S::int(5));
     // u2' = u1*(2*u3 - u2*tan(q2))
-    let u2_dot = u1 * (S::int(2) * u3 - u2_c2_inv_s2);
+    let u2_dot = -u1 * u1_dot_part;
     // Shared terms.
-    // 1 + 1/cos(q2)^2; used 2 times
-    let u5_dot_part = S::int(1) + S::int(1) / (c2 * c2);
+    // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2)); used 2 times
+    let u5_dot_part = u1 * u2 + c2_inv * (u1 * u2_c2_inv - u2_dot * s2);
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2); used 2 times
+    let u5_dot_part_2 = u1_dot * c2 + s2 * (u1_sq + u2_c2_inv * u2_c2_inv);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = R*(u1'*cos(q1)*cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) +
     //   tan(q2)*(u2^2*cos(q1)/cos(q2) + u2'*sin(q1)))
-    let u5_dot = R
-        * (u1_dot * c1 * c2 - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * s2)
-            + t2 * (u2 * u2 * c1 / c2 + u2_dot * s1));
+    let u5_dot = u5_dot_part_2 * r_c1 - u5_dot_part * r_s1;
     // u4' = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
     //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
-    let u4_dot = -R
-        * (u1 * (u1 * s1 * s2 + u2 * c1 * u5_dot_part) + u1_dot * s1 * c2
-            + t2 * (u2 * u2 * s1 / c2 - u2_dot * c1));
+    let u4_dot = -r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
     // Values.
     // q1' = u2/cos(q2)
-    let q1_dot_value = u2 / c2;
+    let q1_dot_value = u2_c2_inv;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 - u2*tan(q2)
-    let q3_dot_value = u3 - u2_c2_inv_s2;
+    let q3_dot_value = u3 - s2_u2_c2_inv;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5
@@ -200,7 +234,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q1, q2, q3, q4, q5, u1, u2, u3, u4, u5.
 ///
-/// 216 operations, 2 sines and cosines.
+/// 148 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10]; 10] {
     let Parameters { R, g, .. } = *p;
@@ -211,130 +245,170 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // cos(q2)^2; used 4 times
-    let c2_sq = c2 * c2;
-    // 4*cos(q2)^2 - 5; used 5 times
-    let u1_dot_part = S::int(4) * c2_sq - S::int(5);
+    // 1/(4*cos(q2)^2 - 5); used 4 times
+    let u1_dot_part = S::int(1) / (S::int(4) * c2 * c2 - S::int(5));
+    // u2*u1_dot_part; used 4 times
+    let u2_u1_dot_part = u2 * u1_dot_part;
+    // 2*u3; used 3 times
+    let u3_scaled = S::int(2) * u3;
+    // 1/cos(q2); used 7 times
+    let c2_inv = S::int(1) / c2;
+    // u2*c2_inv; used 9 times
+    let u2_c2_inv = u2 * c2_inv;
+    // u1_dot_part*sin(q2); used 5 times
+    let s2_u1_dot_part = u1_dot_part * s2;
+    // u2*s2_u1_dot_part; used 2 times
+    let u2_s2_u1_dot_part = u2 * s2_u1_dot_part;
+    // u1^2; used 5 times
+    let u1_sq = u1 * u1;
+    // s2_u1_dot_part*cos(q2); used 3 times
+    let c2_s2_u1_dot_part = s2_u1_dot_part * c2;
+    // g/R; used 2 times
+    let r_inv_g = g / R;
+    // s2_u1_dot_part*r_inv_g; used 2 times
+    let u1_dot_part_2 = s2_u1_dot_part * r_inv_g;
+    // u1_sq*c2_s2_u1_dot_part - u1_dot_part_2
+    let u1_dot_part_3 = u1_sq * c2_s2_u1_dot_part - u1_dot_part_2;
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = (s2 * (S::int(4) * g / R - S::int(4) * u1 * u1 * c2 - u2 * u2 / c2)
-        + S::int(2) * u2 * u3) / u1_dot_part;
+    let u1_dot = u2_u1_dot_part * u3_scaled - u2_c2_inv * u2_s2_u1_dot_part
+        - S::int(4) * u1_dot_part_3;
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // u2*tan(q2); used 2 times
-    let u2_c2_inv_s2 = u2 * t2;
-    // 2*u3 - u2*tan(q2); used 2 times
-    let u2_dot_part = S::int(2) * u3 - u2_c2_inv_s2;
+    // 2*u1; used 4 times
+    let u1_scaled = S::int(2) * u1;
+    // u2_c2_inv*sin(q2); used 2 times
+    let s2_u2_c2_inv = u2_c2_inv * s2;
     // Elimination, step by step.
     // u2' = u1*(2*u3 - u2*tan(q2))
-    let u2_dot = u1 * u2_dot_part;
+    let u2_dot = u3 * u1_scaled - u1 * s2_u2_c2_inv;
     // Shared terms.
-    // 1/cos(q2)^2; used 2 times
-    let c2_inv2 = S::int(1) / (c2 * c2);
-    // 1 + 1/cos(q2)^2; used 3 times
-    let u5_dot_by_q1_part = S::int(1) + c2_inv2;
+    // R*c2_inv; used 5 times
+    let r_c2_inv = R * c2_inv;
+    // r_c2_inv*sin(q2); used 7 times
+    let s2_r_c2_inv = r_c2_inv * s2;
+    // R + c2_inv*r_c2_inv; used 2 times
+    let u5_dot_by_q1_part = R + c2_inv * r_c2_inv;
+    // u1*u5_dot_by_q1_part; used 2 times
+    let u1_u5_dot_by_q1_part = u1 * u5_dot_by_q1_part;
+    // u2*u1_u5_dot_by_q1_part - u2'*s2_r_c2_inv; used 2 times
+    let u5_dot_by_q1_part_2 = u2 * u1_u5_dot_by_q1_part - u2_dot * s2_r_c2_inv;
+    // R*cos(q2); used 6 times
+    let r_c2 = R * c2;
+    // R*sin(q2); used 3 times
+    let r_s2 = R * s2;
+    // u2*u2_c2_inv*s2_r_c2_inv + u1_sq*r_s2
+    let u5_dot_by_q1_part_3 = u2 * u2_c2_inv * s2_r_c2_inv + u1_sq * r_s2;
+    // u1'*r_c2 + u5_dot_by_q1_part_3; used 2 times
+    let u5_dot_by_q1_part_4 = u1_dot * r_c2 + u5_dot_by_q1_part_3;
     // Elimination, step by step.
     // u5_dot_by_q1 = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
     //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
-    let u5_dot_by_q1 = -R
-        * (u1 * (u1 * s1 * s2 + u2 * c1 * u5_dot_by_q1_part) + u1_dot * s1 * c2
-            + t2 * (u2 * u2 * s1 / c2 - u2_dot * c1));
+    let u5_dot_by_q1 = -u5_dot_by_q1_part_2 * c1 - u5_dot_by_q1_part_4 * s1;
     // u4_dot_by_q1 = R*(u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) - u1'*cos(q1)*cos(q2) -
     //   tan(q2)*(u2^2*cos(q1)/cos(q2) + u2'*sin(q1)))
-    let u4_dot_by_q1 = R
-        * (u1 * (u2 * s1 * u5_dot_by_q1_part - u1 * c1 * s2) - u1_dot * c1 * c2
-            - t2 * (u2 * u2 * c1 / c2 + u2_dot * s1));
+    let u4_dot_by_q1 = u5_dot_by_q1_part_2 * s1 - u5_dot_by_q1_part_4 * c1;
+    // Shared terms.
+    // r_inv_g*cos(q2) - u1_sq
+    let u1_dot_by_q2_part = r_inv_g * c2 - u1_sq;
+    // Elimination, step by step.
     // u1_dot_by_q2 = (5*R*u2^2 + 4*cos(q2)^2*(g*cos(q2)*(3 - 4*cos(q2)^2) + R*(u1^2*(6*cos(q2)^2 - 5) +
     //   u2*(u2*(2*cos(q2)^2 - 3) + 4*u3*sin(q2)*cos(q2)))))/(R*cos(q2)^2*(4*cos(q2)^2 - 5)^2)
-    let u1_dot_by_q2 = (S::int(5) * R * u2 * u2
-        + S::int(4) * c2 * c2
-            * (g * c2 * (S::int(3) - S::int(4) * c2_sq)
-                + R
-                    * (u1 * u1 * (S::int(6) * c2_sq - S::int(5))
-                        + u2
-                            * (u2 * (S::int(2) * c2_sq - S::int(3))
-                                + S::int(4) * u3 * s2 * c2))))
-        / (R * c2 * c2 * u1_dot_part * u1_dot_part);
-    // u2_dot_by_q2 = -u1*u2/cos(q2)^2
-    let u2_dot_by_q2 = -u1 * u2 / (c2 * c2);
+    let u1_dot_by_q2 = S::int(16) * c2_s2_u1_dot_part
+        * (u3 * u2_u1_dot_part + u1_dot_part_2)
+        - S::int(4) * u2_u1_dot_part * u2_u1_dot_part
+        - S::int(8) * u2_s2_u1_dot_part * u2_s2_u1_dot_part
+        - S::int(24) * s2_u1_dot_part * s2_u1_dot_part * u1_sq
+        + u1_dot_part * u1_dot_part
+            * (S::int(5) * u2_c2_inv * u2_c2_inv - S::int(4) * u1_dot_by_q2_part);
     // Shared terms.
-    // 2/cos(q2)^2 - 1; used 2 times
-    let u5_dot_by_q2_part = S::int(2) * c2_inv2 - S::int(1);
-    // u2'/cos(q2) + u2_dot_by_q2*sin(q2); used 2 times
-    let u5_dot_by_q2_part_ = u2_dot / c2 + u2_dot_by_q2 * s2;
-    // cos(q2)*(u1^2 + u1_dot_by_q2) - u1'*sin(q2); used 2 times
-    let u5_dot_by_q2_part_2 = c2 * (u1 * u1 + u1_dot_by_q2) - u1_dot * s2;
+    // c2_inv*u2_c2_inv; used 2 times
+    let c2_inv_u2_c2_inv = c2_inv * u2_c2_inv;
+    // Elimination, step by step.
+    // u2_dot_by_q2 = -u1*u2/cos(q2)^2
+    let u2_dot_by_q2 = -u1 * c2_inv_u2_c2_inv;
+    // Shared terms.
+    // u1_scaled*s2_r_c2_inv; used 3 times
+    let u5_dot_by_q2_part = u1_scaled * s2_r_c2_inv;
+    // c2_inv*(u2_c2_inv*u5_dot_by_q2_part - u2'*r_c2_inv) - u2_dot_by_q2*s2_r_c2_inv; used 2 times
+    let u5_dot_by_q2_part_2 = c2_inv
+        * (u2_c2_inv * u5_dot_by_q2_part - u2_dot * r_c2_inv)
+        - u2_dot_by_q2 * s2_r_c2_inv;
+    // 2*u2_c2_inv; used 3 times
+    let u2_c2_inv_scaled = S::int(2) * u2_c2_inv;
+    // u1'*r_s2 - u2_c2_inv*r_c2_inv*u2_c2_inv_scaled
+    let u5_dot_by_q2_part_3 = u1_dot * r_s2 - u2_c2_inv * r_c2_inv * u2_c2_inv_scaled;
+    // u1_sq*r_c2 - u2^2*r_c2_inv
+    let u5_dot_by_q2_part_4 = u1_sq * r_c2 - u2 * u2 * r_c2_inv;
+    // u1_dot_by_q2*r_c2 - u5_dot_by_q2_part_3
+    let u5_dot_by_q2_part_5 = u1_dot_by_q2 * r_c2 - u5_dot_by_q2_part_3;
+    // u5_dot_by_q2_part_4 + u5_dot_by_q2_part_5; used 2 times
+    let u5_dot_by_q2_part_6 = u5_dot_by_q2_part_4 + u5_dot_by_q2_part_5;
     // Elimination, step by step.
     // u5_dot_by_q2 = -R*(cos(q1)*(u1'*sin(q2) - cos(q2)*(u1^2 + u1_dot_by_q2)) +
     //   (u2*(2*u1*sin(q1)*tan(q2)/cos(q2) + u2*cos(q1)*(1 - 2/cos(q2)^2)) - sin(q1)*(u2'/cos(q2) +
     //   u2_dot_by_q2*sin(q2)))/cos(q2))
-    let u5_dot_by_q2 = R
-        * (c1 * u5_dot_by_q2_part_2
-            - (u2 * (S::int(2) * u1 * s1 * t2 / c2 - u2 * c1 * u5_dot_by_q2_part)
-                - s1 * u5_dot_by_q2_part_) / c2);
+    let u5_dot_by_q2 = u5_dot_by_q2_part_6 * c1 - u5_dot_by_q2_part_2 * s1;
     // u4_dot_by_q2 = -R*(sin(q1)*(cos(q2)*(u1^2 + u1_dot_by_q2) - u1'*sin(q2)) +
     //   (u2*(2*u1*cos(q1)*tan(q2)/cos(q2) + u2*sin(q1)*(2/cos(q2)^2 - 1)) - cos(q1)*(u2'/cos(q2) +
     //   u2_dot_by_q2*sin(q2)))/cos(q2))
-    let u4_dot_by_q2 = -R
-        * (s1 * u5_dot_by_q2_part_2
-            + (u2 * (S::int(2) * u1 * c1 * t2 / c2 + u2 * s1 * u5_dot_by_q2_part)
-                - c1 * u5_dot_by_q2_part_) / c2);
+    let u4_dot_by_q2 = -u5_dot_by_q2_part_2 * c1 - u5_dot_by_q2_part_6 * s1;
     // u1_dot_by_u1 = 8*u1*sin(q2)*cos(q2)/(5 - 4*cos(q2)^2)
-    let u1_dot_by_u1 = -S::int(8) * u1 * s2 * c2 / u1_dot_part;
+    let u1_dot_by_u1 = -S::int(8) * u1 * c2_s2_u1_dot_part;
     // u2_dot_by_u1 = 2*u3 - u2*tan(q2)
-    let u2_dot_by_u1 = u2_dot_part;
+    let u2_dot_by_u1 = u3_scaled - s2_u2_c2_inv;
     // Shared terms.
-    // u2*(1 + 1/cos(q2)^2) - u2_dot_by_u1*tan(q2); used 2 times
-    let u5_dot_by_u1_part = u2 * u5_dot_by_q1_part - u2_dot_by_u1 * t2;
-    // 2*u1*sin(q2) + u1_dot_by_u1*cos(q2); used 2 times
-    let u5_dot_by_u1_part_ = S::int(2) * u1 * s2 + u1_dot_by_u1 * c2;
+    // u1_dot_by_u1*r_c2 + u1_scaled*r_s2; used 2 times
+    let u5_dot_by_u1_part = u1_dot_by_u1 * r_c2 + u1_scaled * r_s2;
+    // u2*u5_dot_by_q1_part - u2_dot_by_u1*s2_r_c2_inv; used 2 times
+    let u5_dot_by_u1_part_2 = u2 * u5_dot_by_q1_part - u2_dot_by_u1 * s2_r_c2_inv;
     // Elimination, step by step.
     // u5_dot_by_u1 = R*(cos(q1)*(2*u1*sin(q2) + u1_dot_by_u1*cos(q2)) - sin(q1)*(u2*(1 + 1/cos(q2)^2) -
     //   u2_dot_by_u1*tan(q2)))
-    let u5_dot_by_u1 = R * (c1 * u5_dot_by_u1_part_ - s1 * u5_dot_by_u1_part);
+    let u5_dot_by_u1 = u5_dot_by_u1_part * c1 - u5_dot_by_u1_part_2 * s1;
     // u4_dot_by_u1 = -R*(sin(q1)*(2*u1*sin(q2) + u1_dot_by_u1*cos(q2)) + cos(q1)*(u2*(1 + 1/cos(q2)^2) -
     //   u2_dot_by_u1*tan(q2)))
-    let u4_dot_by_u1 = -R * (s1 * u5_dot_by_u1_part_ + c1 * u5_dot_by_u1_part);
+    let u4_dot_by_u1 = -u5_dot_by_u1_part * s1 - u5_dot_by_u1_part_2 * c1;
     // u1_dot_by_u2 = 2*(u3 - u2*tan(q2))/(4*cos(q2)^2 - 5)
-    let u1_dot_by_u2 = S::int(2) * (u3 - u2_c2_inv_s2) / u1_dot_part;
-    // u2_dot_by_u2 = -u1*tan(q2)
-    let u2_dot_by_u2 = -u1 * t2;
+    let u1_dot_by_u2 = u1_dot_part * u3_scaled - s2_u1_dot_part * u2_c2_inv_scaled;
     // Shared terms.
-    // u1*sin(q1); used 2 times
-    let u1_s1 = u1 * s1;
+    // c2_inv*sin(q2); used 3 times
+    let s2_c2_inv = c2_inv * s2;
+    // Elimination, step by step.
+    // u2_dot_by_u2 = -u1*tan(q2)
+    let u2_dot_by_u2 = -u1 * s2_c2_inv;
+    // Shared terms.
+    // u1_dot_by_u2*r_c2 + s2_r_c2_inv*u2_c2_inv_scaled; used 2 times
+    let u5_dot_by_u2_part = u1_dot_by_u2 * r_c2 + s2_r_c2_inv * u2_c2_inv_scaled;
+    // u1_u5_dot_by_q1_part - u2_dot_by_u2*s2_r_c2_inv; used 2 times
+    let u5_dot_by_u2_part_2 = u1_u5_dot_by_q1_part - u2_dot_by_u2 * s2_r_c2_inv;
     // Elimination, step by step.
     // u5_dot_by_u2 = R*(u1_dot_by_u2*cos(q1)*cos(q2) - u1*sin(q1) - ((u1*sin(q1) -
     //   2*u2*cos(q1)*sin(q2))/cos(q2) - u2_dot_by_u2*sin(q1)*sin(q2))/cos(q2))
-    let u5_dot_by_u2 = R
-        * (u1_dot_by_u2 * c1 * c2 - u1_s1
-            - ((u1_s1 - S::int(2) * u2 * c1 * s2) / c2 - u2_dot_by_u2 * s1 * s2) / c2);
-    // Shared terms.
-    // u1*cos(q1); used 2 times
-    let u1_c1 = u1 * c1;
-    // Elimination, step by step.
+    let u5_dot_by_u2 = u5_dot_by_u2_part * c1 - u5_dot_by_u2_part_2 * s1;
     // u4_dot_by_u2 = -R*(u1*cos(q1) + u1_dot_by_u2*sin(q1)*cos(q2) + ((u1*cos(q1) +
     //   2*u2*sin(q1)*sin(q2))/cos(q2) - u2_dot_by_u2*cos(q1)*sin(q2))/cos(q2))
-    let u4_dot_by_u2 = -R
-        * (u1_c1 + u1_dot_by_u2 * s1 * c2
-            + ((u1_c1 + S::int(2) * u2 * s1 * s2) / c2 - u2_dot_by_u2 * c1 * s2) / c2);
+    let u4_dot_by_u2 = -u5_dot_by_u2_part * s1 - u5_dot_by_u2_part_2 * c1;
     // u1_dot_by_u3 = 2*u2/(4*cos(q2)^2 - 5)
-    let u1_dot_by_u3 = S::int(2) * u2 / u1_dot_part;
+    let u1_dot_by_u3 = S::int(2) * u2_u1_dot_part;
+    // Shared terms.
+    // u1_dot_by_u3*r_c2; used 2 times
+    let u1_dot_by_u3_r_c2 = u1_dot_by_u3 * r_c2;
+    // Elimination, step by step.
     // u5_dot_by_u3 = R*(2*u1*sin(q1)*tan(q2) + u1_dot_by_u3*cos(q1)*cos(q2))
-    let u5_dot_by_u3 = R * (S::int(2) * u1 * s1 * t2 + u1_dot_by_u3 * c1 * c2);
+    let u5_dot_by_u3 = u5_dot_by_q2_part * s1 + u1_dot_by_u3_r_c2 * c1;
     // u4_dot_by_u3 = R*(2*u1*cos(q1)*tan(q2) - u1_dot_by_u3*sin(q1)*cos(q2))
-    let u4_dot_by_u3 = R * (S::int(2) * u1 * c1 * t2 - u1_dot_by_u3 * s1 * c2);
+    let u4_dot_by_u3 = u5_dot_by_q2_part * c1 - u1_dot_by_u3_r_c2 * s1;
     // Entries that are not zero.
     // d(q1')/d(q2) = u2*tan(q2)/cos(q2)
-    let q1_dot_by_q2_value = u2 * t2 / c2;
+    let q1_dot_by_q2_value = u2_c2_inv * s2_c2_inv;
     // d(q1')/d(u2) = 1/cos(q2)
-    let q1_dot_by_u2_value = S::int(1) / c2;
+    let q1_dot_by_u2_value = c2_inv;
     // d(q2')/d(u1) = -1
     let q2_dot_by_u1_value = -S::int(1);
     // d(q3')/d(q2) = -u2/cos(q2)^2
-    let q3_dot_by_q2_value = -u2 / (c2 * c2);
+    let q3_dot_by_q2_value = -c2_inv_u2_c2_inv;
     // d(q3')/d(u2) = -tan(q2)
-    let q3_dot_by_u2_value = -t2;
+    let q3_dot_by_u2_value = -s2_c2_inv;
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
     // d(q4')/d(u4) = 1
@@ -342,7 +416,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // d(q5')/d(u5) = 1
     let q5_dot_by_u5_value = S::int(1);
     // d(u2')/d(u3) = 2*u1
-    let u2_dot_by_u3_value = S::int(2) * u1;
+    let u2_dot_by_u3_value = u1_scaled;
     [
         [
             zero,
@@ -425,7 +499,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 5 operations, 1 sine and cosine.
+/// 4 operations, 1 sine and cosine.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -437,15 +511,15 @@ pub fn coordinate_rates<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
+    // u2/cos(q2); used 2 times
+    let u2_c2_inv = u2 / c2;
     // Values.
     // q1' = u2/cos(q2)
-    let q1_dot_value = u2 / c2;
+    let q1_dot_value = u2_c2_inv;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 - u2*tan(q2)
-    let q3_dot_value = u3 - u2 * t2;
+    let q3_dot_value = u3 - u2_c2_inv * s2;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5
@@ -455,7 +529,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 54 operations, 2 sines and cosines.
+/// 35 operations, 2 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S {
     let Parameters { M, R, .. } = *p;
@@ -465,18 +539,22 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
+    // M*R; used 2 times
+    let m_r = M * R;
     // tan(q2)
     let t2 = s2 / c2;
+    // tan(q2); used 2 times
+    let c2_inv_s2 = t2;
+    // 5*u1^2 + u2^2*(1 + 4*c2_inv_s2^2)
+    let energy_part = S::int(5) * u1 * u1
+        + u2 * u2 * (S::int(1) + S::int(4) * c2_inv_s2 * c2_inv_s2);
     // Values.
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
     //   M*R*u2*u5*sin(q1)*tan(q2)
-    let energy = S::ratio(5, 8) * M * R * R * u1 * u1
-        + S::ratio(1, 8) * M * R * R * u2 * u2 * (S::int(1) + S::int(4) * t2 * t2)
-        + S::ratio(1, 4) * M * R * R * u3 * u3 + S::ratio(1, 2) * M * u4 * u4
-        + M * R * u1 * u4 * s1 * c2 - M * R * u2 * u4 * c1 * t2
-        + S::ratio(1, 2) * M * u5 * u5 - M * R * u1 * u5 * c1 * c2
-        - M * R * u2 * u5 * s1 * t2;
+    let energy = S::ratio(1, 2) * M * (u4 * u4 + u5 * u5)
+        + m_r * (u1 * c2 * (u4 * s1 - u5 * c1) - u2 * c2_inv_s2 * (u4 * c1 + u5 * s1))
+        + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part);
     energy
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
 //! 5 coordinates, 5 speeds, 3 parameters, 1 reaction. Unknowns: (u1', u2', u3', u4', u5', N).
-//! Cost: mass_matrix 22 operations, 2 sines and cosines; forcing 38 operations, 1 sine and cosine; accelerations 55 operations, 2 sines and cosines.
+//! Cost: mass_matrix 16 operations, 2 sines and cosines; forcing 29 operations, 1 sine and cosine; accelerations 38 operations, 2 sines and cosines.
 //! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
 //! The accelerations divide by sin(q2_minus_90deg), by R, by 4*sin(q2_minus_90deg)^2 - 5.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows disk force b1, disk force b2, disk force b3, disk moment b1, disk moment b2, disk moment b3.
 ///
-/// 22 operations, 2 sines and cosines.
+/// 16 operations, 2 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -25,41 +25,47 @@ pub fn mass_matrix<S: Scalar>(
     let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // M*R^2; used 2 times
-    let m_r_sq = M * R * R;
-    // M*R^2/4; used 2 times
-    let m_r_sq_scaled = S::ratio(1, 4) * m_r_sq;
+    // M*R; used 3 times
+    let m_r = M * R;
+    // M*cos(q1); used 3 times
+    let m_c1 = M * c1;
+    // M*sin(q1); used 3 times
+    let m_s1 = M * s1;
+    // R*m_r; used 2 times
+    let r_m_r = R * m_r;
+    // r_m_r/4; used 2 times
+    let r_m_r_scaled = S::ratio(1, 4) * r_m_r;
     // tan(q2_minus_90deg)
     let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
     // Entries that are not zero.
     // M12 = M*R/tan(q2_minus_90deg)
-    let m12 = M * R / tan_q2_minus_90deg;
+    let m12 = m_r / tan_q2_minus_90deg;
     // M14 = M*cos(q1)
-    let m14 = M * c1;
+    let m14 = m_c1;
     // M15 = M*sin(q1)
-    let m15 = M * s1;
+    let m15 = m_s1;
     // M24 = -M*sin(q1)*cos(q2_minus_90deg)
-    let m24 = -M * s1 * cos_q2_minus_90deg;
+    let m24 = -m_s1 * cos_q2_minus_90deg;
     // M25 = M*cos(q1)*cos(q2_minus_90deg)
-    let m25 = M * c1 * cos_q2_minus_90deg;
+    let m25 = m_c1 * cos_q2_minus_90deg;
     // M26 = sin(q2_minus_90deg)
     let m26 = sin_q2_minus_90deg;
     // M31 = M*R
-    let m31 = M * R;
+    let m31 = m_r;
     // M34 = -M*sin(q1)*sin(q2_minus_90deg)
-    let m34 = -M * s1 * sin_q2_minus_90deg;
+    let m34 = -m_s1 * sin_q2_minus_90deg;
     // M35 = M*cos(q1)*sin(q2_minus_90deg)
-    let m35 = M * c1 * sin_q2_minus_90deg;
+    let m35 = m_c1 * sin_q2_minus_90deg;
     // M36 = -cos(q2_minus_90deg)
     let m36 = -cos_q2_minus_90deg;
     // M41 = M*R^2/4
-    let m41 = m_r_sq_scaled;
+    let m41 = r_m_r_scaled;
     // M46 = R*cos(q2_minus_90deg)
     let m46 = R * cos_q2_minus_90deg;
     // M52 = M*R^2/4
-    let m52 = m_r_sq_scaled;
+    let m52 = r_m_r_scaled;
     // M63 = M*R^2/2
-    let m63 = S::ratio(1, 2) * m_r_sq;
+    let m63 = S::ratio(1, 2) * r_m_r;
     [
         [zero, m12, zero, m14, m15, zero],
         [zero, zero, zero, m24, m25, m26],
@@ -72,7 +78,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3', u4', u5', N).
 ///
-/// 38 operations, 1 sine and cosine.
+/// 29 operations, 1 sine and cosine.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let Parameters { M, R, g } = *p;
@@ -82,30 +88,40 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // 2*u3 + u2/tan(q2_minus_90deg); used 2 times
-    let f4_part = S::int(2) * u3 + u2 / tan_q2_minus_90deg;
+    // M*R; used 2 times
+    let m_r = M * R;
+    // u2*m_r; used 4 times
+    let u2_m_r = u2 * m_r;
+    // 1/sin(q2_minus_90deg); used 3 times
+    let f1_part = S::int(1) / sin_q2_minus_90deg;
+    // M*g; used 2 times
+    let m_g = M * g;
+    // u1*m_r; used 2 times
+    let u1_m_r = u1 * m_r;
+    // u2*f1_part; used 2 times
+    let u2_f1_part = u2 * f1_part;
+    // u2_f1_part*cos(q2_minus_90deg); used 2 times
+    let f3_part = u2_f1_part * cos_q2_minus_90deg;
+    // R*(2*u3 + f3_part)/4; used 2 times
+    let f4_part = S::ratio(1, 4) * R * (S::int(2) * u3 + f3_part);
     // Values.
     // f1 = -M*R*u1*u2*(2 + 1/tan(q2_minus_90deg)^2)
-    let f1 = -M * R * u1 * u2
-        * (S::int(2) + S::int(1) / (tan_q2_minus_90deg * tan_q2_minus_90deg));
+    let f1 = -u1 * u2_m_r * (S::int(1) + f1_part * f1_part);
     // f2 = M*(g*sin(q2_minus_90deg) + R*(u1^2 + u2^2/tan(q2_minus_90deg)^2))
-    let f2 = M
-        * (g * sin_q2_minus_90deg
-            + R * (u1 * u1 + u2 * u2 / (tan_q2_minus_90deg * tan_q2_minus_90deg)));
+    let f2 = m_g * sin_q2_minus_90deg + u1 * u1_m_r
+        + u2_m_r * (f1_part * u2_f1_part - u2);
     // f3 = M*cos(q2_minus_90deg)*(R*u2^2/sin(q2_minus_90deg) - g)
-    let f3 = M * cos_q2_minus_90deg * (R * u2 * u2 / sin_q2_minus_90deg - g);
+    let f3 = u2_m_r * f3_part - m_g * cos_q2_minus_90deg;
     // f4 = -M*R^2*u2*(2*u3 + u2/tan(q2_minus_90deg))/4
-    let f4 = -S::ratio(1, 4) * M * R * R * u2 * f4_part;
+    let f4 = -u2_m_r * f4_part;
     // f5 = M*R^2*u1*(2*u3 + u2/tan(q2_minus_90deg))/4
-    let f5 = S::ratio(1, 4) * M * R * R * u1 * f4_part;
+    let f5 = u1_m_r * f4_part;
     [f1, f2, f3, f4, f5, zero]
 }
 
 /// The accelerations (u1', u2', u3', u4', u5'), solved for when this code was generated.
 ///
-/// 55 operations, 2 sines and cosines.
+/// 38 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { R, g, .. } = *p;
@@ -115,46 +131,49 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let u1_dot_part = S::int(1) / sin_q2_minus_90deg;
+    // u2*u1_dot_part; used 3 times
+    let u2_u1_dot_part = u2 * u1_dot_part;
+    // 2*u3 + u2_u1_dot_part*cos(q2_minus_90deg); used 2 times
+    let u1_dot_part_2 = S::int(2) * u3 + u2_u1_dot_part * cos_q2_minus_90deg;
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (S::int(2) * u2 * u3
-        + cos_q2_minus_90deg
-            * (S::int(4) * g / R + S::int(4) * u1 * u1 * sin_q2_minus_90deg
-                + u2 * u2 / sin_q2_minus_90deg))
+    let u1_dot = (S::int(4) * cos_q2_minus_90deg * (g / R + u1_sq * sin_q2_minus_90deg)
+        + u2 * u1_dot_part_2)
         / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
-    // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // Elimination, step by step.
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
-    let u2_dot = u1 * (S::int(2) * u3 + u2 / tan_q2_minus_90deg);
+    let u2_dot = u1 * u1_dot_part_2;
     // Shared terms.
-    // 1 + 1/sin(q2_minus_90deg)^2; used 2 times
-    let u5_dot_part = S::int(1) + S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
-    // u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1'*sin(q2_minus_90deg); used 2 times
-    let u5_dot_part_ = u2 * u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
-        - u1_dot * sin_q2_minus_90deg;
+    // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
+    let u5_dot_part = u1 * u2
+        + u1_dot_part * (u2_dot * cos_q2_minus_90deg + u1 * u2_u1_dot_part);
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
+    let u5_dot_part_2 = u1_dot * sin_q2_minus_90deg
+        - cos_q2_minus_90deg * (u1_sq + u2_u1_dot_part * u2_u1_dot_part);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = -R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
     //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
     //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
-    let u5_dot = R
-        * (c1 * u5_dot_part_ - u2_dot * s1 / tan_q2_minus_90deg
-            - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * cos_q2_minus_90deg));
+    let u5_dot = -u5_dot_part * r_s1 - u5_dot_part_2 * r_c1;
     // u4' = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 +
     //   1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1'*sin(q2_minus_90deg)))
-    let u4_dot = -R
-        * (u2_dot * c1 / tan_q2_minus_90deg
-            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * u5_dot_part)
-            + s1 * u5_dot_part_);
+    let u4_dot = r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
     [u1_dot, u2_dot, zero, u4_dot, u5_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 59 operations, 2 sines and cosines.
+/// 41 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -168,49 +187,52 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let u1_dot_part = S::int(1) / sin_q2_minus_90deg;
+    // u2*u1_dot_part; used 4 times
+    let u2_u1_dot_part = u2 * u1_dot_part;
+    // u2_u1_dot_part*cos(q2_minus_90deg); used 2 times
+    let u1_dot_part_2 = u2_u1_dot_part * cos_q2_minus_90deg;
+    // 2*u3 + u1_dot_part_2; used 2 times
+    let u1_dot_part_3 = S::int(2) * u3 + u1_dot_part_2;
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (S::int(2) * u2 * u3
-        + cos_q2_minus_90deg
-            * (S::int(4) * g / R + S::int(4) * u1 * u1 * sin_q2_minus_90deg
-                + u2 * u2 / sin_q2_minus_90deg))
+    let u1_dot = (S::int(4) * cos_q2_minus_90deg * (g / R + u1_sq * sin_q2_minus_90deg)
+        + u2 * u1_dot_part_3)
         / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
-    // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // u2/tan(q2_minus_90deg); used 2 times
-    let u2_dot_part = u2 / tan_q2_minus_90deg;
-    // Elimination, step by step.
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
-    let u2_dot = u1 * (S::int(2) * u3 + u2_dot_part);
+    let u2_dot = u1 * u1_dot_part_3;
     // Shared terms.
-    // 1 + 1/sin(q2_minus_90deg)^2; used 2 times
-    let u5_dot_part = S::int(1) + S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
-    // u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1'*sin(q2_minus_90deg); used 2 times
-    let u5_dot_part_ = u2 * u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
-        - u1_dot * sin_q2_minus_90deg;
+    // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
+    let u5_dot_part = u1 * u2
+        + u1_dot_part * (u2_dot * cos_q2_minus_90deg + u1 * u2_u1_dot_part);
+    // R*sin(q1); used 2 times
+    let r_s1 = R * s1;
+    // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
+    let u5_dot_part_2 = u1_dot * sin_q2_minus_90deg
+        - cos_q2_minus_90deg * (u1_sq + u2_u1_dot_part * u2_u1_dot_part);
+    // R*cos(q1); used 2 times
+    let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = -R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
     //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
     //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
-    let u5_dot = R
-        * (c1 * u5_dot_part_ - u2_dot * s1 / tan_q2_minus_90deg
-            - u1 * (u2 * s1 * u5_dot_part - u1 * c1 * cos_q2_minus_90deg));
+    let u5_dot = -u5_dot_part * r_s1 - u5_dot_part_2 * r_c1;
     // u4' = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 +
     //   1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1'*sin(q2_minus_90deg)))
-    let u4_dot = -R
-        * (u2_dot * c1 / tan_q2_minus_90deg
-            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * u5_dot_part)
-            + s1 * u5_dot_part_);
+    let u4_dot = r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
     // Values.
     // q1' = -u2/sin(q2_minus_90deg)
-    let q1_dot_value = -u2 / sin_q2_minus_90deg;
+    let q1_dot_value = -u2_u1_dot_part;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 + u2/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + u2_dot_part;
+    let q3_dot_value = u3 + u1_dot_part_2;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5
@@ -223,7 +245,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, q4, q5, u1, u2, u3, u4, u5.
 ///
-/// 178 operations, 2 sines and cosines.
+/// 137 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10]; 10] {
     let Parameters { R, g, .. } = *p;
@@ -234,161 +256,190 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // 4*sin(q2_minus_90deg)^2 - 5; used 7 times
-    let u1_dot_part = S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5);
-    // u1^2*sin(q2_minus_90deg); used 2 times
-    let u1_dot_part_ = u1 * u1 * sin_q2_minus_90deg;
-    // g/R; used 2 times
-    let r_inv_g = g / R;
+    // 4*sin(q2_minus_90deg); used 2 times
+    let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
+    // 1/(sin_q2_minus_90deg_scaled*sin(q2_minus_90deg) - 5); used 4 times
+    let u1_dot_part = S::int(1)
+        / (sin_q2_minus_90deg_scaled * sin_q2_minus_90deg - S::int(5));
+    // u2*u1_dot_part; used 3 times
+    let u2_u1_dot_part = u2 * u1_dot_part;
+    // 2*u3; used 3 times
+    let u3_scaled = S::int(2) * u3;
+    // u1_dot_part*cos(q2_minus_90deg); used 6 times
+    let u1_dot_part_2 = u1_dot_part * cos_q2_minus_90deg;
+    // 1/sin(q2_minus_90deg); used 9 times
+    let u1_dot_part_3 = S::int(1) / sin_q2_minus_90deg;
+    // u2*u1_dot_part_3; used 8 times
+    let u2_u1_dot_part_3 = u2 * u1_dot_part_3;
+    // u2*u2_u1_dot_part_3; used 2 times
+    let u2_u2_u1_dot_part_3 = u2 * u2_u1_dot_part_3;
+    // u1*sin(q2_minus_90deg); used 2 times
+    let u1_dot_part_4 = u1 * sin_q2_minus_90deg;
+    // g/R + u1*u1_dot_part_4; used 2 times
+    let u1_dot_part_5 = g / R + u1 * u1_dot_part_4;
+    // 4*u1_dot_part_2; used 2 times
+    let u1_dot_part_2_scaled = S::int(4) * u1_dot_part_2;
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (S::int(2) * u2 * u3
-        + cos_q2_minus_90deg
-            * (S::int(4) * r_inv_g + S::int(4) * u1_dot_part_
-                + u2 * u2 / sin_q2_minus_90deg)) / u1_dot_part;
+    let u1_dot = u2_u1_dot_part * u3_scaled + u1_dot_part_2 * u2_u2_u1_dot_part_3
+        + u1_dot_part_5 * u1_dot_part_2_scaled;
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // u2/tan(q2_minus_90deg); used 2 times
-    let u2_dot_part = u2 / tan_q2_minus_90deg;
-    // 2*u3 + u2/tan(q2_minus_90deg); used 2 times
-    let u2_dot_part_ = S::int(2) * u3 + u2_dot_part;
+    // 2*u1; used 4 times
+    let u1_scaled = S::int(2) * u1;
+    // u1*cos(q2_minus_90deg); used 3 times
+    let u2_dot_part = u1 * cos_q2_minus_90deg;
     // Elimination, step by step.
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
-    let u2_dot = u1 * u2_dot_part_;
+    let u2_dot = u3 * u1_scaled + u2_u1_dot_part_3 * u2_dot_part;
     // Shared terms.
-    // 1/sin(q2_minus_90deg)^2; used 2 times
-    let u5_dot_by_q1_part = S::int(1) / (sin_q2_minus_90deg * sin_q2_minus_90deg);
-    // 1 + 1/sin(q2_minus_90deg)^2; used 4 times
-    let u5_dot_by_q1_part_ = S::int(1) + u5_dot_by_q1_part;
-    // u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1'*sin(q2_minus_90deg); used 2 times
-    let u5_dot_by_q1_part_2 = u2 * u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg)
-        - u1_dot * sin_q2_minus_90deg;
+    // R*u1_dot_part_3; used 5 times
+    let r_u1_dot_part_3 = R * u1_dot_part_3;
+    // r_u1_dot_part_3*cos(q2_minus_90deg); used 7 times
+    let u5_dot_by_q1_part = r_u1_dot_part_3 * cos_q2_minus_90deg;
+    // R + u1_dot_part_3*r_u1_dot_part_3; used 2 times
+    let u5_dot_by_q1_part_2 = R + u1_dot_part_3 * r_u1_dot_part_3;
+    // u1*u5_dot_by_q1_part_2; used 2 times
+    let u5_dot_by_q1_part_3 = u1 * u5_dot_by_q1_part_2;
+    // u2'*u5_dot_by_q1_part + u2*u5_dot_by_q1_part_3; used 2 times
+    let u5_dot_by_q1_part_4 = u2_dot * u5_dot_by_q1_part + u2 * u5_dot_by_q1_part_3;
+    // R*sin(q2_minus_90deg); used 6 times
+    let r_sin_q2_minus_90deg = R * sin_q2_minus_90deg;
+    // u1*u2_dot_part; used 2 times
+    let u1_u2_dot_part = u1 * u2_dot_part;
+    // u2_u2_u1_dot_part_3*u5_dot_by_q1_part + R*u1_u2_dot_part
+    let u5_dot_by_q1_part_5 = u2_u2_u1_dot_part_3 * u5_dot_by_q1_part
+        + R * u1_u2_dot_part;
+    // u1'*r_sin_q2_minus_90deg - u5_dot_by_q1_part_5; used 2 times
+    let u5_dot_by_q1_part_6 = u1_dot * r_sin_q2_minus_90deg - u5_dot_by_q1_part_5;
     // Elimination, step by step.
     // u5_dot_by_q1 = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) +
     //   u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
     //   - u1'*sin(q2_minus_90deg)))
-    let u5_dot_by_q1 = -R
-        * (u2_dot * c1 / tan_q2_minus_90deg
-            + u1 * (u1 * s1 * cos_q2_minus_90deg + u2 * c1 * u5_dot_by_q1_part_)
-            + s1 * u5_dot_by_q1_part_2);
+    let u5_dot_by_q1 = u5_dot_by_q1_part_6 * s1 - u5_dot_by_q1_part_4 * c1;
     // u4_dot_by_q1 = R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
     //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
     //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
-    let u4_dot_by_q1 = R
-        * (u2_dot * s1 / tan_q2_minus_90deg
-            + u1 * (u2 * s1 * u5_dot_by_q1_part_ - u1 * c1 * cos_q2_minus_90deg)
-            - c1 * u5_dot_by_q1_part_2);
+    let u4_dot_by_q1 = u5_dot_by_q1_part_4 * s1 + u5_dot_by_q1_part_6 * c1;
     // Shared terms.
-    // u1^2; used 2 times
-    let u1_sq = u1 * u1;
+    // u2_u1_dot_part_3*cos(q2_minus_90deg); used 3 times
+    let u1_dot_by_q2_minus_90deg_part = u2_u1_dot_part_3 * cos_q2_minus_90deg;
     // u2^2; used 2 times
     let u2_sq = u2 * u2;
-    // sin(q2_minus_90deg)*(g/R + u1^2*sin(q2_minus_90deg)); used 2 times
-    let u1_dot_by_q2_minus_90deg_part = sin_q2_minus_90deg * (r_inv_g + u1_dot_part_);
+    // 8*u1_dot_part_2; used 2 times
+    let u1_dot_part_2_scaled_2 = S::int(8) * u1_dot_part_2;
     // Elimination, step by step.
     // u1_dot_by_q2_minus_90deg = (u2^2 + 4*sin(q2_minus_90deg)*(g/R + u1^2*sin(q2_minus_90deg)) -
     //   cos(q2_minus_90deg)*(16*u2*u3*sin(q2_minus_90deg)/(5 - 4*sin(q2_minus_90deg)^2) +
     //   cos(q2_minus_90deg)*(4*u1^2 - u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + 4*sin(q2_minus_90deg)*(g/R +
     //   u1^2*sin(q2_minus_90deg)))/(5 - 4*sin(q2_minus_90deg)^2))))/(5 - 4*sin(q2_minus_90deg)^2)
-    let u1_dot_by_q2_minus_90deg = -(u2_sq + S::int(4) * u1_dot_by_q2_minus_90deg_part
-        + cos_q2_minus_90deg
-            * (S::int(16) * u2 * u3 * sin_q2_minus_90deg / u1_dot_part
-                - cos_q2_minus_90deg
-                    * (S::int(4) * u1_sq
-                        - u2 * u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg)
-                        - S::int(8) * (u2_sq + S::int(4) * u1_dot_by_q2_minus_90deg_part)
-                            / u1_dot_part))) / u1_dot_part;
-    // u2_dot_by_q2_minus_90deg = -u1*u2/sin(q2_minus_90deg)^2
-    let u2_dot_by_q2_minus_90deg = -u1 * u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    let u1_dot_by_q2_minus_90deg = u1_dot_part_2_scaled * u1_u2_dot_part
+        - u1_dot_part_2
+            * (S::int(16) * u3 * u2_u1_dot_part * sin_q2_minus_90deg
+                + u2_u1_dot_part_3 * u1_dot_by_q2_minus_90deg_part)
+        - (sin_q2_minus_90deg_scaled * u1_dot_part_5 + u2_sq)
+            * (u1_dot_part + u1_dot_part_2 * u1_dot_part_2_scaled_2);
     // Shared terms.
-    // u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 - 1)/sin(q2_minus_90deg) +
-    //   sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg); used 2 times
-    let u5_dot_by_q2_minus_90deg_part = u1_dot * cos_q2_minus_90deg
-        + u2 * u2 * (S::int(2) * u5_dot_by_q1_part - S::int(1)) / sin_q2_minus_90deg
-        + sin_q2_minus_90deg * (u1_sq + u1_dot_by_q2_minus_90deg);
-    // (u2' + 2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg) -
-    //   u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg); used 2 times
-    let u5_dot_by_q2_minus_90deg_part_ = (u2_dot
-        + S::int(2) * u1 * u2 / tan_q2_minus_90deg) / sin_q2_minus_90deg
-        - u2_dot_by_q2_minus_90deg * cos_q2_minus_90deg;
+    // u1_dot_part_3*u2_u1_dot_part_3; used 2 times
+    let u2_dot_by_q2_minus_90deg_part = u1_dot_part_3 * u2_u1_dot_part_3;
+    // Elimination, step by step.
+    // u2_dot_by_q2_minus_90deg = -u1*u2/sin(q2_minus_90deg)^2
+    let u2_dot_by_q2_minus_90deg = -u1 * u2_dot_by_q2_minus_90deg_part;
+    // Shared terms.
+    // u1_scaled*u5_dot_by_q1_part; used 3 times
+    let u5_dot_by_q2_minus_90deg_part = u1_scaled * u5_dot_by_q1_part;
+    // u1_dot_part_3*(u2'*r_u1_dot_part_3 + u2_u1_dot_part_3*u5_dot_by_q2_minus_90deg_part) -
+    //   u2_dot_by_q2_minus_90deg*u5_dot_by_q1_part; used 2 times
+    let u5_dot_by_q2_minus_90deg_part_2 = u1_dot_part_3
+        * (u2_dot * r_u1_dot_part_3 + u2_u1_dot_part_3 * u5_dot_by_q2_minus_90deg_part)
+        - u2_dot_by_q2_minus_90deg * u5_dot_by_q1_part;
+    // 2*u2_u1_dot_part_3; used 3 times
+    let u2_u1_dot_part_3_scaled = S::int(2) * u2_u1_dot_part_3;
+    // R*cos(q2_minus_90deg); used 2 times
+    let r_cos_q2_minus_90deg = R * cos_q2_minus_90deg;
+    // u2_u1_dot_part_3*r_u1_dot_part_3*u2_u1_dot_part_3_scaled + u1'*r_cos_q2_minus_90deg
+    let u5_dot_by_q2_minus_90deg_part_3 = u2_u1_dot_part_3 * r_u1_dot_part_3
+        * u2_u1_dot_part_3_scaled + u1_dot * r_cos_q2_minus_90deg;
+    // u1^2*r_sin_q2_minus_90deg - r_u1_dot_part_3*u2_sq
+    let u5_dot_by_q2_minus_90deg_part_4 = u1 * u1 * r_sin_q2_minus_90deg
+        - r_u1_dot_part_3 * u2_sq;
+    // u1_dot_by_q2_minus_90deg*r_sin_q2_minus_90deg + u5_dot_by_q2_minus_90deg_part_3
+    let u5_dot_by_q2_minus_90deg_part_5 = u1_dot_by_q2_minus_90deg * r_sin_q2_minus_90deg
+        + u5_dot_by_q2_minus_90deg_part_3;
+    // u5_dot_by_q2_minus_90deg_part_4 + u5_dot_by_q2_minus_90deg_part_5; used 2 times
+    let u5_dot_by_q2_minus_90deg_part_6 = u5_dot_by_q2_minus_90deg_part_4
+        + u5_dot_by_q2_minus_90deg_part_5;
     // Elimination, step by step.
     // u5_dot_by_q2_minus_90deg = -R*(cos(q1)*(u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 -
     //   1)/sin(q2_minus_90deg) + sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg)) +
     //   sin(q1)*(u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg) - (u2' +
     //   2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg))/sin(q2_minus_90deg))
-    let u5_dot_by_q2_minus_90deg = R
-        * (s1 * u5_dot_by_q2_minus_90deg_part_ / sin_q2_minus_90deg
-            - c1 * u5_dot_by_q2_minus_90deg_part);
+    let u5_dot_by_q2_minus_90deg = u5_dot_by_q2_minus_90deg_part_2 * s1
+        - u5_dot_by_q2_minus_90deg_part_6 * c1;
     // u4_dot_by_q2_minus_90deg = R*(sin(q1)*(u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 -
     //   1)/sin(q2_minus_90deg) + sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg)) + cos(q1)*((u2' +
     //   2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg) -
     //   u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg))/sin(q2_minus_90deg))
-    let u4_dot_by_q2_minus_90deg = R
-        * (s1 * u5_dot_by_q2_minus_90deg_part
-            + c1 * u5_dot_by_q2_minus_90deg_part_ / sin_q2_minus_90deg);
+    let u4_dot_by_q2_minus_90deg = u5_dot_by_q2_minus_90deg_part_2 * c1
+        + u5_dot_by_q2_minus_90deg_part_6 * s1;
     // u1_dot_by_u1 = 8*u1*sin(q2_minus_90deg)*cos(q2_minus_90deg)/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot_by_u1 = S::int(8) * u1 * sin_q2_minus_90deg * cos_q2_minus_90deg
-        / u1_dot_part;
+    let u1_dot_by_u1 = u1_dot_part_4 * u1_dot_part_2_scaled_2;
     // u2_dot_by_u1 = 2*u3 + u2/tan(q2_minus_90deg)
-    let u2_dot_by_u1 = u2_dot_part_;
+    let u2_dot_by_u1 = u3_scaled + u1_dot_by_q2_minus_90deg_part;
     // Shared terms.
-    // u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg); used 2 times
-    let u5_dot_by_u1_part = u2 * u5_dot_by_q1_part_ + u2_dot_by_u1 / tan_q2_minus_90deg;
-    // u1_dot_by_u1*sin(q2_minus_90deg) - 2*u1*cos(q2_minus_90deg); used 2 times
-    let u5_dot_by_u1_part_ = u1_dot_by_u1 * sin_q2_minus_90deg
-        - S::int(2) * u1 * cos_q2_minus_90deg;
+    // u1_scaled*r_cos_q2_minus_90deg - u1_dot_by_u1*r_sin_q2_minus_90deg; used 2 times
+    let u5_dot_by_u1_part = u1_scaled * r_cos_q2_minus_90deg
+        - u1_dot_by_u1 * r_sin_q2_minus_90deg;
+    // u2_dot_by_u1*u5_dot_by_q1_part + u2*u5_dot_by_q1_part_2; used 2 times
+    let u5_dot_by_u1_part_2 = u2_dot_by_u1 * u5_dot_by_q1_part
+        + u2 * u5_dot_by_q1_part_2;
     // Elimination, step by step.
     // u5_dot_by_u1 = -R*(cos(q1)*(u1_dot_by_u1*sin(q2_minus_90deg) - 2*u1*cos(q2_minus_90deg)) +
     //   sin(q1)*(u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg)))
-    let u5_dot_by_u1 = -R * (c1 * u5_dot_by_u1_part_ + s1 * u5_dot_by_u1_part);
+    let u5_dot_by_u1 = u5_dot_by_u1_part * c1 - u5_dot_by_u1_part_2 * s1;
     // u4_dot_by_u1 = -R*(sin(q1)*(2*u1*cos(q2_minus_90deg) - u1_dot_by_u1*sin(q2_minus_90deg)) +
     //   cos(q1)*(u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg)))
-    let u4_dot_by_u1 = R * (s1 * u5_dot_by_u1_part_ - c1 * u5_dot_by_u1_part);
+    let u4_dot_by_u1 = -u5_dot_by_u1_part * s1 - u5_dot_by_u1_part_2 * c1;
     // u1_dot_by_u2 = 2*(u3 + u2/tan(q2_minus_90deg))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot_by_u2 = S::int(2) * (u3 + u2_dot_part) / u1_dot_part;
+    let u1_dot_by_u2 = u1_dot_part * u3_scaled + u1_dot_part_2 * u2_u1_dot_part_3_scaled;
     // u2_dot_by_u2 = u1/tan(q2_minus_90deg)
-    let u2_dot_by_u2 = u1 / tan_q2_minus_90deg;
+    let u2_dot_by_u2 = u1_dot_part_3 * u2_dot_part;
     // Shared terms.
-    // u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)); used 2 times
-    let u5_dot_by_u2_part = u2 / (sin_q2_minus_90deg * tan_q2_minus_90deg);
-    // 2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1_dot_by_u2*sin(q2_minus_90deg); used 2 times
-    let u5_dot_by_u2_part_ = S::int(2) * u5_dot_by_u2_part
-        - u1_dot_by_u2 * sin_q2_minus_90deg;
-    // u1*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u2/tan(q2_minus_90deg); used 2 times
-    let u5_dot_by_u2_part_2 = u1 * u5_dot_by_q1_part_
-        + u2_dot_by_u2 / tan_q2_minus_90deg;
+    // u1_dot_by_u2*r_sin_q2_minus_90deg - u5_dot_by_q1_part*u2_u1_dot_part_3_scaled; used 2 times
+    let u5_dot_by_u2_part = u1_dot_by_u2 * r_sin_q2_minus_90deg
+        - u5_dot_by_q1_part * u2_u1_dot_part_3_scaled;
+    // u2_dot_by_u2*u5_dot_by_q1_part + u5_dot_by_q1_part_3; used 2 times
+    let u5_dot_by_u2_part_2 = u2_dot_by_u2 * u5_dot_by_q1_part + u5_dot_by_q1_part_3;
     // Elimination, step by step.
     // u5_dot_by_u2 = R*(cos(q1)*(2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1_dot_by_u2*sin(q2_minus_90deg)) - sin(q1)*(u1*(1 + 1/sin(q2_minus_90deg)^2) +
     //   u2_dot_by_u2/tan(q2_minus_90deg)))
-    let u5_dot_by_u2 = R * (c1 * u5_dot_by_u2_part_ - s1 * u5_dot_by_u2_part_2);
+    let u5_dot_by_u2 = -u5_dot_by_u2_part * c1 - u5_dot_by_u2_part_2 * s1;
     // u4_dot_by_u2 = -R*(sin(q1)*(2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1_dot_by_u2*sin(q2_minus_90deg)) + cos(q1)*(u1*(1 + 1/sin(q2_minus_90deg)^2) +
     //   u2_dot_by_u2/tan(q2_minus_90deg)))
-    let u4_dot_by_u2 = -R * (s1 * u5_dot_by_u2_part_ + c1 * u5_dot_by_u2_part_2);
+    let u4_dot_by_u2 = u5_dot_by_u2_part * s1 - u5_dot_by_u2_part_2 * c1;
     // u1_dot_by_u3 = 2*u2/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot_by_u3 = S::int(2) * u2 / u1_dot_part;
+    let u1_dot_by_u3 = S::int(2) * u2_u1_dot_part;
+    // Shared terms.
+    // u1_dot_by_u3*r_sin_q2_minus_90deg; used 2 times
+    let u5_dot_by_u3_part = u1_dot_by_u3 * r_sin_q2_minus_90deg;
+    // Elimination, step by step.
     // u5_dot_by_u3 = -R*(2*u1*sin(q1)/tan(q2_minus_90deg) + u1_dot_by_u3*cos(q1)*sin(q2_minus_90deg))
-    let u5_dot_by_u3 = -R
-        * (S::int(2) * u1 * s1 / tan_q2_minus_90deg
-            + u1_dot_by_u3 * c1 * sin_q2_minus_90deg);
+    let u5_dot_by_u3 = -u5_dot_by_q2_minus_90deg_part * s1 - u5_dot_by_u3_part * c1;
     // u4_dot_by_u3 = R*(u1_dot_by_u3*sin(q1)*sin(q2_minus_90deg) - 2*u1*cos(q1)/tan(q2_minus_90deg))
-    let u4_dot_by_u3 = R
-        * (u1_dot_by_u3 * s1 * sin_q2_minus_90deg
-            - S::int(2) * u1 * c1 / tan_q2_minus_90deg);
+    let u4_dot_by_u3 = u5_dot_by_u3_part * s1 - u5_dot_by_q2_minus_90deg_part * c1;
     // Entries that are not zero.
     // d(q1')/d(q2_minus_90deg) = u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
-    let q1_dot_by_q2_minus_90deg_value = u5_dot_by_u2_part;
+    let q1_dot_by_q2_minus_90deg_value = u1_dot_part_3 * u1_dot_by_q2_minus_90deg_part;
     // d(q1')/d(u2) = -1/sin(q2_minus_90deg)
-    let q1_dot_by_u2_value = -S::int(1) / sin_q2_minus_90deg;
+    let q1_dot_by_u2_value = -u1_dot_part_3;
     // d(q2')/d(u1) = -1
     let q2_dot_by_u1_value = -S::int(1);
     // d(q3')/d(q2_minus_90deg) = -u2/sin(q2_minus_90deg)^2
-    let q3_dot_by_q2_minus_90deg_value = -u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    let q3_dot_by_q2_minus_90deg_value = -u2_dot_by_q2_minus_90deg_part;
     // d(q3')/d(u2) = 1/tan(q2_minus_90deg)
-    let q3_dot_by_u2_value = S::int(1) / tan_q2_minus_90deg;
+    let q3_dot_by_u2_value = u1_dot_part_3 * cos_q2_minus_90deg;
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
     // d(q4')/d(u4) = 1
@@ -396,7 +447,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // d(q5')/d(u5) = 1
     let q5_dot_by_u5_value = S::int(1);
     // d(u2')/d(u3) = 2*u1
-    let u2_dot_by_u3_value = S::int(2) * u1;
+    let u2_dot_by_u3_value = u1_scaled;
     [
         [
             zero,
@@ -479,7 +530,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 6 operations, 1 sine and cosine.
+/// 5 operations, 1 sine and cosine.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -491,15 +542,15 @@ pub fn coordinate_rates<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // u2/sin(q2_minus_90deg); used 2 times
+    let q1_dot_value_part = u2 / sin_q2_minus_90deg;
     // Values.
     // q1' = -u2/sin(q2_minus_90deg)
-    let q1_dot_value = -u2 / sin_q2_minus_90deg;
+    let q1_dot_value = -q1_dot_value_part;
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 + u2/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + u2 / tan_q2_minus_90deg;
+    let q3_dot_value = u3 + q1_dot_value_part * cos_q2_minus_90deg;
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5
@@ -516,24 +567,24 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let [u1, u2, u3, u4, u5] = *u;
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // M*R; used 2 times
+    let m_r = M * R;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let energy_part = S::int(1) / sin_q2_minus_90deg;
+    // 5*u1^2 + u2^2*(4*energy_part^2 - 3)
+    let energy_part_2 = S::int(5) * u1 * u1
+        + u2 * u2 * (S::int(4) * energy_part * energy_part - S::int(3));
     // Values.
     // T = M*(4*u4^2 + 4*u5^2 + R*(8*u1*sin(q2_minus_90deg)*(u5*cos(q1) - u4*sin(q1)) + 8*u2*(u4*cos(q1) +
     //   u5*sin(q1))/tan(q2_minus_90deg) + R*(5*u1^2 + 2*u3^2 + u2^2*(1 + 4/tan(q2_minus_90deg)^2))))/8
-    let energy = S::ratio(1, 8) * M
-        * (S::int(4) * u4 * u4 + S::int(4) * u5 * u5
-            + R
-                * (S::int(8) * u1 * sin_q2_minus_90deg * (u5 * c1 - u4 * s1)
-                    + S::int(8) * u2 * (u4 * c1 + u5 * s1) / tan_q2_minus_90deg
-                    + R
-                        * (S::int(5) * u1 * u1 + S::int(2) * u3 * u3
-                            + u2 * u2
-                                * (S::int(1)
-                                    + S::int(4) / (tan_q2_minus_90deg * tan_q2_minus_90deg)))));
+    let energy = S::ratio(1, 2) * M * (u4 * u4 + u5 * u5)
+        + m_r
+            * (u2 * energy_part * cos_q2_minus_90deg * (u4 * c1 + u5 * s1)
+                - u1 * sin_q2_minus_90deg * (u4 * s1 - u5 * c1))
+        + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part_2);
     energy
 }
 

@@ -82,7 +82,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     // 2 + tan(q2)^2; used 2 times
     let f4_part = S::int(2) + c2_inv2_s2_sq;
     // 1 + tan(q2)^2; used 2 times
-    let f4_part_ = S::int(1) + c2_inv2_s2_sq;
+    let f4_part_2 = S::int(1) + c2_inv2_s2_sq;
     // Values.
     // f1 = -4*g*sin(q2) - R*u2^2*tan(q2) - 3*R*u2*u3
     let f1 = -S::int(4) * g * s2 - R * u2 * u2 * t2 - S::int(3) * R * u2 * u3;
@@ -91,12 +91,12 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
         + S::int(3) * R * u1 * u3;
     // f4 = -R*u1^2*sin(q1)*sin(q2) - R*u2^2*sin(q1)*sin(q2)*(1 + tan(q2)^2) - R*u1*u2*cos(q1)*(2 +
     //   tan(q2)^2)
-    let f4 = -R * u1 * u1 * s1 * s2 - R * u2 * u2 * s1 * s2 * f4_part_
+    let f4 = -R * u1 * u1 * s1 * s2 - R * u2 * u2 * s1 * s2 * f4_part_2
         - R * u1 * u2 * c1 * f4_part;
     // f5 = R*u1*u2*sin(q1)*(2 + tan(q2)^2) - R*u1^2*cos(q1)*sin(q2) - 2*R*u2*cos(q1)*sin(q2)*(1 +
     //   tan(q2)^2)
     let f5 = R * u1 * u2 * s1 * f4_part - R * u1 * u1 * c1 * s2
-        - S::int(2) * R * u2 * c1 * s2 * f4_part_;
+        - S::int(2) * R * u2 * c1 * s2 * f4_part_2;
     [f1, f2, zero, f4, f5]
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
 //! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (u1', u2', u3').
-//! Cost: mass_matrix 0 operations; forcing 16 operations, 2 sines and cosines; accelerations 18 operations, 2 sines and cosines.
+//! Cost: mass_matrix 0 operations; forcing 14 operations, 2 sines and cosines; accelerations 16 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
 //! The accelerations divide by cos(q2), by I1.
 
@@ -32,7 +32,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3').
 ///
-/// 16 operations, 2 sines and cosines.
+/// 14 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -47,17 +47,19 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let t2 = s2 / c2;
     // I3*u3 - I1*u1*tan(q2); used 2 times
     let f1_part = I3 * u3 - I1 * u1 * t2;
+    // m*l*g; used 2 times
+    let m_l_g = m * l * g;
     // Values.
     // f1 = m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3)
-    let f1 = m * l * g * s1 - u2 * f1_part;
+    let f1 = m_l_g * s1 - u2 * f1_part;
     // f2 = m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2))
-    let f2 = m * l * g * c1 * s2 + u1 * f1_part;
+    let f2 = u1 * f1_part + m_l_g * c1 * s2;
     [f1, f2, zero]
 }
 
 /// The accelerations (u1', u2', u3'), solved for when this code was generated.
 ///
-/// 18 operations, 2 sines and cosines.
+/// 16 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -68,21 +70,25 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // tan(q2)
     let t2 = s2 / c2;
-    // I3*u3 - I1*u1*tan(q2); used 2 times
-    let u2_dot_part = I3 * u3 - I1 * u1 * t2;
+    // u1*tan(q2) - I3*u3*i1_inv; used 2 times
+    let u2_dot_part = u1 * t2 - I3 * u3 * i1_inv;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u2_dot = (m * l * g * c1 * s2 + u1 * u2_dot_part) / I1;
+    let u2_dot = m_l_g_i1_inv * c1 * s2 - u1 * u2_dot_part;
     // u1' = (m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3))/I1
-    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    let u1_dot = u2 * u2_dot_part + m_l_g_i1_inv * s1;
     [u1_dot, u2_dot, zero]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 21 operations, 2 sines and cosines.
+/// 17 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -97,28 +103,34 @@ pub fn derivative<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // I3*u3 - I1*u1*tan(q2); used 2 times
-    let u2_dot_part = I3 * u3 - I1 * u1 * t2;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
+    // u1/cos(q2); used 2 times
+    let u1_c2_inv = u1 / c2;
+    // u1_c2_inv*sin(q2); used 2 times
+    let s2_u1_c2_inv = u1_c2_inv * s2;
+    // s2_u1_c2_inv - I3*u3*i1_inv; used 2 times
+    let u2_dot_part = s2_u1_c2_inv - I3 * u3 * i1_inv;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u2_dot = (m * l * g * c1 * s2 + u1 * u2_dot_part) / I1;
+    let u2_dot = m_l_g_i1_inv * c1 * s2 - u1 * u2_dot_part;
     // u1' = (m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3))/I1
-    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    let u1_dot = u2 * u2_dot_part + m_l_g_i1_inv * s1;
     // Values.
     // q1' = u1/cos(q2)
-    let q1_dot_value = u1 / c2;
+    let q1_dot_value = u1_c2_inv;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
-    let q3_dot_value = u3 - u1 * t2;
+    let q3_dot_value = u3 - s2_u1_c2_inv;
     ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
 }
 
 /// Jacobian of the derivative by the state; columns q1, q2, q3, u1, u2, u3.
 ///
-/// 42 operations, 2 sines and cosines.
+/// 29 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]; 6] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -128,46 +140,65 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2_dot_by_q1 = -m*l*g*sin(q1)*sin(q2)/I1
-    let u2_dot_by_q1 = -m * l * g * s1 * s2 / I1;
+    let u2_dot_by_q1 = -m_l_g_i1_inv * s1 * s2;
     // u1_dot_by_q1 = m*l*g*cos(q1)/I1
-    let u1_dot_by_q1 = m * l * g * c1 / I1;
-    // u2_dot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
-    let u2_dot_by_q2 = m * l * g * c1 * c2 / I1 - u1 * u1 / (c2 * c2);
-    // u1_dot_by_q2 = u1*u2/cos(q2)^2
-    let u1_dot_by_q2 = u1 * u2 / (c2 * c2);
+    let u1_dot_by_q1 = m_l_g_i1_inv * c1;
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // u1*tan(q2); used 2 times
-    let u1_c2_inv_s2 = u1 * t2;
-    // I3*u3/I1; used 2 times
-    let i1_inv_i3_u3 = I3 * u3 / I1;
+    // 1/cos(q2); used 4 times
+    let c2_inv = S::int(1) / c2;
+    // u1*c2_inv; used 4 times
+    let u1_c2_inv = u1 * c2_inv;
+    // Elimination, step by step.
+    // u2_dot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
+    let u2_dot_by_q2 = u1_dot_by_q1 * c2 - u1_c2_inv * u1_c2_inv;
+    // Shared terms.
+    // c2_inv*u1_c2_inv; used 2 times
+    let c2_inv_u1_c2_inv = c2_inv * u1_c2_inv;
+    // Elimination, step by step.
+    // u1_dot_by_q2 = u1*u2/cos(q2)^2
+    let u1_dot_by_q2 = u2 * c2_inv_u1_c2_inv;
+    // Shared terms.
+    // u1_c2_inv*sin(q2); used 2 times
+    let s2_u1_c2_inv = u1_c2_inv * s2;
+    // I3*i1_inv; used 3 times
+    let i3_i1_inv = I3 * i1_inv;
+    // u3*i3_i1_inv; used 2 times
+    let u3_i3_i1_inv = u3 * i3_i1_inv;
     // Elimination, step by step.
     // u2_dot_by_u1 = I3*u3/I1 - 2*u1*tan(q2)
-    let u2_dot_by_u1 = i1_inv_i3_u3 - S::int(2) * u1_c2_inv_s2;
+    let u2_dot_by_u1 = u3_i3_i1_inv - S::int(2) * s2_u1_c2_inv;
+    // Shared terms.
+    // c2_inv*sin(q2); used 3 times
+    let s2_c2_inv = c2_inv * s2;
+    // Elimination, step by step.
     // u1_dot_by_u1 = u2*tan(q2)
-    let u1_dot_by_u1 = u2 * t2;
+    let u1_dot_by_u1 = u2 * s2_c2_inv;
     // u1_dot_by_u2 = u1*tan(q2) - I3*u3/I1
-    let u1_dot_by_u2 = u1_c2_inv_s2 - i1_inv_i3_u3;
+    let u1_dot_by_u2 = s2_u1_c2_inv - u3_i3_i1_inv;
     // Entries that are not zero.
     // d(q1')/d(q2) = u1*tan(q2)/cos(q2)
-    let q1_dot_by_q2_value = u1 * t2 / c2;
+    let q1_dot_by_q2_value = u1_c2_inv * s2_c2_inv;
     // d(q1')/d(u1) = 1/cos(q2)
-    let q1_dot_by_u1_value = S::int(1) / c2;
+    let q1_dot_by_u1_value = c2_inv;
     // d(q2')/d(u2) = 1
     let q2_dot_by_u2_value = S::int(1);
     // d(q3')/d(q2) = -u1/cos(q2)^2
-    let q3_dot_by_q2_value = -u1 / (c2 * c2);
+    let q3_dot_by_q2_value = -c2_inv_u1_c2_inv;
     // d(q3')/d(u1) = -tan(q2)
-    let q3_dot_by_u1_value = -t2;
+    let q3_dot_by_u1_value = -s2_c2_inv;
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
     // d(u1')/d(u3) = -I3*u2/I1
-    let u1_dot_by_u3_value = -I3 * u2 / I1;
+    let u1_dot_by_u3_value = -u2 * i3_i1_inv;
     // d(u2')/d(u3) = I3*u1/I1
-    let u2_dot_by_u3_value = I3 * u1 / I1;
+    let u2_dot_by_u3_value = u1 * i3_i1_inv;
     [
         [zero, q1_dot_by_q2_value, zero, q1_dot_by_u1_value, zero, zero],
         [zero, zero, zero, zero, q2_dot_by_u2_value, zero],
@@ -187,7 +218,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 4 operations, 1 sine and cosine.
+/// 3 operations, 1 sine and cosine.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -199,29 +230,31 @@ pub fn coordinate_rates<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
+    // u1/cos(q2); used 2 times
+    let u1_c2_inv = u1 / c2;
     // Values.
     // q1' = u1/cos(q2)
-    let q1_dot_value = u1 / c2;
+    let q1_dot_value = u1_c2_inv;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
-    let q3_dot_value = u3 - u1 * t2;
+    let q3_dot_value = u3 - u1_c2_inv * s2;
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
 /// Kinetic energy T.
 ///
-/// 11 operations.
+/// 8 operations.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> S {
     let Parameters { I1, I3, .. } = *p;
     let [u1, u2, u3] = *u;
+    // Shared terms.
+    // I1*(u1^2 + u2^2) + I3*u3^2
+    let energy_part = I1 * (u1 * u1 + u2 * u2) + I3 * u3 * u3;
     // Values.
     // T = I1*u1^2/2 + I1*u2^2/2 + I3*u3^2/2
-    let energy = S::ratio(1, 2) * I1 * u1 * u1 + S::ratio(1, 2) * I1 * u2 * u2
-        + S::ratio(1, 2) * I3 * u3 * u3;
+    let energy = S::ratio(1, 2) * energy_part;
     energy
 }
 

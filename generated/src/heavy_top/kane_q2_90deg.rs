@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
 //! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (u1', u2', u3').
-//! Cost: mass_matrix 0 operations; forcing 16 operations, 2 sines and cosines; accelerations 18 operations, 2 sines and cosines.
+//! Cost: mass_matrix 0 operations; forcing 14 operations, 2 sines and cosines; accelerations 16 operations, 2 sines and cosines.
 //! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
 //! The accelerations divide by sin(q2_minus_90deg), by I1.
 
@@ -32,7 +32,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3').
 ///
-/// 16 operations, 2 sines and cosines.
+/// 14 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -40,24 +40,26 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let [u1, u2, u3] = *u;
     let zero = S::int(0);
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
     // tan(q2_minus_90deg)
     let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
     // I3*u3 + I1*u1/tan(q2_minus_90deg); used 2 times
     let f1_part = I3 * u3 + I1 * u1 / tan_q2_minus_90deg;
+    // m*l*g; used 2 times
+    let m_l_g = m * l * g;
     // Values.
     // f1 = m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg))
-    let f1 = m * l * g * s1 - u2 * f1_part;
+    let f1 = m_l_g * s1 - u2 * f1_part;
     // f2 = m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg))
-    let f2 = m * l * g * c1 * cos_q2_minus_90deg + u1 * f1_part;
+    let f2 = u1 * f1_part + m_l_g * c1 * cos_q2_minus_90deg;
     [f1, f2, zero]
 }
 
 /// The accelerations (u1', u2', u3'), solved for when this code was generated.
 ///
-/// 18 operations, 2 sines and cosines.
+/// 16 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -65,24 +67,28 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let [u1, u2, u3] = *u;
     let zero = S::int(0);
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // tan(q2_minus_90deg)
     let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // I3*u3 + I1*u1/tan(q2_minus_90deg); used 2 times
-    let u2_dot_part = I3 * u3 + I1 * u1 / tan_q2_minus_90deg;
+    // u1/tan(q2_minus_90deg) + I3*u3*i1_inv; used 2 times
+    let u2_dot_part = u1 / tan_q2_minus_90deg + I3 * u3 * i1_inv;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u2_dot = (m * l * g * c1 * cos_q2_minus_90deg + u1 * u2_dot_part) / I1;
+    let u2_dot = u1 * u2_dot_part + m_l_g_i1_inv * c1 * cos_q2_minus_90deg;
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    let u1_dot = m_l_g_i1_inv * s1 - u2 * u2_dot_part;
     [u1_dot, u2_dot, zero]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 22 operations, 2 sines and cosines.
+/// 18 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -94,31 +100,37 @@ pub fn derivative<S: Scalar>(
     let [u1, u2, u3] = *u;
     let zero = S::int(0);
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // I3*u3 + I1*u1/tan(q2_minus_90deg); used 2 times
-    let u2_dot_part = I3 * u3 + I1 * u1 / tan_q2_minus_90deg;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
+    // u1/sin(q2_minus_90deg); used 2 times
+    let u2_dot_part = u1 / sin_q2_minus_90deg;
+    // u2_dot_part*cos(q2_minus_90deg); used 2 times
+    let u2_dot_part_2 = u2_dot_part * cos_q2_minus_90deg;
+    // I3*u3*i1_inv + u2_dot_part_2; used 2 times
+    let u2_dot_part_3 = I3 * u3 * i1_inv + u2_dot_part_2;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u2_dot = (m * l * g * c1 * cos_q2_minus_90deg + u1 * u2_dot_part) / I1;
+    let u2_dot = u1 * u2_dot_part_3 + m_l_g_i1_inv * c1 * cos_q2_minus_90deg;
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    let u1_dot = m_l_g_i1_inv * s1 - u2 * u2_dot_part_3;
     // Values.
     // q1' = -u1/sin(q2_minus_90deg)
-    let q1_dot_value = -u1 / sin_q2_minus_90deg;
+    let q1_dot_value = -u2_dot_part;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 + u1/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + u1 / tan_q2_minus_90deg;
+    let q3_dot_value = u3 + u2_dot_part_2;
     ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
 }
 
 /// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, u1, u2, u3.
 ///
-/// 46 operations, 2 sines and cosines.
+/// 32 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]; 6] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -128,47 +140,68 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2_dot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
-    let u2_dot_by_q1 = -m * l * g * s1 * cos_q2_minus_90deg / I1;
+    let u2_dot_by_q1 = -m_l_g_i1_inv * s1 * cos_q2_minus_90deg;
     // u1_dot_by_q1 = m*l*g*cos(q1)/I1
-    let u1_dot_by_q1 = m * l * g * c1 / I1;
-    // u2_dot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 - u1^2/sin(q2_minus_90deg)^2
-    let u2_dot_by_q2_minus_90deg = -m * l * g * c1 * sin_q2_minus_90deg / I1
-        - u1 * u1 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
-    // u1_dot_by_q2_minus_90deg = u1*u2/sin(q2_minus_90deg)^2
-    let u1_dot_by_q2_minus_90deg = u1 * u2 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    let u1_dot_by_q1 = m_l_g_i1_inv * c1;
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // u1/tan(q2_minus_90deg); used 2 times
-    let u2_dot_by_u1_part = u1 / tan_q2_minus_90deg;
-    // I3*u3/I1; used 2 times
-    let i1_inv_i3_u3 = I3 * u3 / I1;
+    // 1/sin(q2_minus_90deg); used 4 times
+    let u2_dot_by_q2_minus_90deg_part = S::int(1) / sin_q2_minus_90deg;
+    // u1*u2_dot_by_q2_minus_90deg_part; used 4 times
+    let u2_dot_by_q2_minus_90deg_part_2 = u1 * u2_dot_by_q2_minus_90deg_part;
+    // Elimination, step by step.
+    // u2_dot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 - u1^2/sin(q2_minus_90deg)^2
+    let u2_dot_by_q2_minus_90deg = -u1_dot_by_q1 * sin_q2_minus_90deg
+        - u2_dot_by_q2_minus_90deg_part_2 * u2_dot_by_q2_minus_90deg_part_2;
+    // Shared terms.
+    // u2_dot_by_q2_minus_90deg_part*u2_dot_by_q2_minus_90deg_part_2; used 2 times
+    let u1_dot_by_q2_minus_90deg_part = u2_dot_by_q2_minus_90deg_part
+        * u2_dot_by_q2_minus_90deg_part_2;
+    // Elimination, step by step.
+    // u1_dot_by_q2_minus_90deg = u1*u2/sin(q2_minus_90deg)^2
+    let u1_dot_by_q2_minus_90deg = u2 * u1_dot_by_q2_minus_90deg_part;
+    // Shared terms.
+    // u2_dot_by_q2_minus_90deg_part_2*cos(q2_minus_90deg); used 2 times
+    let u2_dot_by_u1_part = u2_dot_by_q2_minus_90deg_part_2 * cos_q2_minus_90deg;
+    // I3*i1_inv; used 3 times
+    let i3_i1_inv = I3 * i1_inv;
+    // u3*i3_i1_inv; used 2 times
+    let u3_i3_i1_inv = u3 * i3_i1_inv;
     // Elimination, step by step.
     // u2_dot_by_u1 = I3*u3/I1 + 2*u1/tan(q2_minus_90deg)
-    let u2_dot_by_u1 = i1_inv_i3_u3 + S::int(2) * u2_dot_by_u1_part;
+    let u2_dot_by_u1 = S::int(2) * u2_dot_by_u1_part + u3_i3_i1_inv;
+    // Shared terms.
+    // u2_dot_by_q2_minus_90deg_part*cos(q2_minus_90deg); used 3 times
+    let u1_dot_by_u1_part = u2_dot_by_q2_minus_90deg_part * cos_q2_minus_90deg;
+    // Elimination, step by step.
     // u1_dot_by_u1 = -u2/tan(q2_minus_90deg)
-    let u1_dot_by_u1 = -u2 / tan_q2_minus_90deg;
+    let u1_dot_by_u1 = -u2 * u1_dot_by_u1_part;
     // u1_dot_by_u2 = -I3*u3/I1 - u1/tan(q2_minus_90deg)
-    let u1_dot_by_u2 = -i1_inv_i3_u3 - u2_dot_by_u1_part;
+    let u1_dot_by_u2 = -u2_dot_by_u1_part - u3_i3_i1_inv;
     // Entries that are not zero.
     // d(q1')/d(q2_minus_90deg) = u1/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
-    let q1_dot_by_q2_minus_90deg_value = u1 / (sin_q2_minus_90deg * tan_q2_minus_90deg);
+    let q1_dot_by_q2_minus_90deg_value = u2_dot_by_q2_minus_90deg_part_2
+        * u1_dot_by_u1_part;
     // d(q1')/d(u1) = -1/sin(q2_minus_90deg)
-    let q1_dot_by_u1_value = -S::int(1) / sin_q2_minus_90deg;
+    let q1_dot_by_u1_value = -u2_dot_by_q2_minus_90deg_part;
     // d(q2')/d(u2) = 1
     let q2_dot_by_u2_value = S::int(1);
     // d(q3')/d(q2_minus_90deg) = -u1/sin(q2_minus_90deg)^2
-    let q3_dot_by_q2_minus_90deg_value = -u1 / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    let q3_dot_by_q2_minus_90deg_value = -u1_dot_by_q2_minus_90deg_part;
     // d(q3')/d(u1) = 1/tan(q2_minus_90deg)
-    let q3_dot_by_u1_value = S::int(1) / tan_q2_minus_90deg;
+    let q3_dot_by_u1_value = u1_dot_by_u1_part;
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
     // d(u1')/d(u3) = -I3*u2/I1
-    let u1_dot_by_u3_value = -I3 * u2 / I1;
+    let u1_dot_by_u3_value = -u2 * i3_i1_inv;
     // d(u2')/d(u3) = I3*u1/I1
-    let u2_dot_by_u3_value = I3 * u1 / I1;
+    let u2_dot_by_u3_value = u1 * i3_i1_inv;
     [
         [zero, q1_dot_by_q2_minus_90deg_value, zero, q1_dot_by_u1_value, zero, zero],
         [zero, zero, zero, zero, q2_dot_by_u2_value, zero],
@@ -202,7 +235,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 5 operations, 1 sine and cosine.
+/// 4 operations, 1 sine and cosine.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -214,29 +247,31 @@ pub fn coordinate_rates<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // u1/sin(q2_minus_90deg); used 2 times
+    let q1_dot_value_part = u1 / sin_q2_minus_90deg;
     // Values.
     // q1' = -u1/sin(q2_minus_90deg)
-    let q1_dot_value = -u1 / sin_q2_minus_90deg;
+    let q1_dot_value = -q1_dot_value_part;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 + u1/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + u1 / tan_q2_minus_90deg;
+    let q3_dot_value = u3 + q1_dot_value_part * cos_q2_minus_90deg;
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
 /// Kinetic energy T.
 ///
-/// 9 operations.
+/// 8 operations.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> S {
     let Parameters { I1, I3, .. } = *p;
     let [u1, u2, u3] = *u;
+    // Shared terms.
+    // I1*(u1^2 + u2^2) + I3*u3^2
+    let energy_part = I1 * (u1 * u1 + u2 * u2) + I3 * u3 * u3;
     // Values.
     // T = I1*(u1^2 + u2^2)/2 + I3*u3^2/2
-    let energy = S::ratio(1, 2) * I1 * (u1 * u1 + u2 * u2)
-        + S::ratio(1, 2) * I3 * u3 * u3;
+    let energy = S::ratio(1, 2) * energy_part;
     energy
 }
 

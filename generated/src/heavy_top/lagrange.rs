@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
 //! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (q1'', q2'', q3'').
-//! Cost: mass_matrix 6 operations, 1 sine and cosine; forcing 28 operations, 2 sines and cosines; accelerations 28 operations, 2 sines and cosines.
+//! Cost: mass_matrix 5 operations, 1 sine and cosine; forcing 23 operations, 2 sines and cosines; accelerations 25 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
 //! The accelerations divide by I1, by cos(q2).
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3.
 ///
-/// 6 operations, 1 sine and cosine.
+/// 5 operations, 1 sine and cosine.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -23,11 +23,14 @@ pub fn mass_matrix<S: Scalar>(
     let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // I3*sin(q2); used 2 times
+    let i3_s2 = I3 * s2;
     // Entries that are not zero; upper triangle.
     // M11 = I3*sin(q2)^2 + I1*cos(q2)^2
-    let m11 = I3 * s2 * s2 + I1 * c2 * c2;
+    let m11 = I1 * c2 * c2 + i3_s2 * s2;
     // M13 = I3*sin(q2)
-    let m13 = I3 * s2;
+    let m13 = i3_s2;
     // M22 = I1
     let m22 = I1;
     // M33 = I3
@@ -37,7 +40,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (q1'', q2'', q3'').
 ///
-/// 28 operations, 2 sines and cosines.
+/// 23 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -47,27 +50,27 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // q1'*sin(q2); used 2 times
-    let q1_dot_s2 = q1_dot * s2;
-    // I1*q1'*sin(q2); used 2 times
-    let i1_q1_dot_s2 = I1 * q1_dot * s2;
+    // q1'*cos(q2); used 3 times
+    let q1_dot_c2 = q1_dot * c2;
+    // q1_dot_c2*sin(q2)*(I3 - I1); used 2 times
+    let f1_part = q1_dot_c2 * s2 * (I3 - I1);
+    // I3*q2'; used 2 times
+    let i3_q2_dot = I3 * q2_dot;
+    // m*l*g; used 2 times
+    let m_l_g = m * l * g;
     // Values.
     // f1 = cos(q2)*(m*l*g*sin(q1) - q2'*(I3*(2*q1'*sin(q2) + q3') - 2*I1*q1'*sin(q2)))
-    let f1 = c2
-        * (m * l * g * s1
-            - q2_dot
-                * (I3 * (S::int(2) * q1_dot_s2 + q3_dot) - S::int(2) * i1_q1_dot_s2));
+    let f1 = c2 * (m_l_g * s1 - q3_dot * i3_q2_dot) - S::int(2) * q2_dot * f1_part;
     // f2 = m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2))
-    let f2 = m * l * g * c1 * s2
-        + q1_dot * c2 * (I3 * (q1_dot_s2 + q3_dot) - i1_q1_dot_s2);
+    let f2 = I3 * q3_dot * q1_dot_c2 + q1_dot * f1_part + m_l_g * c1 * s2;
     // f3 = -I3*q1'*q2'*cos(q2)
-    let f3 = -I3 * q1_dot * q2_dot * c2;
+    let f3 = -q1_dot_c2 * i3_q2_dot;
     [f1, f2, f3]
 }
 
 /// The accelerations (q1'', q2'', q3''), solved for when this code was generated.
 ///
-/// 28 operations, 2 sines and cosines.
+/// 25 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(
     p: &Parameters<S>,
@@ -81,25 +84,34 @@ pub fn accelerations<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // I3*(q1'*sin(q2) + q3'); used 2 times
-    let q1_ddot_part = I3 * (q1_dot * s2 + q3_dot);
-    // I1*q1'*sin(q2); used 2 times
-    let i1_q1_dot_s2 = I1 * q1_dot * s2;
+    // q1'*sin(q2); used 2 times
+    let q1_dot_s2 = q1_dot * s2;
+    // I3*(q3' + q1_dot_s2); used 2 times
+    let q1_ddot_part = I3 * (q3_dot + q1_dot_s2);
+    // I1*q1_dot_s2; used 2 times
+    let i1_q1_dot_s2 = I1 * q1_dot_s2;
+    // m*l*g; used 2 times
+    let m_l_g = m * l * g;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
-    let q1_ddot = (m * l * g * s1 + q2_dot * (S::int(2) * i1_q1_dot_s2 - q1_ddot_part))
-        / (I1 * c2);
+    let q1_ddot = i1_inv
+        * (m_l_g * s1 - q2_dot * (q1_ddot_part - S::int(2) * i1_q1_dot_s2)) / c2;
+    // Shared terms.
+    // q1'*cos(q2); used 2 times
+    let q1_dot_c2 = q1_dot * c2;
+    // Elimination, step by step.
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
-    let q3_ddot = -q1_dot * q2_dot * c2 - q1_ddot * s2;
+    let q3_ddot = -q1_ddot * s2 - q2_dot * q1_dot_c2;
     // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
-    let q2_ddot = (m * l * g * c1 * s2 + q1_dot * c2 * (q1_ddot_part - i1_q1_dot_s2))
-        / I1;
+    let q2_ddot = i1_inv * (m_l_g * c1 * s2 + q1_dot_c2 * (q1_ddot_part - i1_q1_dot_s2));
     [q1_ddot, q2_ddot, q3_ddot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 28 operations, 2 sines and cosines.
+/// 25 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -113,19 +125,28 @@ pub fn derivative<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // I3*(q1'*sin(q2) + q3'); used 2 times
-    let q1_ddot_part = I3 * (q1_dot * s2 + q3_dot);
-    // I1*q1'*sin(q2); used 2 times
-    let i1_q1_dot_s2 = I1 * q1_dot * s2;
+    // q1'*sin(q2); used 2 times
+    let q1_dot_s2 = q1_dot * s2;
+    // I3*(q3' + q1_dot_s2); used 2 times
+    let q1_ddot_part = I3 * (q3_dot + q1_dot_s2);
+    // I1*q1_dot_s2; used 2 times
+    let i1_q1_dot_s2 = I1 * q1_dot_s2;
+    // m*l*g; used 2 times
+    let m_l_g = m * l * g;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
-    let q1_ddot = (m * l * g * s1 + q2_dot * (S::int(2) * i1_q1_dot_s2 - q1_ddot_part))
-        / (I1 * c2);
+    let q1_ddot = i1_inv
+        * (m_l_g * s1 - q2_dot * (q1_ddot_part - S::int(2) * i1_q1_dot_s2)) / c2;
+    // Shared terms.
+    // q1'*cos(q2); used 2 times
+    let q1_dot_c2 = q1_dot * c2;
+    // Elimination, step by step.
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
-    let q3_ddot = -q1_dot * q2_dot * c2 - q1_ddot * s2;
+    let q3_ddot = -q1_ddot * s2 - q2_dot * q1_dot_c2;
     // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
-    let q2_ddot = (m * l * g * c1 * s2 + q1_dot * c2 * (q1_ddot_part - i1_q1_dot_s2))
-        / I1;
+    let q2_ddot = i1_inv * (m_l_g * c1 * s2 + q1_dot_c2 * (q1_ddot_part - i1_q1_dot_s2));
     // Values.
     // q1' = q1'
     let q1_dot_value = q1_dot;
@@ -138,7 +159,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q1, q2, q3, q1', q2', q3'.
 ///
-/// 99 operations, 2 sines and cosines.
+/// 64 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -153,58 +174,77 @@ pub fn jacobian<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
+    // 1/cos(q2); used 4 times
+    let c2_inv = S::int(1) / c2;
+    // q2'*c2_inv; used 4 times
+    let q2_dot_c2_inv = q2_dot * c2_inv;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
+    // I3*i1_inv; used 7 times
+    let i3_i1_inv = I3 * i1_inv;
+    // q3'*i3_i1_inv; used 2 times
+    let q3_dot_i3_i1_inv = q3_dot * i3_i1_inv;
     // q1'*sin(q2); used 4 times
     let q1_dot_s2 = q1_dot * s2;
-    // q1'*sin(q2) + q3'; used 2 times
-    let q1_ddot_part = q1_dot_s2 + q3_dot;
+    // 2*q1_dot_s2; used 2 times
+    let q1_dot_s2_scaled = S::int(2) * q1_dot_s2;
+    // q3_dot_i3_i1_inv - q1_dot_s2_scaled; used 2 times
+    let q1_ddot_part = q3_dot_i3_i1_inv - q1_dot_s2_scaled;
+    // i3_i1_inv*q1_dot_s2 + q1_ddot_part; used 2 times
+    let q1_ddot_part_2 = i3_i1_inv * q1_dot_s2 + q1_ddot_part;
+    // m*l*g*i1_inv; used 3 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
+    // c2_inv*m_l_g_i1_inv; used 3 times
+    let c2_inv_m_l_g_i1_inv = c2_inv * m_l_g_i1_inv;
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
-    let q1_ddot = (m * l * g * s1
-        + q2_dot * (S::int(2) * I1 * q1_dot * s2 - I3 * q1_ddot_part)) / (I1 * c2);
+    let q1_ddot = c2_inv_m_l_g_i1_inv * s1 - q2_dot_c2_inv * q1_ddot_part_2;
     // q1_ddot_by_q1 = m*l*g*cos(q1)/(I1*cos(q2))
-    let q1_ddot_by_q1 = m * l * g * c1 / (I1 * c2);
-    // q2_ddot_by_q1 = -m*l*g*sin(q1)*sin(q2)/I1
-    let q2_ddot_by_q1 = -m * l * g * s1 * s2 / I1;
+    let q1_ddot_by_q1 = c2_inv_m_l_g_i1_inv * c1;
     // Shared terms.
-    // q1'*q2'; used 2 times
-    let q1_dot_q2_dot = q1_dot * q2_dot;
+    // sin(q1)*sin(q2); used 2 times
+    let s2_s1 = s1 * s2;
+    // Elimination, step by step.
+    // q2_ddot_by_q1 = -m*l*g*sin(q1)*sin(q2)/I1
+    let q2_ddot_by_q1 = -m_l_g_i1_inv * s2_s1;
+    // Shared terms.
+    // 2 - i3_i1_inv; used 2 times
+    let q1_ddot_by_q2_part = S::int(2) - i3_i1_inv;
     // Elimination, step by step.
     // q1_ddot_by_q2 = (2*q1'*q2' + (m*l*g*sin(q1)*sin(q2) - I3*q2'*(q1' + q3'*sin(q2)))/I1)/cos(q2)^2
-    let q1_ddot_by_q2 = (S::int(2) * q1_dot_q2_dot
-        + (m * l * g * s1 * s2 - I3 * q2_dot * (q1_dot + q3_dot * s2)) / I1) / (c2 * c2);
+    let q1_ddot_by_q2 = c2_inv
+        * (c2_inv_m_l_g_i1_inv * s2_s1
+            + q2_dot_c2_inv * (q1_dot * q1_ddot_by_q2_part - q3_dot_i3_i1_inv * s2));
     // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
-    let q3_ddot_by_q2 = s2 * (q1_dot_q2_dot - q1_ddot_by_q2) - q1_ddot * c2;
+    let q3_ddot_by_q2 = q2_dot * q1_dot_s2 - q1_ddot * c2 - q1_ddot_by_q2 * s2;
     // Shared terms.
-    // cos(q2)^2; used 2 times
-    let c2_sq = c2 * c2;
-    // sin(q2)^2; used 2 times
-    let s2_sq = s2 * s2;
+    // i3_i1_inv*q1_dot_s2_scaled + q1_ddot_part; used 2 times
+    let q2_ddot_by_q2_part = i3_i1_inv * q1_dot_s2_scaled + q1_ddot_part;
+    // q1'^2; used 2 times
+    let q1_dot_sq = q1_dot * q1_dot;
     // Elimination, step by step.
     // q2_ddot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - q1'*(q1'*(cos(q2)^2 - sin(q2)^2 + I3*(sin(q2)^2 -
     //   cos(q2)^2)/I1) + I3*q3'*sin(q2)/I1)
-    let q2_ddot_by_q2 = m * l * g * c1 * c2 / I1
-        - q1_dot
-            * (q1_dot * (c2_sq - s2_sq + I3 * (s2_sq - c2_sq) / I1)
-                + I3 * q3_dot * s2 / I1);
-    // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // Elimination, step by step.
+    let q2_ddot_by_q2 = m_l_g_i1_inv * c1 * c2 - q1_dot_s2 * q2_ddot_by_q2_part
+        - q1_dot_sq + i3_i1_inv * q1_dot_sq;
     // q1_ddot_by_q1_dot = q2'*tan(q2)*(2 - I3/I1)
-    let q1_ddot_by_q1_dot = q2_dot * t2 * (S::int(2) - I3 / I1);
+    let q1_ddot_by_q1_dot = q2_dot_c2_inv * q1_ddot_by_q2_part * s2;
     // q3_ddot_by_q1_dot = -q2'*cos(q2) - q1_ddot_by_q1_dot*sin(q2)
     let q3_ddot_by_q1_dot = -q2_dot * c2 - q1_ddot_by_q1_dot * s2;
     // q2_ddot_by_q1_dot = cos(q2)*(I3*(2*q1'*sin(q2) + q3')/I1 - 2*q1'*sin(q2))
-    let q2_ddot_by_q1_dot = c2
-        * (I3 * (S::int(2) * q1_dot_s2 + q3_dot) / I1 - S::int(2) * q1_dot_s2);
+    let q2_ddot_by_q1_dot = q2_ddot_by_q2_part * c2;
     // q1_ddot_by_q2_dot = (2*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')/I1)/cos(q2)
-    let q1_ddot_by_q2_dot = (S::int(2) * q1_dot_s2 - I3 * q1_ddot_part / I1) / c2;
+    let q1_ddot_by_q2_dot = -c2_inv * q1_ddot_part_2;
+    // Shared terms.
+    // q1'*cos(q2); used 2 times
+    let q1_dot_c2 = q1_dot * c2;
+    // Elimination, step by step.
     // q3_ddot_by_q2_dot = -q1'*cos(q2) - q1_ddot_by_q2_dot*sin(q2)
-    let q3_ddot_by_q2_dot = -q1_dot * c2 - q1_ddot_by_q2_dot * s2;
+    let q3_ddot_by_q2_dot = -q1_ddot_by_q2_dot * s2 - q1_dot_c2;
     // q1_ddot_by_q3_dot = -I3*q2'/(I1*cos(q2))
-    let q1_ddot_by_q3_dot = -I3 * q2_dot / (I1 * c2);
+    let q1_ddot_by_q3_dot = -q2_dot_c2_inv * i3_i1_inv;
     // q2_ddot_by_q3_dot = I3*q1'*cos(q2)/I1
-    let q2_ddot_by_q3_dot = I3 * q1_dot * c2 / I1;
+    let q2_ddot_by_q3_dot = i3_i1_inv * q1_dot_c2;
     // Entries that are not zero.
     // d(q1')/d(q1') = 1
     let q1_dot_by_q1_dot_value = S::int(1);
@@ -262,7 +302,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 20 operations, 1 sine and cosine.
+/// 16 operations, 1 sine and cosine.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> S {
     let Parameters { I1, I3, .. } = *p;
@@ -270,11 +310,17 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) 
     let [q1_dot, q2_dot, q3_dot] = *q_dot;
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // I3*q3'; used 2 times
+    let i3_q3_dot = I3 * q3_dot;
+    // q1'^2*(I3 + cos(q2)^2*(I1 - I3)) + I1*q2'^2
+    let energy_part = q1_dot * q1_dot * (I3 + c2 * c2 * (I1 - I3))
+        + I1 * q2_dot * q2_dot;
+    // q3'*i3_q3_dot + energy_part
+    let energy_part_2 = q3_dot * i3_q3_dot + energy_part;
     // Values.
     // T = q1'^2*(I3*sin(q2)^2 + I1*cos(q2)^2)/2 + I1*q2'^2/2 + I3*q3'^2/2 + I3*q1'*q3'*sin(q2)
-    let energy = S::ratio(1, 2) * q1_dot * q1_dot * (I3 * s2 * s2 + I1 * c2 * c2)
-        + S::ratio(1, 2) * I1 * q2_dot * q2_dot + S::ratio(1, 2) * I3 * q3_dot * q3_dot
-        + I3 * q1_dot * q3_dot * s2;
+    let energy = q1_dot * i3_q3_dot * s2 + S::ratio(1, 2) * energy_part_2;
     energy
 }
 
@@ -319,7 +365,7 @@ pub fn generalized_speeds<S: Scalar>(
 
 /// Their time derivatives u', from q, q' and q''.
 ///
-/// 9 operations, 1 sine and cosine.
+/// 8 operations, 1 sine and cosine.
 #[must_use]
 pub fn generalized_speed_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -332,19 +378,22 @@ pub fn generalized_speed_rates<S: Scalar>(
     let [q1_ddot, q2_ddot, q3_ddot] = *v_dot;
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // q1'*q2'; used 2 times
+    let q1_dot_q2_dot = q1_dot * q2_dot;
     // Values.
     // u1' = q1''*cos(q2) - q1'*q2'*sin(q2)
-    let u1_dot_value = q1_ddot * c2 - q1_dot * q2_dot * s2;
+    let u1_dot_value = q1_ddot * c2 - q1_dot_q2_dot * s2;
     // u2' = q2''
     let u2_dot_value = q2_ddot;
     // u3' = q1'*q2'*cos(q2) + q1''*sin(q2) + q3''
-    let u3_dot_value = q1_dot * q2_dot * c2 + q1_ddot * s2 + q3_ddot;
+    let u3_dot_value = q1_ddot * s2 + q3_ddot + q1_dot_q2_dot * c2;
     [u1_dot_value, u2_dot_value, u3_dot_value]
 }
 
 /// q' from q and the generalized speeds u.
 ///
-/// 4 operations, 1 sine and cosine.
+/// 3 operations, 1 sine and cosine.
 #[must_use]
 pub fn motion_variables<S: Scalar>(
     _p: &Parameters<S>,
@@ -356,15 +405,15 @@ pub fn motion_variables<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
+    // u1/cos(q2); used 2 times
+    let u1_c2_inv = u1 / c2;
     // Values.
     // q1' = u1/cos(q2)
-    let q1_dot_value = u1 / c2;
+    let q1_dot_value = u1_c2_inv;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
-    let q3_dot_value = u3 - u1 * t2;
+    let q3_dot_value = u3 - u1_c2_inv * s2;
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 

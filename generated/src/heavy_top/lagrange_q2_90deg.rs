@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
 //! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (q1'', q2'', q3'').
-//! Cost: mass_matrix 6 operations, 1 sine and cosine; forcing 28 operations, 2 sines and cosines; accelerations 28 operations, 2 sines and cosines.
+//! Cost: mass_matrix 5 operations, 1 sine and cosine; forcing 22 operations, 2 sines and cosines; accelerations 24 operations, 2 sines and cosines.
 //! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
 //! The accelerations divide by I1, by sin(q2_minus_90deg).
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3.
 ///
-/// 6 operations, 1 sine and cosine.
+/// 5 operations, 1 sine and cosine.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -23,12 +23,15 @@ pub fn mass_matrix<S: Scalar>(
     let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // I3*cos(q2_minus_90deg); used 2 times
+    let m11_part = I3 * cos_q2_minus_90deg;
     // Entries that are not zero; upper triangle.
     // M11 = I1*sin(q2_minus_90deg)^2 + I3*cos(q2_minus_90deg)^2
     let m11 = I1 * sin_q2_minus_90deg * sin_q2_minus_90deg
-        + I3 * cos_q2_minus_90deg * cos_q2_minus_90deg;
+        + m11_part * cos_q2_minus_90deg;
     // M13 = I3*cos(q2_minus_90deg)
-    let m13 = I3 * cos_q2_minus_90deg;
+    let m13 = m11_part;
     // M22 = I1
     let m22 = I1;
     // M33 = I3
@@ -38,38 +41,41 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (q1'', q2'', q3'').
 ///
-/// 28 operations, 2 sines and cosines.
+/// 22 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2_minus_90deg, _] = *q;
     let [q1_dot, q2_dot, q3_dot] = *q_dot;
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // q1'*cos(q2_minus_90deg); used 2 times
-    let f1_part = q1_dot * cos_q2_minus_90deg;
-    // I1*q1'*cos(q2_minus_90deg); used 2 times
-    let f1_part_ = I1 * q1_dot * cos_q2_minus_90deg;
+    // q1'*sin(q2_minus_90deg); used 3 times
+    let f1_part = q1_dot * sin_q2_minus_90deg;
+    // f1_part*cos(q2_minus_90deg)*(I3 - I1); used 2 times
+    let f1_part_2 = f1_part * cos_q2_minus_90deg * (I3 - I1);
+    // m*l*g; used 2 times
+    let m_l_g = m * l * g;
+    // I3*q2'; used 2 times
+    let i3_q2_dot = I3 * q2_dot;
     // Values.
     // f1 = -sin(q2_minus_90deg)*(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   2*q1'*cos(q2_minus_90deg))))
-    let f1 = -sin_q2_minus_90deg
-        * (m * l * g * s1
-            + q2_dot * (S::int(2) * f1_part_ - I3 * (q3_dot + S::int(2) * f1_part)));
+    let f1 = S::int(2) * q2_dot * f1_part_2
+        + sin_q2_minus_90deg * (q3_dot * i3_q2_dot - m_l_g * s1);
     // f2 = m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
     //   I3*(q3' + q1'*cos(q2_minus_90deg)))
-    let f2 = m * l * g * c1 * cos_q2_minus_90deg
-        + q1_dot * sin_q2_minus_90deg * (f1_part_ - I3 * (q3_dot + f1_part));
+    let f2 = m_l_g * c1 * cos_q2_minus_90deg - I3 * q3_dot * f1_part
+        - q1_dot * f1_part_2;
     // f3 = I3*q1'*q2'*sin(q2_minus_90deg)
-    let f3 = I3 * q1_dot * q2_dot * sin_q2_minus_90deg;
+    let f3 = f1_part * i3_q2_dot;
     [f1, f2, f3]
 }
 
 /// The accelerations (q1'', q2'', q3''), solved for when this code was generated.
 ///
-/// 28 operations, 2 sines and cosines.
+/// 24 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(
     p: &Parameters<S>,
@@ -80,30 +86,42 @@ pub fn accelerations<S: Scalar>(
     let [q1, q2_minus_90deg, _] = *q;
     let [q1_dot, q2_dot, q3_dot] = *q_dot;
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // I1*q1'*cos(q2_minus_90deg); used 2 times
-    let q1_ddot_part = I1 * q1_dot * cos_q2_minus_90deg;
-    // I3*(q3' + q1'*cos(q2_minus_90deg)); used 2 times
-    let q1_ddot_part_ = I3 * (q3_dot + q1_dot * cos_q2_minus_90deg);
+    // q1'*cos(q2_minus_90deg); used 2 times
+    let q1_ddot_part = q1_dot * cos_q2_minus_90deg;
+    // I3*(q3' + q1_ddot_part); used 2 times
+    let q1_ddot_part_2 = I3 * (q3_dot + q1_ddot_part);
+    // I1*q1_ddot_part; used 2 times
+    let i1_q1_ddot_part = I1 * q1_ddot_part;
+    // m*l*g; used 2 times
+    let m_l_g = m * l * g;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // Elimination, step by step.
     // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
-    let q1_ddot = -(m * l * g * s1 + q2_dot * (S::int(2) * q1_ddot_part - q1_ddot_part_))
-        / (I1 * sin_q2_minus_90deg);
+    let q1_ddot = i1_inv
+        * (q2_dot * (q1_ddot_part_2 - S::int(2) * i1_q1_ddot_part) - m_l_g * s1)
+        / sin_q2_minus_90deg;
+    // Shared terms.
+    // q1'*sin(q2_minus_90deg); used 2 times
+    let q3_ddot_part = q1_dot * sin_q2_minus_90deg;
+    // Elimination, step by step.
     // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
-    let q3_ddot = q1_dot * q2_dot * sin_q2_minus_90deg - q1_ddot * cos_q2_minus_90deg;
+    let q3_ddot = q2_dot * q3_ddot_part - q1_ddot * cos_q2_minus_90deg;
     // q2'' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
     //   I3*(q3' + q1'*cos(q2_minus_90deg))))/I1
-    let q2_ddot = (m * l * g * c1 * cos_q2_minus_90deg
-        + q1_dot * sin_q2_minus_90deg * (q1_ddot_part - q1_ddot_part_)) / I1;
+    let q2_ddot = i1_inv
+        * (m_l_g * c1 * cos_q2_minus_90deg
+            - q3_ddot_part * (q1_ddot_part_2 - i1_q1_ddot_part));
     [q1_ddot, q2_ddot, q3_ddot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 28 operations, 2 sines and cosines.
+/// 24 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -114,24 +132,36 @@ pub fn derivative<S: Scalar>(
     let [q1, q2_minus_90deg, _] = *q;
     let [q1_dot, q2_dot, q3_dot] = *q_dot;
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // I1*q1'*cos(q2_minus_90deg); used 2 times
-    let q1_ddot_part = I1 * q1_dot * cos_q2_minus_90deg;
-    // I3*(q3' + q1'*cos(q2_minus_90deg)); used 2 times
-    let q1_ddot_part_ = I3 * (q3_dot + q1_dot * cos_q2_minus_90deg);
+    // q1'*cos(q2_minus_90deg); used 2 times
+    let q1_ddot_part = q1_dot * cos_q2_minus_90deg;
+    // I3*(q3' + q1_ddot_part); used 2 times
+    let q1_ddot_part_2 = I3 * (q3_dot + q1_ddot_part);
+    // I1*q1_ddot_part; used 2 times
+    let i1_q1_ddot_part = I1 * q1_ddot_part;
+    // m*l*g; used 2 times
+    let m_l_g = m * l * g;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // Elimination, step by step.
     // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
-    let q1_ddot = -(m * l * g * s1 + q2_dot * (S::int(2) * q1_ddot_part - q1_ddot_part_))
-        / (I1 * sin_q2_minus_90deg);
+    let q1_ddot = i1_inv
+        * (q2_dot * (q1_ddot_part_2 - S::int(2) * i1_q1_ddot_part) - m_l_g * s1)
+        / sin_q2_minus_90deg;
+    // Shared terms.
+    // q1'*sin(q2_minus_90deg); used 2 times
+    let q3_ddot_part = q1_dot * sin_q2_minus_90deg;
+    // Elimination, step by step.
     // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
-    let q3_ddot = q1_dot * q2_dot * sin_q2_minus_90deg - q1_ddot * cos_q2_minus_90deg;
+    let q3_ddot = q2_dot * q3_ddot_part - q1_ddot * cos_q2_minus_90deg;
     // q2'' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
     //   I3*(q3' + q1'*cos(q2_minus_90deg))))/I1
-    let q2_ddot = (m * l * g * c1 * cos_q2_minus_90deg
-        + q1_dot * sin_q2_minus_90deg * (q1_ddot_part - q1_ddot_part_)) / I1;
+    let q2_ddot = i1_inv
+        * (m_l_g * c1 * cos_q2_minus_90deg
+            - q3_ddot_part * (q1_ddot_part_2 - i1_q1_ddot_part));
     // Values.
     // q1' = q1'
     let q1_dot_value = q1_dot;
@@ -144,7 +174,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, q1', q2', q3'.
 ///
-/// 100 operations, 2 sines and cosines.
+/// 63 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -156,78 +186,96 @@ pub fn jacobian<S: Scalar>(
     let [q1_dot, q2_dot, q3_dot] = *q_dot;
     let zero = S::int(0);
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
+    // 1/sin(q2_minus_90deg); used 5 times
+    let q1_ddot_part = S::int(1) / sin_q2_minus_90deg;
+    // q2'*q1_ddot_part; used 4 times
+    let q2_dot_q1_ddot_part = q2_dot * q1_ddot_part;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
+    // I3*i1_inv; used 7 times
+    let i3_i1_inv = I3 * i1_inv;
+    // q3'*i3_i1_inv; used 2 times
+    let q3_dot_i3_i1_inv = q3_dot * i3_i1_inv;
     // q1'*cos(q2_minus_90deg); used 4 times
-    let q1_ddot_part = q1_dot * cos_q2_minus_90deg;
-    // q3' + q1'*cos(q2_minus_90deg); used 2 times
-    let q1_ddot_part_ = q3_dot + q1_ddot_part;
+    let q1_ddot_part_2 = q1_dot * cos_q2_minus_90deg;
+    // 2*q1_ddot_part_2; used 2 times
+    let q1_ddot_part_2_scaled = S::int(2) * q1_ddot_part_2;
+    // q3_dot_i3_i1_inv - q1_ddot_part_2_scaled; used 2 times
+    let q1_ddot_part_3 = q3_dot_i3_i1_inv - q1_ddot_part_2_scaled;
+    // i3_i1_inv*q1_ddot_part_2 + q1_ddot_part_3; used 2 times
+    let q1_ddot_part_4 = i3_i1_inv * q1_ddot_part_2 + q1_ddot_part_3;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
+    // m_l_g_i1_inv*sin(q1); used 2 times
+    let s1_m_l_g_i1_inv = m_l_g_i1_inv * s1;
+    // q1_ddot_part*s1_m_l_g_i1_inv; used 2 times
+    let q1_ddot_part_5 = q1_ddot_part * s1_m_l_g_i1_inv;
     // Elimination, step by step.
     // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
-    let q1_ddot = -(m * l * g * s1
-        + q2_dot * (S::int(2) * I1 * q1_dot * cos_q2_minus_90deg - I3 * q1_ddot_part_))
-        / (I1 * sin_q2_minus_90deg);
-    // q1_ddot_by_q1 = -m*l*g*cos(q1)/(I1*sin(q2_minus_90deg))
-    let q1_ddot_by_q1 = -m * l * g * c1 / (I1 * sin_q2_minus_90deg);
-    // q2_ddot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
-    let q2_ddot_by_q1 = -m * l * g * s1 * cos_q2_minus_90deg / I1;
+    let q1_ddot = q2_dot_q1_ddot_part * q1_ddot_part_4 - q1_ddot_part_5;
     // Shared terms.
-    // q1'*q2'; used 2 times
-    let q1_dot_q2_dot = q1_dot * q2_dot;
+    // m_l_g_i1_inv*cos(q1); used 2 times
+    let c1_m_l_g_i1_inv = m_l_g_i1_inv * c1;
+    // Elimination, step by step.
+    // q1_ddot_by_q1 = -m*l*g*cos(q1)/(I1*sin(q2_minus_90deg))
+    let q1_ddot_by_q1 = -q1_ddot_part * c1_m_l_g_i1_inv;
+    // q2_ddot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
+    let q2_ddot_by_q1 = -s1_m_l_g_i1_inv * cos_q2_minus_90deg;
+    // Shared terms.
+    // 2 - i3_i1_inv; used 2 times
+    let q1_ddot_by_q2_minus_90deg_part = S::int(2) - i3_i1_inv;
     // Elimination, step by step.
     // q1_ddot_by_q2_minus_90deg = (2*q1'*q2' + (m*l*g*sin(q1)*cos(q2_minus_90deg) - I3*q2'*(q1' +
     //   q3'*cos(q2_minus_90deg)))/I1)/sin(q2_minus_90deg)^2
-    let q1_ddot_by_q2_minus_90deg = (S::int(2) * q1_dot_q2_dot
-        + (m * l * g * s1 * cos_q2_minus_90deg
-            - I3 * q2_dot * (q1_dot + q3_dot * cos_q2_minus_90deg)) / I1)
-        / (sin_q2_minus_90deg * sin_q2_minus_90deg);
+    let q1_ddot_by_q2_minus_90deg = q1_ddot_part
+        * (q1_ddot_part_5 * cos_q2_minus_90deg
+            + q2_dot_q1_ddot_part
+                * (q1_dot * q1_ddot_by_q2_minus_90deg_part
+                    - q3_dot_i3_i1_inv * cos_q2_minus_90deg));
     // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)
     let q3_ddot_by_q2_minus_90deg = q1_ddot * sin_q2_minus_90deg
-        + cos_q2_minus_90deg * (q1_dot_q2_dot - q1_ddot_by_q2_minus_90deg);
+        - q1_ddot_by_q2_minus_90deg * cos_q2_minus_90deg + q2_dot * q1_ddot_part_2;
     // Shared terms.
-    // sin(q2_minus_90deg)^2; used 2 times
-    let q2_ddot_by_q2_minus_90deg_part = sin_q2_minus_90deg * sin_q2_minus_90deg;
-    // cos(q2_minus_90deg)^2; used 2 times
-    let q2_ddot_by_q2_minus_90deg_part_ = cos_q2_minus_90deg * cos_q2_minus_90deg;
+    // i3_i1_inv*q1_ddot_part_2_scaled + q1_ddot_part_3; used 2 times
+    let q2_ddot_by_q2_minus_90deg_part = i3_i1_inv * q1_ddot_part_2_scaled
+        + q1_ddot_part_3;
+    // q1'^2; used 2 times
+    let q1_dot_sq = q1_dot * q1_dot;
     // Elimination, step by step.
     // q2_ddot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 -
     //   q1'*(I3*q3'*cos(q2_minus_90deg)/I1 + q1'*(sin(q2_minus_90deg)^2 - cos(q2_minus_90deg)^2 +
     //   I3*(cos(q2_minus_90deg)^2 - sin(q2_minus_90deg)^2)/I1))
-    let q2_ddot_by_q2_minus_90deg = -m * l * g * c1 * sin_q2_minus_90deg / I1
-        - q1_dot
-            * (I3 * q3_dot * cos_q2_minus_90deg / I1
-                + q1_dot
-                    * (q2_ddot_by_q2_minus_90deg_part - q2_ddot_by_q2_minus_90deg_part_
-                        + I3
-                            * (q2_ddot_by_q2_minus_90deg_part_
-                                - q2_ddot_by_q2_minus_90deg_part) / I1));
-    // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // Elimination, step by step.
+    let q2_ddot_by_q2_minus_90deg = i3_i1_inv * q1_dot_sq
+        - c1_m_l_g_i1_inv * sin_q2_minus_90deg
+        - q1_ddot_part_2 * q2_ddot_by_q2_minus_90deg_part - q1_dot_sq;
     // q1_ddot_by_q1_dot = q2'*(I3/I1 - 2)/tan(q2_minus_90deg)
-    let q1_ddot_by_q1_dot = q2_dot * (I3 / I1 - S::int(2)) / tan_q2_minus_90deg;
+    let q1_ddot_by_q1_dot = -q2_dot_q1_ddot_part * q1_ddot_by_q2_minus_90deg_part
+        * cos_q2_minus_90deg;
     // q3_ddot_by_q1_dot = q2'*sin(q2_minus_90deg) - q1_ddot_by_q1_dot*cos(q2_minus_90deg)
     let q3_ddot_by_q1_dot = q2_dot * sin_q2_minus_90deg
         - q1_ddot_by_q1_dot * cos_q2_minus_90deg;
     // q2_ddot_by_q1_dot = sin(q2_minus_90deg)*(2*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   2*q1'*cos(q2_minus_90deg))/I1)
-    let q2_ddot_by_q1_dot = sin_q2_minus_90deg
-        * (S::int(2) * q1_ddot_part - I3 * (q3_dot + S::int(2) * q1_ddot_part) / I1);
+    let q2_ddot_by_q1_dot = -q2_ddot_by_q2_minus_90deg_part * sin_q2_minus_90deg;
     // q1_ddot_by_q2_dot = (I3*(q3' + q1'*cos(q2_minus_90deg))/I1 -
     //   2*q1'*cos(q2_minus_90deg))/sin(q2_minus_90deg)
-    let q1_ddot_by_q2_dot = (I3 * q1_ddot_part_ / I1 - S::int(2) * q1_ddot_part)
-        / sin_q2_minus_90deg;
+    let q1_ddot_by_q2_dot = q1_ddot_part * q1_ddot_part_4;
+    // Shared terms.
+    // q1'*sin(q2_minus_90deg); used 2 times
+    let q3_ddot_by_q2_dot_part = q1_dot * sin_q2_minus_90deg;
+    // Elimination, step by step.
     // q3_ddot_by_q2_dot = q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg)
-    let q3_ddot_by_q2_dot = q1_dot * sin_q2_minus_90deg
+    let q3_ddot_by_q2_dot = q3_ddot_by_q2_dot_part
         - q1_ddot_by_q2_dot * cos_q2_minus_90deg;
     // q1_ddot_by_q3_dot = I3*q2'/(I1*sin(q2_minus_90deg))
-    let q1_ddot_by_q3_dot = I3 * q2_dot / (I1 * sin_q2_minus_90deg);
+    let q1_ddot_by_q3_dot = q2_dot_q1_ddot_part * i3_i1_inv;
     // q2_ddot_by_q3_dot = -I3*q1'*sin(q2_minus_90deg)/I1
-    let q2_ddot_by_q3_dot = -I3 * q1_dot * sin_q2_minus_90deg / I1;
+    let q2_ddot_by_q3_dot = -i3_i1_inv * q3_ddot_by_q2_dot_part;
     // Entries that are not zero.
     // d(q1')/d(q1') = 1
     let q1_dot_by_q1_dot_value = S::int(1);
@@ -292,7 +340,7 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 17 operations, 1 sine and cosine.
+/// 14 operations, 1 sine and cosine.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> S {
     let Parameters { I1, I3, .. } = *p;
@@ -300,16 +348,19 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) 
     let [q1_dot, q2_dot, q3_dot] = *q_dot;
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // q1'*cos(q2_minus_90deg); used 2 times
+    let energy_part = q1_dot * cos_q2_minus_90deg;
+    // q1'*sin(q2_minus_90deg)
+    let energy_part_2 = q1_dot * sin_q2_minus_90deg;
+    // I3*(q3'^2 + energy_part*(2*q3' + energy_part)) + I1*(q2'^2 + energy_part_2^2)
+    let energy_part_3 = I3
+        * (q3_dot * q3_dot + energy_part * (S::int(2) * q3_dot + energy_part))
+        + I1 * (q2_dot * q2_dot + energy_part_2 * energy_part_2);
     // Values.
     // T = I3*(q3'^2 + q1'*cos(q2_minus_90deg)*(2*q3' + q1'*cos(q2_minus_90deg)))/2 + I1*(q2'^2 +
     //   q1'^2*sin(q2_minus_90deg)^2)/2
-    let energy = S::ratio(1, 2) * I3
-        * (q3_dot * q3_dot
-            + q1_dot * cos_q2_minus_90deg
-                * (S::int(2) * q3_dot + q1_dot * cos_q2_minus_90deg))
-        + S::ratio(1, 2) * I1
-            * (q2_dot * q2_dot
-                + q1_dot * q1_dot * sin_q2_minus_90deg * sin_q2_minus_90deg);
+    let energy = S::ratio(1, 2) * energy_part_3;
     energy
 }
 
@@ -354,7 +405,7 @@ pub fn generalized_speeds<S: Scalar>(
 
 /// Their time derivatives u', from q, q' and q''.
 ///
-/// 10 operations, 1 sine and cosine.
+/// 9 operations, 1 sine and cosine.
 #[must_use]
 pub fn generalized_speed_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -367,21 +418,24 @@ pub fn generalized_speed_rates<S: Scalar>(
     let [q1_ddot, q2_ddot, q3_ddot] = *v_dot;
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    // q1'*q2'; used 2 times
+    let q1_dot_q2_dot = q1_dot * q2_dot;
     // Values.
     // u1' = -q1''*sin(q2_minus_90deg) - q1'*q2'*cos(q2_minus_90deg)
     let u1_dot_value = -q1_ddot * sin_q2_minus_90deg
-        - q1_dot * q2_dot * cos_q2_minus_90deg;
+        - q1_dot_q2_dot * cos_q2_minus_90deg;
     // u2' = q2''
     let u2_dot_value = q2_ddot;
     // u3' = q3'' - q1'*q2'*sin(q2_minus_90deg) + q1''*cos(q2_minus_90deg)
-    let u3_dot_value = q3_ddot - q1_dot * q2_dot * sin_q2_minus_90deg
-        + q1_ddot * cos_q2_minus_90deg;
+    let u3_dot_value = q3_ddot + q1_ddot * cos_q2_minus_90deg
+        - q1_dot_q2_dot * sin_q2_minus_90deg;
     [u1_dot_value, u2_dot_value, u3_dot_value]
 }
 
 /// q' from q and the generalized speeds u.
 ///
-/// 5 operations, 1 sine and cosine.
+/// 4 operations, 1 sine and cosine.
 #[must_use]
 pub fn motion_variables<S: Scalar>(
     _p: &Parameters<S>,
@@ -393,15 +447,15 @@ pub fn motion_variables<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // tan(q2_minus_90deg)
-    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // u1/sin(q2_minus_90deg); used 2 times
+    let q1_dot_value_part = u1 / sin_q2_minus_90deg;
     // Values.
     // q1' = -u1/sin(q2_minus_90deg)
-    let q1_dot_value = -u1 / sin_q2_minus_90deg;
+    let q1_dot_value = -q1_dot_value_part;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 + u1/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + u1 / tan_q2_minus_90deg;
+    let q3_dot_value = u3 + q1_dot_value_part * cos_q2_minus_90deg;
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
 //! 3 coordinates, 3 speeds, 5 parameters, 3 reactions. Unknowns: (u1', u2', u3', hold1, hold2, hold3).
-//! Cost: mass_matrix 25 operations, 2 sines and cosines; forcing 33 operations, 2 sines and cosines; accelerations 18 operations, 2 sines and cosines.
+//! Cost: mass_matrix 23 operations, 2 sines and cosines; forcing 27 operations, 2 sines and cosines; accelerations 16 operations, 2 sines and cosines.
 //! The kinematic equations are singular where cos(q2) = 0.
 //! The accelerations divide by cos(q2), by I1.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows top force b1, top force b2, top force b3, top moment b1, top moment b2, top moment b3.
 ///
-/// 25 operations, 2 sines and cosines.
+/// 23 operations, 2 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -25,19 +25,25 @@ pub fn mass_matrix<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // I1 - m*l^2; used 2 times
-    let i1_minus_m_l_2 = I1 - m * l * l;
-    // m*l; used 2 times
+    // m*l; used 3 times
     let m_l = m * l;
+    // sin(q1)*sin(q2); used 2 times
+    let s2_s1 = s1 * s2;
+    // cos(q1)*sin(q2); used 2 times
+    let s2_c1 = c1 * s2;
+    // l*m_l - I1
+    let l_m_l_minus_i1 = l * m_l - I1;
+    // -l_m_l_minus_i1; used 2 times
+    let l_m_l_minus_i1_scaled = -l_m_l_minus_i1;
     // Entries that are not zero.
     // M12 = m*l
     let m12 = m_l;
     // M14 = -cos(q2)
     let m14 = -c2;
     // M15 = -sin(q1)*sin(q2)
-    let m15 = -s1 * s2;
+    let m15 = -s2_s1;
     // M16 = cos(q1)*sin(q2)
-    let m16 = c1 * s2;
+    let m16 = s2_c1;
     // M21 = -m*l
     let m21 = -m_l;
     // M25 = -cos(q1)
@@ -51,19 +57,19 @@ pub fn mass_matrix<S: Scalar>(
     // M36 = -cos(q1)*cos(q2)
     let m36 = -c1 * c2;
     // M41 = I1 - m*l^2
-    let m41 = i1_minus_m_l_2;
+    let m41 = l_m_l_minus_i1_scaled;
     // M45 = -l*cos(q1)
     let m45 = -l * c1;
     // M46 = -l*sin(q1)
     let m46 = -l * s1;
     // M52 = I1 - m*l^2
-    let m52 = i1_minus_m_l_2;
+    let m52 = l_m_l_minus_i1_scaled;
     // M54 = l*cos(q2)
     let m54 = l * c2;
     // M55 = l*sin(q1)*sin(q2)
-    let m55 = l * s1 * s2;
+    let m55 = l * s2_s1;
     // M56 = -l*cos(q1)*sin(q2)
-    let m56 = -l * c1 * s2;
+    let m56 = -l * s2_c1;
     // M63 = I3
     let m63 = I3;
     [
@@ -78,7 +84,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3', hold1, hold2, hold3).
 ///
-/// 33 operations, 2 sines and cosines.
+/// 27 operations, 2 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -86,20 +92,30 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     let [u1, u2, u3] = *u;
     let zero = S::int(0);
     // Sines and cosines.
-    let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    let (s2, c2) = q2.sin_cos();
     // Shared terms.
+    // m*g; used 2 times
+    let m_g = m * g;
+    // m_g*cos(q1); used 2 times
+    let c1_m_g = m_g * c1;
+    // m*l; used 3 times
+    let m_l = m * l;
     // tan(q2)
     let t2 = s2 / c2;
-    // u1*tan(q2)*(m*l^2 - I1) + I3*u3; used 2 times
-    let f4_part = u1 * t2 * (m * l * l - I1) + I3 * u3;
+    // u1*tan(q2); used 2 times
+    let u1_c2_inv_s2 = u1 * t2;
+    // m_l*u1_c2_inv_s2; used 2 times
+    let m_l_u1_c2_inv_s2 = m_l * u1_c2_inv_s2;
+    // I3*u3 + u1_c2_inv_s2*(l*m_l - I1); used 2 times
+    let f4_part = I3 * u3 + u1_c2_inv_s2 * (l * m_l - I1);
     // Values.
     // f1 = m*sin(q2)*(g*cos(q1) - l*u1^2/cos(q2))
-    let f1 = m * s2 * (g * c1 - l * u1 * u1 / c2);
+    let f1 = c1_m_g * s2 - u1 * m_l_u1_c2_inv_s2;
     // f2 = -m*(g*sin(q1) + l*u1*u2*tan(q2))
-    let f2 = -m * (g * s1 + l * u1 * u2 * t2);
+    let f2 = -m_g * s1 - u2 * m_l_u1_c2_inv_s2;
     // f3 = m*(l*(u1^2 + u2^2) - g*cos(q1)*cos(q2))
-    let f3 = m * (l * (u1 * u1 + u2 * u2) - g * c1 * c2);
+    let f3 = m_l * (u1 * u1 + u2 * u2) - c1_m_g * c2;
     // f4 = -u2*(u1*tan(q2)*(m*l^2 - I1) + I3*u3)
     let f4 = -u2 * f4_part;
     // f5 = u1*(u1*tan(q2)*(m*l^2 - I1) + I3*u3)
@@ -109,7 +125,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
 
 /// The accelerations (u1', u2', u3'), solved for when this code was generated.
 ///
-/// 18 operations, 2 sines and cosines.
+/// 16 operations, 2 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -120,21 +136,25 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // tan(q2)
     let t2 = s2 / c2;
-    // I3*u3 - I1*u1*tan(q2); used 2 times
-    let u2_dot_part = I3 * u3 - I1 * u1 * t2;
+    // u1*tan(q2) - I3*u3*i1_inv; used 2 times
+    let u2_dot_part = u1 * t2 - I3 * u3 * i1_inv;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u2_dot = (m * l * g * c1 * s2 + u1 * u2_dot_part) / I1;
+    let u2_dot = m_l_g_i1_inv * c1 * s2 - u1 * u2_dot_part;
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    let u1_dot = u2 * u2_dot_part + m_l_g_i1_inv * s1;
     [u1_dot, u2_dot, zero]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 21 operations, 2 sines and cosines.
+/// 17 operations, 2 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -149,28 +169,34 @@ pub fn derivative<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // I3*u3 - I1*u1*tan(q2); used 2 times
-    let u2_dot_part = I3 * u3 - I1 * u1 * t2;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
+    // u1/cos(q2); used 2 times
+    let u1_c2_inv = u1 / c2;
+    // u1_c2_inv*sin(q2); used 2 times
+    let s2_u1_c2_inv = u1_c2_inv * s2;
+    // s2_u1_c2_inv - I3*u3*i1_inv; used 2 times
+    let u2_dot_part = s2_u1_c2_inv - I3 * u3 * i1_inv;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u2_dot = (m * l * g * c1 * s2 + u1 * u2_dot_part) / I1;
+    let u2_dot = m_l_g_i1_inv * c1 * s2 - u1 * u2_dot_part;
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u1_dot = (m * l * g * s1 - u2 * u2_dot_part) / I1;
+    let u1_dot = u2 * u2_dot_part + m_l_g_i1_inv * s1;
     // Values.
     // q1' = u1/cos(q2)
-    let q1_dot_value = u1 / c2;
+    let q1_dot_value = u1_c2_inv;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
-    let q3_dot_value = u3 - u1 * t2;
+    let q3_dot_value = u3 - s2_u1_c2_inv;
     ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
 }
 
 /// Jacobian of the derivative by the state; columns q1, q2, q3, u1, u2, u3.
 ///
-/// 42 operations, 2 sines and cosines.
+/// 29 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]; 6] {
     let Parameters { m, l, I1, I3, g } = *p;
@@ -180,46 +206,65 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
+    // m*l*g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2_dot_by_q1 = -m*l*g*sin(q1)*sin(q2)/I1
-    let u2_dot_by_q1 = -m * l * g * s1 * s2 / I1;
+    let u2_dot_by_q1 = -m_l_g_i1_inv * s1 * s2;
     // u1_dot_by_q1 = m*l*g*cos(q1)/I1
-    let u1_dot_by_q1 = m * l * g * c1 / I1;
-    // u2_dot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
-    let u2_dot_by_q2 = m * l * g * c1 * c2 / I1 - u1 * u1 / (c2 * c2);
-    // u1_dot_by_q2 = u1*u2/cos(q2)^2
-    let u1_dot_by_q2 = u1 * u2 / (c2 * c2);
+    let u1_dot_by_q1 = m_l_g_i1_inv * c1;
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
-    // u1*tan(q2); used 2 times
-    let u1_c2_inv_s2 = u1 * t2;
-    // I3*u3/I1; used 2 times
-    let i1_inv_i3_u3 = I3 * u3 / I1;
+    // 1/cos(q2); used 4 times
+    let c2_inv = S::int(1) / c2;
+    // u1*c2_inv; used 4 times
+    let u1_c2_inv = u1 * c2_inv;
+    // Elimination, step by step.
+    // u2_dot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
+    let u2_dot_by_q2 = u1_dot_by_q1 * c2 - u1_c2_inv * u1_c2_inv;
+    // Shared terms.
+    // c2_inv*u1_c2_inv; used 2 times
+    let c2_inv_u1_c2_inv = c2_inv * u1_c2_inv;
+    // Elimination, step by step.
+    // u1_dot_by_q2 = u1*u2/cos(q2)^2
+    let u1_dot_by_q2 = u2 * c2_inv_u1_c2_inv;
+    // Shared terms.
+    // u1_c2_inv*sin(q2); used 2 times
+    let s2_u1_c2_inv = u1_c2_inv * s2;
+    // I3*i1_inv; used 3 times
+    let i3_i1_inv = I3 * i1_inv;
+    // u3*i3_i1_inv; used 2 times
+    let u3_i3_i1_inv = u3 * i3_i1_inv;
     // Elimination, step by step.
     // u2_dot_by_u1 = I3*u3/I1 - 2*u1*tan(q2)
-    let u2_dot_by_u1 = i1_inv_i3_u3 - S::int(2) * u1_c2_inv_s2;
+    let u2_dot_by_u1 = u3_i3_i1_inv - S::int(2) * s2_u1_c2_inv;
+    // Shared terms.
+    // c2_inv*sin(q2); used 3 times
+    let s2_c2_inv = c2_inv * s2;
+    // Elimination, step by step.
     // u1_dot_by_u1 = u2*tan(q2)
-    let u1_dot_by_u1 = u2 * t2;
+    let u1_dot_by_u1 = u2 * s2_c2_inv;
     // u1_dot_by_u2 = u1*tan(q2) - I3*u3/I1
-    let u1_dot_by_u2 = u1_c2_inv_s2 - i1_inv_i3_u3;
+    let u1_dot_by_u2 = s2_u1_c2_inv - u3_i3_i1_inv;
     // Entries that are not zero.
     // d(q1')/d(q2) = u1*tan(q2)/cos(q2)
-    let q1_dot_by_q2_value = u1 * t2 / c2;
+    let q1_dot_by_q2_value = u1_c2_inv * s2_c2_inv;
     // d(q1')/d(u1) = 1/cos(q2)
-    let q1_dot_by_u1_value = S::int(1) / c2;
+    let q1_dot_by_u1_value = c2_inv;
     // d(q2')/d(u2) = 1
     let q2_dot_by_u2_value = S::int(1);
     // d(q3')/d(q2) = -u1/cos(q2)^2
-    let q3_dot_by_q2_value = -u1 / (c2 * c2);
+    let q3_dot_by_q2_value = -c2_inv_u1_c2_inv;
     // d(q3')/d(u1) = -tan(q2)
-    let q3_dot_by_u1_value = -t2;
+    let q3_dot_by_u1_value = -s2_c2_inv;
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
     // d(u1')/d(u3) = -I3*u2/I1
-    let u1_dot_by_u3_value = -I3 * u2 / I1;
+    let u1_dot_by_u3_value = -u2 * i3_i1_inv;
     // d(u2')/d(u3) = I3*u1/I1
-    let u2_dot_by_u3_value = I3 * u1 / I1;
+    let u2_dot_by_u3_value = u1 * i3_i1_inv;
     [
         [zero, q1_dot_by_q2_value, zero, q1_dot_by_u1_value, zero, zero],
         [zero, zero, zero, zero, q2_dot_by_u2_value, zero],
@@ -239,7 +284,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 4 operations, 1 sine and cosine.
+/// 3 operations, 1 sine and cosine.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(
     _p: &Parameters<S>,
@@ -251,29 +296,31 @@ pub fn coordinate_rates<S: Scalar>(
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // tan(q2)
-    let t2 = s2 / c2;
+    // u1/cos(q2); used 2 times
+    let u1_c2_inv = u1 / c2;
     // Values.
     // q1' = u1/cos(q2)
-    let q1_dot_value = u1 / c2;
+    let q1_dot_value = u1_c2_inv;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
-    let q3_dot_value = u3 - u1 * t2;
+    let q3_dot_value = u3 - u1_c2_inv * s2;
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
 /// Kinetic energy T.
 ///
-/// 11 operations.
+/// 8 operations.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> S {
     let Parameters { I1, I3, .. } = *p;
     let [u1, u2, u3] = *u;
+    // Shared terms.
+    // I1*(u1^2 + u2^2) + I3*u3^2
+    let energy_part = I1 * (u1 * u1 + u2 * u2) + I3 * u3 * u3;
     // Values.
     // T = I1*u1^2/2 + I1*u2^2/2 + I3*u3^2/2
-    let energy = S::ratio(1, 2) * I1 * u1 * u1 + S::ratio(1, 2) * I1 * u2 * u2
-        + S::ratio(1, 2) * I3 * u3 * u3;
+    let energy = S::ratio(1, 2) * energy_part;
     energy
 }
 

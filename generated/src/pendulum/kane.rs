@@ -115,14 +115,17 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 5 operations.
+/// 4 operations.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 1], u: &[S; 1]) -> S {
     let Parameters { m, l, .. } = *p;
     let [omega] = *u;
+    // Shared terms.
+    // l*omega
+    let l_omega = l * omega;
     // Values.
     // T = m*l^2*omega^2/2
-    let energy = S::ratio(1, 2) * m * l * l * omega * omega;
+    let energy = S::ratio(1, 2) * m * l_omega * l_omega;
     energy
 }
 

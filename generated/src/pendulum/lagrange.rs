@@ -123,14 +123,17 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 5 operations.
+/// 4 operations.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 1], q_dot: &[S; 1]) -> S {
     let Parameters { m, l, .. } = *p;
     let [theta_dot] = *q_dot;
+    // Shared terms.
+    // l*theta'
+    let l_theta_dot = l * theta_dot;
     // Values.
     // T = m*l^2*theta'^2/2
-    let energy = S::ratio(1, 2) * m * l * l * theta_dot * theta_dot;
+    let energy = S::ratio(1, 2) * m * l_theta_dot * l_theta_dot;
     energy
 }
 

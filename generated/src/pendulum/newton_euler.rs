@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/pendulum/model.toml`. Do not edit; run `tripos regenerate`.
 //! 1 coordinate, 1 speed, 3 parameters, 2 reactions. Unknowns: (omega', rod, plane).
-//! Cost: mass_matrix 6 operations, 1 sine and cosine; forcing 10 operations, 1 sine and cosine; accelerations 3 operations, 1 sine and cosine.
+//! Cost: mass_matrix 5 operations, 1 sine and cosine; forcing 8 operations, 1 sine and cosine; accelerations 3 operations, 1 sine and cosine.
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by l.
 
@@ -11,7 +11,7 @@ use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows bob force n1, bob force n2, bob force n3.
 ///
-/// 6 operations, 1 sine and cosine.
+/// 5 operations, 1 sine and cosine.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -23,13 +23,16 @@ pub fn mass_matrix<S: Scalar>(
     let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // m*l; used 2 times
+    let m_l = m * l;
     // Entries that are not zero.
     // M11 = m*l*cos(theta)
-    let m11 = m * l * cos_theta;
+    let m11 = m_l * cos_theta;
     // M12 = sin(theta)
     let m12 = sin_theta;
     // M21 = m*l*sin(theta)
-    let m21 = m * l * sin_theta;
+    let m21 = m_l * sin_theta;
     // M22 = -cos(theta)
     let m22 = -cos_theta;
     // M33 = -1
@@ -39,7 +42,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (omega', rod, plane).
 ///
-/// 10 operations, 1 sine and cosine.
+/// 8 operations, 1 sine and cosine.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
     let Parameters { m, l, g } = *p;
@@ -48,11 +51,14 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
     let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // l*omega^2; used 2 times
+    let l_omega_sq = l * omega * omega;
     // Values.
     // f1 = m*l*omega^2*sin(theta)
-    let f1 = m * l * omega * omega * sin_theta;
+    let f1 = m * l_omega_sq * sin_theta;
     // f2 = -m*(g + l*omega^2*cos(theta))
-    let f2 = -m * (g + l * omega * omega * cos_theta);
+    let f2 = -m * (g + l_omega_sq * cos_theta);
     [f1, f2, zero]
 }
 
@@ -131,14 +137,17 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 5 operations.
+/// 4 operations.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 1], u: &[S; 1]) -> S {
     let Parameters { m, l, .. } = *p;
     let [omega] = *u;
+    // Shared terms.
+    // l*omega
+    let l_omega = l * omega;
     // Values.
     // T = m*l^2*omega^2/2
-    let energy = S::ratio(1, 2) * m * l * l * omega * omega;
+    let energy = S::ratio(1, 2) * m * l_omega * l_omega;
     energy
 }
 

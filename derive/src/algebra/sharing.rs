@@ -1,0 +1,97 @@
+//! Fewer operations: common sub-sums and sub-products over everything that one function computes.
+//!
+//! The values become sums of monomials over atoms, and two kinds of common divisor are taken out, one at a time, the one that
+//! saves most first: a sum of two terms, whatever monomial stands before it (this is factoring where it occurs
+//! once, and sharing where it occurs more often), and a product of two factors. Longer ones arise by repetition, so
+//! that what grows along a chain is added up once along it. Reciprocals are atoms too: what many terms divide by is inverted once.
+//!
+//! Invariant: the value of every step and output is the same function as before; only polynomial identities are used.
+//! Absent on purpose: names. New symbols are called `#1`, `#2`, …, which no model file can contain; who writes them down
+//! gives them better ones.
+//!
+//! Source: greedy extraction of double-cube and single-cube divisors, J. Rajski & J. Vasudevamurthy, "The
+//! testability-preserving concurrent decomposition and factorization of Boolean expressions", IEEE Trans. CAD 11
+//! (1992); for polynomials, A. Hosangadi, F. Fallah & R. Kastner, "Optimizing polynomial expressions by algebraic factorization
+//! and common subexpression elimination", IEEE Trans. CAD 25 (2006).
+
+mod divisors;
+mod network;
+mod rebuild;
+
+use super::elimination::Definition;
+use super::simplify::Simplifier;
+use super::{Arena, Expr, Function};
+use divisors::Extraction;
+use network::Network;
+
+/// How the values are read before common divisors are looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// As they are factored.
+    Factored,
+    /// Multiplied out, as far as that stays short.
+    Expanded,
+    /// Multiplied out, with 1 − cos² for sin².
+    Cosines,
+    /// Multiplied out, with 1 − sin² for cos².
+    Sines,
+}
+
+impl Reading {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Factored, Self::Expanded, Self::Cosines, Self::Sines];
+
+    /// Terms beyond which a value is read as it is factored.
+    const LIMIT: usize = 60;
+
+    /// A value as this reading has it.
+    fn read(self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
+        if self == Self::Factored {
+            return e;
+        }
+        let Some(mut polynomial) = simplifier.polynomial(arena, e) else { return e };
+        if self != Self::Expanded {
+            for angle in polynomial.angles(arena) {
+                let (sine, cosine) = (arena.apply(Function::Sin, angle), arena.apply(Function::Cos, angle));
+                let (from, to) = if self == Self::Cosines { (sine, cosine) } else { (cosine, sine) };
+                if let Some(traded) = polynomial.pythagoras(from, to, Self::LIMIT) {
+                    polynomial = traded;
+                }
+            }
+        }
+        if polynomial.terms.len() > Self::LIMIT { e } else { polynomial.expand(arena) }
+    }
+}
+
+/// Steps and values rewritten.
+#[derive(Clone, Debug)]
+pub struct Shared {
+    /// The steps given, with the new symbols among them, each after what it needs.
+    pub steps: Vec<Definition>,
+    /// The values, in the order given.
+    pub values: Vec<Expr>,
+}
+
+/// Whether a symbol was introduced by [`share`].
+#[must_use]
+pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
+    arena.symbol_name(symbol).is_some_and(|name| name.starts_with('#'))
+}
+
+/// Takes common sub-sums and sub-products out of steps and values.
+pub fn share(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    reading: Reading,
+    steps: &[Definition],
+    values: &[Expr],
+) -> Shared {
+    let steps: Vec<Definition> = steps
+        .iter()
+        .map(|step| Definition { symbol: step.symbol, value: reading.read(arena, simplifier, step.value) })
+        .collect();
+    let values: Vec<Expr> = values.iter().map(|e| reading.read(arena, simplifier, *e)).collect();
+    let network = Network::new(arena, &steps, &values);
+    let network = Extraction::new(network).run();
+    rebuild::rebuild(arena, &network)
+}

@@ -1,0 +1,335 @@
+//! Common divisors of all sums, taken out one at a time, the one that saves most operations first.
+
+use super::network::{Atom, Factors, Network, Term, Value, is_unit};
+use crate::algebra::Rational;
+use rustc_hash::FxHashMap;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Terms in one sum above which its pairs of terms are not looked at: they grow with the square.
+const LONGEST: usize = 300;
+
+/// What several terms may have in common.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+enum Divisor {
+    /// first + second with whole coprime coefficients, the first positive, and no factor in common.
+    Sum(Box<[Term; 2]>),
+    /// A product of two atoms, which may be one.
+    Product(Atom, Atom),
+    /// A number, not 1 and positive, times an atom.
+    Scaled(Rational, Atom),
+}
+
+impl std::hash::Hash for Term {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.k.hash(state);
+        self.factors.hash(state);
+    }
+}
+
+/// Where a divisor may be taken out: a sum, and places of one or two of its terms.
+type Place = (Atom, usize, usize);
+
+#[derive(Default)]
+struct Candidate {
+    places: Vec<Place>,
+    /// Operations saved at these places, were all of them still there.
+    most: usize,
+    /// Operations of the divisor itself.
+    cost: usize,
+    /// The atom that holds it already.
+    defined: Option<Atom>,
+}
+
+/// Divisors of a network, kept up to date while they are taken out.
+pub(super) struct Extraction {
+    network: Network,
+    index: FxHashMap<Divisor, usize>,
+    divisors: Vec<Divisor>,
+    candidates: Vec<Candidate>,
+    /// The divisor that a sum is the definition of.
+    definition_of: FxHashMap<Atom, usize>,
+    /// (operations saved, the oldest first); bounds from above, which are weighed again when they come up.
+    queue: BinaryHeap<(usize, Reverse<usize>)>,
+}
+
+impl Extraction {
+    pub fn new(network: Network) -> Self {
+        let mut new = Self {
+            network,
+            index: FxHashMap::default(),
+            divisors: Vec::new(),
+            candidates: Vec::new(),
+            definition_of: FxHashMap::default(),
+            queue: BinaryHeap::new(),
+        };
+        for sum in 0..new.network.atoms.len() {
+            let sum = Atom::try_from(sum).expect("atoms are numbered");
+            let places: Vec<usize> = new.network.terms(sum).map(|(at, _)| at).collect();
+            for (i, at) in places.iter().enumerate() {
+                new.register(sum, *at, &places[..i], None);
+            }
+        }
+        new
+    }
+
+    /// Takes divisors out until none saves an operation.
+    pub fn run(mut self) -> Network {
+        while let Some((saved, Reverse(id))) = self.queue.pop() {
+            let now = self.saving(id);
+            if now == saved {
+                self.take_out(id);
+            } else if now > 0 {
+                self.queue.push((now, Reverse(id)));
+            }
+        }
+        self.network
+    }
+
+    /// Enters what a new term has in common with others. The pairs that make up the sum `own` are its own definition.
+    fn register(&mut self, sum: Atom, at: usize, others: &[usize], own: Option<usize>) {
+        let term = self.term(sum, at).clone();
+        for (i, (a, n)) in term.factors.iter().enumerate() {
+            if *n > 1 {
+                self.enter(Divisor::Product(*a, *a), (sum, at, at), own);
+            }
+            for (b, _) in &term.factors[i + 1..] {
+                self.enter(Divisor::Product(*a, *b), (sum, at, at), own);
+            }
+            if !is_unit(&term.k) {
+                self.enter(Divisor::Scaled(magnitude(&term.k), *a), (sum, at, at), own);
+            }
+        }
+        if others.len() <= LONGEST {
+            for other in others {
+                let (divisor, _) = split(self.term(sum, *other), &term);
+                self.enter(divisor, (sum, *other, at), own);
+            }
+        }
+    }
+
+    fn enter(&mut self, divisor: Divisor, place: Place, own: Option<usize>) {
+        let id = match self.index.get(&divisor) {
+            Some(id) => *id,
+            None => {
+                let id = self.divisors.len();
+                let cost = match &divisor {
+                    Divisor::Sum(terms) => terms[0].multiplications() + terms[1].multiplications() + 1,
+                    Divisor::Product(..) | Divisor::Scaled(..) => 1,
+                };
+                self.index.insert(divisor.clone(), id);
+                self.divisors.push(divisor);
+                self.candidates.push(Candidate { cost, ..Candidate::default() });
+                id
+            }
+        };
+        if own == Some(id) {
+            return;
+        }
+        let gain = self.gain(id, place);
+        let candidate = &mut self.candidates[id];
+        candidate.places.push(place);
+        candidate.most += gain;
+        let once = if candidate.defined.is_some() { 0 } else { candidate.cost };
+        if candidate.most > once {
+            self.queue.push((candidate.most - once, Reverse(id)));
+        }
+    }
+
+    fn term(&self, sum: Atom, at: usize) -> &Term {
+        match &self.network.atoms[sum as usize].value {
+            Value::Sum(terms) => terms[at].as_ref().expect("a term that is there"),
+            Value::Leaf(_) | Value::Inverse(_) => unreachable!("only sums have terms"),
+        }
+    }
+
+    fn is_there(&self, (sum, i, j): Place) -> bool {
+        match &self.network.atoms[sum as usize].value {
+            Value::Sum(terms) => terms[i].is_some() && terms[j].is_some(),
+            Value::Leaf(_) | Value::Inverse(_) => false,
+        }
+    }
+
+    /// Places that are still there and do not overlap.
+    fn places(&self, id: usize) -> Vec<Place> {
+        let mut list: Vec<Place> = Vec::new();
+        for place in &self.candidates[id].places {
+            let (sum, i, j) = *place;
+            let free = |p: &Place| p.0 != sum || (p.1 != i && p.1 != j && p.2 != i && p.2 != j);
+            // Other places in the same sum stand at the end, or a little before.
+            if self.is_there(*place) && list.iter().rev().take(64).all(free) {
+                list.push(*place);
+            }
+        }
+        list
+    }
+
+    /// A place where the divisor is the whole sum: then that sum holds it.
+    fn whole(&self, id: usize, places: &[Place]) -> Option<Place> {
+        places.iter().copied().find(|(sum, i, j)| {
+            let terms = self.network.terms(*sum).count();
+            let rest = self.without(id, (*sum, *i, *j));
+            let once = self.times(id, (*sum, *i, *j)) == 1;
+            once && rest.factors.is_empty() && rest.k.is_one() && terms == if i == j { 1 } else { 2 }
+        })
+    }
+
+    /// What is left of the terms at a place when the divisor is taken out.
+    fn without(&self, id: usize, (sum, i, j): Place) -> Term {
+        let first = self.term(sum, i);
+        match &self.divisors[id] {
+            Divisor::Sum(_) => split(first, self.term(sum, j)).1,
+            Divisor::Product(a, b) => {
+                let times = fits(&first.factors, *a, *b);
+                let mut rest = first.clone();
+                take(&mut rest.factors, *a, times);
+                take(&mut rest.factors, *b, times);
+                rest
+            }
+            Divisor::Scaled(_, a) => {
+                let mut rest = first.clone();
+                take(&mut rest.factors, *a, 1);
+                rest.k = if rest.k.is_negative() { Rational::MINUS_ONE } else { Rational::ONE };
+                rest
+            }
+        }
+    }
+
+    /// How often the divisor goes into the terms at a place.
+    fn times(&self, id: usize, (sum, i, _): Place) -> u32 {
+        match &self.divisors[id] {
+            Divisor::Product(a, b) => fits(&self.term(sum, i).factors, *a, *b),
+            Divisor::Sum(_) | Divisor::Scaled(..) => 1,
+        }
+    }
+
+    /// Operations that one place loses when the divisor is taken out there, its own not counted.
+    fn gain(&self, id: usize, place: Place) -> usize {
+        let (sum, i, j) = place;
+        let mut before = self.term(sum, i).multiplications();
+        if i != j {
+            before += self.term(sum, j).multiplications() + 1;
+        }
+        let rest = self.without(id, place);
+        let degree: u32 = rest.factors.iter().map(|(_, n)| *n).sum();
+        let after = (degree + self.times(id, place)) as usize - 1 + usize::from(!is_unit(&rest.k));
+        before.saturating_sub(after)
+    }
+
+    /// Operations that are saved by taking a divisor out wherever it fits.
+    fn saving(&self, id: usize) -> usize {
+        let total: usize = self.places(id).iter().map(|place| self.gain(id, *place)).sum();
+        let candidate = &self.candidates[id];
+        total.saturating_sub(if candidate.defined.is_some() { 0 } else { candidate.cost })
+    }
+
+    /// Takes a divisor out wherever it fits.
+    fn take_out(&mut self, id: usize) {
+        let places = self.places(id);
+        let (atom, kept) = self.holder(id, &places);
+        for place in places {
+            if Some(place) == kept {
+                continue;
+            }
+            let (sum, i, j) = place;
+            let mut rest = self.without(id, place);
+            let times = self.times(id, place);
+            insert(&mut rest.factors, atom, times);
+            let Value::Sum(terms) = &mut self.network.atoms[sum as usize].value else { continue };
+            terms[i] = None;
+            terms[j] = None;
+            terms.push(Some(rest));
+            let at = terms.len() - 1;
+            let others: Vec<usize> = self.network.terms(sum).map(|(at, _)| at).filter(|other| *other != at).collect();
+            let own = self.definition_of.get(&sum).copied();
+            self.register(sum, at, &others, own);
+        }
+        self.candidates[id].places.clear();
+    }
+
+    /// The atom that holds a divisor, and the place that is its definition.
+    fn holder(&mut self, id: usize, places: &[Place]) -> (Atom, Option<Place>) {
+        if let Some(atom) = self.candidates[id].defined {
+            return (atom, None);
+        }
+        if let Some(place) = self.whole(id, places) {
+            self.candidates[id].defined = Some(place.0);
+            self.definition_of.insert(place.0, id);
+            return (place.0, Some(place));
+        }
+        let terms: Vec<Option<Term>> = match &self.divisors[id] {
+            Divisor::Sum(terms) => terms.iter().cloned().map(Some).collect(),
+            Divisor::Product(a, b) => {
+                let mut factors = Factors::new();
+                insert(&mut factors, *a, 1);
+                insert(&mut factors, *b, 1);
+                vec![Some(Term { k: Rational::ONE, factors })]
+            }
+            Divisor::Scaled(k, a) => vec![Some(Term { k: k.clone(), factors: vec![(*a, 1)] })],
+        };
+        let places: Vec<usize> = (0..terms.len()).collect();
+        let atom = self.network.push(Value::Sum(terms));
+        self.candidates[id].defined = Some(atom);
+        self.definition_of.insert(atom, id);
+        for (i, at) in places.iter().enumerate() {
+            self.register(atom, *at, &places[..i], Some(id));
+        }
+        (atom, None)
+    }
+}
+
+fn magnitude(k: &Rational) -> Rational {
+    if k.is_negative() { k.neg() } else { k.clone() }
+}
+
+/// How often a·b goes into a product.
+fn fits(factors: &Factors, a: Atom, b: Atom) -> u32 {
+    let exponent = |atom: Atom| factors.iter().find(|(e, _)| *e == atom).map_or(0, |(_, n)| *n);
+    if a == b { exponent(a) / 2 } else { exponent(a).min(exponent(b)) }
+}
+
+fn take(factors: &mut Factors, atom: Atom, times: u32) {
+    for (e, n) in factors.iter_mut() {
+        if *e == atom {
+            *n -= times.min(*n);
+        }
+    }
+    factors.retain(|(_, n)| *n > 0);
+}
+
+fn insert(factors: &mut Factors, atom: Atom, times: u32) {
+    match factors.binary_search_by_key(&atom, |(e, _)| *e) {
+        Ok(at) => factors[at].1 += times,
+        Err(at) => factors.insert(at, (atom, times)),
+    }
+}
+
+/// Two terms as divisor · rest.
+fn split(a: &Term, b: &Term) -> (Divisor, Term) {
+    let mut common = Factors::new();
+    for (atom, n) in &a.factors {
+        if let Some((_, m)) = b.factors.iter().find(|(e, _)| e == atom) {
+            common.push((*atom, *n.min(m)));
+        }
+    }
+    let reduced = |term: &Term| {
+        let mut factors = term.factors.clone();
+        for (atom, n) in &common {
+            take(&mut factors, *atom, *n);
+        }
+        Term { k: term.k.clone(), factors }
+    };
+    let mut pair = [reduced(a), reduced(b)];
+    if pair[1].factors < pair[0].factors {
+        pair.swap(0, 1);
+    }
+    let mut content = magnitude(&pair[0].k.common_content(&pair[1].k));
+    if pair[0].k.is_negative() {
+        content = content.neg();
+    }
+    let inverse = content.recip().expect("terms are not zero");
+    for term in &mut pair {
+        term.k = term.k.mul(&inverse);
+    }
+    (Divisor::Sum(Box::new(pair)), Term { k: content, factors: common })
+}

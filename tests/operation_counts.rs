@@ -1,0 +1,45 @@
+//! What the generated functions cost: bounds for each model, as their headers state the counts.
+
+use std::path::Path;
+
+/// (model, formulation, operations of `mass_matrix`, `forcing`, `accelerations`, `derivative`). A count may fall; one that grows is
+/// a defect of the simplifier, of the elimination or of the sharing.
+const BOUNDS: [(&str, &str, [usize; 4]); 15] = [
+    ("cart_pendulum_3", "kane", [24, 39, 131, 131]),
+    ("cart_pendulum_3", "lagrange", [24, 39, 131, 131]),
+    ("cart_pendulum_3", "newton_euler", [36, 30, 161, 161]),
+    ("chaotic_pendulum", "kane", [11, 14, 26, 26]),
+    ("chaotic_pendulum", "lagrange", [11, 14, 26, 26]),
+    ("chaotic_pendulum", "newton_euler", [18, 27, 22, 22]),
+    ("disk", "kane", [18, 36, 39, 41]),
+    ("disk", "lagrange", [18, 35, 39, 39]),
+    ("disk", "newton_euler", [18, 27, 39, 41]),
+    ("heavy_top", "kane", [0, 14, 16, 17]),
+    ("heavy_top", "lagrange", [5, 23, 25, 25]),
+    ("heavy_top", "newton_euler", [23, 27, 16, 17]),
+    ("pendulum", "kane", [2, 4, 3, 3]),
+    ("pendulum", "lagrange", [2, 4, 3, 3]),
+    ("pendulum", "newton_euler", [5, 8, 3, 3]),
+];
+
+fn count(text: &str, function: &str) -> usize {
+    let signature = format!("pub fn {function}<");
+    let before = text.split(&signature).next().unwrap_or_default();
+    let line =
+        before.lines().rev().find(|line| line.starts_with("/// ") && line.contains(" operation")).unwrap_or_default();
+    line.split_whitespace().nth(1).and_then(|n| n.parse().ok()).unwrap_or_else(|| panic!("{function} states no count"))
+}
+
+#[test]
+fn generated_functions_keep_within_their_counts() {
+    for (model, formulation, bounds) in BOUNDS {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("generated/src/{model}/{formulation}.rs"));
+        let text = std::fs::read_to_string(&path).unwrap();
+        let names = ["mass_matrix", "forcing", "accelerations", "derivative"];
+        let counts = names.map(|name| count(&text, name));
+        println!("{model} {formulation} {counts:?}");
+        for ((name, count), bound) in names.iter().zip(counts).zip(bounds) {
+            assert!(count <= bound, "{model}, {formulation}: {name} has {count} operations, more than {bound}");
+        }
+    }
+}
