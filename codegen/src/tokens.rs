@@ -96,13 +96,29 @@ fn number(numerator: &str, denominator: &str) -> TokenStream {
     }
 }
 
+/// Terms from left to right; each product but the first is fused with what stands before it, where the scalar type can. If only the first
+/// is a product, it is fused with the second.
 fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
+    let mut order: Vec<&(bool, View)> = terms.iter().collect();
+    if let [first, second, ..] = order.as_slice()
+        && is_product(&first.1)
+        && !is_product(&second.1)
+    {
+        order.swap(0, 1);
+    }
     let mut tokens = TokenStream::new();
-    for (at, (negative, term)) in terms.iter().enumerate() {
+    for (at, (negative, term)) in order.into_iter().enumerate() {
+        cost.operations += usize::from(at > 0 || (*negative && terms[0].0));
+        if at > 0
+            && let Some((left, right)) = fusible(term, cost)
+        {
+            let left = if *negative { quote!((- #left)) } else { quote!(#left) };
+            tokens = quote!(#left.mul_add(#right, #tokens));
+            continue;
+        }
         let loose = matches!(term, View::Sum(_));
         let term = expression(term, cost);
         let term = if loose { quote!((#term)) } else { term };
-        cost.operations += usize::from(at > 0 || *negative);
         match (at, negative) {
             (0, false) => tokens.extend(term),
             (_, true) => tokens.extend(quote!(- #term)),
@@ -110,6 +126,34 @@ fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
         }
     }
     tokens
+}
+
+fn is_product(view: &View) -> bool {
+    matches!(view, View::Product(_))
+        || matches!(view, View::Power(base, 2) if matches!(**base, View::Name(_) | View::Shared(_)))
+}
+
+/// A product as what `mul_add` is called on and what it is multiplied by.
+fn fusible(term: &View, cost: &mut Cost) -> Option<(TokenStream, TokenStream)> {
+    if !is_product(term) {
+        return None;
+    }
+    cost.operations += 1;
+    match term {
+        View::Product(factors) => {
+            let (last, rest) = factors.split_last()?;
+            // A number is multiplied by, not called upon: `x.mul_add(S::int(4), y)` reads as it is written.
+            let one = if rest.len() == 1 { rest[0].clone() } else { View::Product(rest.to_vec()) };
+            let (left, right) = if matches!(one, View::Number(_)) { (last, &one) } else { (&one, last) };
+            let right = expression(right, cost);
+            Some((receiver(left, cost), right))
+        }
+        View::Power(base, _) => {
+            let base = expression(base, cost);
+            Some((base.clone(), base))
+        }
+        _ => None,
+    }
 }
 
 fn factor(view: &View, cost: &mut Cost) -> TokenStream {

@@ -106,27 +106,31 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let (sin_q1_minus_q3, _) = (q1 - q3).sin_cos();
     // Shared terms.
     // g*f1_part - u3_sq_m3_l2*sin(q1 - q3)
-    let f2_part_2 = g * f1_part - u3_sq_m3_l2 * sin_q1_minus_q3;
+    let f2_part_2 = (-u3_sq_m3_l2).mul_add(sin_q1_minus_q3, g * f1_part);
     // Sines and cosines.
     let (sin_q2_minus_q3, _) = (q2 - q3).sin_cos();
     // Shared terms.
     // l1*sin(q2 - q3); used 2 times
     let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
     // g*sin(q3) + l0_u1_sq*sin(q1 - q3)
-    let f4_part = g * s3 + l0_u1_sq * sin_q1_minus_q3;
+    let f4_part = l0_u1_sq.mul_add(sin_q1_minus_q3, g * s3);
     // Values.
     // f1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
     //   l1*u2^2*sin(q2) + l2*u3^2*sin(q3))
-    let f1 = F - u3_sq_m3_l2 * s3 - l0_u1_sq * f1_part - u2_sq * s2_l1_m2_plus_m3;
+    let f1 = (-u2_sq)
+        .mul_add(
+            s2_l1_m2_plus_m3,
+            (-l0_u1_sq).mul_add(f1_part, (-u3_sq_m3_l2).mul_add(s3, F)),
+        );
     // f2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
     //   - l2*u3^2*sin(q1 - q3)))
-    let f2 = l0 * (f2_part_2 - u2_sq * f2_part);
+    let f2 = l0 * ((-u2_sq).mul_add(f2_part, f2_part_2));
     // f3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
     //   l2*u3^2*sin(q2 - q3)))
-    let f3 = g * s2_l1_m2_plus_m3 + l0_u1_sq * f2_part
-        - u3_sq_m3_l2 * l1_sin_q2_minus_q3;
+    let f3 = (-u3_sq_m3_l2)
+        .mul_add(l1_sin_q2_minus_q3, l0_u1_sq.mul_add(f2_part, g * s2_l1_m2_plus_m3));
     // f4 = m3*l2*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))
-    let f4 = m3_l2 * (u2_sq * l1_sin_q2_minus_q3 + f4_part);
+    let f4 = m3_l2 * (u2_sq.mul_add(l1_sin_q2_minus_q3, f4_part));
     [f1, f2, f3, f4]
 }
 
@@ -152,7 +156,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // l1*u2_sq; used 4 times
     let l1_u2_sq = l1 * u2_sq;
     // l0_u1_sq*sin(q1) + l1_u2_sq*sin(q2); used 2 times
-    let r1_part = l0_u1_sq * s1 + l1_u2_sq * s2;
+    let r1_part = l1_u2_sq.mul_add(s2, l0_u1_sq * s1);
     // m1*sin(q1); used 2 times
     let m1_s1 = m1 * s1;
     // l2*u3^2; used 3 times
@@ -163,8 +167,12 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
     //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
     //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = F - m2 * r1_part - l0_u1_sq * m1_s1
-        - m3_s3 * (c3 * (l0_u1_sq * c1 - g + l1_u2_sq * c2) + r1_part * s3 + l2_u3_sq);
+    let r1 = (-m3_s3)
+        .mul_add(
+            r1_part.mul_add(s3, c3 * (l1_u2_sq.mul_add(c2, l0_u1_sq.mul_add(c1, -g))))
+                + l2_u3_sq,
+            (-l0_u1_sq).mul_add(m1_s1, (-m2).mul_add(r1_part, F)),
+        );
     // Shared terms.
     // q1 - q2; used 2 times
     let q1_minus_q2 = q1 - q2;
@@ -172,7 +180,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let (sin_q1_minus_q2, cos_q1_minus_q2) = q1_minus_q2.sin_cos();
     // Shared terms.
     // g*sin(q1) - l1_u2_sq*sin(q1 - q2); used 2 times
-    let r2_part = g * s1 - l1_u2_sq * sin_q1_minus_q2;
+    let r2_part = (-l1_u2_sq).mul_add(sin_q1_minus_q2, g * s1);
     // g*sin(q3); used 2 times
     let g_s3 = g * s3;
     // q1 - q3; used 2 times
@@ -186,58 +194,84 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let (sin_q2_minus_q3, cos_q2_minus_q3) = q2_minus_q3.sin_cos();
     // Shared terms.
     // l0_u1_sq*sin(q1 - q3) + l1_u2_sq*sin(q2 - q3) + g_s3; used 2 times
-    let r2_part_2 = l0_u1_sq * sin_q1_minus_q3 + l1_u2_sq * sin_q2_minus_q3 + g_s3;
+    let r2_part_2 = l1_u2_sq.mul_add(sin_q2_minus_q3, l0_u1_sq * sin_q1_minus_q3) + g_s3;
     // Elimination, step by step.
     // r2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
     //   - cos(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q1 - q3)))
     let r2 = l0
-        * (g * m1_s1 + m2 * r2_part
-            + m3 * (r2_part - l2_u3_sq * sin_q1_minus_q3 - r2_part_2 * cos_q1_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q1_minus_q3,
+                        (-l2_u3_sq).mul_add(sin_q1_minus_q3, r2_part),
+                    ),
+                m2.mul_add(r2_part, g * m1_s1),
+            ));
     // Shared terms.
     // g*sin(q2) + l0_u1_sq*sin(q1 - q2); used 2 times
-    let r3_part = g * s2 + l0_u1_sq * sin_q1_minus_q2;
+    let r3_part = l0_u1_sq.mul_add(sin_q1_minus_q2, g * s2);
     // Elimination, step by step.
     // r3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) - cos(q2 -
     //   q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q2 - q3)))
     let r3 = l1
-        * (m2 * r3_part
-            + m3 * (r3_part - l2_u3_sq * sin_q2_minus_q3 - r2_part_2 * cos_q2_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q2_minus_q3,
+                        (-l2_u3_sq).mul_add(sin_q2_minus_q3, r3_part),
+                    ),
+                m2 * r3_part,
+            ));
     // Shared terms.
     // m1 + m2; used 3 times
     let m1_plus_m2 = m1 + m2;
     // l0*(cos(q1)*(m3 + m1_plus_m2) - m3*cos(q3)*cos(q1 - q3)); used 3 times
-    let s4_part = l0 * (c1 * (m3 + m1_plus_m2) - m3 * c3 * cos_q1_minus_q3);
+    let s4_part = l0 * ((-(m3 * c3)).mul_add(cos_q1_minus_q3, c1 * (m3 + m1_plus_m2)));
     // 1/(m0 + m3_s3*sin(q3) + m1_plus_m2); used 3 times
-    let s4_part_2 = S::int(1) / (m0 + m3_s3 * s3 + m1_plus_m2);
+    let s4_part_2 = S::int(1) / (m3_s3.mul_add(s3, m0) + m1_plus_m2);
     // s4_part*s4_part_2; used 3 times
     let s4_part_s4_part_2 = s4_part * s4_part_2;
     // Elimination, step by step.
     // s4 = l0^2*(m1 + m2 + m3*sin(q1 - q3)^2) - l0^2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
     //   q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4 = l0 * l0 * (m3 * sin_q1_minus_q3 * sin_q1_minus_q3 + m1_plus_m2)
-        - s4_part * s4_part_s4_part_2;
+    let s4 = (-s4_part)
+        .mul_add(
+            s4_part_s4_part_2,
+            l0 * l0 * (m3.mul_add(sin_q1_minus_q3 * sin_q1_minus_q3, m1_plus_m2)),
+        );
     // Shared terms.
     // l1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3))); used 4 times
-    let s5_part = l1 * (m2 * c2 + m3 * (c2 - c3 * cos_q2_minus_q3));
+    let s5_part = l1 * (m3.mul_add((-c3).mul_add(cos_q2_minus_q3, c2), m2 * c2));
     // Elimination, step by step.
     // s5 = l0*l1*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 + m3))*(m2*cos(q2) + m3*(cos(q2) -
     //   cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*l1*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) -
     //   cos(q1 - q3)*cos(q2 - q3)))
-    let s5 = l0 * l1
-        * (m2 * cos_q1_minus_q2
-            + m3 * (cos_q1_minus_q2 - cos_q1_minus_q3 * cos_q2_minus_q3))
-        - s4_part_s4_part_2 * s5_part;
+    let s5 = (-s4_part_s4_part_2)
+        .mul_add(
+            s5_part,
+            l0 * l1
+                * (m3
+                    .mul_add(
+                        (-cos_q1_minus_q3).mul_add(cos_q2_minus_q3, cos_q1_minus_q2),
+                        m2 * cos_q1_minus_q2,
+                    )),
+        );
     // Shared terms.
     // s4_part_2*s5_part; used 2 times
     let s4_part_2_s5_part = s4_part_2 * s5_part;
     // Elimination, step by step.
     // s6 = l1^2*(m2 + m3*sin(q2 - q3)^2) - l1^2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 +
     //   m1 + m2 + m3*sin(q3)^2)
-    let s6 = l1 * l1 * (m2 + m3 * sin_q2_minus_q3 * sin_q2_minus_q3)
-        - s5_part * s4_part_2_s5_part;
+    let s6 = (-s5_part)
+        .mul_add(
+            s4_part_2_s5_part,
+            l1 * l1 * (m3.mul_add(sin_q2_minus_q3 * sin_q2_minus_q3, m2)),
+        );
     // Shared terms.
     // r2 + r1*s4_part_s4_part_2; used 2 times
-    let r7_part = r2 + r1 * s4_part_s4_part_2;
+    let r7_part = r1.mul_add(s4_part_s4_part_2, r2);
     // 1/s4; used 2 times
     let s4_inv = S::int(1) / s4;
     // s5*s4_inv; used 2 times
@@ -245,19 +279,26 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // Elimination, step by step.
     // r7 = l1*r1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3 -
     //   s5*(l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7 = r3 + r1 * s4_part_2_s5_part - r7_part * s5_s4_inv;
+    let r7 = (-r7_part).mul_add(s5_s4_inv, r1.mul_add(s4_part_2_s5_part, r3));
     // u2' = r7/(s6 - s5^2/s4)
-    let u2_dot = r7 / (s6 - s5 * s5_s4_inv);
+    let u2_dot = r7 / ((-s5).mul_add(s5_s4_inv, s6));
     // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2 -
     //   u2'*s5)/s4
-    let u1_dot = s4_inv * (r7_part - u2_dot * s5);
+    let u1_dot = s4_inv * ((-u2_dot).mul_add(s5, r7_part));
     // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)) + l1*u2'*(m2*cos(q2) + m3*(cos(q2)
     //   - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s4_part_2 * (r1 + u1_dot * s4_part + u2_dot * s5_part);
+    let u0_dot = s4_part_2 * (u2_dot.mul_add(s5_part, u1_dot.mul_add(s4_part, r1)));
     // u3' = (g*sin(q3) + u0'*cos(q3) + l0*(u1^2*sin(q1 - q3) - u1'*cos(q1 - q3)) + l1*(u2^2*sin(q2 - q3) -
     //   u2'*cos(q2 - q3)))/l2
-    let u3_dot = (u0_dot * c3 + l0 * (u1_sq * sin_q1_minus_q3 - u1_dot * cos_q1_minus_q3)
-        + l1 * (u2_sq * sin_q2_minus_q3 - u2_dot * cos_q2_minus_q3) + g_s3) / l2;
+    let u3_dot = (l1
+        .mul_add(
+            (-u2_dot).mul_add(cos_q2_minus_q3, u2_sq * sin_q2_minus_q3),
+            l0
+                .mul_add(
+                    (-u1_dot).mul_add(cos_q1_minus_q3, u1_sq * sin_q1_minus_q3),
+                    u0_dot * c3,
+                ),
+        ) + g_s3) / l2;
     [u0_dot, u1_dot, u2_dot, u3_dot]
 }
 
@@ -287,7 +328,7 @@ pub fn derivative<S: Scalar>(
     // l1*u2_sq; used 4 times
     let l1_u2_sq = l1 * u2_sq;
     // l0_u1_sq*sin(q1) + l1_u2_sq*sin(q2); used 2 times
-    let r1_part = l0_u1_sq * s1 + l1_u2_sq * s2;
+    let r1_part = l1_u2_sq.mul_add(s2, l0_u1_sq * s1);
     // m1*sin(q1); used 2 times
     let m1_s1 = m1 * s1;
     // l2*u3^2; used 3 times
@@ -298,8 +339,12 @@ pub fn derivative<S: Scalar>(
     // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
     //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
     //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = F - m2 * r1_part - l0_u1_sq * m1_s1
-        - m3_s3 * (c3 * (l0_u1_sq * c1 - g + l1_u2_sq * c2) + r1_part * s3 + l2_u3_sq);
+    let r1 = (-m3_s3)
+        .mul_add(
+            r1_part.mul_add(s3, c3 * (l1_u2_sq.mul_add(c2, l0_u1_sq.mul_add(c1, -g))))
+                + l2_u3_sq,
+            (-l0_u1_sq).mul_add(m1_s1, (-m2).mul_add(r1_part, F)),
+        );
     // Shared terms.
     // q1 - q2; used 2 times
     let q1_minus_q2 = q1 - q2;
@@ -307,7 +352,7 @@ pub fn derivative<S: Scalar>(
     let (sin_q1_minus_q2, cos_q1_minus_q2) = q1_minus_q2.sin_cos();
     // Shared terms.
     // g*sin(q1) - l1_u2_sq*sin(q1 - q2); used 2 times
-    let r2_part = g * s1 - l1_u2_sq * sin_q1_minus_q2;
+    let r2_part = (-l1_u2_sq).mul_add(sin_q1_minus_q2, g * s1);
     // g*sin(q3); used 2 times
     let g_s3 = g * s3;
     // q1 - q3; used 2 times
@@ -321,58 +366,84 @@ pub fn derivative<S: Scalar>(
     let (sin_q2_minus_q3, cos_q2_minus_q3) = q2_minus_q3.sin_cos();
     // Shared terms.
     // l0_u1_sq*sin(q1 - q3) + l1_u2_sq*sin(q2 - q3) + g_s3; used 2 times
-    let r2_part_2 = l0_u1_sq * sin_q1_minus_q3 + l1_u2_sq * sin_q2_minus_q3 + g_s3;
+    let r2_part_2 = l1_u2_sq.mul_add(sin_q2_minus_q3, l0_u1_sq * sin_q1_minus_q3) + g_s3;
     // Elimination, step by step.
     // r2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
     //   - cos(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q1 - q3)))
     let r2 = l0
-        * (g * m1_s1 + m2 * r2_part
-            + m3 * (r2_part - l2_u3_sq * sin_q1_minus_q3 - r2_part_2 * cos_q1_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q1_minus_q3,
+                        (-l2_u3_sq).mul_add(sin_q1_minus_q3, r2_part),
+                    ),
+                m2.mul_add(r2_part, g * m1_s1),
+            ));
     // Shared terms.
     // g*sin(q2) + l0_u1_sq*sin(q1 - q2); used 2 times
-    let r3_part = g * s2 + l0_u1_sq * sin_q1_minus_q2;
+    let r3_part = l0_u1_sq.mul_add(sin_q1_minus_q2, g * s2);
     // Elimination, step by step.
     // r3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) - cos(q2 -
     //   q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q2 - q3)))
     let r3 = l1
-        * (m2 * r3_part
-            + m3 * (r3_part - l2_u3_sq * sin_q2_minus_q3 - r2_part_2 * cos_q2_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q2_minus_q3,
+                        (-l2_u3_sq).mul_add(sin_q2_minus_q3, r3_part),
+                    ),
+                m2 * r3_part,
+            ));
     // Shared terms.
     // m1 + m2; used 3 times
     let m1_plus_m2 = m1 + m2;
     // l0*(cos(q1)*(m3 + m1_plus_m2) - m3*cos(q3)*cos(q1 - q3)); used 3 times
-    let s4_part = l0 * (c1 * (m3 + m1_plus_m2) - m3 * c3 * cos_q1_minus_q3);
+    let s4_part = l0 * ((-(m3 * c3)).mul_add(cos_q1_minus_q3, c1 * (m3 + m1_plus_m2)));
     // 1/(m0 + m3_s3*sin(q3) + m1_plus_m2); used 3 times
-    let s4_part_2 = S::int(1) / (m0 + m3_s3 * s3 + m1_plus_m2);
+    let s4_part_2 = S::int(1) / (m3_s3.mul_add(s3, m0) + m1_plus_m2);
     // s4_part*s4_part_2; used 3 times
     let s4_part_s4_part_2 = s4_part * s4_part_2;
     // Elimination, step by step.
     // s4 = l0^2*(m1 + m2 + m3*sin(q1 - q3)^2) - l0^2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
     //   q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4 = l0 * l0 * (m3 * sin_q1_minus_q3 * sin_q1_minus_q3 + m1_plus_m2)
-        - s4_part * s4_part_s4_part_2;
+    let s4 = (-s4_part)
+        .mul_add(
+            s4_part_s4_part_2,
+            l0 * l0 * (m3.mul_add(sin_q1_minus_q3 * sin_q1_minus_q3, m1_plus_m2)),
+        );
     // Shared terms.
     // l1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3))); used 4 times
-    let s5_part = l1 * (m2 * c2 + m3 * (c2 - c3 * cos_q2_minus_q3));
+    let s5_part = l1 * (m3.mul_add((-c3).mul_add(cos_q2_minus_q3, c2), m2 * c2));
     // Elimination, step by step.
     // s5 = l0*l1*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 + m3))*(m2*cos(q2) + m3*(cos(q2) -
     //   cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*l1*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) -
     //   cos(q1 - q3)*cos(q2 - q3)))
-    let s5 = l0 * l1
-        * (m2 * cos_q1_minus_q2
-            + m3 * (cos_q1_minus_q2 - cos_q1_minus_q3 * cos_q2_minus_q3))
-        - s4_part_s4_part_2 * s5_part;
+    let s5 = (-s4_part_s4_part_2)
+        .mul_add(
+            s5_part,
+            l0 * l1
+                * (m3
+                    .mul_add(
+                        (-cos_q1_minus_q3).mul_add(cos_q2_minus_q3, cos_q1_minus_q2),
+                        m2 * cos_q1_minus_q2,
+                    )),
+        );
     // Shared terms.
     // s4_part_2*s5_part; used 2 times
     let s4_part_2_s5_part = s4_part_2 * s5_part;
     // Elimination, step by step.
     // s6 = l1^2*(m2 + m3*sin(q2 - q3)^2) - l1^2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 +
     //   m1 + m2 + m3*sin(q3)^2)
-    let s6 = l1 * l1 * (m2 + m3 * sin_q2_minus_q3 * sin_q2_minus_q3)
-        - s5_part * s4_part_2_s5_part;
+    let s6 = (-s5_part)
+        .mul_add(
+            s4_part_2_s5_part,
+            l1 * l1 * (m3.mul_add(sin_q2_minus_q3 * sin_q2_minus_q3, m2)),
+        );
     // Shared terms.
     // r2 + r1*s4_part_s4_part_2; used 2 times
-    let r7_part = r2 + r1 * s4_part_s4_part_2;
+    let r7_part = r1.mul_add(s4_part_s4_part_2, r2);
     // 1/s4; used 2 times
     let s4_inv = S::int(1) / s4;
     // s5*s4_inv; used 2 times
@@ -380,19 +451,26 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // r7 = l1*r1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3 -
     //   s5*(l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7 = r3 + r1 * s4_part_2_s5_part - r7_part * s5_s4_inv;
+    let r7 = (-r7_part).mul_add(s5_s4_inv, r1.mul_add(s4_part_2_s5_part, r3));
     // u2' = r7/(s6 - s5^2/s4)
-    let u2_dot = r7 / (s6 - s5 * s5_s4_inv);
+    let u2_dot = r7 / ((-s5).mul_add(s5_s4_inv, s6));
     // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2 -
     //   u2'*s5)/s4
-    let u1_dot = s4_inv * (r7_part - u2_dot * s5);
+    let u1_dot = s4_inv * ((-u2_dot).mul_add(s5, r7_part));
     // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)) + l1*u2'*(m2*cos(q2) + m3*(cos(q2)
     //   - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s4_part_2 * (r1 + u1_dot * s4_part + u2_dot * s5_part);
+    let u0_dot = s4_part_2 * (u2_dot.mul_add(s5_part, u1_dot.mul_add(s4_part, r1)));
     // u3' = (g*sin(q3) + u0'*cos(q3) + l0*(u1^2*sin(q1 - q3) - u1'*cos(q1 - q3)) + l1*(u2^2*sin(q2 - q3) -
     //   u2'*cos(q2 - q3)))/l2
-    let u3_dot = (u0_dot * c3 + l0 * (u1_sq * sin_q1_minus_q3 - u1_dot * cos_q1_minus_q3)
-        + l1 * (u2_sq * sin_q2_minus_q3 - u2_dot * cos_q2_minus_q3) + g_s3) / l2;
+    let u3_dot = (l1
+        .mul_add(
+            (-u2_dot).mul_add(cos_q2_minus_q3, u2_sq * sin_q2_minus_q3),
+            l0
+                .mul_add(
+                    (-u1_dot).mul_add(cos_q1_minus_q3, u1_sq * sin_q1_minus_q3),
+                    u0_dot * c3,
+                ),
+        ) + g_s3) / l2;
     // Values.
     // q0' = u0
     let q0_dot_value = u0;
@@ -431,15 +509,15 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // u2*l1_u2; used 8 times
     let u2_l1_u2 = u2 * l1_u2;
     // u1_l0_u1*sin(q1) + u2_l1_u2*sin(q2); used 2 times
-    let r1_part = u1_l0_u1 * s1 + u2_l1_u2 * s2;
+    let r1_part = u2_l1_u2.mul_add(s2, u1_l0_u1 * s1);
     // g - u1_l0_u1*cos(q1) - u2_l1_u2*cos(q2); used 2 times
-    let r1_part_2 = g - u1_l0_u1 * c1 - u2_l1_u2 * c2;
+    let r1_part_2 = (-u2_l1_u2).mul_add(c2, (-u1_l0_u1).mul_add(c1, g));
     // l2*u3; used 4 times
     let l2_u3 = l2 * u3;
     // u3*l2_u3; used 5 times
     let u3_l2_u3 = u3 * l2_u3;
     // r1_part_2*cos(q3) - u3_l2_u3; used 2 times
-    let r1_part_3 = r1_part_2 * c3 - u3_l2_u3;
+    let r1_part_3 = r1_part_2.mul_add(c3, -u3_l2_u3);
     // r1_part*sin(q3); used 2 times
     let s3_r1_part = r1_part * s3;
     // m3*sin(q3); used 10 times
@@ -450,7 +528,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
     //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
     //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = F - m2 * r1_part + m3_s3 * (r1_part_3 - s3_r1_part) - u1_l0_u1 * m1_s1;
+    let r1 = (-u1_l0_u1)
+        .mul_add(
+            m1_s1,
+            m3_s3.mul_add(r1_part_3 - s3_r1_part, (-m2).mul_add(r1_part, F)),
+        );
     // Shared terms.
     // q1 - q2; used 2 times
     let q1_minus_q2 = q1 - q2;
@@ -458,7 +540,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let (sin_q1_minus_q2, cos_q1_minus_q2) = q1_minus_q2.sin_cos();
     // Shared terms.
     // g*sin(q1) - u2_l1_u2*sin(q1 - q2); used 2 times
-    let r2_part = g * s1 - u2_l1_u2 * sin_q1_minus_q2;
+    let r2_part = (-u2_l1_u2).mul_add(sin_q1_minus_q2, g * s1);
     // q1 - q3; used 2 times
     let q1_minus_q3 = q1 - q3;
     // Sines and cosines.
@@ -470,22 +552,37 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let (sin_q2_minus_q3, cos_q2_minus_q3) = q2_minus_q3.sin_cos();
     // Shared terms.
     // g*sin(q3) + u1_l0_u1*sin(q1 - q3) + u2_l1_u2*sin(q2 - q3); used 4 times
-    let r2_part_2 = g * s3 + u1_l0_u1 * sin_q1_minus_q3 + u2_l1_u2 * sin_q2_minus_q3;
+    let r2_part_2 = u2_l1_u2
+        .mul_add(sin_q2_minus_q3, u1_l0_u1.mul_add(sin_q1_minus_q3, g * s3));
     // Elimination, step by step.
     // r2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
     //   - cos(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q1 - q3)))
     let r2 = l0
-        * (g * m1_s1 + m2 * r2_part
-            + m3 * (r2_part - u3_l2_u3 * sin_q1_minus_q3 - r2_part_2 * cos_q1_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q1_minus_q3,
+                        (-u3_l2_u3).mul_add(sin_q1_minus_q3, r2_part),
+                    ),
+                m2.mul_add(r2_part, g * m1_s1),
+            ));
     // Shared terms.
     // g*sin(q2) + u1_l0_u1*sin(q1 - q2); used 2 times
-    let r3_part = g * s2 + u1_l0_u1 * sin_q1_minus_q2;
+    let r3_part = u1_l0_u1.mul_add(sin_q1_minus_q2, g * s2);
     // Elimination, step by step.
     // r3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) - cos(q2 -
     //   q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q2 - q3)))
     let r3 = l1
-        * (m2 * r3_part
-            + m3 * (r3_part - u3_l2_u3 * sin_q2_minus_q3 - r2_part_2 * cos_q2_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q2_minus_q3,
+                        (-u3_l2_u3).mul_add(sin_q2_minus_q3, r3_part),
+                    ),
+                m2 * r3_part,
+            ));
     // Shared terms.
     // m1 + m2; used 5 times
     let m1_plus_m2 = m1 + m2;
@@ -494,9 +591,9 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // m3 + m1_plus_m2; used 2 times
     let s4_part = m3 + m1_plus_m2;
     // s4_part*cos(q1) - m3*cos(q3)*cos(q1 - q3); used 2 times
-    let s4_part_2 = s4_part * c1 - m3 * c3 * cos_q1_minus_q3;
+    let s4_part_2 = (-(m3 * c3)).mul_add(cos_q1_minus_q3, s4_part * c1);
     // m3_s3*sin(q3) + m1_plus_m2; used 3 times
-    let s4_part_3 = m3_s3 * s3 + m1_plus_m2;
+    let s4_part_3 = m3_s3.mul_add(s3, m1_plus_m2);
     // 1/(m0 + s4_part_3); used 13 times
     let s4_part_4 = S::int(1) / (m0 + s4_part_3);
     // l0*s4_part_4; used 4 times
@@ -508,23 +605,29 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // s4 = l0^2*(m1 + m2 + m3*sin(q1 - q3)^2) - l0^2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
     //   q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4 = l0 * l0 * (m1_plus_m2 + m3_sin_q1_minus_q3 * sin_q1_minus_q3)
-        - s4_part_5 * l0_s4_part_2;
+    let s4 = (-s4_part_5)
+        .mul_add(
+            l0_s4_part_2,
+            l0 * l0 * (m3_sin_q1_minus_q3.mul_add(sin_q1_minus_q3, m1_plus_m2)),
+        );
     // Shared terms.
     // m2*cos(q2); used 3 times
     let m2_c2 = m2 * c2;
     // l1*(m3*(cos(q2) - cos(q3)*cos(q2 - q3)) + m2_c2); used 10 times
-    let s5_part = l1 * (m3 * (c2 - c3 * cos_q2_minus_q3) + m2_c2);
+    let s5_part = l1 * (m3.mul_add((-c3).mul_add(cos_q2_minus_q3, c2), m2_c2));
     // m2*cos(q1 - q2) + m3*(cos(q1 - q2) - cos(q1 - q3)*cos(q2 - q3)); used 3 times
-    let s5_part_2 = m2 * cos_q1_minus_q2
-        + m3 * (cos_q1_minus_q2 - cos_q1_minus_q3 * cos_q2_minus_q3);
+    let s5_part_2 = m3
+        .mul_add(
+            (-cos_q1_minus_q3).mul_add(cos_q2_minus_q3, cos_q1_minus_q2),
+            m2 * cos_q1_minus_q2,
+        );
     // l0*l1; used 3 times
     let l0_l1 = l0 * l1;
     // Elimination, step by step.
     // s5 = l0*l1*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 + m3))*(m2*cos(q2) + m3*(cos(q2) -
     //   cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*l1*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) -
     //   cos(q1 - q3)*cos(q2 - q3)))
-    let s5 = s5_part_2 * l0_l1 - s4_part_5 * s5_part;
+    let s5 = (-s4_part_5).mul_add(s5_part, s5_part_2 * l0_l1);
     // Shared terms.
     // s4_part_4*s5_part; used 9 times
     let s4_part_4_s5_part = s4_part_4 * s5_part;
@@ -533,11 +636,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // s6 = l1^2*(m2 + m3*sin(q2 - q3)^2) - l1^2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 +
     //   m1 + m2 + m3*sin(q3)^2)
-    let s6 = l1_sq * (m2 + m3 * sin_q2_minus_q3 * sin_q2_minus_q3)
-        - s5_part * s4_part_4_s5_part;
+    let s6 = (-s5_part)
+        .mul_add(
+            s4_part_4_s5_part,
+            l1_sq * (m3.mul_add(sin_q2_minus_q3 * sin_q2_minus_q3, m2)),
+        );
     // Shared terms.
     // r2 + r1*s4_part_5; used 3 times
-    let r7_part = r2 + r1 * s4_part_5;
+    let r7_part = r1.mul_add(s4_part_5, r2);
     // 1/s4; used 11 times
     let s4_inv = S::int(1) / s4;
     // s5*s4_inv; used 12 times
@@ -547,32 +653,32 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // r7 = l1*r1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3 -
     //   s5*(l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7 = r3 - r7_part * s5_s4_inv + r1_s4_part_4_s5_part;
+    let r7 = (-r7_part).mul_add(s5_s4_inv, r3) + r1_s4_part_4_s5_part;
     // Shared terms.
     // 1/(s6 - s5*s5_s4_inv); used 7 times
-    let u2_dot_part = S::int(1) / (s6 - s5 * s5_s4_inv);
+    let u2_dot_part = S::int(1) / ((-s5).mul_add(s5_s4_inv, s6));
     // Elimination, step by step.
     // u2' = r7/(s6 - s5^2/s4)
     let u2_dot = r7 * u2_dot_part;
     // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2 -
     //   u2'*s5)/s4
-    let u1_dot = s4_inv * (r7_part - u2_dot * s5);
+    let u1_dot = s4_inv * ((-u2_dot).mul_add(s5, r7_part));
     // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)) + l1*u2'*(m2*cos(q2) + m3*(cos(q2)
     //   - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s4_part_4 * (r1 + u1_dot * l0_s4_part_2 + u2_dot * s5_part);
+    let u0_dot = s4_part_4 * (u2_dot.mul_add(s5_part, u1_dot.mul_add(l0_s4_part_2, r1)));
     // Shared terms.
     // m3_s3*cos(q3); used 4 times
     let c3_m3_s3 = m3_s3 * c3;
     // Elimination, step by step.
     // r1_by_q1 = l0*u1^2*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 + m3*sin(q3)^2))
-    let r1_by_q1 = u1_l0_u1 * (c3_m3_s3 * s1 - s4_part_3 * c1);
+    let r1_by_q1 = u1_l0_u1 * ((-s4_part_3).mul_add(c1, c3_m3_s3 * s1));
     // Shared terms.
     // g*cos(q1); used 2 times
     let g_c1 = g * c1;
     // g_c1 - u2_l1_u2*cos(q1 - q2); used 2 times
-    let r2_by_q1_part = g_c1 - u2_l1_u2 * cos_q1_minus_q2;
+    let r2_by_q1_part = (-u2_l1_u2).mul_add(cos_q1_minus_q2, g_c1);
     // u1_l0_u1*cos(q1 - q3) + u3_l2_u3; used 2 times
-    let r2_by_q1_part_2 = u1_l0_u1 * cos_q1_minus_q3 + u3_l2_u3;
+    let r2_by_q1_part_2 = u1_l0_u1.mul_add(cos_q1_minus_q3, u3_l2_u3);
     // r2_part_2*sin(q1 - q3); used 2 times
     let r2_by_q1_part_3 = r2_part_2 * sin_q1_minus_q3;
     // Elimination, step by step.
@@ -580,14 +686,17 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   - q2) + sin(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - cos(q1 -
     //   q3)*(l0*u1^2*cos(q1 - q3) + l2*u3^2)))
     let r2_by_q1 = l0
-        * (m1 * g_c1 + m2 * r2_by_q1_part
-            + m3
-                * (r2_by_q1_part - r2_by_q1_part_2 * cos_q1_minus_q3 + r2_by_q1_part_3));
+        * (m3
+            .mul_add(
+                (-r2_by_q1_part_2).mul_add(cos_q1_minus_q3, r2_by_q1_part)
+                    + r2_by_q1_part_3,
+                m2.mul_add(r2_by_q1_part, m1 * g_c1),
+            ));
     // r3_by_q1 = l0*l1*u1^2*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) - cos(q1 - q3)*cos(q2 - q3)))
     let r3_by_q1 = l1 * u1_l0_u1 * s5_part_2;
     // Shared terms.
     // 2*cos(q3)^2 - 1; used 2 times
-    let s4_by_q1_part = S::int(2) * c3 * c3 - S::int(1);
+    let s4_by_q1_part = (c3 * c3).mul_add(S::int(2), -S::int(1));
     // 2*c3_m3_s3; used 4 times
     let c3_m3_s3_scaled = S::int(2) * c3_m3_s3;
     // 2*l0; used 4 times
@@ -596,31 +705,40 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s4_by_q1 = 2*l0^2*(m0*m3*sin(q3)*cos(q3) - cos(q1)*(2*m0*m3*cos(q1)*sin(q3)*cos(q3) - sin(q1)*(m2^2
     //   + m1*(m1 + 2*m2) + m3*(m1 + m2 + m0*(2*cos(q3)^2 - 1)))))/(m0 + m1 + m2 + m3*sin(q3)^2)
     let s4_by_q1 = l0_s4_part_4 * l0_scaled
-        * (m0 * c3_m3_s3
-            + c1
-                * (s1
-                    * (m2 * m2 + m1 * (m1 + S::int(2) * m2)
-                        + m3 * (m1_plus_m2 + m0 * s4_by_q1_part))
-                    - m0 * c3_m3_s3_scaled * c1));
+        * (c1
+            .mul_add(
+                (-(m0 * c3_m3_s3_scaled))
+                    .mul_add(
+                        c1,
+                        s1
+                            * (m3
+                                .mul_add(
+                                    m0.mul_add(s4_by_q1_part, m1_plus_m2),
+                                    m1.mul_add(m2.mul_add(S::int(2), m1), m2 * m2),
+                                )),
+                    ),
+                m0 * c3_m3_s3,
+            ));
     // Shared terms.
     // sin(q1 - q3)*cos(q2 - q3); used 2 times
     let s5_by_q1_part = sin_q1_minus_q3 * cos_q2_minus_q3;
     // m2*sin(q1 - q2); used 2 times
     let m2_sin_q1_minus_q2 = m2 * sin_q1_minus_q2;
     // m3*(sin(q1 - q2) - s5_by_q1_part) + m2_sin_q1_minus_q2; used 2 times
-    let s5_by_q1_part_2 = m3 * (sin_q1_minus_q2 - s5_by_q1_part) + m2_sin_q1_minus_q2;
+    let s5_by_q1_part_2 = m3
+        .mul_add(sin_q1_minus_q2 - s5_by_q1_part, m2_sin_q1_minus_q2);
     // m3_sin_q1_minus_q3*cos(q3); used 2 times
     let s5_by_q1_part_3 = m3_sin_q1_minus_q3 * c3;
     // l0_s4_part_4*(s4_part*sin(q1) - s5_by_q1_part_3); used 2 times
-    let s5_by_q1_part_4 = l0_s4_part_4 * (s4_part * s1 - s5_by_q1_part_3);
+    let s5_by_q1_part_4 = l0_s4_part_4 * (s4_part.mul_add(s1, -s5_by_q1_part_3));
     // Elimination, step by step.
     // s5_by_q1 = l0*l1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))*(sin(q1)*(m1 + m2 + m3) -
     //   m3*sin(q1 - q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) - l0*l1*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) -
     //   sin(q1 - q3)*cos(q2 - q3)))
-    let s5_by_q1 = s5_part * s5_by_q1_part_4 - l0_l1 * s5_by_q1_part_2;
+    let s5_by_q1 = (-l0_l1).mul_add(s5_by_q1_part_2, s5_part * s5_by_q1_part_4);
     // Shared terms.
     // r1*s5_by_q1_part_4 - r1_by_q1*s4_part_5
-    let r7_by_q1_part = r1 * s5_by_q1_part_4 - r1_by_q1 * s4_part_5;
+    let r7_by_q1_part = (-r1_by_q1).mul_add(s4_part_5, r1 * s5_by_q1_part_4);
     // r2_by_q1 - r7_by_q1_part; used 2 times
     let r7_by_q1_part_2 = r2_by_q1 - r7_by_q1_part;
     // r7_part*s4_inv; used 2 times
@@ -634,11 +752,16 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m3*sin(q3)^2) + r2_by_q1)/s4 + r3_by_q1 + s5*s4_by_q1*(l0*r1*(cos(q1)*(m1 + m2 + m3) -
     //   m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4^2 - s5_by_q1*(l0*r1*(cos(q1)*(m1 +
     //   m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7_by_q1 = r3_by_q1 + r1_by_q1 * s4_part_4_s5_part - s5_s4_inv * r7_by_q1_part_2
-        + r7_part_s4_inv * (s4_by_q1_s5_s4_inv - s5_by_q1);
+    let r7_by_q1 = r7_part_s4_inv
+        .mul_add(
+            s4_by_q1_s5_s4_inv - s5_by_q1,
+            (-s5_s4_inv)
+                .mul_add(r7_by_q1_part_2, r1_by_q1.mul_add(s4_part_4_s5_part, r3_by_q1)),
+        );
     // u2_dot_by_q1 = (s5*r7*(2*s5_by_q1 - s5*s4_by_q1/s4)/(s4*(s6 - s5^2/s4)) + r7_by_q1)/(s6 - s5^2/s4)
     let u2_dot_by_q1 = u2_dot_part
-        * (r7_by_q1 + u2_dot * s5_s4_inv * (S::int(2) * s5_by_q1 - s4_by_q1_s5_s4_inv));
+        * ((u2_dot * s5_s4_inv)
+            .mul_add(s5_by_q1.mul_add(S::int(2), -s4_by_q1_s5_s4_inv), r7_by_q1));
     // Shared terms.
     // u1'*s4_inv; used 2 times
     let u1_dot_s4_inv = u1_dot * s4_inv;
@@ -647,28 +770,43 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   + m2 + m3*sin(q3)^2) - r2)/s4^2 + (l0*r1*(m3*sin(q1 - q3)*cos(q3) - sin(q1)*(m1 + m2 + m3))/(m0 + m1
     //   + m2 + m3*sin(q3)^2) + l0*r1_by_q1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2
     //   + m3*sin(q3)^2) + r2_by_q1 - u2'*s5_by_q1 - s5*u2_dot_by_q1)/s4
-    let u1_dot_by_q1 = s4_inv * (r7_by_q1_part_2 - u2_dot * s5_by_q1 - s5 * u2_dot_by_q1)
-        - s4_by_q1 * u1_dot_s4_inv;
+    let u1_dot_by_q1 = (-s4_by_q1)
+        .mul_add(
+            u1_dot_s4_inv,
+            s4_inv
+                * ((-s5)
+                    .mul_add(u2_dot_by_q1, (-u2_dot).mul_add(s5_by_q1, r7_by_q1_part_2))),
+        );
     // Shared terms.
     // sin(q1)*cos(q3) - cos(q1)*sin(q3); used 2 times
-    let u0_dot_by_q1_part = s1 * c3 - c1 * s3;
+    let u0_dot_by_q1_part = (-c1).mul_add(s3, s1 * c3);
     // sin(q2)*cos(q3) - cos(q2)*sin(q3); used 2 times
-    let u0_dot_by_q1_part_2 = s2 * c3 - c2 * s3;
+    let u0_dot_by_q1_part_2 = (-c2).mul_add(s3, s2 * c3);
     // m3_s3*u0_dot_by_q1_part_2 - m2_c2; used 2 times
-    let u0_dot_by_q1_part_3 = m3_s3 * u0_dot_by_q1_part_2 - m2_c2;
+    let u0_dot_by_q1_part_3 = m3_s3.mul_add(u0_dot_by_q1_part_2, -m2_c2);
     // Elimination, step by step.
     // u0_dot_by_q1 = (r1_by_q1 + l1*u2_dot_by_q1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
     //   cos(q2)*sin(q3))) - l0*(m3*sin(q3)*(u1'*(sin(q1)*sin(q3) + cos(q1)*cos(q3)) +
     //   u1_dot_by_q1*(sin(q1)*cos(q3) - cos(q1)*sin(q3))) + m1*(u1'*sin(q1) - u1_dot_by_q1*cos(q1)) +
     //   m2*(u1'*sin(q1) - u1_dot_by_q1*cos(q1))))/(m0 + m1 + m2 + m3*sin(q3)^2)
     let u0_dot_by_q1 = s4_part_4
-        * (r1_by_q1
-            - l0
-                * (m1_plus_m2 * (u1_dot * s1 - u1_dot_by_q1 * c1)
-                    + m3_s3
-                        * (u1_dot * (s1 * s3 + c1 * c3)
-                            + u1_dot_by_q1 * u0_dot_by_q1_part))
-            - l1 * u2_dot_by_q1 * u0_dot_by_q1_part_3);
+        * ((-(l1 * u2_dot_by_q1))
+            .mul_add(
+                u0_dot_by_q1_part_3,
+                (-l0)
+                    .mul_add(
+                        m3_s3
+                            .mul_add(
+                                u1_dot_by_q1
+                                    .mul_add(
+                                        u0_dot_by_q1_part,
+                                        u1_dot * (c1.mul_add(c3, s1 * s3)),
+                                    ),
+                                m1_plus_m2 * ((-u1_dot_by_q1).mul_add(c1, u1_dot * s1)),
+                            ),
+                        r1_by_q1,
+                    ),
+            ));
     // Shared terms.
     // u1^2; used 2 times
     let u1_sq = u1 * u1;
@@ -682,16 +820,22 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // u3_dot_by_q1 = (l0*(u1'*sin(q1 - q3) + cos(q1 - q3)*(u1^2 - u1_dot_by_q1)) - l1*u2_dot_by_q1*cos(q2
     //   - q3) + u0_dot_by_q1*cos(q3))/l2
     let u3_dot_by_q1 = l2_inv
-        * (u0_dot_by_q1 * c3
-            + l0 * (cos_q1_minus_q3 * (u1_sq - u1_dot_by_q1) + u3_dot_by_q1_part)
-            - u2_dot_by_q1 * l1_cos_q2_minus_q3);
+        * ((-u2_dot_by_q1)
+            .mul_add(
+                l1_cos_q2_minus_q3,
+                l0
+                    .mul_add(
+                        cos_q1_minus_q3.mul_add(u1_sq - u1_dot_by_q1, u3_dot_by_q1_part),
+                        u0_dot_by_q1 * c3,
+                    ),
+            ));
     // r1_by_q2 = l1*u2^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))
     let r1_by_q2 = u2_l1_u2 * u0_dot_by_q1_part_3;
     // r2_by_q2 = l0*l1*u2^2*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) - cos(q1 - q3)*cos(q2 - q3)))
     let r2_by_q2 = l0 * u2_l1_u2 * s5_part_2;
     // Shared terms.
     // g*cos(q2) - u1_l0_u1*cos(q1 - q2); used 2 times
-    let r3_by_q2_part = g * c2 - u1_l0_u1 * cos_q1_minus_q2;
+    let r3_by_q2_part = (-u1_l0_u1).mul_add(cos_q1_minus_q2, g * c2);
     // u2_l1_u2*cos(q2 - q3); used 2 times
     let r3_by_q2_part_2 = u2_l1_u2 * cos_q2_minus_q3;
     // r2_part_2*sin(q2 - q3); used 2 times
@@ -701,10 +845,12 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   sin(q2 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) + cos(q2 -
     //   q3)*(l1*u2^2*cos(q2 - q3) + l2*u3^2)))
     let r3_by_q2 = l1
-        * (m2 * r3_by_q2_part
-            + m3
-                * (r3_by_q2_part - cos_q2_minus_q3 * (u3_l2_u3 + r3_by_q2_part_2)
-                    + r3_by_q2_part_3));
+        * (m3
+            .mul_add(
+                (-cos_q2_minus_q3).mul_add(u3_l2_u3 + r3_by_q2_part_2, r3_by_q2_part)
+                    + r3_by_q2_part_3,
+                m2 * r3_by_q2_part,
+            ));
     // Shared terms.
     // sin(q2 - q3)*cos(q3); used 2 times
     let c3_sin_q2_minus_q3 = sin_q2_minus_q3 * c3;
@@ -713,13 +859,17 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // sin(q2 - q3)*cos(q1 - q3); used 2 times
     let s5_by_q2_part = sin_q2_minus_q3 * cos_q1_minus_q3;
     // m2_sin_q1_minus_q2 + m3*(sin(q1 - q2) + s5_by_q2_part); used 2 times
-    let s5_by_q2_part_2 = m2_sin_q1_minus_q2 + m3 * (sin_q1_minus_q2 + s5_by_q2_part);
+    let s5_by_q2_part_2 = m3
+        .mul_add(sin_q1_minus_q2 + s5_by_q2_part, m2_sin_q1_minus_q2);
     // Elimination, step by step.
     // s5_by_q2 = l0*l1*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) + sin(q2 - q3)*cos(q1 - q3))) +
     //   l0*l1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))*(m2*sin(q2) + m3*(sin(q2) - sin(q2 -
     //   q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5_by_q2 = l1 * s4_part_5 * (m3 * (s2 - c3_sin_q2_minus_q3) + m2_s2)
-        + l0_l1 * s5_by_q2_part_2;
+    let s5_by_q2 = l0_l1
+        .mul_add(
+            s5_by_q2_part_2,
+            l1 * s4_part_5 * (m3.mul_add(s2 - c3_sin_q2_minus_q3, m2_s2)),
+        );
     // Shared terms.
     // m0 + m1; used 2 times
     let m0_plus_m1 = m0 + m1;
@@ -730,26 +880,31 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m0*(2*cos(q3)^2 - 1) + m1*(2*cos(q3)^2 - 1)) - 2*cos(q2)*sin(q3)*cos(q3)*(m0 + m1))))/(m0 + m1 + m2
     //   + m3*sin(q3)^2)
     let s6_by_q2 = S::int(2) * s4_part_4 * l1_sq
-        * (m2_c2 * m2_s2
-            + m3
-                * (s3_c3_m0_plus_m1
-                    + c2
-                        * (s2 * (m2 + s4_by_q1_part * m0_plus_m1)
-                            - S::int(2) * s3_c3_m0_plus_m1 * c2)));
+        * (m3
+            .mul_add(
+                c2
+                    .mul_add(
+                        (-(S::int(2) * s3_c3_m0_plus_m1))
+                            .mul_add(c2, s2 * (s4_by_q1_part.mul_add(m0_plus_m1, m2))),
+                        s3_c3_m0_plus_m1,
+                    ),
+                m2_c2 * m2_s2,
+            ));
     // Shared terms.
     // s5*r2_by_q2 + r2*s5_by_q2; used 2 times
-    let r7_by_q2_part = s5 * r2_by_q2 + r2 * s5_by_q2;
+    let r7_by_q2_part = r2.mul_add(s5_by_q2, s5 * r2_by_q2);
     // s5*r1_by_q2 + r1*s5_by_q2; used 2 times
-    let r7_by_q2_part_2 = s5 * r1_by_q2 + r1 * s5_by_q2;
+    let r7_by_q2_part_2 = r1.mul_add(s5_by_q2, s5 * r1_by_q2);
     // l0*cos(q1); used 2 times
     let l0_c1 = l0 * c1;
     // r7_by_q2_part_2*l0_c1; used 2 times
     let r7_by_q2_part_3 = r7_by_q2_part_2 * l0_c1;
     // s4*(l1*(r1_by_q2*cos(q2) - r1*sin(q2)) + r3_by_q2) - r7_by_q2_part - r7_by_q2_part_3; used 2 times
-    let r7_by_q2_part_4 = s4 * (l1 * (r1_by_q2 * c2 - r1 * s2) + r3_by_q2)
-        - r7_by_q2_part - r7_by_q2_part_3;
+    let r7_by_q2_part_4 = s4
+        .mul_add(l1.mul_add((-r1).mul_add(s2, r1_by_q2 * c2), r3_by_q2), -r7_by_q2_part)
+        - r7_by_q2_part_3;
     // s4*r3_by_q2 - r7_by_q2_part; used 2 times
-    let r7_by_q2_part_5 = s4 * r3_by_q2 - r7_by_q2_part;
+    let r7_by_q2_part_5 = s4.mul_add(r3_by_q2, -r7_by_q2_part);
     // Elimination, step by step.
     // r7_by_q2 = (m2*(s4*(l1*(r1_by_q2*cos(q2) - r1*sin(q2)) + r3_by_q2) - s5*r2_by_q2 - r2*s5_by_q2 -
     //   l0*cos(q1)*(s5*r1_by_q2 + r1*s5_by_q2)) + m3*sin(q3)*(sin(q3)*(s4*(l1*(r1_by_q2*cos(q2) -
@@ -758,36 +913,72 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m0*(s4*r3_by_q2 - s5*r2_by_q2 - r2*s5_by_q2) + m1*(s4*r3_by_q2 - s5*r2_by_q2 - r2*s5_by_q2 -
     //   l0*cos(q1)*(s5*r1_by_q2 + r1*s5_by_q2)))/(s4*(m0 + m1 + m2 + m3*sin(q3)^2))
     let r7_by_q2 = s4_part_4 * s4_inv
-        * (m2 * r7_by_q2_part_4
-            + m3_s3
-                * (c3 * (l0 * r7_by_q2_part_2 * s1 - l1 * s4 * (r1 * c2 + r1_by_q2 * s2))
-                    + r7_by_q2_part_4 * s3) + m0 * r7_by_q2_part_5
-            + m1 * (r7_by_q2_part_5 - r7_by_q2_part_3));
+        * (m1
+            .mul_add(
+                r7_by_q2_part_5 - r7_by_q2_part_3,
+                m0
+                    .mul_add(
+                        r7_by_q2_part_5,
+                        m3_s3
+                            .mul_add(
+                                r7_by_q2_part_4
+                                    .mul_add(
+                                        s3,
+                                        c3
+                                            * ((-(l1 * s4))
+                                                .mul_add(
+                                                    r1_by_q2.mul_add(s2, r1 * c2),
+                                                    l0 * r7_by_q2_part_2 * s1,
+                                                )),
+                                    ),
+                                m2 * r7_by_q2_part_4,
+                            ),
+                    ),
+            ));
     // u2_dot_by_q2 = (r7*(s6_by_q2 - 2*s5*s5_by_q2/s4)/(s5^2/s4 - s6) + r7_by_q2)/(s6 - s5^2/s4)
     let u2_dot_by_q2 = u2_dot_part
-        * (r7_by_q2 + u2_dot * (S::int(2) * s5_by_q2 * s5_s4_inv - s6_by_q2));
+        * (u2_dot
+            .mul_add((S::int(2) * s5_by_q2).mul_add(s5_s4_inv, -s6_by_q2), r7_by_q2));
     // u1_dot_by_q2 = (l0*r1_by_q2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r2_by_q2 - u2'*s5_by_q2 - s5*u2_dot_by_q2)/s4
     let u1_dot_by_q2 = s4_inv
-        * (r2_by_q2 - u2_dot * s5_by_q2 - s5 * u2_dot_by_q2 + r1_by_q2 * s4_part_5);
+        * (r1_by_q2
+            .mul_add(
+                s4_part_5,
+                (-s5).mul_add(u2_dot_by_q2, (-u2_dot).mul_add(s5_by_q2, r2_by_q2)),
+            ));
     // Shared terms.
     // u1_dot_by_q2*l0_c1; used 2 times
     let u1_dot_by_q2_l0_c1 = u1_dot_by_q2 * l0_c1;
     // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 2 times
-    let u0_dot_by_q2_part = s2 * s3 + c2 * c3;
+    let u0_dot_by_q2_part = c2.mul_add(c3, s2 * s3);
     // Elimination, step by step.
     // u0_dot_by_q2 = (r1_by_q2 + m1*l0*u1_dot_by_q2*cos(q1) - m3*sin(q3)*(l1*(u2'*(sin(q2)*sin(q3) +
     //   cos(q2)*cos(q3)) + u2_dot_by_q2*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) +
     //   l0*u1_dot_by_q2*(sin(q1)*cos(q3) - cos(q1)*sin(q3))) + m2*(l0*u1_dot_by_q2*cos(q1) - l1*(u2'*sin(q2)
     //   - u2_dot_by_q2*cos(q2))))/(m0 + m1 + m2 + m3*sin(q3)^2)
     let u0_dot_by_q2 = s4_part_4
-        * (r1_by_q2 + m1 * u1_dot_by_q2_l0_c1
-            + m2 * (u1_dot_by_q2_l0_c1 - l1 * (u2_dot * s2 - u2_dot_by_q2 * c2))
-            - m3_s3
-                * (l0 * u1_dot_by_q2 * u0_dot_by_q1_part
-                    + l1
-                        * (u2_dot_by_q2 * u0_dot_by_q1_part_2
-                            + u2_dot * u0_dot_by_q2_part)));
+        * ((-m3_s3)
+            .mul_add(
+                l1
+                    .mul_add(
+                        u2_dot
+                            .mul_add(
+                                u0_dot_by_q2_part,
+                                u2_dot_by_q2 * u0_dot_by_q1_part_2,
+                            ),
+                        l0 * u1_dot_by_q2 * u0_dot_by_q1_part,
+                    ),
+                m2
+                    .mul_add(
+                        (-l1)
+                            .mul_add(
+                                (-u2_dot_by_q2).mul_add(c2, u2_dot * s2),
+                                u1_dot_by_q2_l0_c1,
+                            ),
+                        m1.mul_add(u1_dot_by_q2_l0_c1, r1_by_q2),
+                    ),
+            ));
     // Shared terms.
     // u2^2; used 2 times
     let u2_sq = u2 * u2;
@@ -799,48 +990,58 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // u3_dot_by_q2 = (l1*(u2'*sin(q2 - q3) + cos(q2 - q3)*(u2^2 - u2_dot_by_q2)) - l0*u1_dot_by_q2*cos(q1
     //   - q3) + u0_dot_by_q2*cos(q3))/l2
     let u3_dot_by_q2 = l2_inv
-        * (u0_dot_by_q2 * c3
-            + l1 * (cos_q2_minus_q3 * (u2_sq - u2_dot_by_q2) + u3_dot_by_q2_part)
-            - u1_dot_by_q2 * l0_cos_q1_minus_q3);
+        * ((-u1_dot_by_q2)
+            .mul_add(
+                l0_cos_q1_minus_q3,
+                l1
+                    .mul_add(
+                        cos_q2_minus_q3.mul_add(u2_sq - u2_dot_by_q2, u3_dot_by_q2_part),
+                        u0_dot_by_q2 * c3,
+                    ),
+            ));
     // r1_by_q3 = -m3*(sin(q3)^2*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)) +
     //   cos(q3)*(2*sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
     //   l1*u2^2*cos(q2)) + l2*u3^2))
     let r1_by_q3 = m3
-        * (c3 * (r1_part_3 - S::int(2) * s3_r1_part) - r1_part_2 * s3 * s3);
+        * ((-r1_part_2)
+            .mul_add(s3 * s3, c3 * ((-s3_r1_part).mul_add(S::int(2), r1_part_3))));
     // Shared terms.
     // r2_by_q1_part_2 - g*cos(q3) + r3_by_q2_part_2; used 2 times
-    let r2_by_q3_part = r2_by_q1_part_2 - g * c3 + r3_by_q2_part_2;
+    let r2_by_q3_part = (-g).mul_add(c3, r2_by_q1_part_2) + r3_by_q2_part_2;
     // Elimination, step by step.
     // r2_by_q3 = -m3*l0*(sin(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) + cos(q1 -
     //   q3)*(g*cos(q3) - l0*u1^2*cos(q1 - q3) - l1*u2^2*cos(q2 - q3) - l2*u3^2))
-    let r2_by_q3 = m3 * l0 * (r2_by_q3_part * cos_q1_minus_q3 - r2_by_q1_part_3);
+    let r2_by_q3 = m3 * l0 * (r2_by_q3_part.mul_add(cos_q1_minus_q3, -r2_by_q1_part_3));
     // Shared terms.
     // m3*l1; used 4 times
     let m3_l1 = m3 * l1;
     // Elimination, step by step.
     // r3_by_q3 = -m3*l1*(sin(q2 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) + cos(q2 -
     //   q3)*(g*cos(q3) - l0*u1^2*cos(q1 - q3) - l1*u2^2*cos(q2 - q3) - l2*u3^2))
-    let r3_by_q3 = m3_l1 * (r2_by_q3_part * cos_q2_minus_q3 - r3_by_q2_part_3);
+    let r3_by_q3 = m3_l1 * (r2_by_q3_part.mul_add(cos_q2_minus_q3, -r3_by_q2_part_3));
     // Shared terms.
     // m3_sin_q1_minus_q3*l0_scaled; used 3 times
     let s4_by_q3_part = m3_sin_q1_minus_q3 * l0_scaled;
     // s5_by_q1_part_3 - m3_s3*cos(q1 - q3); used 3 times
-    let s4_by_q3_part_2 = s5_by_q1_part_3 - m3_s3 * cos_q1_minus_q3;
+    let s4_by_q3_part_2 = (-m3_s3).mul_add(cos_q1_minus_q3, s5_by_q1_part_3);
     // Elimination, step by step.
     // s4_by_q3 = 2*m3*l0^2*sin(q3)*cos(q3)*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))^2/(m0 + m1 +
     //   m2 + m3*sin(q3)^2)^2 - 2*m3*l0^2*sin(q1 - q3)*cos(q1 - q3) + 2*l0^2*(cos(q1)*(m1 + m2 + m3) -
     //   m3*cos(q3)*cos(q1 - q3))*(m3*sin(q1 - q3)*cos(q3) - m3*sin(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2)
-    let s4_by_q3 = s4_part_5
-        * (s4_part_5 * c3_m3_s3_scaled + l0_scaled * s4_by_q3_part_2)
-        - l0_cos_q1_minus_q3 * s4_by_q3_part;
+    let s4_by_q3 = (-l0_cos_q1_minus_q3)
+        .mul_add(
+            s4_by_q3_part,
+            s4_part_5 * (l0_scaled.mul_add(s4_by_q3_part_2, s4_part_5 * c3_m3_s3_scaled)),
+        );
     // Shared terms.
     // s4_part_4*c3_m3_s3_scaled; used 3 times
     let s5_by_q3_part = s4_part_4 * c3_m3_s3_scaled;
     // l0_s4_part_4*s4_by_q3_part_2 + s4_part_5*s5_by_q3_part; used 2 times
-    let s5_by_q3_part_2 = l0_s4_part_4 * s4_by_q3_part_2 + s4_part_5 * s5_by_q3_part;
+    let s5_by_q3_part_2 = s4_part_5
+        .mul_add(s5_by_q3_part, l0_s4_part_4 * s4_by_q3_part_2);
     // m3_l1*(c3_sin_q2_minus_q3 - sin(q3)*cos(q2 - q3)); used 4 times
-    let s5_by_q3_part_3 = m3_l1 * (c3_sin_q2_minus_q3 - s3 * cos_q2_minus_q3);
+    let s5_by_q3_part_3 = m3_l1 * ((-s3).mul_add(cos_q2_minus_q3, c3_sin_q2_minus_q3));
     // Elimination, step by step.
     // s5_by_q3 = 2*m3*l0*l1*sin(q3)*cos(q3)*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))*(m2*cos(q2)
     //   + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)^2 + l0*l1*(m2*cos(q2) +
@@ -848,8 +1049,12 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m2 + m3*sin(q3)^2) + m3*l0*l1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))*(sin(q2 -
     //   q3)*cos(q3) - sin(q3)*cos(q2 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) - m3*l0*l1*(sin(q2 - q3)*cos(q1 -
     //   q3) + sin(q1 - q3)*cos(q2 - q3))
-    let s5_by_q3 = s5_part * s5_by_q3_part_2
-        - l0 * m3_l1 * (s5_by_q1_part + s5_by_q2_part) + s4_part_5 * s5_by_q3_part_3;
+    let s5_by_q3 = s4_part_5
+        .mul_add(
+            s5_by_q3_part_3,
+            (-(l0 * m3_l1))
+                .mul_add(s5_by_q1_part + s5_by_q2_part, s5_part * s5_by_q3_part_2),
+        );
     // Shared terms.
     // 2*sin(q2 - q3); used 2 times
     let sin_q2_minus_q3_scaled = S::int(2) * sin_q2_minus_q3;
@@ -859,12 +1064,16 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s6_by_q3 = 2*m3*l1^2*sin(q3)*cos(q3)*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 + m1 +
     //   m2 + m3*sin(q3)^2)^2 - 2*m3*l1^2*sin(q2 - q3)*cos(q2 - q3) + 2*m3*l1^2*(m2*cos(q2) + m3*(cos(q2) -
     //   cos(q3)*cos(q2 - q3)))*(sin(q2 - q3)*cos(q3) - sin(q3)*cos(q2 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s6_by_q3 = s4_part_4_s5_part
-        * (s4_part_4_s5_part * c3_m3_s3_scaled + S::int(2) * s5_by_q3_part_3)
-        - l1_cos_q2_minus_q3 * s6_by_q3_part;
+    let s6_by_q3 = (-l1_cos_q2_minus_q3)
+        .mul_add(
+            s6_by_q3_part,
+            s4_part_4_s5_part
+                * (s5_by_q3_part_3
+                    .mul_add(S::int(2), s4_part_4_s5_part * c3_m3_s3_scaled)),
+        );
     // Shared terms.
     // r1*s5_by_q3_part_2 - r1_by_q3*s4_part_5
-    let r7_by_q3_part = r1 * s5_by_q3_part_2 - r1_by_q3 * s4_part_5;
+    let r7_by_q3_part = (-r1_by_q3).mul_add(s4_part_5, r1 * s5_by_q3_part_2);
     // r2_by_q3 - r7_by_q3_part; used 2 times
     let r7_by_q3_part_2 = r2_by_q3 - r7_by_q3_part;
     // s4_by_q3*s5_s4_inv; used 2 times
@@ -879,106 +1088,172 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   + m2 + m3*sin(q3)^2) + r2_by_q3)/s4 + r3_by_q3 + s5*s4_by_q3*(l0*r1*(cos(q1)*(m1 + m2 + m3) -
     //   m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4^2 - s5_by_q3*(l0*r1*(cos(q1)*(m1 +
     //   m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7_by_q3 = r3_by_q3 + r1_by_q3 * s4_part_4_s5_part
-        - r1_s4_part_4_s5_part * s5_by_q3_part - r1 * s4_part_4 * s5_by_q3_part_3
-        - s5_s4_inv * r7_by_q3_part_2 + r7_part_s4_inv * (s4_by_q3_s5_s4_inv - s5_by_q3);
+    let r7_by_q3 = r7_part_s4_inv
+        .mul_add(
+            s4_by_q3_s5_s4_inv - s5_by_q3,
+            (-s5_s4_inv)
+                .mul_add(
+                    r7_by_q3_part_2,
+                    (-(r1 * s4_part_4))
+                        .mul_add(
+                            s5_by_q3_part_3,
+                            (-r1_s4_part_4_s5_part)
+                                .mul_add(
+                                    s5_by_q3_part,
+                                    r1_by_q3.mul_add(s4_part_4_s5_part, r3_by_q3),
+                                ),
+                        ),
+                ),
+        );
     // u2_dot_by_q3 = (r7*(s5*(s5*s4_by_q3/s4 - 2*s5_by_q3)/s4 + s6_by_q3)/(s5^2/s4 - s6) + r7_by_q3)/(s6 -
     //   s5^2/s4)
     let u2_dot_by_q3 = u2_dot_part
-        * (r7_by_q3
-            - u2_dot
-                * (s6_by_q3 + s5_s4_inv * (s4_by_q3_s5_s4_inv - S::int(2) * s5_by_q3)));
+        * ((-u2_dot)
+            .mul_add(
+                s5_s4_inv
+                    .mul_add(
+                        (-s5_by_q3).mul_add(S::int(2), s4_by_q3_s5_s4_inv),
+                        s6_by_q3,
+                    ),
+                r7_by_q3,
+            ));
     // u1_dot_by_q3 = s4_by_q3*(u2'*s5 - l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1
     //   + m2 + m3*sin(q3)^2) - r2)/s4^2 + (2*m3*l0*r1*sin(q3)*cos(q3)*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1
     //   + m2 + m3))/(m0 + m1 + m2 + m3*sin(q3)^2)^2 + l0*r1*(m3*sin(q3)*cos(q1 - q3) - m3*sin(q1 -
     //   q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*r1_by_q3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1
     //   - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2_by_q3 - u2'*s5_by_q3 - s5*u2_dot_by_q3)/s4
-    let u1_dot_by_q3 = s4_inv * (r7_by_q3_part_2 - u2_dot * s5_by_q3 - s5 * u2_dot_by_q3)
-        - s4_by_q3 * u1_dot_s4_inv;
+    let u1_dot_by_q3 = (-s4_by_q3)
+        .mul_add(
+            u1_dot_s4_inv,
+            s4_inv
+                * ((-s5)
+                    .mul_add(u2_dot_by_q3, (-u2_dot).mul_add(s5_by_q3, r7_by_q3_part_2))),
+        );
     // u0_dot_by_q3 = (l0*u1'*(m3*sin(q3)*cos(q1 - q3) - m3*sin(q1 - q3)*cos(q3)) +
     //   m3*l1*u2'*(sin(q3)*cos(q2 - q3) - sin(q2 - q3)*cos(q3)) + r1_by_q3 + l1*u2_dot_by_q3*(m2*cos(q2) +
     //   m3*(cos(q2) - cos(q3)*cos(q2 - q3))) + l0*u1_dot_by_q3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
     //   q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) - 2*m3*sin(q3)*cos(q3)*(l0*u1'*(cos(q1)*(m1 + m2 + m3) -
     //   m3*cos(q3)*cos(q1 - q3)) + l1*u2'*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1
     //   + m2 + m3*sin(q3)^2)^2
-    let u0_dot_by_q3 = s4_part_4
-        * (r1_by_q3 + u1_dot_by_q3 * l0_s4_part_2 + u2_dot_by_q3 * s5_part
-            - l0 * u1_dot * s4_by_q3_part_2 - u2_dot * s5_by_q3_part_3)
-        - u0_dot * s5_by_q3_part;
+    let u0_dot_by_q3 = (-u0_dot)
+        .mul_add(
+            s5_by_q3_part,
+            s4_part_4
+                * ((-u2_dot)
+                    .mul_add(
+                        s5_by_q3_part_3,
+                        (-(l0 * u1_dot))
+                            .mul_add(
+                                s4_by_q3_part_2,
+                                u2_dot_by_q3
+                                    .mul_add(
+                                        s5_part,
+                                        u1_dot_by_q3.mul_add(l0_s4_part_2, r1_by_q3),
+                                    ),
+                            ),
+                    )),
+        );
     // u3_dot_by_q3 = (cos(q3)*(g + u0_dot_by_q3) - u0'*sin(q3) - l1*(u2'*sin(q2 - q3) + cos(q2 - q3)*(u2^2
     //   + u2_dot_by_q3)) - l0*(u1'*sin(q1 - q3) + cos(q1 - q3)*(u1^2 + u1_dot_by_q3)))/l2
     let u3_dot_by_q3 = l2_inv
-        * (c3 * (g + u0_dot_by_q3) - u0_dot * s3
-            - l0 * (cos_q1_minus_q3 * (u1_dot_by_q3 + u1_sq) + u3_dot_by_q1_part)
-            - l1 * (cos_q2_minus_q3 * (u2_dot_by_q3 + u2_sq) + u3_dot_by_q2_part));
+        * ((-l1)
+            .mul_add(
+                cos_q2_minus_q3.mul_add(u2_dot_by_q3 + u2_sq, u3_dot_by_q2_part),
+                (-l0)
+                    .mul_add(
+                        cos_q1_minus_q3.mul_add(u1_dot_by_q3 + u1_sq, u3_dot_by_q1_part),
+                        (-u0_dot).mul_add(s3, c3 * (g + u0_dot_by_q3)),
+                    ),
+            ));
     // Shared terms.
     // 2*l0_u1; used 2 times
     let l0_u1_scaled = S::int(2) * l0_u1;
     // Elimination, step by step.
     // r1_by_u1 = -2*l0*u1*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))
-    let r1_by_u1 = -l0_u1_scaled * (s4_part_3 * s1 + c3_m3_s3 * c1);
+    let r1_by_u1 = -l0_u1_scaled * (c3_m3_s3.mul_add(c1, s4_part_3 * s1));
     // r2_by_u1 = -2*m3*l0^2*u1*sin(q1 - q3)*cos(q1 - q3)
     let r2_by_u1 = -l0_u1 * s4_by_q3_part * cos_q1_minus_q3;
     // r3_by_u1 = 2*l0*l1*u1*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) - sin(q1 - q3)*cos(q2 - q3)))
     let r3_by_u1 = l1 * s5_by_q1_part_2 * l0_u1_scaled;
     // Shared terms.
     // r2_by_u1 + r1_by_u1*s4_part_5; used 2 times
-    let r7_by_u1_part = r2_by_u1 + r1_by_u1 * s4_part_5;
+    let r7_by_u1_part = r1_by_u1.mul_add(s4_part_5, r2_by_u1);
     // Elimination, step by step.
     // r7_by_u1 = l1*r1_by_u1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) - s5*(l0*r1_by_u1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r2_by_u1)/s4 + r3_by_u1
-    let r7_by_u1 = r3_by_u1 + r1_by_u1 * s4_part_4_s5_part - s5_s4_inv * r7_by_u1_part;
+    let r7_by_u1 = (-s5_s4_inv)
+        .mul_add(r7_by_u1_part, r1_by_u1.mul_add(s4_part_4_s5_part, r3_by_u1));
     // Shared terms.
     // r7_by_u1*u2_dot_part; used 4 times
     let r7_by_u1_u2_dot_part = r7_by_u1 * u2_dot_part;
     // Elimination, step by step.
     // u1_dot_by_u1 = (l0*r1_by_u1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r2_by_u1 + s5*r7_by_u1/(s5^2/s4 - s6))/s4
-    let u1_dot_by_u1 = s4_inv * (r7_by_u1_part - s5 * r7_by_u1_u2_dot_part);
+    let u1_dot_by_u1 = s4_inv * ((-s5).mul_add(r7_by_u1_u2_dot_part, r7_by_u1_part));
     // u0_dot_by_u1 = (r1_by_u1 + l1*r7_by_u1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(s6 -
     //   s5^2/s4) + l0*u1_dot_by_u1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2)
     let u0_dot_by_u1 = s4_part_4
-        * (r1_by_u1 + u1_dot_by_u1 * l0_s4_part_2 + s5_part * r7_by_u1_u2_dot_part);
+        * (s5_part
+            .mul_add(
+                r7_by_u1_u2_dot_part,
+                u1_dot_by_u1.mul_add(l0_s4_part_2, r1_by_u1),
+            ));
     // u3_dot_by_u1 = (l1*r7_by_u1*cos(q2 - q3)/(s5^2/s4 - s6) + l0*(2*u1*sin(q1 - q3) -
     //   u1_dot_by_u1*cos(q1 - q3)) + u0_dot_by_u1*cos(q3))/l2
     let u3_dot_by_u1 = l2_inv
-        * (l0 * (S::int(2) * u1 * sin_q1_minus_q3 - u1_dot_by_u1 * cos_q1_minus_q3)
-            + u0_dot_by_u1 * c3 - l1_cos_q2_minus_q3 * r7_by_u1_u2_dot_part);
+        * ((-l1_cos_q2_minus_q3)
+            .mul_add(
+                r7_by_u1_u2_dot_part,
+                u0_dot_by_u1
+                    .mul_add(
+                        c3,
+                        l0
+                            * ((-u1_dot_by_u1)
+                                .mul_add(cos_q1_minus_q3, S::int(2) * u1 * sin_q1_minus_q3)),
+                    ),
+            ));
     // r1_by_u2 = -2*l1*u2*(m2*sin(q2) + m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
-    let r1_by_u2 = -S::int(2) * l1_u2 * (m2_s2 + m3_s3 * u0_dot_by_q2_part);
+    let r1_by_u2 = -S::int(2) * l1_u2 * (m3_s3.mul_add(u0_dot_by_q2_part, m2_s2));
     // r2_by_u2 = -2*l0*l1*u2*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) + sin(q2 - q3)*cos(q1 - q3)))
     let r2_by_u2 = -l1_u2 * l0_scaled * s5_by_q2_part_2;
     // r3_by_u2 = -2*m3*l1^2*u2*sin(q2 - q3)*cos(q2 - q3)
     let r3_by_u2 = -l1_u2 * s6_by_q3_part * cos_q2_minus_q3;
     // Shared terms.
     // r2_by_u2 + r1_by_u2*s4_part_5; used 2 times
-    let r7_by_u2_part = r2_by_u2 + r1_by_u2 * s4_part_5;
+    let r7_by_u2_part = r1_by_u2.mul_add(s4_part_5, r2_by_u2);
     // Elimination, step by step.
     // r7_by_u2 = l1*r1_by_u2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) - s5*(l0*r1_by_u2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r2_by_u2)/s4 + r3_by_u2
-    let r7_by_u2 = r3_by_u2 + r1_by_u2 * s4_part_4_s5_part - s5_s4_inv * r7_by_u2_part;
+    let r7_by_u2 = (-s5_s4_inv)
+        .mul_add(r7_by_u2_part, r1_by_u2.mul_add(s4_part_4_s5_part, r3_by_u2));
     // Shared terms.
     // r7_by_u2*u2_dot_part; used 4 times
     let r7_by_u2_u2_dot_part = r7_by_u2 * u2_dot_part;
     // Elimination, step by step.
     // u1_dot_by_u2 = (l0*r1_by_u2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r2_by_u2 + s5*r7_by_u2/(s5^2/s4 - s6))/s4
-    let u1_dot_by_u2 = s4_inv * (r7_by_u2_part - s5 * r7_by_u2_u2_dot_part);
+    let u1_dot_by_u2 = s4_inv * ((-s5).mul_add(r7_by_u2_u2_dot_part, r7_by_u2_part));
     // u0_dot_by_u2 = (r1_by_u2 + l1*r7_by_u2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(s6 -
     //   s5^2/s4) + l0*u1_dot_by_u2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2)
     let u0_dot_by_u2 = s4_part_4
-        * (r1_by_u2 + u1_dot_by_u2 * l0_s4_part_2 + s5_part * r7_by_u2_u2_dot_part);
+        * (s5_part
+            .mul_add(
+                r7_by_u2_u2_dot_part,
+                u1_dot_by_u2.mul_add(l0_s4_part_2, r1_by_u2),
+            ));
     // u3_dot_by_u2 = (l1*(2*u2*sin(q2 - q3) + r7_by_u2*cos(q2 - q3)/(s5^2/s4 - s6)) -
     //   l0*u1_dot_by_u2*cos(q1 - q3) + u0_dot_by_u2*cos(q3))/l2
     let u3_dot_by_u2 = l2_inv
-        * (u0_dot_by_u2 * c3 - u1_dot_by_u2 * l0_cos_q1_minus_q3
-            + l1
-                * (u2 * sin_q2_minus_q3_scaled
-                    - r7_by_u2_u2_dot_part * cos_q2_minus_q3));
+        * (l1
+            .mul_add(
+                (-r7_by_u2_u2_dot_part)
+                    .mul_add(cos_q2_minus_q3, u2 * sin_q2_minus_q3_scaled),
+                (-u1_dot_by_u2).mul_add(l0_cos_q1_minus_q3, u0_dot_by_u2 * c3),
+            ));
     // r1_by_u3 = -2*m3*l2*u3*sin(q3)
     let r1_by_u3 = -S::int(2) * l2_u3 * m3_s3;
     // r2_by_u3 = -2*m3*l0*l2*u3*sin(q1 - q3)
@@ -987,29 +1262,37 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let r3_by_u3 = -l2_u3 * s6_by_q3_part;
     // Shared terms.
     // r2_by_u3 + r1_by_u3*s4_part_5; used 2 times
-    let r7_by_u3_part = r2_by_u3 + r1_by_u3 * s4_part_5;
+    let r7_by_u3_part = r1_by_u3.mul_add(s4_part_5, r2_by_u3);
     // Elimination, step by step.
     // r7_by_u3 = l1*r1_by_u3*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) - s5*(l0*r1_by_u3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r2_by_u3)/s4 + r3_by_u3
-    let r7_by_u3 = r3_by_u3 + r1_by_u3 * s4_part_4_s5_part - s5_s4_inv * r7_by_u3_part;
+    let r7_by_u3 = (-s5_s4_inv)
+        .mul_add(r7_by_u3_part, r1_by_u3.mul_add(s4_part_4_s5_part, r3_by_u3));
     // Shared terms.
     // r7_by_u3*u2_dot_part; used 4 times
     let r7_by_u3_u2_dot_part = r7_by_u3 * u2_dot_part;
     // Elimination, step by step.
     // u1_dot_by_u3 = (l0*r1_by_u3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r2_by_u3 + s5*r7_by_u3/(s5^2/s4 - s6))/s4
-    let u1_dot_by_u3 = s4_inv * (r7_by_u3_part - s5 * r7_by_u3_u2_dot_part);
+    let u1_dot_by_u3 = s4_inv * ((-s5).mul_add(r7_by_u3_u2_dot_part, r7_by_u3_part));
     // u0_dot_by_u3 = (r1_by_u3 + l1*r7_by_u3*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(s6 -
     //   s5^2/s4) + l0*u1_dot_by_u3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2)
     let u0_dot_by_u3 = s4_part_4
-        * (r1_by_u3 + u1_dot_by_u3 * l0_s4_part_2 + s5_part * r7_by_u3_u2_dot_part);
+        * (s5_part
+            .mul_add(
+                r7_by_u3_u2_dot_part,
+                u1_dot_by_u3.mul_add(l0_s4_part_2, r1_by_u3),
+            ));
     // u3_dot_by_u3 = (u0_dot_by_u3*cos(q3) - l1*r7_by_u3*cos(q2 - q3)/(s6 - s5^2/s4) -
     //   l0*u1_dot_by_u3*cos(q1 - q3))/l2
     let u3_dot_by_u3 = l2_inv
-        * (u0_dot_by_u3 * c3 - u1_dot_by_u3 * l0_cos_q1_minus_q3
-            - l1_cos_q2_minus_q3 * r7_by_u3_u2_dot_part);
+        * ((-l1_cos_q2_minus_q3)
+            .mul_add(
+                r7_by_u3_u2_dot_part,
+                (-u1_dot_by_u3).mul_add(l0_cos_q1_minus_q3, u0_dot_by_u3 * c3),
+            ));
     // Entries that are not zero.
     // d(q0')/d(u0) = 1
     let q0_dot_by_u0_value = S::int(1);
@@ -1128,11 +1411,11 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
     // Shared terms.
     // u0*cos(q3) - l0_u1*cos(q1 - q3)
-    let energy_part_2 = u0 * c3 - l0_u1 * cos_q1_minus_q3;
+    let energy_part_2 = (-l0_u1).mul_add(cos_q1_minus_q3, u0 * c3);
     // u0^2*(m0 + energy_part) + l2_u3*m3_l2_u3
-    let energy_part_3 = u0 * u0 * (m0 + energy_part) + l2_u3 * m3_l2_u3;
+    let energy_part_3 = l2_u3.mul_add(m3_l2_u3, u0 * u0 * (m0 + energy_part));
     // l0_u1*energy_part_l0_u1 + l1_u2*m2_plus_m3_l1_u2
-    let energy_part_4 = l0_u1 * energy_part_l0_u1 + l1_u2 * m2_plus_m3_l1_u2;
+    let energy_part_4 = l1_u2.mul_add(m2_plus_m3_l1_u2, l0_u1 * energy_part_l0_u1);
     // energy_part_3 + energy_part_4
     let energy_part_5 = energy_part_3 + energy_part_4;
     // Sines and cosines.
@@ -1142,10 +1425,15 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     // T = u0^2*(m0 + m1 + m2 + m3)/2 + l0^2*u1^2*(m1 + m2 + m3)/2 - l0*u0*u1*cos(q1)*(m1 + m2 + m3) +
     //   l1^2*u2^2*(m2 + m3)/2 - l1*u0*u2*cos(q2)*(m2 + m3) + l0*l1*u1*u2*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2^2*u3^2/2 - m3*l2*u0*u3*cos(q3) + m3*l0*l2*u1*u3*cos(q1 - q3) + m3*l1*l2*u2*u3*cos(q2 - q3)
-    let energy = m2_plus_m3_l1_u2 * (l0_u1 * cos_q1_minus_q2 - u0 * c2)
-        - u0 * energy_part_l0_u1 * c1
-        + m3_l2_u3 * (l1_u2 * cos_q2_minus_q3 - energy_part_2)
-        + S::ratio(1, 2) * energy_part_5;
+    let energy = m3_l2_u3
+        .mul_add(
+            l1_u2.mul_add(cos_q2_minus_q3, -energy_part_2),
+            (-(u0 * energy_part_l0_u1))
+                .mul_add(
+                    c1,
+                    m2_plus_m3_l1_u2 * ((-u0).mul_add(c2, l0_u1 * cos_q1_minus_q2)),
+                ),
+        ) + S::ratio(1, 2) * energy_part_5;
     energy
 }
 
@@ -1164,10 +1452,11 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     // l0*cos(q1); used 2 times
     let l0_c1 = l0 * c1;
     // l1*cos(q2) + l0_c1; used 2 times
-    let energy_part = l1 * c2 + l0_c1;
+    let energy_part = l1.mul_add(c2, l0_c1);
     // Values.
     // V = g*(m1*l0*cos(q1) + m2*(l0*cos(q1) + l1*cos(q2)) + m3*(l0*cos(q1) + l1*cos(q2) + l2*cos(q3)))
-    let energy = g * (m1 * l0_c1 + m2 * energy_part + m3 * (l2 * c3 + energy_part));
+    let energy = g
+        * (m3.mul_add(l2.mul_add(c3, energy_part), m2.mul_add(energy_part, m1 * l0_c1)));
     energy
 }
 

@@ -106,27 +106,33 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
     let (sin_q1_minus_q3, _) = (q1 - q3).sin_cos();
     // Shared terms.
     // g*f1_part - q3_dot_sq_m3_l2*sin(q1 - q3)
-    let f2_part_2 = g * f1_part - q3_dot_sq_m3_l2 * sin_q1_minus_q3;
+    let f2_part_2 = (-q3_dot_sq_m3_l2).mul_add(sin_q1_minus_q3, g * f1_part);
     // Sines and cosines.
     let (sin_q2_minus_q3, _) = (q2 - q3).sin_cos();
     // Shared terms.
     // l1*sin(q2 - q3); used 2 times
     let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
     // g*sin(q3) + l0_q1_dot_sq*sin(q1 - q3)
-    let f4_part = g * s3 + l0_q1_dot_sq * sin_q1_minus_q3;
+    let f4_part = l0_q1_dot_sq.mul_add(sin_q1_minus_q3, g * s3);
     // Values.
     // f1 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*q3'^2*sin(q3)
-    let f1 = F - q3_dot_sq_m3_l2 * s3 - l0_q1_dot_sq * f1_part
-        - q2_dot_sq * s2_l1_m2_plus_m3;
+    let f1 = (-q2_dot_sq)
+        .mul_add(
+            s2_l1_m2_plus_m3,
+            (-l0_q1_dot_sq).mul_add(f1_part, (-q3_dot_sq_m3_l2).mul_add(s3, F)),
+        );
     // f2 = l0*(m1*g*sin(q1) - m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*q2'^2*sin(q1 - q2) -
     //   g*sin(q1) + l2*q3'^2*sin(q1 - q3)))
-    let f2 = l0 * (f2_part_2 - q2_dot_sq * f2_part);
+    let f2 = l0 * ((-q2_dot_sq).mul_add(f2_part, f2_part_2));
     // f3 = l1*(m2*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) -
     //   l2*q3'^2*sin(q2 - q3)))
-    let f3 = g * s2_l1_m2_plus_m3 + l0_q1_dot_sq * f2_part
-        - q3_dot_sq_m3_l2 * l1_sin_q2_minus_q3;
+    let f3 = (-q3_dot_sq_m3_l2)
+        .mul_add(
+            l1_sin_q2_minus_q3,
+            l0_q1_dot_sq.mul_add(f2_part, g * s2_l1_m2_plus_m3),
+        );
     // f4 = m3*l2*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3))
-    let f4 = m3_l2 * (q2_dot_sq * l1_sin_q2_minus_q3 + f4_part);
+    let f4 = m3_l2 * (q2_dot_sq.mul_add(l1_sin_q2_minus_q3, f4_part));
     [f1, f2, f3, f4]
 }
 
@@ -156,7 +162,7 @@ pub fn accelerations<S: Scalar>(
     // l1*q2_dot_sq; used 4 times
     let l1_q2_dot_sq = l1 * q2_dot_sq;
     // l0_q1_dot_sq*sin(q1) + l1_q2_dot_sq*sin(q2); used 2 times
-    let r1_part = l0_q1_dot_sq * s1 + l1_q2_dot_sq * s2;
+    let r1_part = l1_q2_dot_sq.mul_add(s2, l0_q1_dot_sq * s1);
     // m1*sin(q1); used 2 times
     let m1_s1 = m1 * s1;
     // l2*q3'^2; used 3 times
@@ -166,10 +172,15 @@ pub fn accelerations<S: Scalar>(
     // Elimination, step by step.
     // r1 = F - m1*l0*q1'^2*sin(q1) - m2*(l0*q1'^2*sin(q1) + l1*q2'^2*sin(q2)) + m3*sin(q3)*(cos(q3)*(g -
     //   l0*q1'^2*cos(q1) - l1*q2'^2*cos(q2)) - sin(q3)*(l0*q1'^2*sin(q1) + l1*q2'^2*sin(q2)) - l2*q3'^2)
-    let r1 = F - m2 * r1_part - l0_q1_dot_sq * m1_s1
-        - m3_s3
-            * (c3 * (l0_q1_dot_sq * c1 - g + l1_q2_dot_sq * c2) + r1_part * s3
-                + l2_q3_dot_sq);
+    let r1 = (-m3_s3)
+        .mul_add(
+            r1_part
+                .mul_add(
+                    s3,
+                    c3 * (l1_q2_dot_sq.mul_add(c2, l0_q1_dot_sq.mul_add(c1, -g))),
+                ) + l2_q3_dot_sq,
+            (-l0_q1_dot_sq).mul_add(m1_s1, (-m2).mul_add(r1_part, F)),
+        );
     // Shared terms.
     // q1 - q2; used 2 times
     let q1_minus_q2 = q1 - q2;
@@ -177,7 +188,7 @@ pub fn accelerations<S: Scalar>(
     let (sin_q1_minus_q2, cos_q1_minus_q2) = q1_minus_q2.sin_cos();
     // Shared terms.
     // g*sin(q1) - l1_q2_dot_sq*sin(q1 - q2); used 2 times
-    let r2_part = g * s1 - l1_q2_dot_sq * sin_q1_minus_q2;
+    let r2_part = (-l1_q2_dot_sq).mul_add(sin_q1_minus_q2, g * s1);
     // g*sin(q3); used 2 times
     let g_s3 = g * s3;
     // q1 - q3; used 2 times
@@ -191,64 +202,86 @@ pub fn accelerations<S: Scalar>(
     let (sin_q2_minus_q3, cos_q2_minus_q3) = q2_minus_q3.sin_cos();
     // Shared terms.
     // l0_q1_dot_sq*sin(q1 - q3) + l1_q2_dot_sq*sin(q2 - q3) + g_s3; used 2 times
-    let r2_part_2 = l0_q1_dot_sq * sin_q1_minus_q3 + l1_q2_dot_sq * sin_q2_minus_q3
+    let r2_part_2 = l1_q2_dot_sq.mul_add(sin_q2_minus_q3, l0_q1_dot_sq * sin_q1_minus_q3)
         + g_s3;
     // Elimination, step by step.
     // r2 = l0*(m1*g*sin(q1) - m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*q2'^2*sin(q1 - q2) -
     //   g*sin(q1) + cos(q1 - q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) +
     //   l2*q3'^2*sin(q1 - q3)))
     let r2 = l0
-        * (g * m1_s1 + m2 * r2_part
-            + m3
-                * (r2_part - l2_q3_dot_sq * sin_q1_minus_q3
-                    - r2_part_2 * cos_q1_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q1_minus_q3,
+                        (-l2_q3_dot_sq).mul_add(sin_q1_minus_q3, r2_part),
+                    ),
+                m2.mul_add(r2_part, g * m1_s1),
+            ));
     // Shared terms.
     // g*sin(q2) + l0_q1_dot_sq*sin(q1 - q2); used 2 times
-    let r3_part = g * s2 + l0_q1_dot_sq * sin_q1_minus_q2;
+    let r3_part = l0_q1_dot_sq.mul_add(sin_q1_minus_q2, g * s2);
     // Elimination, step by step.
     // r3 = l1*(m2*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) - cos(q2 -
     //   q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) - l2*q3'^2*sin(q2 - q3)))
     let r3 = l1
-        * (m2 * r3_part
-            + m3
-                * (r3_part - l2_q3_dot_sq * sin_q2_minus_q3
-                    - r2_part_2 * cos_q2_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q2_minus_q3,
+                        (-l2_q3_dot_sq).mul_add(sin_q2_minus_q3, r3_part),
+                    ),
+                m2 * r3_part,
+            ));
     // Shared terms.
     // m1 + m2; used 3 times
     let m1_plus_m2 = m1 + m2;
     // l0*(cos(q1)*(m3 + m1_plus_m2) - m3*cos(q3)*cos(q1 - q3)); used 3 times
-    let s4_part = l0 * (c1 * (m3 + m1_plus_m2) - m3 * c3 * cos_q1_minus_q3);
+    let s4_part = l0 * ((-(m3 * c3)).mul_add(cos_q1_minus_q3, c1 * (m3 + m1_plus_m2)));
     // 1/(m0 + m3_s3*sin(q3) + m1_plus_m2); used 3 times
-    let s4_part_2 = S::int(1) / (m0 + m3_s3 * s3 + m1_plus_m2);
+    let s4_part_2 = S::int(1) / (m3_s3.mul_add(s3, m0) + m1_plus_m2);
     // s4_part*s4_part_2; used 3 times
     let s4_part_s4_part_2 = s4_part * s4_part_2;
     // Elimination, step by step.
     // s4 = l0^2*(m1 + m2 + m3*sin(q1 - q3)^2) - l0^2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
     //   q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4 = l0 * l0 * (m3 * sin_q1_minus_q3 * sin_q1_minus_q3 + m1_plus_m2)
-        - s4_part * s4_part_s4_part_2;
+    let s4 = (-s4_part)
+        .mul_add(
+            s4_part_s4_part_2,
+            l0 * l0 * (m3.mul_add(sin_q1_minus_q3 * sin_q1_minus_q3, m1_plus_m2)),
+        );
     // Shared terms.
     // l1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3))); used 4 times
-    let s5_part = l1 * (m2 * c2 + m3 * (c2 - c3 * cos_q2_minus_q3));
+    let s5_part = l1 * (m3.mul_add((-c3).mul_add(cos_q2_minus_q3, c2), m2 * c2));
     // Elimination, step by step.
     // s5 = l0*l1*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 + m3))*(m2*cos(q2) + m3*(cos(q2) -
     //   cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*l1*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) -
     //   cos(q1 - q3)*cos(q2 - q3)))
-    let s5 = l0 * l1
-        * (m2 * cos_q1_minus_q2
-            + m3 * (cos_q1_minus_q2 - cos_q1_minus_q3 * cos_q2_minus_q3))
-        - s4_part_s4_part_2 * s5_part;
+    let s5 = (-s4_part_s4_part_2)
+        .mul_add(
+            s5_part,
+            l0 * l1
+                * (m3
+                    .mul_add(
+                        (-cos_q1_minus_q3).mul_add(cos_q2_minus_q3, cos_q1_minus_q2),
+                        m2 * cos_q1_minus_q2,
+                    )),
+        );
     // Shared terms.
     // s4_part_2*s5_part; used 2 times
     let s4_part_2_s5_part = s4_part_2 * s5_part;
     // Elimination, step by step.
     // s6 = l1^2*(m2 + m3*sin(q2 - q3)^2) - l1^2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 +
     //   m1 + m2 + m3*sin(q3)^2)
-    let s6 = l1 * l1 * (m2 + m3 * sin_q2_minus_q3 * sin_q2_minus_q3)
-        - s5_part * s4_part_2_s5_part;
+    let s6 = (-s5_part)
+        .mul_add(
+            s4_part_2_s5_part,
+            l1 * l1 * (m3.mul_add(sin_q2_minus_q3 * sin_q2_minus_q3, m2)),
+        );
     // Shared terms.
     // r2 + r1*s4_part_s4_part_2; used 2 times
-    let r7_part = r2 + r1 * s4_part_s4_part_2;
+    let r7_part = r1.mul_add(s4_part_s4_part_2, r2);
     // 1/s4; used 2 times
     let s4_inv = S::int(1) / s4;
     // s5*s4_inv; used 2 times
@@ -256,20 +289,26 @@ pub fn accelerations<S: Scalar>(
     // Elimination, step by step.
     // r7 = l1*r1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3 -
     //   s5*(l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7 = r3 + r1 * s4_part_2_s5_part - r7_part * s5_s4_inv;
+    let r7 = (-r7_part).mul_add(s5_s4_inv, r1.mul_add(s4_part_2_s5_part, r3));
     // q2'' = r7/(s6 - s5^2/s4)
-    let q2_ddot = r7 / (s6 - s5 * s5_s4_inv);
+    let q2_ddot = r7 / ((-s5).mul_add(s5_s4_inv, s6));
     // q1'' = (l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2
     //   - q2''*s5)/s4
-    let q1_ddot = s4_inv * (r7_part - q2_ddot * s5);
+    let q1_ddot = s4_inv * ((-q2_ddot).mul_add(s5, r7_part));
     // q0'' = (l0*q1''*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)) + l1*q2''*(m2*cos(q2) +
     //   m3*(cos(q2) - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let q0_ddot = s4_part_2 * (r1 + q1_ddot * s4_part + q2_ddot * s5_part);
+    let q0_ddot = s4_part_2 * (q2_ddot.mul_add(s5_part, q1_ddot.mul_add(s4_part, r1)));
     // q3'' = (g*sin(q3) + q0''*cos(q3) + l0*(q1'^2*sin(q1 - q3) - q1''*cos(q1 - q3)) + l1*(q2'^2*sin(q2 -
     //   q3) - q2''*cos(q2 - q3)))/l2
-    let q3_ddot = (q0_ddot * c3
-        + l0 * (q1_dot_sq * sin_q1_minus_q3 - q1_ddot * cos_q1_minus_q3)
-        + l1 * (q2_dot_sq * sin_q2_minus_q3 - q2_ddot * cos_q2_minus_q3) + g_s3) / l2;
+    let q3_ddot = (l1
+        .mul_add(
+            (-q2_ddot).mul_add(cos_q2_minus_q3, q2_dot_sq * sin_q2_minus_q3),
+            l0
+                .mul_add(
+                    (-q1_ddot).mul_add(cos_q1_minus_q3, q1_dot_sq * sin_q1_minus_q3),
+                    q0_ddot * c3,
+                ),
+        ) + g_s3) / l2;
     [q0_ddot, q1_ddot, q2_ddot, q3_ddot]
 }
 
@@ -299,7 +338,7 @@ pub fn derivative<S: Scalar>(
     // l1*q2_dot_sq; used 4 times
     let l1_q2_dot_sq = l1 * q2_dot_sq;
     // l0_q1_dot_sq*sin(q1) + l1_q2_dot_sq*sin(q2); used 2 times
-    let r1_part = l0_q1_dot_sq * s1 + l1_q2_dot_sq * s2;
+    let r1_part = l1_q2_dot_sq.mul_add(s2, l0_q1_dot_sq * s1);
     // m1*sin(q1); used 2 times
     let m1_s1 = m1 * s1;
     // l2*q3'^2; used 3 times
@@ -309,10 +348,15 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // r1 = F - m1*l0*q1'^2*sin(q1) - m2*(l0*q1'^2*sin(q1) + l1*q2'^2*sin(q2)) + m3*sin(q3)*(cos(q3)*(g -
     //   l0*q1'^2*cos(q1) - l1*q2'^2*cos(q2)) - sin(q3)*(l0*q1'^2*sin(q1) + l1*q2'^2*sin(q2)) - l2*q3'^2)
-    let r1 = F - m2 * r1_part - l0_q1_dot_sq * m1_s1
-        - m3_s3
-            * (c3 * (l0_q1_dot_sq * c1 - g + l1_q2_dot_sq * c2) + r1_part * s3
-                + l2_q3_dot_sq);
+    let r1 = (-m3_s3)
+        .mul_add(
+            r1_part
+                .mul_add(
+                    s3,
+                    c3 * (l1_q2_dot_sq.mul_add(c2, l0_q1_dot_sq.mul_add(c1, -g))),
+                ) + l2_q3_dot_sq,
+            (-l0_q1_dot_sq).mul_add(m1_s1, (-m2).mul_add(r1_part, F)),
+        );
     // Shared terms.
     // q1 - q2; used 2 times
     let q1_minus_q2 = q1 - q2;
@@ -320,7 +364,7 @@ pub fn derivative<S: Scalar>(
     let (sin_q1_minus_q2, cos_q1_minus_q2) = q1_minus_q2.sin_cos();
     // Shared terms.
     // g*sin(q1) - l1_q2_dot_sq*sin(q1 - q2); used 2 times
-    let r2_part = g * s1 - l1_q2_dot_sq * sin_q1_minus_q2;
+    let r2_part = (-l1_q2_dot_sq).mul_add(sin_q1_minus_q2, g * s1);
     // g*sin(q3); used 2 times
     let g_s3 = g * s3;
     // q1 - q3; used 2 times
@@ -334,64 +378,86 @@ pub fn derivative<S: Scalar>(
     let (sin_q2_minus_q3, cos_q2_minus_q3) = q2_minus_q3.sin_cos();
     // Shared terms.
     // l0_q1_dot_sq*sin(q1 - q3) + l1_q2_dot_sq*sin(q2 - q3) + g_s3; used 2 times
-    let r2_part_2 = l0_q1_dot_sq * sin_q1_minus_q3 + l1_q2_dot_sq * sin_q2_minus_q3
+    let r2_part_2 = l1_q2_dot_sq.mul_add(sin_q2_minus_q3, l0_q1_dot_sq * sin_q1_minus_q3)
         + g_s3;
     // Elimination, step by step.
     // r2 = l0*(m1*g*sin(q1) - m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*q2'^2*sin(q1 - q2) -
     //   g*sin(q1) + cos(q1 - q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) +
     //   l2*q3'^2*sin(q1 - q3)))
     let r2 = l0
-        * (g * m1_s1 + m2 * r2_part
-            + m3
-                * (r2_part - l2_q3_dot_sq * sin_q1_minus_q3
-                    - r2_part_2 * cos_q1_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q1_minus_q3,
+                        (-l2_q3_dot_sq).mul_add(sin_q1_minus_q3, r2_part),
+                    ),
+                m2.mul_add(r2_part, g * m1_s1),
+            ));
     // Shared terms.
     // g*sin(q2) + l0_q1_dot_sq*sin(q1 - q2); used 2 times
-    let r3_part = g * s2 + l0_q1_dot_sq * sin_q1_minus_q2;
+    let r3_part = l0_q1_dot_sq.mul_add(sin_q1_minus_q2, g * s2);
     // Elimination, step by step.
     // r3 = l1*(m2*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) - cos(q2 -
     //   q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) - l2*q3'^2*sin(q2 - q3)))
     let r3 = l1
-        * (m2 * r3_part
-            + m3
-                * (r3_part - l2_q3_dot_sq * sin_q2_minus_q3
-                    - r2_part_2 * cos_q2_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q2_minus_q3,
+                        (-l2_q3_dot_sq).mul_add(sin_q2_minus_q3, r3_part),
+                    ),
+                m2 * r3_part,
+            ));
     // Shared terms.
     // m1 + m2; used 3 times
     let m1_plus_m2 = m1 + m2;
     // l0*(cos(q1)*(m3 + m1_plus_m2) - m3*cos(q3)*cos(q1 - q3)); used 3 times
-    let s4_part = l0 * (c1 * (m3 + m1_plus_m2) - m3 * c3 * cos_q1_minus_q3);
+    let s4_part = l0 * ((-(m3 * c3)).mul_add(cos_q1_minus_q3, c1 * (m3 + m1_plus_m2)));
     // 1/(m0 + m3_s3*sin(q3) + m1_plus_m2); used 3 times
-    let s4_part_2 = S::int(1) / (m0 + m3_s3 * s3 + m1_plus_m2);
+    let s4_part_2 = S::int(1) / (m3_s3.mul_add(s3, m0) + m1_plus_m2);
     // s4_part*s4_part_2; used 3 times
     let s4_part_s4_part_2 = s4_part * s4_part_2;
     // Elimination, step by step.
     // s4 = l0^2*(m1 + m2 + m3*sin(q1 - q3)^2) - l0^2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
     //   q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4 = l0 * l0 * (m3 * sin_q1_minus_q3 * sin_q1_minus_q3 + m1_plus_m2)
-        - s4_part * s4_part_s4_part_2;
+    let s4 = (-s4_part)
+        .mul_add(
+            s4_part_s4_part_2,
+            l0 * l0 * (m3.mul_add(sin_q1_minus_q3 * sin_q1_minus_q3, m1_plus_m2)),
+        );
     // Shared terms.
     // l1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3))); used 4 times
-    let s5_part = l1 * (m2 * c2 + m3 * (c2 - c3 * cos_q2_minus_q3));
+    let s5_part = l1 * (m3.mul_add((-c3).mul_add(cos_q2_minus_q3, c2), m2 * c2));
     // Elimination, step by step.
     // s5 = l0*l1*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 + m3))*(m2*cos(q2) + m3*(cos(q2) -
     //   cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*l1*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) -
     //   cos(q1 - q3)*cos(q2 - q3)))
-    let s5 = l0 * l1
-        * (m2 * cos_q1_minus_q2
-            + m3 * (cos_q1_minus_q2 - cos_q1_minus_q3 * cos_q2_minus_q3))
-        - s4_part_s4_part_2 * s5_part;
+    let s5 = (-s4_part_s4_part_2)
+        .mul_add(
+            s5_part,
+            l0 * l1
+                * (m3
+                    .mul_add(
+                        (-cos_q1_minus_q3).mul_add(cos_q2_minus_q3, cos_q1_minus_q2),
+                        m2 * cos_q1_minus_q2,
+                    )),
+        );
     // Shared terms.
     // s4_part_2*s5_part; used 2 times
     let s4_part_2_s5_part = s4_part_2 * s5_part;
     // Elimination, step by step.
     // s6 = l1^2*(m2 + m3*sin(q2 - q3)^2) - l1^2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 +
     //   m1 + m2 + m3*sin(q3)^2)
-    let s6 = l1 * l1 * (m2 + m3 * sin_q2_minus_q3 * sin_q2_minus_q3)
-        - s5_part * s4_part_2_s5_part;
+    let s6 = (-s5_part)
+        .mul_add(
+            s4_part_2_s5_part,
+            l1 * l1 * (m3.mul_add(sin_q2_minus_q3 * sin_q2_minus_q3, m2)),
+        );
     // Shared terms.
     // r2 + r1*s4_part_s4_part_2; used 2 times
-    let r7_part = r2 + r1 * s4_part_s4_part_2;
+    let r7_part = r1.mul_add(s4_part_s4_part_2, r2);
     // 1/s4; used 2 times
     let s4_inv = S::int(1) / s4;
     // s5*s4_inv; used 2 times
@@ -399,20 +465,26 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // r7 = l1*r1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3 -
     //   s5*(l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7 = r3 + r1 * s4_part_2_s5_part - r7_part * s5_s4_inv;
+    let r7 = (-r7_part).mul_add(s5_s4_inv, r1.mul_add(s4_part_2_s5_part, r3));
     // q2'' = r7/(s6 - s5^2/s4)
-    let q2_ddot = r7 / (s6 - s5 * s5_s4_inv);
+    let q2_ddot = r7 / ((-s5).mul_add(s5_s4_inv, s6));
     // q1'' = (l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2
     //   - q2''*s5)/s4
-    let q1_ddot = s4_inv * (r7_part - q2_ddot * s5);
+    let q1_ddot = s4_inv * ((-q2_ddot).mul_add(s5, r7_part));
     // q0'' = (l0*q1''*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)) + l1*q2''*(m2*cos(q2) +
     //   m3*(cos(q2) - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let q0_ddot = s4_part_2 * (r1 + q1_ddot * s4_part + q2_ddot * s5_part);
+    let q0_ddot = s4_part_2 * (q2_ddot.mul_add(s5_part, q1_ddot.mul_add(s4_part, r1)));
     // q3'' = (g*sin(q3) + q0''*cos(q3) + l0*(q1'^2*sin(q1 - q3) - q1''*cos(q1 - q3)) + l1*(q2'^2*sin(q2 -
     //   q3) - q2''*cos(q2 - q3)))/l2
-    let q3_ddot = (q0_ddot * c3
-        + l0 * (q1_dot_sq * sin_q1_minus_q3 - q1_ddot * cos_q1_minus_q3)
-        + l1 * (q2_dot_sq * sin_q2_minus_q3 - q2_ddot * cos_q2_minus_q3) + g_s3) / l2;
+    let q3_ddot = (l1
+        .mul_add(
+            (-q2_ddot).mul_add(cos_q2_minus_q3, q2_dot_sq * sin_q2_minus_q3),
+            l0
+                .mul_add(
+                    (-q1_ddot).mul_add(cos_q1_minus_q3, q1_dot_sq * sin_q1_minus_q3),
+                    q0_ddot * c3,
+                ),
+        ) + g_s3) / l2;
     // Values.
     // q0' = q0'
     let q0_dot_value = q0_dot;
@@ -455,15 +527,15 @@ pub fn jacobian<S: Scalar>(
     // q2'*l1_q2_dot; used 8 times
     let q2_dot_l1_q2_dot = q2_dot * l1_q2_dot;
     // q1_dot_l0_q1_dot*sin(q1) + q2_dot_l1_q2_dot*sin(q2); used 2 times
-    let r1_part = q1_dot_l0_q1_dot * s1 + q2_dot_l1_q2_dot * s2;
+    let r1_part = q2_dot_l1_q2_dot.mul_add(s2, q1_dot_l0_q1_dot * s1);
     // g - q1_dot_l0_q1_dot*cos(q1) - q2_dot_l1_q2_dot*cos(q2); used 2 times
-    let r1_part_2 = g - q1_dot_l0_q1_dot * c1 - q2_dot_l1_q2_dot * c2;
+    let r1_part_2 = (-q2_dot_l1_q2_dot).mul_add(c2, (-q1_dot_l0_q1_dot).mul_add(c1, g));
     // l2*q3'; used 4 times
     let l2_q3_dot = l2 * q3_dot;
     // q3'*l2_q3_dot; used 5 times
     let q3_dot_l2_q3_dot = q3_dot * l2_q3_dot;
     // r1_part_2*cos(q3) - q3_dot_l2_q3_dot; used 2 times
-    let r1_part_3 = r1_part_2 * c3 - q3_dot_l2_q3_dot;
+    let r1_part_3 = r1_part_2.mul_add(c3, -q3_dot_l2_q3_dot);
     // r1_part*sin(q3); used 2 times
     let s3_r1_part = r1_part * s3;
     // m3*sin(q3); used 10 times
@@ -473,8 +545,11 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // r1 = F - m1*l0*q1'^2*sin(q1) - m2*(l0*q1'^2*sin(q1) + l1*q2'^2*sin(q2)) + m3*sin(q3)*(cos(q3)*(g -
     //   l0*q1'^2*cos(q1) - l1*q2'^2*cos(q2)) - sin(q3)*(l0*q1'^2*sin(q1) + l1*q2'^2*sin(q2)) - l2*q3'^2)
-    let r1 = F - m2 * r1_part + m3_s3 * (r1_part_3 - s3_r1_part)
-        - q1_dot_l0_q1_dot * m1_s1;
+    let r1 = (-q1_dot_l0_q1_dot)
+        .mul_add(
+            m1_s1,
+            m3_s3.mul_add(r1_part_3 - s3_r1_part, (-m2).mul_add(r1_part, F)),
+        );
     // Shared terms.
     // q1 - q2; used 2 times
     let q1_minus_q2 = q1 - q2;
@@ -482,7 +557,7 @@ pub fn jacobian<S: Scalar>(
     let (sin_q1_minus_q2, cos_q1_minus_q2) = q1_minus_q2.sin_cos();
     // Shared terms.
     // g*sin(q1) - q2_dot_l1_q2_dot*sin(q1 - q2); used 2 times
-    let r2_part = g * s1 - q2_dot_l1_q2_dot * sin_q1_minus_q2;
+    let r2_part = (-q2_dot_l1_q2_dot).mul_add(sin_q1_minus_q2, g * s1);
     // q1 - q3; used 2 times
     let q1_minus_q3 = q1 - q3;
     // Sines and cosines.
@@ -494,28 +569,38 @@ pub fn jacobian<S: Scalar>(
     let (sin_q2_minus_q3, cos_q2_minus_q3) = q2_minus_q3.sin_cos();
     // Shared terms.
     // g*sin(q3) + q1_dot_l0_q1_dot*sin(q1 - q3) + q2_dot_l1_q2_dot*sin(q2 - q3); used 4 times
-    let r2_part_2 = g * s3 + q1_dot_l0_q1_dot * sin_q1_minus_q3
-        + q2_dot_l1_q2_dot * sin_q2_minus_q3;
+    let r2_part_2 = q2_dot_l1_q2_dot
+        .mul_add(sin_q2_minus_q3, q1_dot_l0_q1_dot.mul_add(sin_q1_minus_q3, g * s3));
     // Elimination, step by step.
     // r2 = l0*(m1*g*sin(q1) - m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*q2'^2*sin(q1 - q2) -
     //   g*sin(q1) + cos(q1 - q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) +
     //   l2*q3'^2*sin(q1 - q3)))
     let r2 = l0
-        * (g * m1_s1 + m2 * r2_part
-            + m3
-                * (r2_part - q3_dot_l2_q3_dot * sin_q1_minus_q3
-                    - r2_part_2 * cos_q1_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q1_minus_q3,
+                        (-q3_dot_l2_q3_dot).mul_add(sin_q1_minus_q3, r2_part),
+                    ),
+                m2.mul_add(r2_part, g * m1_s1),
+            ));
     // Shared terms.
     // g*sin(q2) + q1_dot_l0_q1_dot*sin(q1 - q2); used 2 times
-    let r3_part = g * s2 + q1_dot_l0_q1_dot * sin_q1_minus_q2;
+    let r3_part = q1_dot_l0_q1_dot.mul_add(sin_q1_minus_q2, g * s2);
     // Elimination, step by step.
     // r3 = l1*(m2*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) - cos(q2 -
     //   q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) - l2*q3'^2*sin(q2 - q3)))
     let r3 = l1
-        * (m2 * r3_part
-            + m3
-                * (r3_part - q3_dot_l2_q3_dot * sin_q2_minus_q3
-                    - r2_part_2 * cos_q2_minus_q3));
+        * (m3
+            .mul_add(
+                (-r2_part_2)
+                    .mul_add(
+                        cos_q2_minus_q3,
+                        (-q3_dot_l2_q3_dot).mul_add(sin_q2_minus_q3, r3_part),
+                    ),
+                m2 * r3_part,
+            ));
     // Shared terms.
     // m1 + m2; used 5 times
     let m1_plus_m2 = m1 + m2;
@@ -524,9 +609,9 @@ pub fn jacobian<S: Scalar>(
     // m3 + m1_plus_m2; used 2 times
     let s4_part = m3 + m1_plus_m2;
     // s4_part*cos(q1) - m3*cos(q3)*cos(q1 - q3); used 2 times
-    let s4_part_2 = s4_part * c1 - m3 * c3 * cos_q1_minus_q3;
+    let s4_part_2 = (-(m3 * c3)).mul_add(cos_q1_minus_q3, s4_part * c1);
     // m3_s3*sin(q3) + m1_plus_m2; used 3 times
-    let s4_part_3 = m3_s3 * s3 + m1_plus_m2;
+    let s4_part_3 = m3_s3.mul_add(s3, m1_plus_m2);
     // 1/(m0 + s4_part_3); used 13 times
     let s4_part_4 = S::int(1) / (m0 + s4_part_3);
     // l0*s4_part_4; used 4 times
@@ -538,23 +623,29 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // s4 = l0^2*(m1 + m2 + m3*sin(q1 - q3)^2) - l0^2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
     //   q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4 = l0 * l0 * (m1_plus_m2 + m3_sin_q1_minus_q3 * sin_q1_minus_q3)
-        - s4_part_5 * l0_s4_part_2;
+    let s4 = (-s4_part_5)
+        .mul_add(
+            l0_s4_part_2,
+            l0 * l0 * (m3_sin_q1_minus_q3.mul_add(sin_q1_minus_q3, m1_plus_m2)),
+        );
     // Shared terms.
     // m2*cos(q2); used 3 times
     let m2_c2 = m2 * c2;
     // l1*(m3*(cos(q2) - cos(q3)*cos(q2 - q3)) + m2_c2); used 10 times
-    let s5_part = l1 * (m3 * (c2 - c3 * cos_q2_minus_q3) + m2_c2);
+    let s5_part = l1 * (m3.mul_add((-c3).mul_add(cos_q2_minus_q3, c2), m2_c2));
     // m2*cos(q1 - q2) + m3*(cos(q1 - q2) - cos(q1 - q3)*cos(q2 - q3)); used 3 times
-    let s5_part_2 = m2 * cos_q1_minus_q2
-        + m3 * (cos_q1_minus_q2 - cos_q1_minus_q3 * cos_q2_minus_q3);
+    let s5_part_2 = m3
+        .mul_add(
+            (-cos_q1_minus_q3).mul_add(cos_q2_minus_q3, cos_q1_minus_q2),
+            m2 * cos_q1_minus_q2,
+        );
     // l0*l1; used 3 times
     let l0_l1 = l0 * l1;
     // Elimination, step by step.
     // s5 = l0*l1*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 + m3))*(m2*cos(q2) + m3*(cos(q2) -
     //   cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*l1*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) -
     //   cos(q1 - q3)*cos(q2 - q3)))
-    let s5 = s5_part_2 * l0_l1 - s4_part_5 * s5_part;
+    let s5 = (-s4_part_5).mul_add(s5_part, s5_part_2 * l0_l1);
     // Shared terms.
     // s4_part_4*s5_part; used 9 times
     let s4_part_4_s5_part = s4_part_4 * s5_part;
@@ -563,11 +654,14 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // s6 = l1^2*(m2 + m3*sin(q2 - q3)^2) - l1^2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 +
     //   m1 + m2 + m3*sin(q3)^2)
-    let s6 = l1_sq * (m2 + m3 * sin_q2_minus_q3 * sin_q2_minus_q3)
-        - s5_part * s4_part_4_s5_part;
+    let s6 = (-s5_part)
+        .mul_add(
+            s4_part_4_s5_part,
+            l1_sq * (m3.mul_add(sin_q2_minus_q3 * sin_q2_minus_q3, m2)),
+        );
     // Shared terms.
     // r2 + r1*s4_part_5; used 3 times
-    let r7_part = r2 + r1 * s4_part_5;
+    let r7_part = r1.mul_add(s4_part_5, r2);
     // 1/s4; used 11 times
     let s4_inv = S::int(1) / s4;
     // s5*s4_inv; used 12 times
@@ -577,32 +671,33 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // r7 = l1*r1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3 -
     //   s5*(l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7 = r3 - r7_part * s5_s4_inv + r1_s4_part_4_s5_part;
+    let r7 = (-r7_part).mul_add(s5_s4_inv, r3) + r1_s4_part_4_s5_part;
     // Shared terms.
     // 1/(s6 - s5*s5_s4_inv); used 7 times
-    let q2_ddot_part = S::int(1) / (s6 - s5 * s5_s4_inv);
+    let q2_ddot_part = S::int(1) / ((-s5).mul_add(s5_s4_inv, s6));
     // Elimination, step by step.
     // q2'' = r7/(s6 - s5^2/s4)
     let q2_ddot = r7 * q2_ddot_part;
     // q1'' = (l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2
     //   - q2''*s5)/s4
-    let q1_ddot = s4_inv * (r7_part - q2_ddot * s5);
+    let q1_ddot = s4_inv * ((-q2_ddot).mul_add(s5, r7_part));
     // q0'' = (l0*q1''*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)) + l1*q2''*(m2*cos(q2) +
     //   m3*(cos(q2) - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let q0_ddot = s4_part_4 * (r1 + q1_ddot * l0_s4_part_2 + q2_ddot * s5_part);
+    let q0_ddot = s4_part_4
+        * (q2_ddot.mul_add(s5_part, q1_ddot.mul_add(l0_s4_part_2, r1)));
     // Shared terms.
     // m3_s3*cos(q3); used 4 times
     let c3_m3_s3 = m3_s3 * c3;
     // Elimination, step by step.
     // r1_by_q1 = l0*q1'^2*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 + m3*sin(q3)^2))
-    let r1_by_q1 = q1_dot_l0_q1_dot * (c3_m3_s3 * s1 - s4_part_3 * c1);
+    let r1_by_q1 = q1_dot_l0_q1_dot * ((-s4_part_3).mul_add(c1, c3_m3_s3 * s1));
     // Shared terms.
     // g*cos(q1); used 2 times
     let g_c1 = g * c1;
     // g_c1 - q2_dot_l1_q2_dot*cos(q1 - q2); used 2 times
-    let r2_by_q1_part = g_c1 - q2_dot_l1_q2_dot * cos_q1_minus_q2;
+    let r2_by_q1_part = (-q2_dot_l1_q2_dot).mul_add(cos_q1_minus_q2, g_c1);
     // q1_dot_l0_q1_dot*cos(q1 - q3) + q3_dot_l2_q3_dot; used 2 times
-    let r2_by_q1_part_2 = q1_dot_l0_q1_dot * cos_q1_minus_q3 + q3_dot_l2_q3_dot;
+    let r2_by_q1_part_2 = q1_dot_l0_q1_dot.mul_add(cos_q1_minus_q3, q3_dot_l2_q3_dot);
     // r2_part_2*sin(q1 - q3); used 2 times
     let r2_by_q1_part_3 = r2_part_2 * sin_q1_minus_q3;
     // Elimination, step by step.
@@ -610,14 +705,17 @@ pub fn jacobian<S: Scalar>(
     //   g*cos(q1) - sin(q1 - q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) + cos(q1 -
     //   q3)*(l0*q1'^2*cos(q1 - q3) + l2*q3'^2)))
     let r2_by_q1 = l0
-        * (m1 * g_c1 + m2 * r2_by_q1_part
-            + m3
-                * (r2_by_q1_part - r2_by_q1_part_2 * cos_q1_minus_q3 + r2_by_q1_part_3));
+        * (m3
+            .mul_add(
+                (-r2_by_q1_part_2).mul_add(cos_q1_minus_q3, r2_by_q1_part)
+                    + r2_by_q1_part_3,
+                m2.mul_add(r2_by_q1_part, m1 * g_c1),
+            ));
     // r3_by_q1 = l0*l1*q1'^2*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) - cos(q1 - q3)*cos(q2 - q3)))
     let r3_by_q1 = l1 * q1_dot_l0_q1_dot * s5_part_2;
     // Shared terms.
     // 2*cos(q3)^2 - 1; used 2 times
-    let s4_by_q1_part = S::int(2) * c3 * c3 - S::int(1);
+    let s4_by_q1_part = (c3 * c3).mul_add(S::int(2), -S::int(1));
     // 2*c3_m3_s3; used 4 times
     let c3_m3_s3_scaled = S::int(2) * c3_m3_s3;
     // 2*l0; used 4 times
@@ -626,31 +724,40 @@ pub fn jacobian<S: Scalar>(
     // s4_by_q1 = 2*l0^2*(m0*m3*sin(q3)*cos(q3) - cos(q1)*(2*m0*m3*cos(q1)*sin(q3)*cos(q3) - sin(q1)*(m2^2
     //   + m1*(m1 + 2*m2) + m3*(m1 + m2 + m0*(2*cos(q3)^2 - 1)))))/(m0 + m1 + m2 + m3*sin(q3)^2)
     let s4_by_q1 = l0_s4_part_4 * l0_scaled
-        * (m0 * c3_m3_s3
-            + c1
-                * (s1
-                    * (m2 * m2 + m1 * (m1 + S::int(2) * m2)
-                        + m3 * (m1_plus_m2 + m0 * s4_by_q1_part))
-                    - m0 * c3_m3_s3_scaled * c1));
+        * (c1
+            .mul_add(
+                (-(m0 * c3_m3_s3_scaled))
+                    .mul_add(
+                        c1,
+                        s1
+                            * (m3
+                                .mul_add(
+                                    m0.mul_add(s4_by_q1_part, m1_plus_m2),
+                                    m1.mul_add(m2.mul_add(S::int(2), m1), m2 * m2),
+                                )),
+                    ),
+                m0 * c3_m3_s3,
+            ));
     // Shared terms.
     // sin(q1 - q3)*cos(q2 - q3); used 2 times
     let s5_by_q1_part = sin_q1_minus_q3 * cos_q2_minus_q3;
     // m2*sin(q1 - q2); used 2 times
     let m2_sin_q1_minus_q2 = m2 * sin_q1_minus_q2;
     // m3*(sin(q1 - q2) - s5_by_q1_part) + m2_sin_q1_minus_q2; used 2 times
-    let s5_by_q1_part_2 = m3 * (sin_q1_minus_q2 - s5_by_q1_part) + m2_sin_q1_minus_q2;
+    let s5_by_q1_part_2 = m3
+        .mul_add(sin_q1_minus_q2 - s5_by_q1_part, m2_sin_q1_minus_q2);
     // m3_sin_q1_minus_q3*cos(q3); used 2 times
     let s5_by_q1_part_3 = m3_sin_q1_minus_q3 * c3;
     // l0_s4_part_4*(s4_part*sin(q1) - s5_by_q1_part_3); used 2 times
-    let s5_by_q1_part_4 = l0_s4_part_4 * (s4_part * s1 - s5_by_q1_part_3);
+    let s5_by_q1_part_4 = l0_s4_part_4 * (s4_part.mul_add(s1, -s5_by_q1_part_3));
     // Elimination, step by step.
     // s5_by_q1 = l0*l1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))*(sin(q1)*(m1 + m2 + m3) -
     //   m3*sin(q1 - q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) - l0*l1*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) -
     //   sin(q1 - q3)*cos(q2 - q3)))
-    let s5_by_q1 = s5_part * s5_by_q1_part_4 - l0_l1 * s5_by_q1_part_2;
+    let s5_by_q1 = (-l0_l1).mul_add(s5_by_q1_part_2, s5_part * s5_by_q1_part_4);
     // Shared terms.
     // r1*s5_by_q1_part_4 - r1_by_q1*s4_part_5
-    let r7_by_q1_part = r1 * s5_by_q1_part_4 - r1_by_q1 * s4_part_5;
+    let r7_by_q1_part = (-r1_by_q1).mul_add(s4_part_5, r1 * s5_by_q1_part_4);
     // r2_by_q1 - r7_by_q1_part; used 2 times
     let r7_by_q1_part_2 = r2_by_q1 - r7_by_q1_part;
     // r7_part*s4_inv; used 2 times
@@ -664,11 +771,16 @@ pub fn jacobian<S: Scalar>(
     //   m3*sin(q3)^2) + r2_by_q1)/s4 + r3_by_q1 + s5*s4_by_q1*(l0*r1*(cos(q1)*(m1 + m2 + m3) -
     //   m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4^2 - s5_by_q1*(l0*r1*(cos(q1)*(m1 +
     //   m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7_by_q1 = r3_by_q1 + r1_by_q1 * s4_part_4_s5_part - s5_s4_inv * r7_by_q1_part_2
-        + r7_part_s4_inv * (s4_by_q1_s5_s4_inv - s5_by_q1);
+    let r7_by_q1 = r7_part_s4_inv
+        .mul_add(
+            s4_by_q1_s5_s4_inv - s5_by_q1,
+            (-s5_s4_inv)
+                .mul_add(r7_by_q1_part_2, r1_by_q1.mul_add(s4_part_4_s5_part, r3_by_q1)),
+        );
     // q2_ddot_by_q1 = (s5*r7*(2*s5_by_q1 - s5*s4_by_q1/s4)/(s4*(s6 - s5^2/s4)) + r7_by_q1)/(s6 - s5^2/s4)
     let q2_ddot_by_q1 = q2_ddot_part
-        * (r7_by_q1 + q2_ddot * s5_s4_inv * (S::int(2) * s5_by_q1 - s4_by_q1_s5_s4_inv));
+        * ((q2_ddot * s5_s4_inv)
+            .mul_add(s5_by_q1.mul_add(S::int(2), -s4_by_q1_s5_s4_inv), r7_by_q1));
     // Shared terms.
     // q1''*s4_inv; used 2 times
     let q1_ddot_s4_inv = q1_ddot * s4_inv;
@@ -677,29 +789,46 @@ pub fn jacobian<S: Scalar>(
     //   m1 + m2 + m3*sin(q3)^2) - r2)/s4^2 + (l0*r1*(m3*sin(q1 - q3)*cos(q3) - sin(q1)*(m1 + m2 + m3))/(m0 +
     //   m1 + m2 + m3*sin(q3)^2) + l0*r1_by_q1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 +
     //   m2 + m3*sin(q3)^2) + r2_by_q1 - q2''*s5_by_q1 - s5*q2_ddot_by_q1)/s4
-    let q1_ddot_by_q1 = s4_inv
-        * (r7_by_q1_part_2 - q2_ddot * s5_by_q1 - s5 * q2_ddot_by_q1)
-        - s4_by_q1 * q1_ddot_s4_inv;
+    let q1_ddot_by_q1 = (-s4_by_q1)
+        .mul_add(
+            q1_ddot_s4_inv,
+            s4_inv
+                * ((-s5)
+                    .mul_add(
+                        q2_ddot_by_q1,
+                        (-q2_ddot).mul_add(s5_by_q1, r7_by_q1_part_2),
+                    )),
+        );
     // Shared terms.
     // sin(q1)*cos(q3) - cos(q1)*sin(q3); used 2 times
-    let q0_ddot_by_q1_part = s1 * c3 - c1 * s3;
+    let q0_ddot_by_q1_part = (-c1).mul_add(s3, s1 * c3);
     // sin(q2)*cos(q3) - cos(q2)*sin(q3); used 2 times
-    let q0_ddot_by_q1_part_2 = s2 * c3 - c2 * s3;
+    let q0_ddot_by_q1_part_2 = (-c2).mul_add(s3, s2 * c3);
     // m3_s3*q0_ddot_by_q1_part_2 - m2_c2; used 2 times
-    let q0_ddot_by_q1_part_3 = m3_s3 * q0_ddot_by_q1_part_2 - m2_c2;
+    let q0_ddot_by_q1_part_3 = m3_s3.mul_add(q0_ddot_by_q1_part_2, -m2_c2);
     // Elimination, step by step.
     // q0_ddot_by_q1 = (r1_by_q1 + l1*q2_ddot_by_q1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
     //   cos(q2)*sin(q3))) - l0*(m3*sin(q3)*(q1''*(sin(q1)*sin(q3) + cos(q1)*cos(q3)) +
     //   q1_ddot_by_q1*(sin(q1)*cos(q3) - cos(q1)*sin(q3))) + m1*(q1''*sin(q1) - q1_ddot_by_q1*cos(q1)) +
     //   m2*(q1''*sin(q1) - q1_ddot_by_q1*cos(q1))))/(m0 + m1 + m2 + m3*sin(q3)^2)
     let q0_ddot_by_q1 = s4_part_4
-        * (r1_by_q1
-            - l0
-                * (m1_plus_m2 * (q1_ddot * s1 - q1_ddot_by_q1 * c1)
-                    + m3_s3
-                        * (q1_ddot * (s1 * s3 + c1 * c3)
-                            + q1_ddot_by_q1 * q0_ddot_by_q1_part))
-            - l1 * q2_ddot_by_q1 * q0_ddot_by_q1_part_3);
+        * ((-(l1 * q2_ddot_by_q1))
+            .mul_add(
+                q0_ddot_by_q1_part_3,
+                (-l0)
+                    .mul_add(
+                        m3_s3
+                            .mul_add(
+                                q1_ddot_by_q1
+                                    .mul_add(
+                                        q0_ddot_by_q1_part,
+                                        q1_ddot * (c1.mul_add(c3, s1 * s3)),
+                                    ),
+                                m1_plus_m2 * ((-q1_ddot_by_q1).mul_add(c1, q1_ddot * s1)),
+                            ),
+                        r1_by_q1,
+                    ),
+            ));
     // Shared terms.
     // q1'^2; used 2 times
     let q1_dot_sq = q1_dot * q1_dot;
@@ -713,16 +842,23 @@ pub fn jacobian<S: Scalar>(
     // q3_ddot_by_q1 = (l0*(q1''*sin(q1 - q3) + cos(q1 - q3)*(q1'^2 - q1_ddot_by_q1)) -
     //   l1*q2_ddot_by_q1*cos(q2 - q3) + q0_ddot_by_q1*cos(q3))/l2
     let q3_ddot_by_q1 = l2_inv
-        * (q0_ddot_by_q1 * c3
-            + l0 * (cos_q1_minus_q3 * (q1_dot_sq - q1_ddot_by_q1) + q3_ddot_by_q1_part)
-            - q2_ddot_by_q1 * l1_cos_q2_minus_q3);
+        * ((-q2_ddot_by_q1)
+            .mul_add(
+                l1_cos_q2_minus_q3,
+                l0
+                    .mul_add(
+                        cos_q1_minus_q3
+                            .mul_add(q1_dot_sq - q1_ddot_by_q1, q3_ddot_by_q1_part),
+                        q0_ddot_by_q1 * c3,
+                    ),
+            ));
     // r1_by_q2 = l1*q2'^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))
     let r1_by_q2 = q2_dot_l1_q2_dot * q0_ddot_by_q1_part_3;
     // r2_by_q2 = l0*l1*q2'^2*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) - cos(q1 - q3)*cos(q2 - q3)))
     let r2_by_q2 = l0 * q2_dot_l1_q2_dot * s5_part_2;
     // Shared terms.
     // g*cos(q2) - q1_dot_l0_q1_dot*cos(q1 - q2); used 2 times
-    let r3_by_q2_part = g * c2 - q1_dot_l0_q1_dot * cos_q1_minus_q2;
+    let r3_by_q2_part = (-q1_dot_l0_q1_dot).mul_add(cos_q1_minus_q2, g * c2);
     // q2_dot_l1_q2_dot*cos(q2 - q3); used 2 times
     let r3_by_q2_part_2 = q2_dot_l1_q2_dot * cos_q2_minus_q3;
     // r2_part_2*sin(q2 - q3); used 2 times
@@ -732,10 +868,13 @@ pub fn jacobian<S: Scalar>(
     //   sin(q2 - q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) + cos(q2 -
     //   q3)*(l1*q2'^2*cos(q2 - q3) + l2*q3'^2)))
     let r3_by_q2 = l1
-        * (m2 * r3_by_q2_part
-            + m3
-                * (r3_by_q2_part - cos_q2_minus_q3 * (q3_dot_l2_q3_dot + r3_by_q2_part_2)
-                    + r3_by_q2_part_3));
+        * (m3
+            .mul_add(
+                (-cos_q2_minus_q3)
+                    .mul_add(q3_dot_l2_q3_dot + r3_by_q2_part_2, r3_by_q2_part)
+                    + r3_by_q2_part_3,
+                m2 * r3_by_q2_part,
+            ));
     // Shared terms.
     // sin(q2 - q3)*cos(q3); used 2 times
     let c3_sin_q2_minus_q3 = sin_q2_minus_q3 * c3;
@@ -744,13 +883,17 @@ pub fn jacobian<S: Scalar>(
     // sin(q2 - q3)*cos(q1 - q3); used 2 times
     let s5_by_q2_part = sin_q2_minus_q3 * cos_q1_minus_q3;
     // m2_sin_q1_minus_q2 + m3*(sin(q1 - q2) + s5_by_q2_part); used 2 times
-    let s5_by_q2_part_2 = m2_sin_q1_minus_q2 + m3 * (sin_q1_minus_q2 + s5_by_q2_part);
+    let s5_by_q2_part_2 = m3
+        .mul_add(sin_q1_minus_q2 + s5_by_q2_part, m2_sin_q1_minus_q2);
     // Elimination, step by step.
     // s5_by_q2 = l0*l1*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) + sin(q2 - q3)*cos(q1 - q3))) +
     //   l0*l1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))*(m2*sin(q2) + m3*(sin(q2) - sin(q2 -
     //   q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5_by_q2 = l1 * s4_part_5 * (m3 * (s2 - c3_sin_q2_minus_q3) + m2_s2)
-        + l0_l1 * s5_by_q2_part_2;
+    let s5_by_q2 = l0_l1
+        .mul_add(
+            s5_by_q2_part_2,
+            l1 * s4_part_5 * (m3.mul_add(s2 - c3_sin_q2_minus_q3, m2_s2)),
+        );
     // Shared terms.
     // m0 + m1; used 2 times
     let m0_plus_m1 = m0 + m1;
@@ -761,26 +904,31 @@ pub fn jacobian<S: Scalar>(
     //   m0*(2*cos(q3)^2 - 1) + m1*(2*cos(q3)^2 - 1)) - 2*cos(q2)*sin(q3)*cos(q3)*(m0 + m1))))/(m0 + m1 + m2
     //   + m3*sin(q3)^2)
     let s6_by_q2 = S::int(2) * s4_part_4 * l1_sq
-        * (m2_c2 * m2_s2
-            + m3
-                * (s3_c3_m0_plus_m1
-                    + c2
-                        * (s2 * (m2 + s4_by_q1_part * m0_plus_m1)
-                            - S::int(2) * s3_c3_m0_plus_m1 * c2)));
+        * (m3
+            .mul_add(
+                c2
+                    .mul_add(
+                        (-(S::int(2) * s3_c3_m0_plus_m1))
+                            .mul_add(c2, s2 * (s4_by_q1_part.mul_add(m0_plus_m1, m2))),
+                        s3_c3_m0_plus_m1,
+                    ),
+                m2_c2 * m2_s2,
+            ));
     // Shared terms.
     // s5*r2_by_q2 + r2*s5_by_q2; used 2 times
-    let r7_by_q2_part = s5 * r2_by_q2 + r2 * s5_by_q2;
+    let r7_by_q2_part = r2.mul_add(s5_by_q2, s5 * r2_by_q2);
     // s5*r1_by_q2 + r1*s5_by_q2; used 2 times
-    let r7_by_q2_part_2 = s5 * r1_by_q2 + r1 * s5_by_q2;
+    let r7_by_q2_part_2 = r1.mul_add(s5_by_q2, s5 * r1_by_q2);
     // l0*cos(q1); used 2 times
     let l0_c1 = l0 * c1;
     // r7_by_q2_part_2*l0_c1; used 2 times
     let r7_by_q2_part_3 = r7_by_q2_part_2 * l0_c1;
     // s4*(l1*(r1_by_q2*cos(q2) - r1*sin(q2)) + r3_by_q2) - r7_by_q2_part - r7_by_q2_part_3; used 2 times
-    let r7_by_q2_part_4 = s4 * (l1 * (r1_by_q2 * c2 - r1 * s2) + r3_by_q2)
-        - r7_by_q2_part - r7_by_q2_part_3;
+    let r7_by_q2_part_4 = s4
+        .mul_add(l1.mul_add((-r1).mul_add(s2, r1_by_q2 * c2), r3_by_q2), -r7_by_q2_part)
+        - r7_by_q2_part_3;
     // s4*r3_by_q2 - r7_by_q2_part; used 2 times
-    let r7_by_q2_part_5 = s4 * r3_by_q2 - r7_by_q2_part;
+    let r7_by_q2_part_5 = s4.mul_add(r3_by_q2, -r7_by_q2_part);
     // Elimination, step by step.
     // r7_by_q2 = (m2*(s4*(l1*(r1_by_q2*cos(q2) - r1*sin(q2)) + r3_by_q2) - s5*r2_by_q2 - r2*s5_by_q2 -
     //   l0*cos(q1)*(s5*r1_by_q2 + r1*s5_by_q2)) + m3*sin(q3)*(sin(q3)*(s4*(l1*(r1_by_q2*cos(q2) -
@@ -789,36 +937,72 @@ pub fn jacobian<S: Scalar>(
     //   m0*(s4*r3_by_q2 - s5*r2_by_q2 - r2*s5_by_q2) + m1*(s4*r3_by_q2 - s5*r2_by_q2 - r2*s5_by_q2 -
     //   l0*cos(q1)*(s5*r1_by_q2 + r1*s5_by_q2)))/(s4*(m0 + m1 + m2 + m3*sin(q3)^2))
     let r7_by_q2 = s4_part_4 * s4_inv
-        * (m2 * r7_by_q2_part_4
-            + m3_s3
-                * (c3 * (l0 * r7_by_q2_part_2 * s1 - l1 * s4 * (r1 * c2 + r1_by_q2 * s2))
-                    + r7_by_q2_part_4 * s3) + m0 * r7_by_q2_part_5
-            + m1 * (r7_by_q2_part_5 - r7_by_q2_part_3));
+        * (m1
+            .mul_add(
+                r7_by_q2_part_5 - r7_by_q2_part_3,
+                m0
+                    .mul_add(
+                        r7_by_q2_part_5,
+                        m3_s3
+                            .mul_add(
+                                r7_by_q2_part_4
+                                    .mul_add(
+                                        s3,
+                                        c3
+                                            * ((-(l1 * s4))
+                                                .mul_add(
+                                                    r1_by_q2.mul_add(s2, r1 * c2),
+                                                    l0 * r7_by_q2_part_2 * s1,
+                                                )),
+                                    ),
+                                m2 * r7_by_q2_part_4,
+                            ),
+                    ),
+            ));
     // q2_ddot_by_q2 = (r7*(s6_by_q2 - 2*s5*s5_by_q2/s4)/(s5^2/s4 - s6) + r7_by_q2)/(s6 - s5^2/s4)
     let q2_ddot_by_q2 = q2_ddot_part
-        * (r7_by_q2 + q2_ddot * (S::int(2) * s5_by_q2 * s5_s4_inv - s6_by_q2));
+        * (q2_ddot
+            .mul_add((S::int(2) * s5_by_q2).mul_add(s5_s4_inv, -s6_by_q2), r7_by_q2));
     // q1_ddot_by_q2 = (l0*r1_by_q2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r2_by_q2 - q2''*s5_by_q2 - s5*q2_ddot_by_q2)/s4
     let q1_ddot_by_q2 = s4_inv
-        * (r2_by_q2 - q2_ddot * s5_by_q2 - s5 * q2_ddot_by_q2 + r1_by_q2 * s4_part_5);
+        * (r1_by_q2
+            .mul_add(
+                s4_part_5,
+                (-s5).mul_add(q2_ddot_by_q2, (-q2_ddot).mul_add(s5_by_q2, r2_by_q2)),
+            ));
     // Shared terms.
     // q1_ddot_by_q2*l0_c1; used 2 times
     let q1_ddot_by_q2_l0_c1 = q1_ddot_by_q2 * l0_c1;
     // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 2 times
-    let q0_ddot_by_q2_part = s2 * s3 + c2 * c3;
+    let q0_ddot_by_q2_part = c2.mul_add(c3, s2 * s3);
     // Elimination, step by step.
     // q0_ddot_by_q2 = (r1_by_q2 + m1*l0*q1_ddot_by_q2*cos(q1) - m3*sin(q3)*(l1*(q2''*(sin(q2)*sin(q3) +
     //   cos(q2)*cos(q3)) + q2_ddot_by_q2*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) +
     //   l0*q1_ddot_by_q2*(sin(q1)*cos(q3) - cos(q1)*sin(q3))) + m2*(l0*q1_ddot_by_q2*cos(q1) -
     //   l1*(q2''*sin(q2) - q2_ddot_by_q2*cos(q2))))/(m0 + m1 + m2 + m3*sin(q3)^2)
     let q0_ddot_by_q2 = s4_part_4
-        * (r1_by_q2 + m1 * q1_ddot_by_q2_l0_c1
-            + m2 * (q1_ddot_by_q2_l0_c1 - l1 * (q2_ddot * s2 - q2_ddot_by_q2 * c2))
-            - m3_s3
-                * (l0 * q1_ddot_by_q2 * q0_ddot_by_q1_part
-                    + l1
-                        * (q2_ddot_by_q2 * q0_ddot_by_q1_part_2
-                            + q2_ddot * q0_ddot_by_q2_part)));
+        * ((-m3_s3)
+            .mul_add(
+                l1
+                    .mul_add(
+                        q2_ddot
+                            .mul_add(
+                                q0_ddot_by_q2_part,
+                                q2_ddot_by_q2 * q0_ddot_by_q1_part_2,
+                            ),
+                        l0 * q1_ddot_by_q2 * q0_ddot_by_q1_part,
+                    ),
+                m2
+                    .mul_add(
+                        (-l1)
+                            .mul_add(
+                                (-q2_ddot_by_q2).mul_add(c2, q2_ddot * s2),
+                                q1_ddot_by_q2_l0_c1,
+                            ),
+                        m1.mul_add(q1_ddot_by_q2_l0_c1, r1_by_q2),
+                    ),
+            ));
     // Shared terms.
     // q2'^2; used 2 times
     let q2_dot_sq = q2_dot * q2_dot;
@@ -830,47 +1014,58 @@ pub fn jacobian<S: Scalar>(
     // q3_ddot_by_q2 = (l1*(q2''*sin(q2 - q3) + cos(q2 - q3)*(q2'^2 - q2_ddot_by_q2)) -
     //   l0*q1_ddot_by_q2*cos(q1 - q3) + q0_ddot_by_q2*cos(q3))/l2
     let q3_ddot_by_q2 = l2_inv
-        * (q0_ddot_by_q2 * c3
-            + l1 * (cos_q2_minus_q3 * (q2_dot_sq - q2_ddot_by_q2) + q3_ddot_by_q2_part)
-            - q1_ddot_by_q2 * l0_cos_q1_minus_q3);
+        * ((-q1_ddot_by_q2)
+            .mul_add(
+                l0_cos_q1_minus_q3,
+                l1
+                    .mul_add(
+                        cos_q2_minus_q3
+                            .mul_add(q2_dot_sq - q2_ddot_by_q2, q3_ddot_by_q2_part),
+                        q0_ddot_by_q2 * c3,
+                    ),
+            ));
     // r1_by_q3 = m3*(sin(q3)^2*(l0*q1'^2*cos(q1) - g + l1*q2'^2*cos(q2)) + cos(q3)*(cos(q3)*(g -
     //   l0*q1'^2*cos(q1) - l1*q2'^2*cos(q2)) - 2*sin(q3)*(l0*q1'^2*sin(q1) + l1*q2'^2*sin(q2)) - l2*q3'^2))
     let r1_by_q3 = m3
-        * (c3 * (r1_part_3 - S::int(2) * s3_r1_part) - r1_part_2 * s3 * s3);
+        * ((-r1_part_2)
+            .mul_add(s3 * s3, c3 * ((-s3_r1_part).mul_add(S::int(2), r1_part_3))));
     // Shared terms.
     // r2_by_q1_part_2 - g*cos(q3) + r3_by_q2_part_2; used 2 times
-    let r2_by_q3_part = r2_by_q1_part_2 - g * c3 + r3_by_q2_part_2;
+    let r2_by_q3_part = (-g).mul_add(c3, r2_by_q1_part_2) + r3_by_q2_part_2;
     // Elimination, step by step.
     // r2_by_q3 = -m3*l0*(sin(q1 - q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) + cos(q1
     //   - q3)*(g*cos(q3) - l0*q1'^2*cos(q1 - q3) - l1*q2'^2*cos(q2 - q3) - l2*q3'^2))
-    let r2_by_q3 = m3 * l0 * (r2_by_q3_part * cos_q1_minus_q3 - r2_by_q1_part_3);
+    let r2_by_q3 = m3 * l0 * (r2_by_q3_part.mul_add(cos_q1_minus_q3, -r2_by_q1_part_3));
     // Shared terms.
     // m3*l1; used 4 times
     let m3_l1 = m3 * l1;
     // Elimination, step by step.
     // r3_by_q3 = -m3*l1*(sin(q2 - q3)*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)) + cos(q2
     //   - q3)*(g*cos(q3) - l0*q1'^2*cos(q1 - q3) - l1*q2'^2*cos(q2 - q3) - l2*q3'^2))
-    let r3_by_q3 = m3_l1 * (r2_by_q3_part * cos_q2_minus_q3 - r3_by_q2_part_3);
+    let r3_by_q3 = m3_l1 * (r2_by_q3_part.mul_add(cos_q2_minus_q3, -r3_by_q2_part_3));
     // Shared terms.
     // m3_sin_q1_minus_q3*l0_scaled; used 3 times
     let s4_by_q3_part = m3_sin_q1_minus_q3 * l0_scaled;
     // s5_by_q1_part_3 - m3_s3*cos(q1 - q3); used 3 times
-    let s4_by_q3_part_2 = s5_by_q1_part_3 - m3_s3 * cos_q1_minus_q3;
+    let s4_by_q3_part_2 = (-m3_s3).mul_add(cos_q1_minus_q3, s5_by_q1_part_3);
     // Elimination, step by step.
     // s4_by_q3 = 2*m3*l0^2*sin(q3)*cos(q3)*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))^2/(m0 + m1 +
     //   m2 + m3*sin(q3)^2)^2 - 2*m3*l0^2*sin(q1 - q3)*cos(q1 - q3) + 2*l0^2*(cos(q1)*(m1 + m2 + m3) -
     //   m3*cos(q3)*cos(q1 - q3))*(m3*sin(q1 - q3)*cos(q3) - m3*sin(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2)
-    let s4_by_q3 = s4_part_5
-        * (s4_part_5 * c3_m3_s3_scaled + l0_scaled * s4_by_q3_part_2)
-        - l0_cos_q1_minus_q3 * s4_by_q3_part;
+    let s4_by_q3 = (-l0_cos_q1_minus_q3)
+        .mul_add(
+            s4_by_q3_part,
+            s4_part_5 * (l0_scaled.mul_add(s4_by_q3_part_2, s4_part_5 * c3_m3_s3_scaled)),
+        );
     // Shared terms.
     // s4_part_4*c3_m3_s3_scaled; used 3 times
     let s5_by_q3_part = s4_part_4 * c3_m3_s3_scaled;
     // l0_s4_part_4*s4_by_q3_part_2 + s4_part_5*s5_by_q3_part; used 2 times
-    let s5_by_q3_part_2 = l0_s4_part_4 * s4_by_q3_part_2 + s4_part_5 * s5_by_q3_part;
+    let s5_by_q3_part_2 = s4_part_5
+        .mul_add(s5_by_q3_part, l0_s4_part_4 * s4_by_q3_part_2);
     // m3_l1*(c3_sin_q2_minus_q3 - sin(q3)*cos(q2 - q3)); used 4 times
-    let s5_by_q3_part_3 = m3_l1 * (c3_sin_q2_minus_q3 - s3 * cos_q2_minus_q3);
+    let s5_by_q3_part_3 = m3_l1 * ((-s3).mul_add(cos_q2_minus_q3, c3_sin_q2_minus_q3));
     // Elimination, step by step.
     // s5_by_q3 = 2*m3*l0*l1*sin(q3)*cos(q3)*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))*(m2*cos(q2)
     //   + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)^2 + l0*l1*(m2*cos(q2) +
@@ -878,8 +1073,12 @@ pub fn jacobian<S: Scalar>(
     //   m2 + m3*sin(q3)^2) + m3*l0*l1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))*(sin(q2 -
     //   q3)*cos(q3) - sin(q3)*cos(q2 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) - m3*l0*l1*(sin(q2 - q3)*cos(q1 -
     //   q3) + sin(q1 - q3)*cos(q2 - q3))
-    let s5_by_q3 = s5_part * s5_by_q3_part_2
-        - l0 * m3_l1 * (s5_by_q1_part + s5_by_q2_part) + s4_part_5 * s5_by_q3_part_3;
+    let s5_by_q3 = s4_part_5
+        .mul_add(
+            s5_by_q3_part_3,
+            (-(l0 * m3_l1))
+                .mul_add(s5_by_q1_part + s5_by_q2_part, s5_part * s5_by_q3_part_2),
+        );
     // Shared terms.
     // 2*sin(q2 - q3); used 2 times
     let sin_q2_minus_q3_scaled = S::int(2) * sin_q2_minus_q3;
@@ -889,12 +1088,16 @@ pub fn jacobian<S: Scalar>(
     // s6_by_q3 = 2*m3*l1^2*sin(q3)*cos(q3)*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 + m1 +
     //   m2 + m3*sin(q3)^2)^2 - 2*m3*l1^2*sin(q2 - q3)*cos(q2 - q3) + 2*m3*l1^2*(m2*cos(q2) + m3*(cos(q2) -
     //   cos(q3)*cos(q2 - q3)))*(sin(q2 - q3)*cos(q3) - sin(q3)*cos(q2 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s6_by_q3 = s4_part_4_s5_part
-        * (s4_part_4_s5_part * c3_m3_s3_scaled + S::int(2) * s5_by_q3_part_3)
-        - l1_cos_q2_minus_q3 * s6_by_q3_part;
+    let s6_by_q3 = (-l1_cos_q2_minus_q3)
+        .mul_add(
+            s6_by_q3_part,
+            s4_part_4_s5_part
+                * (s5_by_q3_part_3
+                    .mul_add(S::int(2), s4_part_4_s5_part * c3_m3_s3_scaled)),
+        );
     // Shared terms.
     // r1*s5_by_q3_part_2 - r1_by_q3*s4_part_5
-    let r7_by_q3_part = r1 * s5_by_q3_part_2 - r1_by_q3 * s4_part_5;
+    let r7_by_q3_part = (-r1_by_q3).mul_add(s4_part_5, r1 * s5_by_q3_part_2);
     // r2_by_q3 - r7_by_q3_part; used 2 times
     let r7_by_q3_part_2 = r2_by_q3 - r7_by_q3_part;
     // s4_by_q3*s5_s4_inv; used 2 times
@@ -909,114 +1112,189 @@ pub fn jacobian<S: Scalar>(
     //   + m2 + m3*sin(q3)^2) + r2_by_q3)/s4 + r3_by_q3 + s5*s4_by_q3*(l0*r1*(cos(q1)*(m1 + m2 + m3) -
     //   m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4^2 - s5_by_q3*(l0*r1*(cos(q1)*(m1 +
     //   m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7_by_q3 = r3_by_q3 + r1_by_q3 * s4_part_4_s5_part
-        - r1_s4_part_4_s5_part * s5_by_q3_part - r1 * s4_part_4 * s5_by_q3_part_3
-        - s5_s4_inv * r7_by_q3_part_2 + r7_part_s4_inv * (s4_by_q3_s5_s4_inv - s5_by_q3);
+    let r7_by_q3 = r7_part_s4_inv
+        .mul_add(
+            s4_by_q3_s5_s4_inv - s5_by_q3,
+            (-s5_s4_inv)
+                .mul_add(
+                    r7_by_q3_part_2,
+                    (-(r1 * s4_part_4))
+                        .mul_add(
+                            s5_by_q3_part_3,
+                            (-r1_s4_part_4_s5_part)
+                                .mul_add(
+                                    s5_by_q3_part,
+                                    r1_by_q3.mul_add(s4_part_4_s5_part, r3_by_q3),
+                                ),
+                        ),
+                ),
+        );
     // q2_ddot_by_q3 = (r7*(s5*(s5*s4_by_q3/s4 - 2*s5_by_q3)/s4 + s6_by_q3)/(s5^2/s4 - s6) + r7_by_q3)/(s6
     //   - s5^2/s4)
     let q2_ddot_by_q3 = q2_ddot_part
-        * (r7_by_q3
-            - q2_ddot
-                * (s6_by_q3 + s5_s4_inv * (s4_by_q3_s5_s4_inv - S::int(2) * s5_by_q3)));
+        * ((-q2_ddot)
+            .mul_add(
+                s5_s4_inv
+                    .mul_add(
+                        (-s5_by_q3).mul_add(S::int(2), s4_by_q3_s5_s4_inv),
+                        s6_by_q3,
+                    ),
+                r7_by_q3,
+            ));
     // q1_ddot_by_q3 = s4_by_q3*(q2''*s5 - l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 +
     //   m1 + m2 + m3*sin(q3)^2) - r2)/s4^2 + (2*m3*l0*r1*sin(q3)*cos(q3)*(m3*cos(q3)*cos(q1 - q3) -
     //   cos(q1)*(m1 + m2 + m3))/(m0 + m1 + m2 + m3*sin(q3)^2)^2 + l0*r1*(m3*sin(q3)*cos(q1 - q3) - m3*sin(q1
     //   - q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*r1_by_q3*(cos(q1)*(m1 + m2 + m3) -
     //   m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2_by_q3 - q2''*s5_by_q3 -
     //   s5*q2_ddot_by_q3)/s4
-    let q1_ddot_by_q3 = s4_inv
-        * (r7_by_q3_part_2 - q2_ddot * s5_by_q3 - s5 * q2_ddot_by_q3)
-        - s4_by_q3 * q1_ddot_s4_inv;
+    let q1_ddot_by_q3 = (-s4_by_q3)
+        .mul_add(
+            q1_ddot_s4_inv,
+            s4_inv
+                * ((-s5)
+                    .mul_add(
+                        q2_ddot_by_q3,
+                        (-q2_ddot).mul_add(s5_by_q3, r7_by_q3_part_2),
+                    )),
+        );
     // q0_ddot_by_q3 = (l0*q1''*(m3*sin(q3)*cos(q1 - q3) - m3*sin(q1 - q3)*cos(q3)) +
     //   m3*l1*q2''*(sin(q3)*cos(q2 - q3) - sin(q2 - q3)*cos(q3)) + r1_by_q3 + l1*q2_ddot_by_q3*(m2*cos(q2) +
     //   m3*(cos(q2) - cos(q3)*cos(q2 - q3))) + l0*q1_ddot_by_q3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1
     //   - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) - 2*m3*sin(q3)*cos(q3)*(l0*q1''*(cos(q1)*(m1 + m2 + m3) -
     //   m3*cos(q3)*cos(q1 - q3)) + l1*q2''*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1
     //   + m2 + m3*sin(q3)^2)^2
-    let q0_ddot_by_q3 = s4_part_4
-        * (r1_by_q3 + q1_ddot_by_q3 * l0_s4_part_2 + q2_ddot_by_q3 * s5_part
-            - l0 * q1_ddot * s4_by_q3_part_2 - q2_ddot * s5_by_q3_part_3)
-        - q0_ddot * s5_by_q3_part;
+    let q0_ddot_by_q3 = (-q0_ddot)
+        .mul_add(
+            s5_by_q3_part,
+            s4_part_4
+                * ((-q2_ddot)
+                    .mul_add(
+                        s5_by_q3_part_3,
+                        (-(l0 * q1_ddot))
+                            .mul_add(
+                                s4_by_q3_part_2,
+                                q2_ddot_by_q3
+                                    .mul_add(
+                                        s5_part,
+                                        q1_ddot_by_q3.mul_add(l0_s4_part_2, r1_by_q3),
+                                    ),
+                            ),
+                    )),
+        );
     // q3_ddot_by_q3 = (cos(q3)*(g + q0_ddot_by_q3) - q0''*sin(q3) - l1*(q2''*sin(q2 - q3) + cos(q2 -
     //   q3)*(q2'^2 + q2_ddot_by_q3)) - l0*(q1''*sin(q1 - q3) + cos(q1 - q3)*(q1'^2 + q1_ddot_by_q3)))/l2
     let q3_ddot_by_q3 = l2_inv
-        * (c3 * (g + q0_ddot_by_q3) - q0_ddot * s3
-            - l0 * (cos_q1_minus_q3 * (q1_ddot_by_q3 + q1_dot_sq) + q3_ddot_by_q1_part)
-            - l1 * (cos_q2_minus_q3 * (q2_ddot_by_q3 + q2_dot_sq) + q3_ddot_by_q2_part));
+        * ((-l1)
+            .mul_add(
+                cos_q2_minus_q3.mul_add(q2_ddot_by_q3 + q2_dot_sq, q3_ddot_by_q2_part),
+                (-l0)
+                    .mul_add(
+                        cos_q1_minus_q3
+                            .mul_add(q1_ddot_by_q3 + q1_dot_sq, q3_ddot_by_q1_part),
+                        (-q0_ddot).mul_add(s3, c3 * (g + q0_ddot_by_q3)),
+                    ),
+            ));
     // Shared terms.
     // 2*l0_q1_dot; used 2 times
     let l0_q1_dot_scaled = S::int(2) * l0_q1_dot;
     // Elimination, step by step.
     // r1_by_q1_dot = -2*l0*q1'*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))
-    let r1_by_q1_dot = -l0_q1_dot_scaled * (s4_part_3 * s1 + c3_m3_s3 * c1);
+    let r1_by_q1_dot = -l0_q1_dot_scaled * (c3_m3_s3.mul_add(c1, s4_part_3 * s1));
     // r2_by_q1_dot = -2*m3*l0^2*q1'*sin(q1 - q3)*cos(q1 - q3)
     let r2_by_q1_dot = -l0_q1_dot * s4_by_q3_part * cos_q1_minus_q3;
     // r3_by_q1_dot = 2*l0*l1*q1'*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) - sin(q1 - q3)*cos(q2 - q3)))
     let r3_by_q1_dot = l1 * s5_by_q1_part_2 * l0_q1_dot_scaled;
     // Shared terms.
     // r2_by_q1_dot + r1_by_q1_dot*s4_part_5; used 2 times
-    let r7_by_q1_dot_part = r2_by_q1_dot + r1_by_q1_dot * s4_part_5;
+    let r7_by_q1_dot_part = r1_by_q1_dot.mul_add(s4_part_5, r2_by_q1_dot);
     // Elimination, step by step.
     // r7_by_q1_dot = l1*r1_by_q1_dot*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) - s5*(l0*r1_by_q1_dot*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2
     //   + m3*sin(q3)^2) + r2_by_q1_dot)/s4 + r3_by_q1_dot
-    let r7_by_q1_dot = r3_by_q1_dot + r1_by_q1_dot * s4_part_4_s5_part
-        - s5_s4_inv * r7_by_q1_dot_part;
+    let r7_by_q1_dot = (-s5_s4_inv)
+        .mul_add(
+            r7_by_q1_dot_part,
+            r1_by_q1_dot.mul_add(s4_part_4_s5_part, r3_by_q1_dot),
+        );
     // Shared terms.
     // r7_by_q1_dot*q2_ddot_part; used 4 times
     let q1_ddot_by_q1_dot_part = r7_by_q1_dot * q2_ddot_part;
     // Elimination, step by step.
     // q1_ddot_by_q1_dot = (l0*r1_by_q1_dot*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 +
     //   m2 + m3*sin(q3)^2) + r2_by_q1_dot + s5*r7_by_q1_dot/(s5^2/s4 - s6))/s4
-    let q1_ddot_by_q1_dot = s4_inv * (r7_by_q1_dot_part - s5 * q1_ddot_by_q1_dot_part);
+    let q1_ddot_by_q1_dot = s4_inv
+        * ((-s5).mul_add(q1_ddot_by_q1_dot_part, r7_by_q1_dot_part));
     // q0_ddot_by_q1_dot = (r1_by_q1_dot + l1*r7_by_q1_dot*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 -
     //   q3)))/(s6 - s5^2/s4) + l0*q1_ddot_by_q1_dot*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)))/(m0
     //   + m1 + m2 + m3*sin(q3)^2)
     let q0_ddot_by_q1_dot = s4_part_4
-        * (r1_by_q1_dot + q1_ddot_by_q1_dot * l0_s4_part_2
-            + s5_part * q1_ddot_by_q1_dot_part);
+        * (s5_part
+            .mul_add(
+                q1_ddot_by_q1_dot_part,
+                q1_ddot_by_q1_dot.mul_add(l0_s4_part_2, r1_by_q1_dot),
+            ));
     // q3_ddot_by_q1_dot = (l1*r7_by_q1_dot*cos(q2 - q3)/(s5^2/s4 - s6) + l0*(2*q1'*sin(q1 - q3) -
     //   q1_ddot_by_q1_dot*cos(q1 - q3)) + q0_ddot_by_q1_dot*cos(q3))/l2
     let q3_ddot_by_q1_dot = l2_inv
-        * (l0
-            * (S::int(2) * q1_dot * sin_q1_minus_q3
-                - q1_ddot_by_q1_dot * cos_q1_minus_q3) + q0_ddot_by_q1_dot * c3
-            - l1_cos_q2_minus_q3 * q1_ddot_by_q1_dot_part);
+        * ((-l1_cos_q2_minus_q3)
+            .mul_add(
+                q1_ddot_by_q1_dot_part,
+                q0_ddot_by_q1_dot
+                    .mul_add(
+                        c3,
+                        l0
+                            * ((-q1_ddot_by_q1_dot)
+                                .mul_add(
+                                    cos_q1_minus_q3,
+                                    S::int(2) * q1_dot * sin_q1_minus_q3,
+                                )),
+                    ),
+            ));
     // r1_by_q2_dot = -2*l1*q2'*(m2*sin(q2) + m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
-    let r1_by_q2_dot = -S::int(2) * l1_q2_dot * (m2_s2 + m3_s3 * q0_ddot_by_q2_part);
+    let r1_by_q2_dot = -S::int(2) * l1_q2_dot
+        * (m3_s3.mul_add(q0_ddot_by_q2_part, m2_s2));
     // r2_by_q2_dot = -2*l0*l1*q2'*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) + sin(q2 - q3)*cos(q1 - q3)))
     let r2_by_q2_dot = -l1_q2_dot * l0_scaled * s5_by_q2_part_2;
     // r3_by_q2_dot = -2*m3*l1^2*q2'*sin(q2 - q3)*cos(q2 - q3)
     let r3_by_q2_dot = -l1_q2_dot * s6_by_q3_part * cos_q2_minus_q3;
     // Shared terms.
     // r2_by_q2_dot + r1_by_q2_dot*s4_part_5; used 2 times
-    let r7_by_q2_dot_part = r2_by_q2_dot + r1_by_q2_dot * s4_part_5;
+    let r7_by_q2_dot_part = r1_by_q2_dot.mul_add(s4_part_5, r2_by_q2_dot);
     // Elimination, step by step.
     // r7_by_q2_dot = l1*r1_by_q2_dot*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) - s5*(l0*r1_by_q2_dot*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2
     //   + m3*sin(q3)^2) + r2_by_q2_dot)/s4 + r3_by_q2_dot
-    let r7_by_q2_dot = r3_by_q2_dot + r1_by_q2_dot * s4_part_4_s5_part
-        - s5_s4_inv * r7_by_q2_dot_part;
+    let r7_by_q2_dot = (-s5_s4_inv)
+        .mul_add(
+            r7_by_q2_dot_part,
+            r1_by_q2_dot.mul_add(s4_part_4_s5_part, r3_by_q2_dot),
+        );
     // Shared terms.
     // r7_by_q2_dot*q2_ddot_part; used 4 times
     let q1_ddot_by_q2_dot_part = r7_by_q2_dot * q2_ddot_part;
     // Elimination, step by step.
     // q1_ddot_by_q2_dot = (l0*r1_by_q2_dot*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 +
     //   m2 + m3*sin(q3)^2) + r2_by_q2_dot + s5*r7_by_q2_dot/(s5^2/s4 - s6))/s4
-    let q1_ddot_by_q2_dot = s4_inv * (r7_by_q2_dot_part - s5 * q1_ddot_by_q2_dot_part);
+    let q1_ddot_by_q2_dot = s4_inv
+        * ((-s5).mul_add(q1_ddot_by_q2_dot_part, r7_by_q2_dot_part));
     // q0_ddot_by_q2_dot = (r1_by_q2_dot + l1*r7_by_q2_dot*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 -
     //   q3)))/(s6 - s5^2/s4) + l0*q1_ddot_by_q2_dot*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)))/(m0
     //   + m1 + m2 + m3*sin(q3)^2)
     let q0_ddot_by_q2_dot = s4_part_4
-        * (r1_by_q2_dot + q1_ddot_by_q2_dot * l0_s4_part_2
-            + s5_part * q1_ddot_by_q2_dot_part);
+        * (s5_part
+            .mul_add(
+                q1_ddot_by_q2_dot_part,
+                q1_ddot_by_q2_dot.mul_add(l0_s4_part_2, r1_by_q2_dot),
+            ));
     // q3_ddot_by_q2_dot = (l1*(2*q2'*sin(q2 - q3) + r7_by_q2_dot*cos(q2 - q3)/(s5^2/s4 - s6)) -
     //   l0*q1_ddot_by_q2_dot*cos(q1 - q3) + q0_ddot_by_q2_dot*cos(q3))/l2
     let q3_ddot_by_q2_dot = l2_inv
-        * (q0_ddot_by_q2_dot * c3 - q1_ddot_by_q2_dot * l0_cos_q1_minus_q3
-            + l1
-                * (q2_dot * sin_q2_minus_q3_scaled
-                    - q1_ddot_by_q2_dot_part * cos_q2_minus_q3));
+        * (l1
+            .mul_add(
+                (-q1_ddot_by_q2_dot_part)
+                    .mul_add(cos_q2_minus_q3, q2_dot * sin_q2_minus_q3_scaled),
+                (-q1_ddot_by_q2_dot).mul_add(l0_cos_q1_minus_q3, q0_ddot_by_q2_dot * c3),
+            ));
     // r1_by_q3_dot = -2*m3*l2*q3'*sin(q3)
     let r1_by_q3_dot = -S::int(2) * l2_q3_dot * m3_s3;
     // r2_by_q3_dot = -2*m3*l0*l2*q3'*sin(q1 - q3)
@@ -1025,31 +1303,41 @@ pub fn jacobian<S: Scalar>(
     let r3_by_q3_dot = -l2_q3_dot * s6_by_q3_part;
     // Shared terms.
     // r2_by_q3_dot + r1_by_q3_dot*s4_part_5; used 2 times
-    let r7_by_q3_dot_part = r2_by_q3_dot + r1_by_q3_dot * s4_part_5;
+    let r7_by_q3_dot_part = r1_by_q3_dot.mul_add(s4_part_5, r2_by_q3_dot);
     // Elimination, step by step.
     // r7_by_q3_dot = l1*r1_by_q3_dot*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) - s5*(l0*r1_by_q3_dot*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2
     //   + m3*sin(q3)^2) + r2_by_q3_dot)/s4 + r3_by_q3_dot
-    let r7_by_q3_dot = r3_by_q3_dot + r1_by_q3_dot * s4_part_4_s5_part
-        - s5_s4_inv * r7_by_q3_dot_part;
+    let r7_by_q3_dot = (-s5_s4_inv)
+        .mul_add(
+            r7_by_q3_dot_part,
+            r1_by_q3_dot.mul_add(s4_part_4_s5_part, r3_by_q3_dot),
+        );
     // Shared terms.
     // r7_by_q3_dot*q2_ddot_part; used 4 times
     let q1_ddot_by_q3_dot_part = r7_by_q3_dot * q2_ddot_part;
     // Elimination, step by step.
     // q1_ddot_by_q3_dot = (l0*r1_by_q3_dot*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 +
     //   m2 + m3*sin(q3)^2) + r2_by_q3_dot + s5*r7_by_q3_dot/(s5^2/s4 - s6))/s4
-    let q1_ddot_by_q3_dot = s4_inv * (r7_by_q3_dot_part - s5 * q1_ddot_by_q3_dot_part);
+    let q1_ddot_by_q3_dot = s4_inv
+        * ((-s5).mul_add(q1_ddot_by_q3_dot_part, r7_by_q3_dot_part));
     // q0_ddot_by_q3_dot = (r1_by_q3_dot + l1*r7_by_q3_dot*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 -
     //   q3)))/(s6 - s5^2/s4) + l0*q1_ddot_by_q3_dot*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)))/(m0
     //   + m1 + m2 + m3*sin(q3)^2)
     let q0_ddot_by_q3_dot = s4_part_4
-        * (r1_by_q3_dot + q1_ddot_by_q3_dot * l0_s4_part_2
-            + s5_part * q1_ddot_by_q3_dot_part);
+        * (s5_part
+            .mul_add(
+                q1_ddot_by_q3_dot_part,
+                q1_ddot_by_q3_dot.mul_add(l0_s4_part_2, r1_by_q3_dot),
+            ));
     // q3_ddot_by_q3_dot = (q0_ddot_by_q3_dot*cos(q3) - l1*r7_by_q3_dot*cos(q2 - q3)/(s6 - s5^2/s4) -
     //   l0*q1_ddot_by_q3_dot*cos(q1 - q3))/l2
     let q3_ddot_by_q3_dot = l2_inv
-        * (q0_ddot_by_q3_dot * c3 - q1_ddot_by_q3_dot * l0_cos_q1_minus_q3
-            - l1_cos_q2_minus_q3 * q1_ddot_by_q3_dot_part);
+        * ((-l1_cos_q2_minus_q3)
+            .mul_add(
+                q1_ddot_by_q3_dot_part,
+                (-q1_ddot_by_q3_dot).mul_add(l0_cos_q1_minus_q3, q0_ddot_by_q3_dot * c3),
+            ));
     // Entries that are not zero.
     // d(q0')/d(q0') = 1
     let q0_dot_by_q0_dot_value = S::int(1);
@@ -1168,11 +1456,13 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) 
     let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
     // Shared terms.
     // q0'*cos(q3) - l0_q1_dot*cos(q1 - q3)
-    let energy_part_3 = q0_dot * c3 - l0_q1_dot * cos_q1_minus_q3;
+    let energy_part_3 = (-l0_q1_dot).mul_add(cos_q1_minus_q3, q0_dot * c3);
     // q0'^2*(m0 + energy_part) + l2_q3_dot*m3_l2_q3_dot
-    let energy_part_4 = q0_dot * q0_dot * (m0 + energy_part) + l2_q3_dot * m3_l2_q3_dot;
+    let energy_part_4 = l2_q3_dot
+        .mul_add(m3_l2_q3_dot, q0_dot * q0_dot * (m0 + energy_part));
     // l0_q1_dot*energy_part_2 + l1_q2_dot*m2_plus_m3_l1_q2_dot
-    let energy_part_5 = l0_q1_dot * energy_part_2 + l1_q2_dot * m2_plus_m3_l1_q2_dot;
+    let energy_part_5 = l1_q2_dot
+        .mul_add(m2_plus_m3_l1_q2_dot, l0_q1_dot * energy_part_2);
     // energy_part_4 + energy_part_5
     let energy_part_6 = energy_part_4 + energy_part_5;
     // Sines and cosines.
@@ -1183,10 +1473,16 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) 
     //   l1^2*q2'^2*(m2 + m3)/2 - l1*q0'*q2'*cos(q2)*(m2 + m3) + l0*l1*q1'*q2'*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2^2*q3'^2/2 - m3*l2*q0'*q3'*cos(q3) + m3*l0*l2*q1'*q3'*cos(q1 - q3) + m3*l1*l2*q2'*q3'*cos(q2 -
     //   q3)
-    let energy = m2_plus_m3_l1_q2_dot * (l0_q1_dot * cos_q1_minus_q2 - q0_dot * c2)
-        - q0_dot * energy_part_2 * c1
-        + m3_l2_q3_dot * (l1_q2_dot * cos_q2_minus_q3 - energy_part_3)
-        + S::ratio(1, 2) * energy_part_6;
+    let energy = m3_l2_q3_dot
+        .mul_add(
+            l1_q2_dot.mul_add(cos_q2_minus_q3, -energy_part_3),
+            (-(q0_dot * energy_part_2))
+                .mul_add(
+                    c1,
+                    m2_plus_m3_l1_q2_dot
+                        * ((-q0_dot).mul_add(c2, l0_q1_dot * cos_q1_minus_q2)),
+                ),
+        ) + S::ratio(1, 2) * energy_part_6;
     energy
 }
 
@@ -1205,10 +1501,11 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     // l0*cos(q1); used 2 times
     let l0_c1 = l0 * c1;
     // l1*cos(q2) + l0_c1; used 2 times
-    let energy_part = l1 * c2 + l0_c1;
+    let energy_part = l1.mul_add(c2, l0_c1);
     // Values.
     // V = g*(m1*l0*cos(q1) + m2*(l0*cos(q1) + l1*cos(q2)) + m3*(l0*cos(q1) + l1*cos(q2) + l2*cos(q3)))
-    let energy = g * (m1 * l0_c1 + m2 * energy_part + m3 * (l2 * c3 + energy_part));
+    let energy = g
+        * (m3.mul_add(l2.mul_add(c3, energy_part), m2.mul_add(energy_part, m1 * l0_c1)));
     energy
 }
 

@@ -125,13 +125,13 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
     // l0_u1_sq*sin(q1); used 2 times
     let s1_l0_u1_sq = l0_u1_sq * s1;
     // g - l0_u1_sq*cos(q1); used 2 times
-    let f4_part = g - l0_u1_sq * c1;
+    let f4_part = (-l0_u1_sq).mul_add(c1, g);
     // l1*u2^2; used 2 times
     let l1_u2_sq = l1 * u2 * u2;
     // s1_l0_u1_sq + l1_u2_sq*sin(q2); used 2 times
-    let f5_part = s1_l0_u1_sq + l1_u2_sq * s2_2;
+    let f5_part = l1_u2_sq.mul_add(s2_2, s1_l0_u1_sq);
     // f4_part - l1_u2_sq*cos(q2); used 2 times
-    let f6_part = f4_part - l1_u2_sq * c2;
+    let f6_part = (-l1_u2_sq).mul_add(c2, f4_part);
     // l2*u3^2; used 2 times
     let l2_u3_sq = l2 * u3 * u3;
     // Values.
@@ -148,9 +148,9 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
     // f6 = m2*(l0*u1^2*cos(q1) - g + l1*u2^2*cos(q2))
     let f6 = -m2 * f6_part;
     // f7 = -m3*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2) + l2*u3^2*sin(q3))
-    let f7 = -m3 * (f5_part + l2_u3_sq * s3);
+    let f7 = -m3 * (l2_u3_sq.mul_add(s3, f5_part));
     // f8 = m3*(l0*u1^2*cos(q1) - g + l1*u2^2*cos(q2) + l2*u3^2*cos(q3))
-    let f8 = m3 * (l2_u3_sq * c3 - f6_part);
+    let f8 = m3 * (l2_u3_sq.mul_add(c3, -f6_part));
     [f1, f2, f3, f4, f5, f6, f7, f8]
 }
 
@@ -182,7 +182,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // s1_l0_u1_sq + s2_2_l1_u2_sq; used 3 times
     let r1_part = s1_l0_u1_sq + s2_2_l1_u2_sq;
     // l1_u2_sq*cos(q2) - g; used 3 times
-    let r1_part_2 = l1_u2_sq * c2 - g;
+    let r1_part_2 = l1_u2_sq.mul_add(c2, -g);
     // l0_u1_sq*cos(q1); used 2 times
     let c1_l0_u1_sq = l0_u1_sq * c1;
     // -r1_part_2 - c1_l0_u1_sq; used 2 times
@@ -195,37 +195,52 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
     //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
     //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = F - m1 * s1_l0_u1_sq - m2 * r1_part
-        + m3_s3 * (r1_part_3 * c3 - r1_part * s3 - l2_u3_sq);
+    let r1 = m3_s3
+        .mul_add(
+            (-r1_part).mul_add(s3, r1_part_3 * c3) - l2_u3_sq,
+            (-m2).mul_add(r1_part, (-m1).mul_add(s1_l0_u1_sq, F)),
+        );
     // Shared terms.
     // m2 + m3; used 3 times
     let m2_plus_m3 = m2 + m3;
     // l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3)); used 3 times
-    let s2_part = l1 * (s2_2 * s3 + c2 * c3);
+    let s2_part = l1 * (c2.mul_add(c3, s2_2 * s3));
     // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 2 times
-    let s2_part_2 = l0 * (s1 * s3 + c1 * c3);
+    let s2_part_2 = l0 * (c1.mul_add(c3, s1 * s3));
     // m3*s2_part_2; used 3 times
     let m3_s2_part_2 = m3 * s2_part_2;
     // Elimination, step by step.
     // s2 = l0*l1*(m2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) -
     //   m3*l0*l1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let s2 = l0 * l1 * m2_plus_m3 * (s1 * s2_2 + c1 * c2) - s2_part * m3_s2_part_2;
+    let s2 = (-s2_part)
+        .mul_add(m3_s2_part_2, l0 * l1 * m2_plus_m3 * (c1.mul_add(c2, s1 * s2_2)));
     // Shared terms.
     // l2_u3_sq*cos(q3); used 2 times
     let c3_l2_u3_sq = l2_u3_sq * c3;
     // l2_u3_sq*sin(q3); used 2 times
     let s3_l2_u3_sq = l2_u3_sq * s3;
     // r1_part*cos(q3) + r1_part_3*sin(q3); used 2 times
-    let r3_part = r1_part * c3 + r1_part_3 * s3;
+    let r3_part = r1_part_3.mul_add(s3, r1_part * c3);
     // Elimination, step by step.
     // r3 = l0*(sin(q1)*(m1*g + m2*(g - l1*u2^2*cos(q2)) + m3*(g - l1*u2^2*cos(q2) - l2*u3^2*cos(q3))) +
     //   cos(q1)*(m2*l1*u2^2*sin(q2) + m3*(l1*u2^2*sin(q2) + l2*u3^2*sin(q3)))) - m3*l0*(sin(q1)*sin(q3) +
     //   cos(q1)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g - l0*u1^2*cos(q1) -
     //   l1*u2^2*cos(q2)))
-    let r3 = l0
-        * (s1 * (m1 * g - m2 * r1_part_2 - m3 * (r1_part_2 + c3_l2_u3_sq))
-            + c1 * (m2 * s2_2_l1_u2_sq + m3 * (s2_2_l1_u2_sq + s3_l2_u3_sq)))
-        - m3_s2_part_2 * r3_part;
+    let r3 = (-m3_s2_part_2)
+        .mul_add(
+            r3_part,
+            l0
+                * (c1
+                    .mul_add(
+                        m3.mul_add(s2_2_l1_u2_sq + s3_l2_u3_sq, m2 * s2_2_l1_u2_sq),
+                        s1
+                            * ((-m3)
+                                .mul_add(
+                                    r1_part_2 + c3_l2_u3_sq,
+                                    (-m2).mul_add(r1_part_2, m1 * g),
+                                )),
+                    )),
+        );
     // Shared terms.
     // m3*s2_part; used 2 times
     let m3_s2_part = m3 * s2_part;
@@ -234,18 +249,27 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     //   l0*u1^2*cos(q1) - l2*u3^2*cos(q3)) + cos(q2)*(l0*u1^2*sin(q1) + l2*u3^2*sin(q3)))) -
     //   m3*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g
     //   - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)))
-    let r4 = l1
-        * (m2 * (g * s2_2 + l0_u1_sq * (s1 * c2 - c1 * s2_2))
-            + m3
-                * (s2_2 * (g - c1_l0_u1_sq - c3_l2_u3_sq)
-                    + c2 * (s1_l0_u1_sq + s3_l2_u3_sq))) - r3_part * m3_s2_part;
+    let r4 = (-r3_part)
+        .mul_add(
+            m3_s2_part,
+            l1
+                * (m3
+                    .mul_add(
+                        c2
+                            .mul_add(
+                                s1_l0_u1_sq + s3_l2_u3_sq,
+                                s2_2 * (g - c1_l0_u1_sq - c3_l2_u3_sq),
+                            ),
+                        m2 * (l0_u1_sq.mul_add((-c1).mul_add(s2_2, s1 * c2), g * s2_2)),
+                    )),
+        );
     // Shared terms.
     // m1 + m3_s3*sin(q3)
-    let s5_part = m1 + m3_s3 * s3;
+    let s5_part = m3_s3.mul_add(s3, m1);
     // m2 + s5_part; used 2 times
     let m2_plus_s5_part = m2 + s5_part;
     // l0*(m2_plus_s5_part*cos(q1) - m3_s3*sin(q1)*cos(q3)); used 3 times
-    let s5_part_2 = l0 * (m2_plus_s5_part * c1 - m3_s3 * s1 * c3);
+    let s5_part_2 = l0 * ((-(m3_s3 * s1)).mul_add(c3, m2_plus_s5_part * c1));
     // 1/(m0 + m2_plus_s5_part); used 3 times
     let s5_part_3 = S::int(1) / (m0 + m2_plus_s5_part);
     // s5_part_2*s5_part_3; used 3 times
@@ -253,26 +277,33 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // Elimination, step by step.
     // s5 = l0^2*(m1 + m2 + m3) - m3*l0^2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))^2 - l0^2*(cos(q1)*(m1 + m2 +
     //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5 = l0 * l0 * (m1 + m2_plus_m3) - s2_part_2 * m3_s2_part_2
-        - s5_part_2 * s5_part_2_s5_part_3;
+    let s5 = (-s5_part_2)
+        .mul_add(
+            s5_part_2_s5_part_3,
+            (-s2_part_2).mul_add(m3_s2_part_2, l0 * l0 * (m1 + m2_plus_m3)),
+        );
     // Shared terms.
     // -l1*(m2*cos(q2) + m3_s3*(cos(q2)*sin(q3) - sin(q2)*cos(q3))); used 4 times
-    let s6_part = -l1 * (m2 * c2 + m3_s3 * (c2 * s3 - s2_2 * c3));
+    let s6_part = -l1 * (m3_s3.mul_add((-s2_2).mul_add(c3, c2 * s3), m2 * c2));
     // Elimination, step by step.
     // s6 = l0*l1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
     //   m3*sin(q1)*sin(q3)*cos(q3))*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))/(m0 + m1 +
     //   m2 + m3*sin(q3)^2) + s2
-    let s6 = s2 + s5_part_2_s5_part_3 * s6_part;
+    let s6 = s5_part_2_s5_part_3.mul_add(s6_part, s2);
     // Shared terms.
     // s5_part_3*s6_part; used 2 times
     let s5_part_3_s6_part = s5_part_3 * s6_part;
     // Elimination, step by step.
     // s7 = l1^2*(m2 + m3) - m3*l1^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))^2 -
     //   l1^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7 = l1 * l1 * m2_plus_m3 - s2_part * m3_s2_part - s6_part * s5_part_3_s6_part;
+    let s7 = (-s6_part)
+        .mul_add(
+            s5_part_3_s6_part,
+            (-s2_part).mul_add(m3_s2_part, l1 * l1 * m2_plus_m3),
+        );
     // Shared terms.
     // r3 + r1*s5_part_2_s5_part_3; used 2 times
-    let r8_part = r3 + r1 * s5_part_2_s5_part_3;
+    let r8_part = r1.mul_add(s5_part_2_s5_part_3, r3);
     // 1/s5; used 2 times
     let s5_inv = S::int(1) / s5;
     // s6*s5_inv; used 2 times
@@ -281,22 +312,31 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // r8 = l1*r1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r4 - s6*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 +
     //   m1 + m2 + m3*sin(q3)^2) + r3)/s5
-    let r8 = r4 - r1 * s5_part_3_s6_part - r8_part * s6_s5_inv;
+    let r8 = (-r8_part).mul_add(s6_s5_inv, (-r1).mul_add(s5_part_3_s6_part, r4));
     // u2' = r8/(s7 - s6^2/s5)
-    let u2_dot = r8 / (s7 - s6 * s6_s5_inv);
+    let u2_dot = r8 / ((-s6).mul_add(s6_s5_inv, s7));
     // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r3 - u2'*s6)/s5
-    let u1_dot = s5_inv * (r8_part - u2_dot * s6);
+    let u1_dot = s5_inv * ((-u2_dot).mul_add(s6, r8_part));
     // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)) + l1*u2'*(m2*cos(q2) -
     //   m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s5_part_3 * (r1 + u1_dot * s5_part_2 - u2_dot * s6_part);
+    let u0_dot = s5_part_3 * ((-u2_dot).mul_add(s6_part, u1_dot.mul_add(s5_part_2, r1)));
     // u3' = (cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))) +
     //   sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))))/l2
-    let u3_dot = (s3
-        * (g - l0 * (u1_dot * s1 + u1_sq * c1) - l1 * (u2_dot * s2_2 + u2_sq * c2))
-        + c3
-            * (u0_dot + l0 * (u1_sq * s1 - u1_dot * c1)
-                + l1 * (u2_sq * s2_2 - u2_dot * c2))) / l2;
+    let u3_dot = (c3
+        .mul_add(
+            l1
+                .mul_add(
+                    (-u2_dot).mul_add(c2, u2_sq * s2_2),
+                    l0.mul_add((-u1_dot).mul_add(c1, u1_sq * s1), u0_dot),
+                ),
+            s3
+                * ((-l1)
+                    .mul_add(
+                        u2_sq.mul_add(c2, u2_dot * s2_2),
+                        (-l0).mul_add(u1_sq.mul_add(c1, u1_dot * s1), g),
+                    )),
+        )) / l2;
     [u0_dot, u1_dot, u2_dot, u3_dot]
 }
 
@@ -332,7 +372,7 @@ pub fn derivative<S: Scalar>(
     // s1_l0_u1_sq + s2_2_l1_u2_sq; used 3 times
     let r1_part = s1_l0_u1_sq + s2_2_l1_u2_sq;
     // l1_u2_sq*cos(q2) - g; used 3 times
-    let r1_part_2 = l1_u2_sq * c2 - g;
+    let r1_part_2 = l1_u2_sq.mul_add(c2, -g);
     // l0_u1_sq*cos(q1); used 2 times
     let c1_l0_u1_sq = l0_u1_sq * c1;
     // -r1_part_2 - c1_l0_u1_sq; used 2 times
@@ -345,37 +385,52 @@ pub fn derivative<S: Scalar>(
     // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
     //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
     //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = F - m1 * s1_l0_u1_sq - m2 * r1_part
-        + m3_s3 * (r1_part_3 * c3 - r1_part * s3 - l2_u3_sq);
+    let r1 = m3_s3
+        .mul_add(
+            (-r1_part).mul_add(s3, r1_part_3 * c3) - l2_u3_sq,
+            (-m2).mul_add(r1_part, (-m1).mul_add(s1_l0_u1_sq, F)),
+        );
     // Shared terms.
     // m2 + m3; used 3 times
     let m2_plus_m3 = m2 + m3;
     // l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3)); used 3 times
-    let s2_part = l1 * (s2_2 * s3 + c2 * c3);
+    let s2_part = l1 * (c2.mul_add(c3, s2_2 * s3));
     // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 2 times
-    let s2_part_2 = l0 * (s1 * s3 + c1 * c3);
+    let s2_part_2 = l0 * (c1.mul_add(c3, s1 * s3));
     // m3*s2_part_2; used 3 times
     let m3_s2_part_2 = m3 * s2_part_2;
     // Elimination, step by step.
     // s2 = l0*l1*(m2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) -
     //   m3*l0*l1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let s2 = l0 * l1 * m2_plus_m3 * (s1 * s2_2 + c1 * c2) - s2_part * m3_s2_part_2;
+    let s2 = (-s2_part)
+        .mul_add(m3_s2_part_2, l0 * l1 * m2_plus_m3 * (c1.mul_add(c2, s1 * s2_2)));
     // Shared terms.
     // l2_u3_sq*cos(q3); used 2 times
     let c3_l2_u3_sq = l2_u3_sq * c3;
     // l2_u3_sq*sin(q3); used 2 times
     let s3_l2_u3_sq = l2_u3_sq * s3;
     // r1_part*cos(q3) + r1_part_3*sin(q3); used 2 times
-    let r3_part = r1_part * c3 + r1_part_3 * s3;
+    let r3_part = r1_part_3.mul_add(s3, r1_part * c3);
     // Elimination, step by step.
     // r3 = l0*(sin(q1)*(m1*g + m2*(g - l1*u2^2*cos(q2)) + m3*(g - l1*u2^2*cos(q2) - l2*u3^2*cos(q3))) +
     //   cos(q1)*(m2*l1*u2^2*sin(q2) + m3*(l1*u2^2*sin(q2) + l2*u3^2*sin(q3)))) - m3*l0*(sin(q1)*sin(q3) +
     //   cos(q1)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g - l0*u1^2*cos(q1) -
     //   l1*u2^2*cos(q2)))
-    let r3 = l0
-        * (s1 * (m1 * g - m2 * r1_part_2 - m3 * (r1_part_2 + c3_l2_u3_sq))
-            + c1 * (m2 * s2_2_l1_u2_sq + m3 * (s2_2_l1_u2_sq + s3_l2_u3_sq)))
-        - m3_s2_part_2 * r3_part;
+    let r3 = (-m3_s2_part_2)
+        .mul_add(
+            r3_part,
+            l0
+                * (c1
+                    .mul_add(
+                        m3.mul_add(s2_2_l1_u2_sq + s3_l2_u3_sq, m2 * s2_2_l1_u2_sq),
+                        s1
+                            * ((-m3)
+                                .mul_add(
+                                    r1_part_2 + c3_l2_u3_sq,
+                                    (-m2).mul_add(r1_part_2, m1 * g),
+                                )),
+                    )),
+        );
     // Shared terms.
     // m3*s2_part; used 2 times
     let m3_s2_part = m3 * s2_part;
@@ -384,18 +439,27 @@ pub fn derivative<S: Scalar>(
     //   l0*u1^2*cos(q1) - l2*u3^2*cos(q3)) + cos(q2)*(l0*u1^2*sin(q1) + l2*u3^2*sin(q3)))) -
     //   m3*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g
     //   - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)))
-    let r4 = l1
-        * (m2 * (g * s2_2 + l0_u1_sq * (s1 * c2 - c1 * s2_2))
-            + m3
-                * (s2_2 * (g - c1_l0_u1_sq - c3_l2_u3_sq)
-                    + c2 * (s1_l0_u1_sq + s3_l2_u3_sq))) - r3_part * m3_s2_part;
+    let r4 = (-r3_part)
+        .mul_add(
+            m3_s2_part,
+            l1
+                * (m3
+                    .mul_add(
+                        c2
+                            .mul_add(
+                                s1_l0_u1_sq + s3_l2_u3_sq,
+                                s2_2 * (g - c1_l0_u1_sq - c3_l2_u3_sq),
+                            ),
+                        m2 * (l0_u1_sq.mul_add((-c1).mul_add(s2_2, s1 * c2), g * s2_2)),
+                    )),
+        );
     // Shared terms.
     // m1 + m3_s3*sin(q3)
-    let s5_part = m1 + m3_s3 * s3;
+    let s5_part = m3_s3.mul_add(s3, m1);
     // m2 + s5_part; used 2 times
     let m2_plus_s5_part = m2 + s5_part;
     // l0*(m2_plus_s5_part*cos(q1) - m3_s3*sin(q1)*cos(q3)); used 3 times
-    let s5_part_2 = l0 * (m2_plus_s5_part * c1 - m3_s3 * s1 * c3);
+    let s5_part_2 = l0 * ((-(m3_s3 * s1)).mul_add(c3, m2_plus_s5_part * c1));
     // 1/(m0 + m2_plus_s5_part); used 3 times
     let s5_part_3 = S::int(1) / (m0 + m2_plus_s5_part);
     // s5_part_2*s5_part_3; used 3 times
@@ -403,26 +467,33 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // s5 = l0^2*(m1 + m2 + m3) - m3*l0^2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))^2 - l0^2*(cos(q1)*(m1 + m2 +
     //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5 = l0 * l0 * (m1 + m2_plus_m3) - s2_part_2 * m3_s2_part_2
-        - s5_part_2 * s5_part_2_s5_part_3;
+    let s5 = (-s5_part_2)
+        .mul_add(
+            s5_part_2_s5_part_3,
+            (-s2_part_2).mul_add(m3_s2_part_2, l0 * l0 * (m1 + m2_plus_m3)),
+        );
     // Shared terms.
     // -l1*(m2*cos(q2) + m3_s3*(cos(q2)*sin(q3) - sin(q2)*cos(q3))); used 4 times
-    let s6_part = -l1 * (m2 * c2 + m3_s3 * (c2 * s3 - s2_2 * c3));
+    let s6_part = -l1 * (m3_s3.mul_add((-s2_2).mul_add(c3, c2 * s3), m2 * c2));
     // Elimination, step by step.
     // s6 = l0*l1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
     //   m3*sin(q1)*sin(q3)*cos(q3))*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))/(m0 + m1 +
     //   m2 + m3*sin(q3)^2) + s2
-    let s6 = s2 + s5_part_2_s5_part_3 * s6_part;
+    let s6 = s5_part_2_s5_part_3.mul_add(s6_part, s2);
     // Shared terms.
     // s5_part_3*s6_part; used 2 times
     let s5_part_3_s6_part = s5_part_3 * s6_part;
     // Elimination, step by step.
     // s7 = l1^2*(m2 + m3) - m3*l1^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))^2 -
     //   l1^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7 = l1 * l1 * m2_plus_m3 - s2_part * m3_s2_part - s6_part * s5_part_3_s6_part;
+    let s7 = (-s6_part)
+        .mul_add(
+            s5_part_3_s6_part,
+            (-s2_part).mul_add(m3_s2_part, l1 * l1 * m2_plus_m3),
+        );
     // Shared terms.
     // r3 + r1*s5_part_2_s5_part_3; used 2 times
-    let r8_part = r3 + r1 * s5_part_2_s5_part_3;
+    let r8_part = r1.mul_add(s5_part_2_s5_part_3, r3);
     // 1/s5; used 2 times
     let s5_inv = S::int(1) / s5;
     // s6*s5_inv; used 2 times
@@ -431,22 +502,31 @@ pub fn derivative<S: Scalar>(
     // r8 = l1*r1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r4 - s6*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 +
     //   m1 + m2 + m3*sin(q3)^2) + r3)/s5
-    let r8 = r4 - r1 * s5_part_3_s6_part - r8_part * s6_s5_inv;
+    let r8 = (-r8_part).mul_add(s6_s5_inv, (-r1).mul_add(s5_part_3_s6_part, r4));
     // u2' = r8/(s7 - s6^2/s5)
-    let u2_dot = r8 / (s7 - s6 * s6_s5_inv);
+    let u2_dot = r8 / ((-s6).mul_add(s6_s5_inv, s7));
     // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r3 - u2'*s6)/s5
-    let u1_dot = s5_inv * (r8_part - u2_dot * s6);
+    let u1_dot = s5_inv * ((-u2_dot).mul_add(s6, r8_part));
     // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)) + l1*u2'*(m2*cos(q2) -
     //   m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s5_part_3 * (r1 + u1_dot * s5_part_2 - u2_dot * s6_part);
+    let u0_dot = s5_part_3 * ((-u2_dot).mul_add(s6_part, u1_dot.mul_add(s5_part_2, r1)));
     // u3' = (cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))) +
     //   sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))))/l2
-    let u3_dot = (s3
-        * (g - l0 * (u1_dot * s1 + u1_sq * c1) - l1 * (u2_dot * s2_2 + u2_sq * c2))
-        + c3
-            * (u0_dot + l0 * (u1_sq * s1 - u1_dot * c1)
-                + l1 * (u2_sq * s2_2 - u2_dot * c2))) / l2;
+    let u3_dot = (c3
+        .mul_add(
+            l1
+                .mul_add(
+                    (-u2_dot).mul_add(c2, u2_sq * s2_2),
+                    l0.mul_add((-u1_dot).mul_add(c1, u1_sq * s1), u0_dot),
+                ),
+            s3
+                * ((-l1)
+                    .mul_add(
+                        u2_sq.mul_add(c2, u2_dot * s2_2),
+                        (-l0).mul_add(u1_sq.mul_add(c1, u1_dot * s1), g),
+                    )),
+        )) / l2;
     // Values.
     // q0' = u0
     let q0_dot_value = u0;
@@ -495,7 +575,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // u3*l2_u3; used 6 times
     let u3_l2_u3 = u3 * l2_u3;
     // g - u2_l1_u2*cos(q2); used 3 times
-    let r1_part_2 = g - u2_l1_u2 * c2;
+    let r1_part_2 = (-u2_l1_u2).mul_add(c2, g);
     // u1_l0_u1*cos(q1); used 2 times
     let c1_u1_l0_u1 = u1_l0_u1 * c1;
     // r1_part_2 - c1_u1_l0_u1; used 2 times
@@ -512,14 +592,18 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
     //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
     //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = F - m1 * s1_u1_l0_u1 - m2 * r1_part - m3_s3 * (u3_l2_u3 + r1_part_4);
+    let r1 = (-m3_s3)
+        .mul_add(
+            u3_l2_u3 + r1_part_4,
+            (-m2).mul_add(r1_part, (-m1).mul_add(s1_u1_l0_u1, F)),
+        );
     // Shared terms.
     // sin(q1)*sin(q3) + cos(q1)*cos(q3); used 3 times
-    let s2_part = s1 * s3 + c1 * c3;
+    let s2_part = c1.mul_add(c3, s1 * s3);
     // l0*s2_part; used 6 times
     let l0_s2_part = l0 * s2_part;
     // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 8 times
-    let s2_part_2 = s2_2 * s3 + c2 * c3;
+    let s2_part_2 = c2.mul_add(c3, s2_2 * s3);
     // m3*l1; used 3 times
     let m3_l1 = m3 * l1;
     // s2_part_2*m3_l1; used 8 times
@@ -527,7 +611,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // cos(q1)*cos(q2); used 2 times
     let c1_c2 = c1 * c2;
     // sin(q1)*sin(q2) + c1_c2; used 3 times
-    let s2_part_3 = s1 * s2_2 + c1_c2;
+    let s2_part_3 = s1.mul_add(s2_2, c1_c2);
     // m2 + m3; used 5 times
     let m2_plus_m3 = m2 + m3;
     // l0*l1; used 2 times
@@ -535,20 +619,20 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // s2 = l0*l1*(m2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) -
     //   m3*l0*l1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let s2 = s2_part_3 * m2_plus_m3 * l0_l1 - l0_s2_part * s2_part_2_m3_l1;
+    let s2 = (-l0_s2_part).mul_add(s2_part_2_m3_l1, s2_part_3 * m2_plus_m3 * l0_l1);
     // Shared terms.
     // u3_l2_u3*cos(q3); used 2 times
     let c3_u3_l2_u3 = u3_l2_u3 * c3;
     // m1*g + m2*r1_part_2 + m3*(r1_part_2 - c3_u3_l2_u3); used 2 times
-    let r3_part = m1 * g + m2 * r1_part_2 + m3 * (r1_part_2 - c3_u3_l2_u3);
+    let r3_part = m3.mul_add(r1_part_2 - c3_u3_l2_u3, m2.mul_add(r1_part_2, m1 * g));
     // u3_l2_u3*sin(q3); used 2 times
     let s3_u3_l2_u3 = u3_l2_u3 * s3;
     // m2*s2_2_u2_l1_u2 + m3*(s2_2_u2_l1_u2 + s3_u3_l2_u3); used 2 times
-    let r3_part_2 = m2 * s2_2_u2_l1_u2 + m3 * (s2_2_u2_l1_u2 + s3_u3_l2_u3);
+    let r3_part_2 = m3.mul_add(s2_2_u2_l1_u2 + s3_u3_l2_u3, m2 * s2_2_u2_l1_u2);
     // r1_part_3*sin(q3); used 2 times
     let s3_r1_part_3 = r1_part_3 * s3;
     // r1_part*cos(q3) + s3_r1_part_3; used 4 times
-    let r3_part_3 = r1_part * c3 + s3_r1_part_3;
+    let r3_part_3 = r1_part.mul_add(c3, s3_r1_part_3);
     // m3*l0_s2_part; used 5 times
     let m3_l0_s2_part = m3 * l0_s2_part;
     // Elimination, step by step.
@@ -556,7 +640,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   cos(q1)*(m2*l1*u2^2*sin(q2) + m3*(l1*u2^2*sin(q2) + l2*u3^2*sin(q3)))) - m3*l0*(sin(q1)*sin(q3) +
     //   cos(q1)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g - l0*u1^2*cos(q1) -
     //   l1*u2^2*cos(q2)))
-    let r3 = l0 * (r3_part * s1 + r3_part_2 * c1) - r3_part_3 * m3_l0_s2_part;
+    let r3 = (-r3_part_3)
+        .mul_add(m3_l0_s2_part, l0 * (r3_part_2.mul_add(c1, r3_part * s1)));
     // Shared terms.
     // g - c1_u1_l0_u1 - c3_u3_l2_u3; used 2 times
     let r4_part = g - c1_u1_l0_u1 - c3_u3_l2_u3;
@@ -573,9 +658,16 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   l0*u1^2*cos(q1) - l2*u3^2*cos(q3)) + cos(q2)*(l0*u1^2*sin(q1) + l2*u3^2*sin(q3)))) -
     //   m3*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g
     //   - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)))
-    let r4 = l1
-        * (m3 * (r4_part * s2_2 + r4_part_2 * c2)
-            + m2 * (g * s2_2 + u1_l0_u1 * r4_part_3)) - s2_part_2_m3_l1 * r3_part_3;
+    let r4 = (-s2_part_2_m3_l1)
+        .mul_add(
+            r3_part_3,
+            l1
+                * (m2
+                    .mul_add(
+                        u1_l0_u1.mul_add(r4_part_3, g * s2_2),
+                        m3 * (r4_part_2.mul_add(c2, r4_part * s2_2)),
+                    )),
+        );
     // Shared terms.
     // m1 + m2; used 2 times
     let m1_plus_m2 = m1 + m2;
@@ -586,7 +678,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // m3_s3*cos(q3); used 3 times
     let c3_m3_s3 = m3_s3 * c3;
     // l0*(s5_part*cos(q1) - c3_m3_s3*sin(q1)); used 10 times
-    let s5_part_2 = l0 * (s5_part * c1 - c3_m3_s3 * s1);
+    let s5_part_2 = l0 * ((-c3_m3_s3).mul_add(s1, s5_part * c1));
     // m0 + m1_plus_m2; used 3 times
     let s5_part_3 = m0 + m1_plus_m2;
     // 1/(s3_m3_s3 + s5_part_3); used 12 times
@@ -598,18 +690,21 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // s5 = l0^2*(m1 + m2 + m3) - m3*l0^2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))^2 - l0^2*(cos(q1)*(m1 + m2 +
     //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5 = l0_sq * (m1 + m2_plus_m3) - l0_s2_part * m3_l0_s2_part
-        - s5_part_2 * s5_part_2_s5_part_4;
+    let s5 = (-s5_part_2)
+        .mul_add(
+            s5_part_2_s5_part_4,
+            (-l0_s2_part).mul_add(m3_l0_s2_part, l0_sq * (m1 + m2_plus_m3)),
+        );
     // Shared terms.
     // sin(q2)*cos(q3) - cos(q2)*sin(q3); used 8 times
-    let s6_part = s2_2 * c3 - c2 * s3;
+    let s6_part = (-c2).mul_add(s3, s2_2 * c3);
     // l1*(m3_s3*s6_part - m2*cos(q2)); used 11 times
-    let s6_part_2 = l1 * (m3_s3 * s6_part - m2 * c2);
+    let s6_part_2 = l1 * ((-m2).mul_add(c2, m3_s3 * s6_part));
     // Elimination, step by step.
     // s6 = l0*l1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
     //   m3*sin(q1)*sin(q3)*cos(q3))*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))/(m0 + m1 +
     //   m2 + m3*sin(q3)^2) + s2
-    let s6 = s2 + s5_part_2_s5_part_4 * s6_part_2;
+    let s6 = s5_part_2_s5_part_4.mul_add(s6_part_2, s2);
     // Shared terms.
     // s5_part_4*s6_part_2; used 12 times
     let s5_part_4_s6_part_2 = s5_part_4 * s6_part_2;
@@ -618,11 +713,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // s7 = l1^2*(m2 + m3) - m3*l1^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))^2 -
     //   l1^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7 = l1 * l1 * m2_plus_m3 - s6_part_2 * s5_part_4_s6_part_2
-        - s2_part_2_m3_l1 * l1_s2_part_2;
+    let s7 = (-s2_part_2_m3_l1)
+        .mul_add(
+            l1_s2_part_2,
+            (-s6_part_2).mul_add(s5_part_4_s6_part_2, l1 * l1 * m2_plus_m3),
+        );
     // Shared terms.
     // r3 + r1*s5_part_2_s5_part_4; used 3 times
-    let r8_part = r3 + r1 * s5_part_2_s5_part_4;
+    let r8_part = r1.mul_add(s5_part_2_s5_part_4, r3);
     // 1/s5; used 11 times
     let s5_inv = S::int(1) / s5;
     // s6*s5_inv; used 12 times
@@ -631,19 +729,20 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // r8 = l1*r1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r4 - s6*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 +
     //   m1 + m2 + m3*sin(q3)^2) + r3)/s5
-    let r8 = r4 - r1 * s5_part_4_s6_part_2 - r8_part * s6_s5_inv;
+    let r8 = (-r8_part).mul_add(s6_s5_inv, (-r1).mul_add(s5_part_4_s6_part_2, r4));
     // Shared terms.
     // 1/(s7 - s6*s6_s5_inv); used 7 times
-    let u2_dot_part = S::int(1) / (s7 - s6 * s6_s5_inv);
+    let u2_dot_part = S::int(1) / ((-s6).mul_add(s6_s5_inv, s7));
     // Elimination, step by step.
     // u2' = r8/(s7 - s6^2/s5)
     let u2_dot = r8 * u2_dot_part;
     // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r3 - u2'*s6)/s5
-    let u1_dot = s5_inv * (r8_part - u2_dot * s6);
+    let u1_dot = s5_inv * ((-u2_dot).mul_add(s6, r8_part));
     // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)) + l1*u2'*(m2*cos(q2) -
     //   m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s5_part_4 * (r1 + u1_dot * s5_part_2 - u2_dot * s6_part_2);
+    let u0_dot = s5_part_4
+        * ((-u2_dot).mul_add(s6_part_2, u1_dot.mul_add(s5_part_2, r1)));
     // Shared terms.
     // u1^2; used 3 times
     let u1_sq = u1 * u1;
@@ -678,12 +777,16 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   cos(q1)*cos(q3))*(l0*u1^2*sin(q1)*sin(q3) + l0*u1^2*cos(q1)*cos(q3)) + l0*(cos(q1)*(m1*g + m2*(g -
     //   l1*u2^2*cos(q2)) + m3*(g - l1*u2^2*cos(q2) - l2*u3^2*cos(q3))) - sin(q1)*(m2*l1*u2^2*sin(q2) +
     //   m3*(l1*u2^2*sin(q2) + l2*u3^2*sin(q3))))
-    let r3_by_q1 = l0 * (r3_part * c1 - r3_part_2 * s1)
-        - u1_l0_u1 * s2_part * m3_l0_s2_part + r3_by_q1_part;
+    let r3_by_q1 = (-(u1_l0_u1 * s2_part))
+        .mul_add(m3_l0_s2_part, l0 * ((-r3_part_2).mul_add(s1, r3_part * c1)))
+        + r3_by_q1_part;
     // Shared terms.
     // m2*s2_part_3 + m3*(c1_c2 + cos(q3)*(s6_part*sin(q1) - s2_part_2*cos(q1))); used 2 times
-    let r4_by_q1_part = m2 * s2_part_3
-        + m3 * (c1_c2 + c3 * (s6_part * s1 - s2_part_2 * c1));
+    let r4_by_q1_part = m3
+        .mul_add(
+            c3.mul_add((-s2_part_2).mul_add(c1, s6_part * s1), c1_c2),
+            m2 * s2_part_3,
+        );
     // Elimination, step by step.
     // r4_by_q1 = l0*l1*u1^2*(m2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(cos(q1)*cos(q2) +
     //   cos(q3)*(sin(q1)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - cos(q1)*(sin(q2)*sin(q3) +
@@ -691,7 +794,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let r4_by_q1 = l1 * u1_l0_u1 * r4_by_q1_part;
     // Shared terms.
     // s5_part*sin(q1) + c3_m3_s3*cos(q1); used 2 times
-    let s5_by_q1_part = s5_part * s1 + c3_m3_s3 * c1;
+    let s5_by_q1_part = c3_m3_s3.mul_add(c1, s5_part * s1);
     // l0*s5_by_q1_part; used 4 times
     let l0_s5_by_q1_part = l0 * s5_by_q1_part;
     // 2*m3_l0_s2_part; used 2 times
@@ -700,17 +803,21 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s5_by_q1 = 2*m3*l0^2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(sin(q1)*cos(q3) - cos(q1)*sin(q3)) +
     //   2*l0^2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))*(m3*cos(q1)*sin(q3)*cos(q3) +
     //   sin(q1)*(m1 + m2 + m3*sin(q3)^2))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5_by_q1 = S::int(2) * s5_part_2_s5_part_4 * l0_s5_by_q1_part
-        + l0_s2_by_q1_part * m3_l0_s2_part_scaled;
+    let s5_by_q1 = l0_s2_by_q1_part
+        .mul_add(
+            m3_l0_s2_part_scaled,
+            S::int(2) * s5_part_2_s5_part_4 * l0_s5_by_q1_part,
+        );
     // s6_by_q1 = l0*l1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
     //   cos(q2)*sin(q3)))*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + s2_by_q1
-    let s6_by_q1 = s2_by_q1 - s5_part_4_s6_part_2 * l0_s5_by_q1_part;
+    let s6_by_q1 = (-s5_part_4_s6_part_2).mul_add(l0_s5_by_q1_part, s2_by_q1);
     // Shared terms.
     // r1*s5_part_4; used 3 times
     let r1_s5_part_4 = r1 * s5_part_4;
     // r1_by_q1*s5_part_2_s5_part_4 - l0_s5_by_q1_part*r1_s5_part_4
-    let r8_by_q1_part = r1_by_q1 * s5_part_2_s5_part_4 - l0_s5_by_q1_part * r1_s5_part_4;
+    let r8_by_q1_part = (-l0_s5_by_q1_part)
+        .mul_add(r1_s5_part_4, r1_by_q1 * s5_part_2_s5_part_4);
     // r3_by_q1 + r8_by_q1_part; used 2 times
     let r8_by_q1_part_2 = r3_by_q1 + r8_by_q1_part;
     // r8_part*s5_inv; used 2 times
@@ -725,11 +832,19 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3)/s5^2 -
     //   s6_by_q1*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r3)/s5
-    let r8_by_q1 = r4_by_q1 - r1_by_q1 * s5_part_4_s6_part_2
-        - s6_s5_inv * r8_by_q1_part_2 + r8_part_s5_inv * (s5_by_q1_s6_s5_inv - s6_by_q1);
+    let r8_by_q1 = r8_part_s5_inv
+        .mul_add(
+            s5_by_q1_s6_s5_inv - s6_by_q1,
+            (-s6_s5_inv)
+                .mul_add(
+                    r8_by_q1_part_2,
+                    (-r1_by_q1).mul_add(s5_part_4_s6_part_2, r4_by_q1),
+                ),
+        );
     // u2_dot_by_q1 = (s6*r8*(2*s6_by_q1 - s6*s5_by_q1/s5)/(s5*(s7 - s6^2/s5)) + r8_by_q1)/(s7 - s6^2/s5)
     let u2_dot_by_q1 = u2_dot_part
-        * (r8_by_q1 + u2_dot * s6_s5_inv * (S::int(2) * s6_by_q1 - s5_by_q1_s6_s5_inv));
+        * ((u2_dot * s6_s5_inv)
+            .mul_add(s6_by_q1.mul_add(S::int(2), -s5_by_q1_s6_s5_inv), r8_by_q1));
     // Shared terms.
     // u1'*s5_inv; used 2 times
     let u1_dot_s5_inv = u1_dot * s5_inv;
@@ -739,15 +854,24 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) -
     //   l0*r1*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))/(m0 + m1 + m2 + m3*sin(q3)^2)
     //   + r3_by_q1 - u2'*s6_by_q1 - s6*u2_dot_by_q1)/s5
-    let u1_dot_by_q1 = s5_inv * (r8_by_q1_part_2 - u2_dot * s6_by_q1 - s6 * u2_dot_by_q1)
-        - s5_by_q1 * u1_dot_s5_inv;
+    let u1_dot_by_q1 = (-s5_by_q1)
+        .mul_add(
+            u1_dot_s5_inv,
+            s5_inv
+                * ((-s6)
+                    .mul_add(u2_dot_by_q1, (-u2_dot).mul_add(s6_by_q1, r8_by_q1_part_2))),
+        );
     // u0_dot_by_q1 = (r1_by_q1 - l0*u1'*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2)) +
     //   l1*u2_dot_by_q1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) +
     //   l0*u1_dot_by_q1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2)
     let u0_dot_by_q1 = s5_part_4
-        * (r1_by_q1 + u1_dot_by_q1 * s5_part_2 - u2_dot_by_q1 * s6_part_2
-            - u1_dot * l0_s5_by_q1_part);
+        * ((-u1_dot)
+            .mul_add(
+                l0_s5_by_q1_part,
+                (-u2_dot_by_q1)
+                    .mul_add(s6_part_2, u1_dot_by_q1.mul_add(s5_part_2, r1_by_q1)),
+            ));
     // Shared terms.
     // u1_dot_by_q1 - u1_sq; used 2 times
     let u3_dot_by_q1_part = u1_dot_by_q1 - u1_sq;
@@ -758,10 +882,15 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   l0*(sin(q1)*(sin(q3)*(u1_dot_by_q1 - u1^2) - u1'*cos(q3)) + cos(q1)*(u1'*sin(q3) +
     //   cos(q3)*(u1_dot_by_q1 - u1^2))))/l2
     let u3_dot_by_q1 = l2_inv
-        * (u0_dot_by_q1 * c3 - u2_dot_by_q1 * l1_s2_part_2
-            + l0
-                * (s1 * (u1_dot * c3 - u3_dot_by_q1_part * s3)
-                    - c1 * (u1_dot * s3 + u3_dot_by_q1_part * c3)));
+        * (l0
+            .mul_add(
+                (-c1)
+                    .mul_add(
+                        u3_dot_by_q1_part.mul_add(c3, u1_dot * s3),
+                        s1 * ((-u3_dot_by_q1_part).mul_add(s3, u1_dot * c3)),
+                    ),
+                (-u2_dot_by_q1).mul_add(l1_s2_part_2, u0_dot_by_q1 * c3),
+            ));
     // Shared terms.
     // u2^2; used 3 times
     let u2_sq = u2 * u2;
@@ -790,20 +919,27 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   cos(q2)*cos(q3))*(l1*u2^2*sin(q2)*sin(q3) + l1*u2^2*cos(q2)*cos(q3)) + l1*(m2*(g*cos(q2) -
     //   l0*u1^2*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) + m3*(cos(q2)*(g - l0*u1^2*cos(q1) - l2*u3^2*cos(q3)) -
     //   sin(q2)*(l0*u1^2*sin(q1) + l2*u3^2*sin(q3))))
-    let r4_by_q2 = l1
-        * (m2 * (g * c2 - u1_l0_u1 * s2_part_3) + m3 * (r4_part * c2 - r4_part_2 * s2_2))
-        - u2_l1_u2 * s2_part_2 * s2_part_2_m3_l1 + r4_by_q2_part;
+    let r4_by_q2 = (-(u2_l1_u2 * s2_part_2))
+        .mul_add(
+            s2_part_2_m3_l1,
+            l1
+                * (m3
+                    .mul_add(
+                        (-r4_part_2).mul_add(s2_2, r4_part * c2),
+                        m2 * ((-u1_l0_u1).mul_add(s2_part_3, g * c2)),
+                    )),
+        ) + r4_by_q2_part;
     // Shared terms.
     // m3_s3*s2_part_2; used 2 times
     let m3_s3_s2_part_2 = m3_s3 * s2_part_2;
     // m2*sin(q2) + m3_s3_s2_part_2; used 3 times
-    let s6_by_q2_part = m2 * s2_2 + m3_s3_s2_part_2;
+    let s6_by_q2_part = m2.mul_add(s2_2, m3_s3_s2_part_2);
     // l1*s6_by_q2_part; used 2 times
     let l1_s6_by_q2_part = l1 * s6_by_q2_part;
     // Elimination, step by step.
     // s6_by_q2 = l0*l1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))*(m2*sin(q2) +
     //   m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + s2_by_q2
-    let s6_by_q2 = s2_by_q2 + s5_part_2_s5_part_4 * l1_s6_by_q2_part;
+    let s6_by_q2 = s5_part_2_s5_part_4.mul_add(l1_s6_by_q2_part, s2_by_q2);
     // Shared terms.
     // 2*l1; used 3 times
     let l1_scaled = S::int(2) * l1;
@@ -815,19 +951,22 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s7_by_q2 = 2*m3*l1^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
     //   2*l1^2*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))*(m2*sin(q2) +
     //   m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7_by_q2 = s7_by_q2_part_2 - s6_by_q2_part * s7_by_q2_part;
+    let s7_by_q2 = (-s6_by_q2_part).mul_add(s7_by_q2_part, s7_by_q2_part_2);
     // Shared terms.
     // s6*r3_by_q2 + r3*s6_by_q2; used 2 times
-    let r8_by_q2_part = s6 * r3_by_q2 + r3 * s6_by_q2;
+    let r8_by_q2_part = r3.mul_add(s6_by_q2, s6 * r3_by_q2);
     // s6*r1_by_q2 + r1*s6_by_q2; used 2 times
-    let r8_by_q2_part_2 = s6 * r1_by_q2 + r1 * s6_by_q2;
+    let r8_by_q2_part_2 = r1.mul_add(s6_by_q2, s6 * r1_by_q2);
     // l0*cos(q1); used 2 times
     let l0_c1 = l0 * c1;
     // r8_by_q2_part + r8_by_q2_part_2*l0_c1; used 2 times
-    let r8_by_q2_part_3 = r8_by_q2_part + r8_by_q2_part_2 * l0_c1;
+    let r8_by_q2_part_3 = r8_by_q2_part_2.mul_add(l0_c1, r8_by_q2_part);
     // s5*(l1*(r1_by_q2*cos(q2) - r1*sin(q2)) + r4_by_q2) - r8_by_q2_part_3; used 2 times
-    let r8_by_q2_part_4 = s5 * (l1 * (r1_by_q2 * c2 - r1 * s2_2) + r4_by_q2)
-        - r8_by_q2_part_3;
+    let r8_by_q2_part_4 = s5
+        .mul_add(
+            l1.mul_add((-r1).mul_add(s2_2, r1_by_q2 * c2), r4_by_q2),
+            -r8_by_q2_part_3,
+        );
     // s5*r4_by_q2; used 2 times
     let s5_r4_by_q2 = s5 * r4_by_q2;
     // l0*sin(q1); used 2 times
@@ -840,28 +979,46 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m0*(s5*r4_by_q2 - s6*r3_by_q2 - r3*s6_by_q2) + m1*(s5*r4_by_q2 - s6*r3_by_q2 - r3*s6_by_q2 -
     //   l0*cos(q1)*(s6*r1_by_q2 + r1*s6_by_q2)))/(s5*(m0 + m1 + m2 + m3*sin(q3)^2))
     let r8_by_q2 = s5_part_4 * s5_inv
-        * (m2 * r8_by_q2_part_4 + m1 * (s5_r4_by_q2 - r8_by_q2_part_3)
-            + m0 * (s5_r4_by_q2 - r8_by_q2_part)
-            + m3_s3
-                * (r8_by_q2_part_4 * s3
-                    + c3
-                        * (r8_by_q2_part_2 * l0_s1
-                            - l1 * s5 * (r1 * c2 + r1_by_q2 * s2_2))));
+        * (m3_s3
+            .mul_add(
+                c3
+                    .mul_add(
+                        (-(l1 * s5))
+                            .mul_add(
+                                r1_by_q2.mul_add(s2_2, r1 * c2),
+                                r8_by_q2_part_2 * l0_s1,
+                            ),
+                        r8_by_q2_part_4 * s3,
+                    ),
+                m0
+                    .mul_add(
+                        s5_r4_by_q2 - r8_by_q2_part,
+                        m1.mul_add(s5_r4_by_q2 - r8_by_q2_part_3, m2 * r8_by_q2_part_4),
+                    ),
+            ));
     // u2_dot_by_q2 = (r8*(s7_by_q2 - 2*s6*s6_by_q2/s5)/(s6^2/s5 - s7) + r8_by_q2)/(s7 - s6^2/s5)
     let u2_dot_by_q2 = u2_dot_part
-        * (r8_by_q2 + u2_dot * (S::int(2) * s6_by_q2 * s6_s5_inv - s7_by_q2));
+        * (u2_dot
+            .mul_add((S::int(2) * s6_by_q2).mul_add(s6_s5_inv, -s7_by_q2), r8_by_q2));
     // u1_dot_by_q2 = (l0*r1_by_q2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1
     //   + m2 + m3*sin(q3)^2) + r3_by_q2 - u2'*s6_by_q2 - s6*u2_dot_by_q2)/s5
     let u1_dot_by_q2 = s5_inv
-        * (r3_by_q2 - u2_dot * s6_by_q2 - s6 * u2_dot_by_q2
-            + r1_by_q2 * s5_part_2_s5_part_4);
+        * (r1_by_q2
+            .mul_add(
+                s5_part_2_s5_part_4,
+                (-s6).mul_add(u2_dot_by_q2, (-u2_dot).mul_add(s6_by_q2, r3_by_q2)),
+            ));
     // u0_dot_by_q2 = (r1_by_q2 - l1*u2'*(m2*sin(q2) + m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3))) +
     //   l1*u2_dot_by_q2*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) +
     //   l0*u1_dot_by_q2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2)
     let u0_dot_by_q2 = s5_part_4
-        * (r1_by_q2 + u1_dot_by_q2 * s5_part_2 - u2_dot_by_q2 * s6_part_2
-            - u2_dot * l1_s6_by_q2_part);
+        * ((-u2_dot)
+            .mul_add(
+                l1_s6_by_q2_part,
+                (-u2_dot_by_q2)
+                    .mul_add(s6_part_2, u1_dot_by_q2.mul_add(s5_part_2, r1_by_q2)),
+            ));
     // Shared terms.
     // u2_dot_by_q2 - u2_sq; used 2 times
     let u3_dot_by_q2_part = u2_dot_by_q2 - u2_sq;
@@ -870,15 +1027,21 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   cos(q2)*(u2'*sin(q3) + cos(q3)*(u2_dot_by_q2 - u2^2))) - l0*u1_dot_by_q2*(sin(q1)*sin(q3) +
     //   cos(q1)*cos(q3)))/l2
     let u3_dot_by_q2 = l2_inv
-        * (u0_dot_by_q2 * c3 - u1_dot_by_q2 * l0_s2_part
-            + l1
-                * (s2_2 * (u2_dot * c3 - u3_dot_by_q2_part * s3)
-                    - c2 * (u2_dot * s3 + u3_dot_by_q2_part * c3)));
+        * (l1
+            .mul_add(
+                (-c2)
+                    .mul_add(
+                        u3_dot_by_q2_part.mul_add(c3, u2_dot * s3),
+                        s2_2 * ((-u3_dot_by_q2_part).mul_add(s3, u2_dot * c3)),
+                    ),
+                (-u1_dot_by_q2).mul_add(l0_s2_part, u0_dot_by_q2 * c3),
+            ));
     // r1_by_q3 = -m3*(sin(q3)^2*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)) +
     //   cos(q3)*(2*sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
     //   l1*u2^2*cos(q2)) + l2*u3^2))
     let r1_by_q3 = -m3
-        * (c3 * (u3_l2_u3 - c3_r1_part_3 + S::int(2) * s3_r1_part) + s3_r1_part_3 * s3);
+        * (s3_r1_part_3
+            .mul_add(s3, c3 * (s3_r1_part.mul_add(S::int(2), u3_l2_u3 - c3_r1_part_3))));
     // s2_by_q3 = m3*l0*l1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(cos(q2)*sin(q3) - sin(q2)*cos(q3)) +
     //   m3*l0*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(cos(q1)*sin(q3) - sin(q1)*cos(q3))
     let s2_by_q3 = -s2_by_q1_part_2 - s2_by_q2_part;
@@ -892,38 +1055,54 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   sin(q3)*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2))) + m3*l0*(sin(q1)*sin(q3) +
     //   cos(q1)*cos(q3))*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - cos(q3)*(g - l0*u1^2*cos(q1) -
     //   l1*u2^2*cos(q2))) + l0*(m3*l2*u3^2*sin(q1)*sin(q3) + m3*l2*u3^2*cos(q1)*cos(q3))
-    let r3_by_q3 = l0 * u3_l2_u3 * (m3_s3 * s1 + m3_c3 * c1) - r3_by_q1_part
-        - m3_l0_s2_part * r1_part_4_scaled;
+    let r3_by_q3 = (-m3_l0_s2_part)
+        .mul_add(
+            r1_part_4_scaled,
+            (l0 * u3_l2_u3).mul_add(m3_c3.mul_add(c1, m3_s3 * s1), -r3_by_q1_part),
+        );
     // r4_by_q3 = m3*l1*(cos(q2)*sin(q3) - sin(q2)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) +
     //   sin(q3)*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2))) + m3*l1*(sin(q2)*sin(q3) +
     //   cos(q2)*cos(q3))*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - cos(q3)*(g - l0*u1^2*cos(q1) -
     //   l1*u2^2*cos(q2))) + m3*l1*(l2*u3^2*sin(q2)*sin(q3) + l2*u3^2*cos(q2)*cos(q3))
-    let r4_by_q3 = u3_l2_u3 * s2_part_2 * m3_l1 - r4_by_q2_part
-        - s2_part_2_m3_l1 * r1_part_4_scaled;
+    let r4_by_q3 = (-s2_part_2_m3_l1)
+        .mul_add(
+            r1_part_4_scaled,
+            (u3_l2_u3 * s2_part_2).mul_add(m3_l1, -r4_by_q2_part),
+        );
     // Shared terms.
     // m0*(m3 + 2*s5_part_3); used 2 times
-    let s5_by_q3_part = m0 * (m3 + S::int(2) * s5_part_3);
+    let s5_by_q3_part = m0 * (s5_part_3.mul_add(S::int(2), m3));
     // Elimination, step by step.
     // s5_by_q3 = 2*m3*l0^2*(m0^2*sin(q3)*cos(q3) - sin(q1)*(m0*cos(q1)*(m0 + m1 + m2) +
     //   sin(q3)*(sin(q1)*cos(q3)*(m2*(m2 + m3) + m0*(2*m0 + 2*m1 + 2*m2 + m3) + m1*(m1 + 2*m2 + m3)) -
     //   m0*cos(q1)*sin(q3)*(2*m0 + 2*m1 + 2*m2 + m3))))/(m0 + m1 + m2 + m3*sin(q3)^2)^2
     let s5_by_q3 = S::int(2) * m3 * s5_part_4 * s5_part_4 * l0_sq
-        * (m0 * m0 * s3 * c3
-            - s1
-                * (m0 * s5_part_3 * c1
-                    + s3
-                        * (s1_c3
-                            * (m1 * (m1 + S::int(2) * m2 + m3) + m2 * m2_plus_m3
-                                + s5_by_q3_part) - c1_s3 * s5_by_q3_part)));
+        * ((-s1)
+            .mul_add(
+                s3
+                    .mul_add(
+                        (-c1_s3)
+                            .mul_add(
+                                s5_by_q3_part,
+                                s1_c3
+                                    * (m2
+                                        .mul_add(m2_plus_m3, m1 * (m2.mul_add(S::int(2), m1) + m3))
+                                        + s5_by_q3_part),
+                            ),
+                        m0 * s5_part_3 * c1,
+                    ),
+                m0 * m0 * s3 * c3,
+            ));
     // Shared terms.
     // 2*c3_m3_s3; used 4 times
     let c3_m3_s3_scaled = S::int(2) * c3_m3_s3;
     // l0*(s3_m3_s3*sin(q1) - s1_c3*m3_c3 + c3_m3_s3_scaled*cos(q1)); used 2 times
-    let s6_by_q3_part = l0 * (s3_m3_s3 * s1 - s1_c3 * m3_c3 + c3_m3_s3_scaled * c1);
+    let s6_by_q3_part = l0
+        * (c3_m3_s3_scaled.mul_add(c1, (-s1_c3).mul_add(m3_c3, s3_m3_s3 * s1)));
     // s6_by_q3_part - s5_part_2_s5_part_4*c3_m3_s3_scaled; used 2 times
-    let s6_by_q3_part_2 = s6_by_q3_part - s5_part_2_s5_part_4 * c3_m3_s3_scaled;
+    let s6_by_q3_part_2 = (-s5_part_2_s5_part_4).mul_add(c3_m3_s3_scaled, s6_by_q3_part);
     // m3_s3_s2_part_2 - s6_part*m3_c3; used 2 times
-    let s6_by_q3_part_3 = m3_s3_s2_part_2 - s6_part * m3_c3;
+    let s6_by_q3_part_3 = (-s6_part).mul_add(m3_c3, m3_s3_s2_part_2);
     // l1*s6_by_q3_part_3; used 3 times
     let l1_s6_by_q3_part_3 = l1 * s6_by_q3_part_3;
     // Elimination, step by step.
@@ -934,8 +1113,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m2 + m3*sin(q3)^2) + l0*l1*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 +
     //   m3*sin(q3)^2))*(m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + m3*cos(q3)*(cos(q2)*sin(q3) -
     //   sin(q2)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + s2_by_q3
-    let s6_by_q3 = s2_by_q3 + s5_part_4_s6_part_2 * s6_by_q3_part_2
-        - s5_part_2_s5_part_4 * l1_s6_by_q3_part_3;
+    let s6_by_q3 = (-s5_part_2_s5_part_4)
+        .mul_add(
+            l1_s6_by_q3_part_3,
+            s5_part_4_s6_part_2.mul_add(s6_by_q3_part_2, s2_by_q3),
+        );
     // Shared terms.
     // s5_part_4_s6_part_2*c3_m3_s3_scaled; used 2 times
     let s7_by_q3_part = s5_part_4_s6_part_2 * c3_m3_s3_scaled;
@@ -945,11 +1127,15 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m2 + m3*sin(q3)^2)^2 + 2*l1^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) -
     //   m2*cos(q2))*(m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + m3*cos(q3)*(cos(q2)*sin(q3) -
     //   sin(q2)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7_by_q3 = s7_by_q2_part * s6_by_q3_part_3 - s7_by_q2_part_2
-        + s5_part_4_s6_part_2 * s7_by_q3_part;
+    let s7_by_q3 = s5_part_4_s6_part_2
+        .mul_add(
+            s7_by_q3_part,
+            s7_by_q2_part.mul_add(s6_by_q3_part_3, -s7_by_q2_part_2),
+        );
     // Shared terms.
     // r1_by_q3*s5_part_2_s5_part_4 + r1_s5_part_4*s6_by_q3_part_2
-    let r8_by_q3_part = r1_by_q3 * s5_part_2_s5_part_4 + r1_s5_part_4 * s6_by_q3_part_2;
+    let r8_by_q3_part = r1_s5_part_4
+        .mul_add(s6_by_q3_part_2, r1_by_q3 * s5_part_2_s5_part_4);
     // r3_by_q3 + r8_by_q3_part; used 2 times
     let r8_by_q3_part_2 = r3_by_q3 + r8_by_q3_part;
     // s5_by_q3*s6_s5_inv; used 2 times
@@ -966,15 +1152,31 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   + s6*s5_by_q3*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) + r3)/s5^2 - s6_by_q3*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
     //   m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3)/s5
-    let r8_by_q3 = r4_by_q3 - r1_by_q3 * s5_part_4_s6_part_2
-        + r1_s5_part_4 * (l1_s6_by_q3_part_3 + s7_by_q3_part)
-        - s6_s5_inv * r8_by_q3_part_2 + r8_part_s5_inv * (s5_by_q3_s6_s5_inv - s6_by_q3);
+    let r8_by_q3 = r8_part_s5_inv
+        .mul_add(
+            s5_by_q3_s6_s5_inv - s6_by_q3,
+            (-s6_s5_inv)
+                .mul_add(
+                    r8_by_q3_part_2,
+                    r1_s5_part_4
+                        .mul_add(
+                            l1_s6_by_q3_part_3 + s7_by_q3_part,
+                            (-r1_by_q3).mul_add(s5_part_4_s6_part_2, r4_by_q3),
+                        ),
+                ),
+        );
     // u2_dot_by_q3 = (r8*(s6*(s6*s5_by_q3/s5 - 2*s6_by_q3)/s5 + s7_by_q3)/(s6^2/s5 - s7) + r8_by_q3)/(s7 -
     //   s6^2/s5)
     let u2_dot_by_q3 = u2_dot_part
-        * (r8_by_q3
-            - u2_dot
-                * (s7_by_q3 + s6_s5_inv * (s5_by_q3_s6_s5_inv - S::int(2) * s6_by_q3)));
+        * ((-u2_dot)
+            .mul_add(
+                s6_s5_inv
+                    .mul_add(
+                        (-s6_by_q3).mul_add(S::int(2), s5_by_q3_s6_s5_inv),
+                        s7_by_q3,
+                    ),
+                r8_by_q3,
+            ));
     // u1_dot_by_q3 = s5_by_q3*(u2'*s6 - l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
     //   m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) - r3)/s5^2 +
     //   (2*m3*l0*r1*sin(q3)*cos(q3)*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 + m3*sin(q3)^2))/(m0 + m1
@@ -982,14 +1184,26 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   2*m3*cos(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*r1_by_q3*(cos(q1)*(m1 + m2 +
     //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3_by_q3 - u2'*s6_by_q3
     //   - s6*u2_dot_by_q3)/s5
-    let u1_dot_by_q3 = s5_inv * (r8_by_q3_part_2 - u2_dot * s6_by_q3 - s6 * u2_dot_by_q3)
-        - s5_by_q3 * u1_dot_s5_inv;
+    let u1_dot_by_q3 = (-s5_by_q3)
+        .mul_add(
+            u1_dot_s5_inv,
+            s5_inv
+                * ((-s6)
+                    .mul_add(u2_dot_by_q3, (-u2_dot).mul_add(s6_by_q3, r8_by_q3_part_2))),
+        );
     // Shared terms.
     // r1_by_q3 + u1_dot_by_q3*s5_part_2 - u2_dot_by_q3*s6_part_2 + u1'*s6_by_q3_part +
     //   u2'*l1_s6_by_q3_part_3
-    let u0_dot_by_q3_part = r1_by_q3 + u1_dot_by_q3 * s5_part_2
-        - u2_dot_by_q3 * s6_part_2 + u1_dot * s6_by_q3_part
-        + u2_dot * l1_s6_by_q3_part_3;
+    let u0_dot_by_q3_part = u2_dot
+        .mul_add(
+            l1_s6_by_q3_part_3,
+            u1_dot
+                .mul_add(
+                    s6_by_q3_part,
+                    (-u2_dot_by_q3)
+                        .mul_add(s6_part_2, u1_dot_by_q3.mul_add(s5_part_2, r1_by_q3)),
+                ),
+        );
     // Elimination, step by step.
     // u0_dot_by_q3 = (l0*u1'*(m3*sin(q1)*sin(q3)^2 - m3*sin(q1)*cos(q3)^2 + 2*m3*cos(q1)*sin(q3)*cos(q3))
     //   + l1*u2'*(m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + m3*cos(q3)*(cos(q2)*sin(q3) -
@@ -999,7 +1213,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   2*m3*sin(q3)*cos(q3)*(l0*u1'*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)) +
     //   l1*u2'*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) + r1)/(m0 + m1 + m2 +
     //   m3*sin(q3)^2)^2
-    let u0_dot_by_q3 = s5_part_4 * (u0_dot_by_q3_part - u0_dot * c3_m3_s3_scaled);
+    let u0_dot_by_q3 = s5_part_4
+        * ((-u0_dot).mul_add(c3_m3_s3_scaled, u0_dot_by_q3_part));
     // Shared terms.
     // u1_dot_by_q3 + u1_sq; used 2 times
     let u3_dot_by_q3_part = u1_dot_by_q3 + u1_sq;
@@ -1010,12 +1225,24 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   cos(q1)*(u1^2 + u1_dot_by_q3)) + u0_dot_by_q3) - sin(q3)*(u0' + l1*(sin(q2)*(u2^2 + u2_dot_by_q3) -
     //   u2'*cos(q2)) + l0*(sin(q1)*(u1^2 + u1_dot_by_q3) - u1'*cos(q1))))/l2
     let u3_dot_by_q3 = l2_inv
-        * (c3
-            * (g + u0_dot_by_q3 - l0 * (u1_dot * s1 + u3_dot_by_q3_part * c1)
-                - l1 * (u2_dot * s2_2 + u3_dot_by_q3_part_2 * c2))
-            - s3
-                * (u0_dot + l0 * (u3_dot_by_q3_part * s1 - u1_dot * c1)
-                    + l1 * (u3_dot_by_q3_part_2 * s2_2 - u2_dot * c2)));
+        * ((-s3)
+            .mul_add(
+                l1
+                    .mul_add(
+                        (-u2_dot).mul_add(c2, u3_dot_by_q3_part_2 * s2_2),
+                        l0.mul_add((-u1_dot).mul_add(c1, u3_dot_by_q3_part * s1), u0_dot),
+                    ),
+                c3
+                    * ((-l1)
+                        .mul_add(
+                            u3_dot_by_q3_part_2.mul_add(c2, u2_dot * s2_2),
+                            (-l0)
+                                .mul_add(
+                                    u3_dot_by_q3_part.mul_add(c1, u1_dot * s1),
+                                    g + u0_dot_by_q3,
+                                ),
+                        )),
+            ));
     // r1_by_u1 = -2*l0*u1*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))
     let r1_by_u1 = -S::int(2) * l0_u1 * s5_by_q1_part;
     // r3_by_u1 = 2*m3*l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(l0*u1*cos(q1)*sin(q3) -
@@ -1023,41 +1250,49 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let r3_by_u1 = -l0_u1 * s2_by_q1_part * m3_l0_s2_part_scaled;
     // Shared terms.
     // cos(q3)*(s2_part_2*sin(q1) + s6_part*cos(q1)); used 2 times
-    let r4_by_u1_part = c3 * (s2_part_2 * s1 + s6_part * c1);
+    let r4_by_u1_part = c3 * (s6_part.mul_add(c1, s2_part_2 * s1));
     // m2*r4_part_3; used 2 times
     let m2_r4_part_3 = m2 * r4_part_3;
     // Elimination, step by step.
     // r4_by_u1 = 2*l0*l1*u1*(m2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + m3*(sin(q1)*cos(q2) -
     //   cos(q3)*(sin(q1)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + cos(q1)*(sin(q2)*cos(q3) -
     //   cos(q2)*sin(q3)))))
-    let r4_by_u1 = l0_u1 * l1_scaled * (m3 * (s1_c2 - r4_by_u1_part) + m2_r4_part_3);
+    let r4_by_u1 = l0_u1 * l1_scaled * (m3.mul_add(s1_c2 - r4_by_u1_part, m2_r4_part_3));
     // Shared terms.
     // r3_by_u1 + r1_by_u1*s5_part_2_s5_part_4; used 2 times
-    let r8_by_u1_part = r3_by_u1 + r1_by_u1 * s5_part_2_s5_part_4;
+    let r8_by_u1_part = r1_by_u1.mul_add(s5_part_2_s5_part_4, r3_by_u1);
     // Elimination, step by step.
     // r8_by_u1 = l1*r1_by_u1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) - s6*(l0*r1_by_u1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0
     //   + m1 + m2 + m3*sin(q3)^2) + r3_by_u1)/s5 + r4_by_u1
-    let r8_by_u1 = r4_by_u1 - r1_by_u1 * s5_part_4_s6_part_2 - s6_s5_inv * r8_by_u1_part;
+    let r8_by_u1 = (-s6_s5_inv)
+        .mul_add(r8_by_u1_part, (-r1_by_u1).mul_add(s5_part_4_s6_part_2, r4_by_u1));
     // Shared terms.
     // r8_by_u1*u2_dot_part; used 4 times
     let r8_by_u1_u2_dot_part = r8_by_u1 * u2_dot_part;
     // Elimination, step by step.
     // u1_dot_by_u1 = (l0*r1_by_u1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1
     //   + m2 + m3*sin(q3)^2) + r3_by_u1 + s6*r8_by_u1/(s6^2/s5 - s7))/s5
-    let u1_dot_by_u1 = s5_inv * (r8_by_u1_part - s6 * r8_by_u1_u2_dot_part);
+    let u1_dot_by_u1 = s5_inv * ((-s6).mul_add(r8_by_u1_u2_dot_part, r8_by_u1_part));
     // u0_dot_by_u1 = (r1_by_u1 + l1*r8_by_u1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
     //   cos(q2)*sin(q3)))/(s7 - s6^2/s5) + l0*u1_dot_by_u1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
     //   m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
     let u0_dot_by_u1 = s5_part_4
-        * (r1_by_u1 + u1_dot_by_u1 * s5_part_2 - s6_part_2 * r8_by_u1_u2_dot_part);
+        * ((-s6_part_2)
+            .mul_add(r8_by_u1_u2_dot_part, u1_dot_by_u1.mul_add(s5_part_2, r1_by_u1)));
     // u3_dot_by_u1 = (l1*r8_by_u1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/(s6^2/s5 - s7) +
     //   l0*(2*u1*(sin(q1)*cos(q3) - cos(q1)*sin(q3)) - u1_dot_by_u1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))) +
     //   u0_dot_by_u1*cos(q3))/l2
     let u3_dot_by_u1 = l2_inv
-        * (u0_dot_by_u1 * c3
-            + l0 * (S::int(2) * u1 * s2_by_q1_part - u1_dot_by_u1 * s2_part)
-            - l1_s2_part_2 * r8_by_u1_u2_dot_part);
+        * ((-l1_s2_part_2)
+            .mul_add(
+                r8_by_u1_u2_dot_part,
+                l0
+                    .mul_add(
+                        (-u1_dot_by_u1).mul_add(s2_part, S::int(2) * u1 * s2_by_q1_part),
+                        u0_dot_by_u1 * c3,
+                    ),
+            ));
     // Shared terms.
     // 2*l1_u2; used 2 times
     let l1_u2_scaled = S::int(2) * l1_u2;
@@ -1067,36 +1302,42 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // r3_by_u2 = -2*l0*l1*u2*(m2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) +
     //   m3*(cos(q3)*(sin(q1)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + cos(q1)*(sin(q2)*cos(q3) -
     //   cos(q2)*sin(q3))) - cos(q1)*sin(q2)))
-    let r3_by_u2 = -l0 * l1_u2_scaled * (m3 * (r4_by_u1_part - c1_s2_2) + m2_r4_part_3);
+    let r3_by_u2 = -l0 * l1_u2_scaled
+        * (m3.mul_add(r4_by_u1_part - c1_s2_2, m2_r4_part_3));
     // r4_by_u2 = 2*m3*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(l1*u2*cos(q2)*sin(q3) -
     //   l1*u2*sin(q2)*cos(q3))
     let r4_by_u2 = -S::int(2) * l1_u2 * s2_part_2_m3_l1 * s6_part;
     // Shared terms.
     // r3_by_u2 + r1_by_u2*s5_part_2_s5_part_4; used 2 times
-    let r8_by_u2_part = r3_by_u2 + r1_by_u2 * s5_part_2_s5_part_4;
+    let r8_by_u2_part = r1_by_u2.mul_add(s5_part_2_s5_part_4, r3_by_u2);
     // Elimination, step by step.
     // r8_by_u2 = l1*r1_by_u2*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) - s6*(l0*r1_by_u2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0
     //   + m1 + m2 + m3*sin(q3)^2) + r3_by_u2)/s5 + r4_by_u2
-    let r8_by_u2 = r4_by_u2 - r1_by_u2 * s5_part_4_s6_part_2 - s6_s5_inv * r8_by_u2_part;
+    let r8_by_u2 = (-s6_s5_inv)
+        .mul_add(r8_by_u2_part, (-r1_by_u2).mul_add(s5_part_4_s6_part_2, r4_by_u2));
     // Shared terms.
     // r8_by_u2*u2_dot_part; used 4 times
     let r8_by_u2_u2_dot_part = r8_by_u2 * u2_dot_part;
     // Elimination, step by step.
     // u1_dot_by_u2 = (l0*r1_by_u2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1
     //   + m2 + m3*sin(q3)^2) + r3_by_u2 + s6*r8_by_u2/(s6^2/s5 - s7))/s5
-    let u1_dot_by_u2 = s5_inv * (r8_by_u2_part - s6 * r8_by_u2_u2_dot_part);
+    let u1_dot_by_u2 = s5_inv * ((-s6).mul_add(r8_by_u2_u2_dot_part, r8_by_u2_part));
     // u0_dot_by_u2 = (r1_by_u2 + l1*r8_by_u2*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
     //   cos(q2)*sin(q3)))/(s7 - s6^2/s5) + l0*u1_dot_by_u2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
     //   m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
     let u0_dot_by_u2 = s5_part_4
-        * (r1_by_u2 + u1_dot_by_u2 * s5_part_2 - s6_part_2 * r8_by_u2_u2_dot_part);
+        * ((-s6_part_2)
+            .mul_add(r8_by_u2_u2_dot_part, u1_dot_by_u2.mul_add(s5_part_2, r1_by_u2)));
     // u3_dot_by_u2 = (l1*(2*u2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) + r8_by_u2*(sin(q2)*sin(q3) +
     //   cos(q2)*cos(q3))/(s6^2/s5 - s7)) - l0*u1_dot_by_u2*(sin(q1)*sin(q3) + cos(q1)*cos(q3)) +
     //   u0_dot_by_u2*cos(q3))/l2
     let u3_dot_by_u2 = l2_inv
-        * (u0_dot_by_u2 * c3 - u1_dot_by_u2 * l0_s2_part
-            + l1 * (S::int(2) * u2 * s6_part - s2_part_2 * r8_by_u2_u2_dot_part));
+        * (l1
+            .mul_add(
+                (-s2_part_2).mul_add(r8_by_u2_u2_dot_part, S::int(2) * u2 * s6_part),
+                (-u1_dot_by_u2).mul_add(l0_s2_part, u0_dot_by_u2 * c3),
+            ));
     // Shared terms.
     // 2*l2_u3; used 3 times
     let l2_u3_scaled = S::int(2) * l2_u3;
@@ -1109,24 +1350,26 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let r4_by_u3 = -m3_l1_s6_part * l2_u3_scaled;
     // Shared terms.
     // r3_by_u3 + r1_by_u3*s5_part_2_s5_part_4; used 2 times
-    let r8_by_u3_part = r3_by_u3 + r1_by_u3 * s5_part_2_s5_part_4;
+    let r8_by_u3_part = r1_by_u3.mul_add(s5_part_2_s5_part_4, r3_by_u3);
     // Elimination, step by step.
     // r8_by_u3 = l1*r1_by_u3*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
     //   m3*sin(q3)^2) - s6*(l0*r1_by_u3*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0
     //   + m1 + m2 + m3*sin(q3)^2) + r3_by_u3)/s5 + r4_by_u3
-    let r8_by_u3 = r4_by_u3 - r1_by_u3 * s5_part_4_s6_part_2 - s6_s5_inv * r8_by_u3_part;
+    let r8_by_u3 = (-s6_s5_inv)
+        .mul_add(r8_by_u3_part, (-r1_by_u3).mul_add(s5_part_4_s6_part_2, r4_by_u3));
     // Shared terms.
     // r8_by_u3*u2_dot_part; used 4 times
     let r8_by_u3_u2_dot_part = r8_by_u3 * u2_dot_part;
     // Elimination, step by step.
     // u1_dot_by_u3 = (l0*r1_by_u3*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1
     //   + m2 + m3*sin(q3)^2) + r3_by_u3 + s6*r8_by_u3/(s6^2/s5 - s7))/s5
-    let u1_dot_by_u3 = s5_inv * (r8_by_u3_part - s6 * r8_by_u3_u2_dot_part);
+    let u1_dot_by_u3 = s5_inv * ((-s6).mul_add(r8_by_u3_u2_dot_part, r8_by_u3_part));
     // u0_dot_by_u3 = (r1_by_u3 + l1*r8_by_u3*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
     //   cos(q2)*sin(q3)))/(s7 - s6^2/s5) + l0*u1_dot_by_u3*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
     //   m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
     let u0_dot_by_u3 = s5_part_4
-        * (r1_by_u3 + u1_dot_by_u3 * s5_part_2 - s6_part_2 * r8_by_u3_u2_dot_part);
+        * ((-s6_part_2)
+            .mul_add(r8_by_u3_u2_dot_part, u1_dot_by_u3.mul_add(s5_part_2, r1_by_u3)));
     // Shared terms.
     // l1*r8_by_u3_u2_dot_part; used 2 times
     let u3_dot_by_u3_part = l1 * r8_by_u3_u2_dot_part;
@@ -1134,8 +1377,12 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // u3_dot_by_u3 = -(sin(q3)*(l1*r8_by_u3*sin(q2)/(s7 - s6^2/s5) + l0*u1_dot_by_u3*sin(q1)) +
     //   cos(q3)*(l1*r8_by_u3*cos(q2)/(s7 - s6^2/s5) + l0*u1_dot_by_u3*cos(q1) - u0_dot_by_u3))/l2
     let u3_dot_by_u3 = -l2_inv
-        * (s3 * (u1_dot_by_u3 * l0_s1 + u3_dot_by_u3_part * s2_2)
-            + c3 * (u1_dot_by_u3 * l0_c1 - u0_dot_by_u3 + u3_dot_by_u3_part * c2));
+        * (c3
+            .mul_add(
+                u3_dot_by_u3_part
+                    .mul_add(c2, u1_dot_by_u3.mul_add(l0_c1, -u0_dot_by_u3)),
+                s3 * (u3_dot_by_u3_part.mul_add(s2_2, u1_dot_by_u3 * l0_s1)),
+            ));
     // Entries that are not zero.
     // d(q0')/d(u0) = 1
     let q0_dot_by_u0_value = S::int(1);
@@ -1254,11 +1501,11 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
     // Shared terms.
     // u0*cos(q3) - l0_u1*cos(q1 - q3)
-    let energy_part_2 = u0 * c3 - l0_u1 * cos_q1_minus_q3;
+    let energy_part_2 = (-l0_u1).mul_add(cos_q1_minus_q3, u0 * c3);
     // u0^2*(m0 + energy_part) + l2_u3*m3_l2_u3
-    let energy_part_3 = u0 * u0 * (m0 + energy_part) + l2_u3 * m3_l2_u3;
+    let energy_part_3 = l2_u3.mul_add(m3_l2_u3, u0 * u0 * (m0 + energy_part));
     // l0_u1*energy_part_l0_u1 + l1_u2*m2_plus_m3_l1_u2
-    let energy_part_4 = l0_u1 * energy_part_l0_u1 + l1_u2 * m2_plus_m3_l1_u2;
+    let energy_part_4 = l1_u2.mul_add(m2_plus_m3_l1_u2, l0_u1 * energy_part_l0_u1);
     // energy_part_3 + energy_part_4
     let energy_part_5 = energy_part_3 + energy_part_4;
     // Sines and cosines.
@@ -1268,10 +1515,15 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     // T = u0^2*(m0 + m1 + m2 + m3)/2 + l0^2*u1^2*(m1 + m2 + m3)/2 - l0*u0*u1*cos(q1)*(m1 + m2 + m3) +
     //   l1^2*u2^2*(m2 + m3)/2 - l1*u0*u2*cos(q2)*(m2 + m3) + l0*l1*u1*u2*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2^2*u3^2/2 - m3*l2*u0*u3*cos(q3) + m3*l0*l2*u1*u3*cos(q1 - q3) + m3*l1*l2*u2*u3*cos(q2 - q3)
-    let energy = m2_plus_m3_l1_u2 * (l0_u1 * cos_q1_minus_q2 - u0 * c2)
-        - u0 * energy_part_l0_u1 * c1
-        + m3_l2_u3 * (l1_u2 * cos_q2_minus_q3 - energy_part_2)
-        + S::ratio(1, 2) * energy_part_5;
+    let energy = m3_l2_u3
+        .mul_add(
+            l1_u2.mul_add(cos_q2_minus_q3, -energy_part_2),
+            (-(u0 * energy_part_l0_u1))
+                .mul_add(
+                    c1,
+                    m2_plus_m3_l1_u2 * ((-u0).mul_add(c2, l0_u1 * cos_q1_minus_q2)),
+                ),
+        ) + S::ratio(1, 2) * energy_part_5;
     energy
 }
 
@@ -1290,10 +1542,11 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     // l0*cos(q1); used 2 times
     let l0_c1 = l0 * c1;
     // l1*cos(q2) + l0_c1; used 2 times
-    let energy_part = l1 * c2 + l0_c1;
+    let energy_part = l1.mul_add(c2, l0_c1);
     // Values.
     // V = g*(m1*l0*cos(q1) + m2*(l0*cos(q1) + l1*cos(q2)) + m3*(l0*cos(q1) + l1*cos(q2) + l2*cos(q3)))
-    let energy = g * (m1 * l0_c1 + m2 * energy_part + m3 * (l2 * c3 + energy_part));
+    let energy = g
+        * (m3.mul_add(l2.mul_add(c3, energy_part), m2.mul_add(energy_part, m1 * l0_c1)));
     energy
 }
 

@@ -25,8 +25,8 @@ pub fn mass_matrix<S: Scalar>(
     let (_, cos_phi) = phi.sin_cos();
     // Entries that are not zero; upper triangle.
     // M11 = mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2
-    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx
-        + cos_phi * cos_phi * (IByy - IBxx);
+    let m11 = (cos_phi * cos_phi)
+        .mul_add(IByy - IBxx, mB.mul_add(lB * lB, mA * lA * lA) + IAxx + IBxx);
     // M22 = IBzz
     let m22 = IBzz;
     [[m11, zero], [zero, m22]]
@@ -48,7 +48,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let f1_part = omega * sin_phi * cos_phi * (IBxx - IByy);
     // Values.
     // f1 = 2*omega*alpha*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
-    let f1 = -g * sin_theta * (mA * lA + mB * lB) - S::int(2) * alpha * f1_part;
+    let f1 = (-(S::int(2) * alpha))
+        .mul_add(f1_part, -g * sin_theta * (mB.mul_add(lB, mA * lA)));
     // f2 = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
     let f2 = omega * f1_part;
     [f1, f2]
@@ -75,10 +76,21 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot = -(g * sin_theta * (ma_la + mb_lb)
-        + S::int(2) * alpha * omega_dot_part)
-        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + lA * ma_la
-            + lB * mb_lb);
+    let omega_dot = -((S::int(2) * alpha)
+        .mul_add(omega_dot_part, g * sin_theta * (ma_la + mb_lb)))
+        / (lB
+            .mul_add(
+                mb_lb,
+                lA
+                    .mul_add(
+                        ma_la,
+                        IByy
+                            .mul_add(
+                                cos_phi * cos_phi,
+                                IBxx.mul_add(sin_phi * sin_phi, IAxx),
+                            ),
+                    ),
+            ));
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part / IBzz;
     [omega_dot, alpha_dot]
@@ -109,10 +121,21 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot = -(g * sin_theta * (ma_la + mb_lb)
-        + S::int(2) * alpha * omega_dot_part)
-        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + lA * ma_la
-            + lB * mb_lb);
+    let omega_dot = -((S::int(2) * alpha)
+        .mul_add(omega_dot_part, g * sin_theta * (ma_la + mb_lb)))
+        / (lB
+            .mul_add(
+                mb_lb,
+                lA
+                    .mul_add(
+                        ma_la,
+                        IByy
+                            .mul_add(
+                                cos_phi * cos_phi,
+                                IBxx.mul_add(sin_phi * sin_phi, IAxx),
+                            ),
+                    ),
+            ));
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part / IBzz;
     // Values.
@@ -143,9 +166,9 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     // mB*lB; used 2 times
     let mb_lb = mB * lB;
     // lA*ma_la + lB*mb_lb
-    let omega_dot_by_theta_part = lA * ma_la + lB * mb_lb;
+    let omega_dot_by_theta_part = lB.mul_add(mb_lb, lA * ma_la);
     // IAxx + IByy*cos_phi_sq
-    let omega_dot_by_theta_part_2 = IAxx + IByy * cos_phi_sq;
+    let omega_dot_by_theta_part_2 = IByy.mul_add(cos_phi_sq, IAxx);
     // omega_dot_by_theta_part + omega_dot_by_theta_part_2; used 2 times
     let omega_dot_by_theta_part_3 = omega_dot_by_theta_part + omega_dot_by_theta_part_2;
     // g*(ma_la + mb_lb); used 2 times
@@ -154,13 +177,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     // omega_dot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))
     let omega_dot_by_theta = -omega_dot_by_theta_part_4 * cos_theta
-        / (IBxx * (S::int(1) - cos_phi_sq) + omega_dot_by_theta_part_3);
+        / (IBxx.mul_add(S::int(1) - cos_phi_sq, omega_dot_by_theta_part_3));
     // Shared terms.
     // sin(phi)^2; used 2 times
     let sin_phi_sq = sin_phi * sin_phi;
     // 1/(omega_dot_by_theta_part_3 + IBxx*sin_phi_sq); used 2 times
     let omega_dot_by_phi_part = S::int(1)
-        / (omega_dot_by_theta_part_3 + IBxx * sin_phi_sq);
+        / (IBxx.mul_add(sin_phi_sq, omega_dot_by_theta_part_3));
     // 2*omega_dot_by_phi_part; used 3 times
     let omega_dot_by_phi_part_2 = S::int(2) * omega_dot_by_phi_part;
     // sin(phi)*cos(phi); used 3 times
@@ -181,17 +204,22 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     //   IByy*cos(phi)^2)^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
     let omega_dot_by_phi = -omega_dot_by_phi_part_2
-        * (alpha * omega_dot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq)
-            + omega_dot_by_phi_part * sin_phi_cos_phi * ibyy_minus_ibxx
-                * (omega_dot_by_theta_part_4 * sin_theta
-                    + alpha * omega_dot_by_phi_part_5));
+        * ((omega_dot_by_phi_part * sin_phi_cos_phi * ibyy_minus_ibxx)
+            .mul_add(
+                alpha
+                    .mul_add(
+                        omega_dot_by_phi_part_5,
+                        omega_dot_by_theta_part_4 * sin_theta,
+                    ),
+                alpha * omega_dot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq),
+            ));
     // Shared terms.
     // 1/IBzz; used 2 times
     let ibzz_inv = S::int(1) / IBzz;
     // Elimination, step by step.
     // alpha_dot_by_phi = omega^2*(IBxx*(2*cos(phi)^2 - 1) + IByy*(1 - 2*cos(phi)^2))/IBzz
     let alpha_dot_by_phi = omega * omega * ibyy_minus_ibxx * ibzz_inv
-        * (S::int(1) - S::int(2) * cos_phi_sq);
+        * ((-cos_phi_sq).mul_add(S::int(2), S::int(1)));
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
     let omega_dot_by_omega = -alpha * omega_dot_by_phi_part_2 * sin_phi_cos_phi
@@ -244,9 +272,20 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Shared terms.
     // omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2) + IBzz*alpha^2
-    let energy_part = omega * omega
-        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-            + IByy * cos_phi * cos_phi) + IBzz * alpha * alpha;
+    let energy_part = IBzz
+        .mul_add(
+            alpha * alpha,
+            omega * omega
+                * (IByy
+                    .mul_add(
+                        cos_phi * cos_phi,
+                        IBxx
+                            .mul_add(
+                                sin_phi * sin_phi,
+                                mB.mul_add(lB * lB, mA * lA * lA) + IAxx,
+                            ),
+                    )),
+        );
     // Values.
     // T = omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*alpha^2/2
     let energy = S::ratio(1, 2) * energy_part;
@@ -264,7 +303,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
     let (_, cos_theta) = theta.sin_cos();
     // Values.
     // V = -g*cos(theta)*(mA*lA + mB*lB)
-    let energy = -g * cos_theta * (mA * lA + mB * lB);
+    let energy = -g * cos_theta * (mB.mul_add(lB, mA * lA));
     energy
 }
 

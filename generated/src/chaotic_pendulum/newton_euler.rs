@@ -138,13 +138,13 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 12] 
     // f_1 = -mA*g*sin(theta)
     let f_1 = -mA * g_sin_theta;
     // f_3 = mA*(g*cos(theta) + lA*omega^2)
-    let f_3 = mA * (lA * omega_sq + g_cos_theta);
+    let f_3 = mA * (lA.mul_add(omega_sq, g_cos_theta));
     // f_7 = -mB*g*sin(theta)*cos(phi)
     let f_7 = -mb_g_sin_theta * cos_phi;
     // f_8 = mB*g*sin(theta)*sin(phi)
     let f_8 = mb_g_sin_theta * sin_phi;
     // f_9 = mB*(g*cos(theta) + lB*omega^2)
-    let f_9 = mB * (lB * omega_sq + g_cos_theta);
+    let f_9 = mB * (lB.mul_add(omega_sq, g_cos_theta));
     // f_10 = omega*alpha*cos(phi)*(IByy - IBxx - IBzz)
     let f_10 = -omega_alpha * cos_phi * (IBzz + ibxx_minus_ibyy);
     // f_11 = omega*alpha*sin(phi)*(IByy - IBxx + IBzz)
@@ -177,9 +177,13 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot = (g * sin_theta * (ma_la + mb_lb)
-        + S::int(2) * alpha * omega_dot_part_2)
-        / (omega_dot_part * cos_phi - IAxx - IBxx - lA * ma_la - lB * mb_lb);
+    let omega_dot = ((S::int(2) * alpha)
+        .mul_add(omega_dot_part_2, g * sin_theta * (ma_la + mb_lb)))
+        / ((-lB)
+            .mul_add(
+                mb_lb,
+                (-lA).mul_add(ma_la, omega_dot_part.mul_add(cos_phi, -IAxx) - IBxx),
+            ));
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part_2 / IBzz;
     [omega_dot, alpha_dot]
@@ -212,9 +216,13 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot = (g * sin_theta * (ma_la + mb_lb)
-        + S::int(2) * alpha * omega_dot_part_2)
-        / (omega_dot_part * cos_phi - IAxx - IBxx - lA * ma_la - lB * mb_lb);
+    let omega_dot = ((S::int(2) * alpha)
+        .mul_add(omega_dot_part_2, g * sin_theta * (ma_la + mb_lb)))
+        / ((-lB)
+            .mul_add(
+                mb_lb,
+                (-lA).mul_add(ma_la, omega_dot_part.mul_add(cos_phi, -IAxx) - IBxx),
+            ));
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part_2 / IBzz;
     // Values.
@@ -248,7 +256,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let cos_phi_sq = cos_phi * cos_phi;
     // 1/(IAxx + IBxx + lA*ma_la + lB*mb_lb - ibxx_minus_ibyy*cos_phi_sq); used 3 times
     let omega_dot_by_theta_part = S::int(1)
-        / (IAxx + IBxx + lA * ma_la + lB * mb_lb - ibxx_minus_ibyy * cos_phi_sq);
+        / ((-ibxx_minus_ibyy)
+            .mul_add(cos_phi_sq, lB.mul_add(mb_lb, lA.mul_add(ma_la, IAxx + IBxx))));
     // g*omega_dot_by_theta_part*(ma_la + mb_lb); used 2 times
     let omega_dot_by_theta_part_2 = g * omega_dot_by_theta_part * (ma_la + mb_lb);
     // Elimination, step by step.
@@ -271,20 +280,24 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     //   + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_phi = alpha * omega_dot_by_phi_part
-        * (omega_dot_by_theta_part * sin_phi * sin_phi
-            - omega_dot_by_phi_part_2 * cos_phi)
-        + omega_dot_by_phi_part_3
-            * (omega_dot_by_theta_part_2 * ibxx_minus_ibyy_scaled * sin_theta
-                + S::int(4) * omega * omega_dot_by_phi_part_4
-                    * (IByy * IByy + IBxx * (IBxx - S::int(2) * IByy)));
+    let omega_dot_by_phi = omega_dot_by_phi_part_3
+        .mul_add(
+            (S::int(4) * omega * omega_dot_by_phi_part_4)
+                .mul_add(
+                    IBxx.mul_add((-IByy).mul_add(S::int(2), IBxx), IByy * IByy),
+                    omega_dot_by_theta_part_2 * ibxx_minus_ibyy_scaled * sin_theta,
+                ),
+            alpha * omega_dot_by_phi_part
+                * ((-omega_dot_by_phi_part_2)
+                    .mul_add(cos_phi, omega_dot_by_theta_part * sin_phi * sin_phi)),
+        );
     // Shared terms.
     // 1/IBzz; used 2 times
     let ibzz_inv = S::int(1) / IBzz;
     // Elimination, step by step.
     // alpha_dot_by_phi = omega^2*(IBxx*(2*cos(phi)^2 - 1) + IByy*(1 - 2*cos(phi)^2))/IBzz
     let alpha_dot_by_phi = omega * ibzz_inv
-        * (cos_phi_sq * omega_dot_by_phi_part - omega * ibxx_minus_ibyy);
+        * ((-omega).mul_add(ibxx_minus_ibyy, cos_phi_sq * omega_dot_by_phi_part));
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
     let omega_dot_by_omega = -ibxx_minus_ibyy_scaled * omega_dot_by_phi_part_4;
@@ -336,9 +349,20 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Shared terms.
     // omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2) + IBzz*alpha^2
-    let energy_part = omega * omega
-        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
-            + IByy * cos_phi * cos_phi) + IBzz * alpha * alpha;
+    let energy_part = IBzz
+        .mul_add(
+            alpha * alpha,
+            omega * omega
+                * (IByy
+                    .mul_add(
+                        cos_phi * cos_phi,
+                        IBxx
+                            .mul_add(
+                                sin_phi * sin_phi,
+                                mB.mul_add(lB * lB, mA * lA * lA) + IAxx,
+                            ),
+                    )),
+        );
     // Values.
     // T = omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*alpha^2/2
     let energy = S::ratio(1, 2) * energy_part;
@@ -356,7 +380,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
     let (_, cos_theta) = theta.sin_cos();
     // Values.
     // V = -g*cos(theta)*(mA*lA + mB*lB)
-    let energy = -g * cos_theta * (mA * lA + mB * lB);
+    let energy = -g * cos_theta * (mB.mul_add(lB, mA * lA));
     energy
 }
 

@@ -45,7 +45,7 @@ pub fn mass_matrix<S: Scalar>(
     // M15 = M*R*cos(q1)*sin(q2_minus_90deg)
     let m15 = c1_m_r * sin_q2_minus_90deg;
     // M22 = M*R^2*(1 + 4/tan(q2_minus_90deg)^2)/4
-    let m22 = r_m_r * m22_part * m22_part - S::ratio(3, 4) * r_m_r;
+    let m22 = r_m_r.mul_add(m22_part * m22_part, -S::ratio(3, 4) * r_m_r);
     // M24 = M*R*cos(q1)/tan(q2_minus_90deg)
     let m24 = c1_m_r * m24_part;
     // M25 = M*R*sin(q1)/tan(q2_minus_90deg)
@@ -89,26 +89,28 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     // u2*f1_part_2; used 3 times
     let u2_f1_part_2 = u2 * f1_part_2;
     // 3*u2_f1_part_2*cos(q2_minus_90deg) - 2*u3
-    let f1_part_3 = S::int(3) * u2_f1_part_2 * cos_q2_minus_90deg - S::int(2) * u3;
+    let f1_part_3 = (-u3)
+        .mul_add(S::int(2), S::int(3) * u2_f1_part_2 * cos_q2_minus_90deg);
     // f1_part_3/4; used 2 times
     let f1_part_3_scaled = S::ratio(1, 4) * f1_part_3;
     // f1_part_2^2; used 2 times
     let f1_part_2_sq = f1_part_2 * f1_part_2;
     // f1_part*(u1^2 + u2_f1_part_2^2); used 2 times
-    let f4_part = f1_part * (u1 * u1 + u2_f1_part_2 * u2_f1_part_2);
+    let f4_part = f1_part * (u2_f1_part_2.mul_add(u2_f1_part_2, u1 * u1));
     // u1*u2_m_r*(1 + f1_part_2_sq); used 2 times
     let f4_part_2 = u1 * u2_m_r * (S::int(1) + f1_part_2_sq);
     // Values.
     // f1 = -M*R*(4*g*cos(q2_minus_90deg) + R*u2*(2*u3 - 3*u2/tan(q2_minus_90deg)))/4
-    let f1 = R * u2_m_r * f1_part_3_scaled - g * f1_part;
+    let f1 = (-g).mul_add(f1_part, R * u2_m_r * f1_part_3_scaled);
     // f2 = M*R^2*u1*(2*u3 - u2*(7 + 4/tan(q2_minus_90deg)^2)/tan(q2_minus_90deg))/4
-    let f2 = -R * u1 * (m_r * f1_part_3_scaled + f1_part * u2_f1_part_2 * f1_part_2_sq);
+    let f2 = -R * u1
+        * ((f1_part * u2_f1_part_2).mul_add(f1_part_2_sq, m_r * f1_part_3_scaled));
     // f4 = -M*R*(u2^2*sin(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) +
     //   u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)))
-    let f4 = -f4_part * s1 - f4_part_2 * c1;
+    let f4 = (-f4_part_2).mul_add(c1, -f4_part * s1);
     // f5 = M*R*(u2^2*cos(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1*(u2*sin(q1)*(1 +
     //   1/sin(q2_minus_90deg)^2) - u1*cos(q1)*cos(q2_minus_90deg)))
-    let f5 = f4_part * c1 - f4_part_2 * s1;
+    let f5 = (-f4_part_2).mul_add(s1, f4_part * c1);
     [f1, f2, zero, f4, f5]
 }
 
@@ -132,35 +134,40 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // u2*u1_dot_part; used 3 times
     let u2_u1_dot_part = u2 * u1_dot_part;
     // 2*u3 + u2_u1_dot_part*cos(q2_minus_90deg); used 2 times
-    let u1_dot_part_2 = S::int(2) * u3 + u2_u1_dot_part * cos_q2_minus_90deg;
+    let u1_dot_part_2 = u2_u1_dot_part.mul_add(cos_q2_minus_90deg, S::int(2) * u3);
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (S::int(4) * cos_q2_minus_90deg * (g / R + u1_sq * sin_q2_minus_90deg)
-        + u2 * u1_dot_part_2)
-        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    let u1_dot = (u2
+        .mul_add(
+            u1_dot_part_2,
+            S::int(4) * cos_q2_minus_90deg * (u1_sq.mul_add(sin_q2_minus_90deg, g / R)),
+        )) / ((sin_q2_minus_90deg * sin_q2_minus_90deg).mul_add(S::int(4), -S::int(5)));
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
     let u2_dot = u1 * u1_dot_part_2;
     // Shared terms.
     // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
-    let u5_dot_part = u1 * u2
-        + u1_dot_part * (u2_dot * cos_q2_minus_90deg + u1 * u2_u1_dot_part);
+    let u5_dot_part = u1_dot_part
+        .mul_add(u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg), u1 * u2);
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
-    let u5_dot_part_2 = u1_dot * sin_q2_minus_90deg
-        - cos_q2_minus_90deg * (u1_sq + u2_u1_dot_part * u2_u1_dot_part);
+    let u5_dot_part_2 = (-cos_q2_minus_90deg)
+        .mul_add(
+            u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq),
+            u1_dot * sin_q2_minus_90deg,
+        );
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = -R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
     //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
     //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
-    let u5_dot = -u5_dot_part * r_s1 - u5_dot_part_2 * r_c1;
+    let u5_dot = (-u5_dot_part_2).mul_add(r_c1, -u5_dot_part * r_s1);
     // u4' = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 +
     //   1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1'*sin(q2_minus_90deg)))
-    let u4_dot = r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
+    let u4_dot = (-u5_dot_part).mul_add(r_c1, r_s1 * u5_dot_part_2);
     [u1_dot, u2_dot, zero, u4_dot, u5_dot]
 }
 
@@ -190,35 +197,40 @@ pub fn derivative<S: Scalar>(
     // u2_u1_dot_part*cos(q2_minus_90deg); used 2 times
     let u1_dot_part_2 = u2_u1_dot_part * cos_q2_minus_90deg;
     // 2*u3 + u1_dot_part_2; used 2 times
-    let u1_dot_part_3 = S::int(2) * u3 + u1_dot_part_2;
+    let u1_dot_part_3 = u3.mul_add(S::int(2), u1_dot_part_2);
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (S::int(4) * cos_q2_minus_90deg * (g / R + u1_sq * sin_q2_minus_90deg)
-        + u2 * u1_dot_part_3)
-        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    let u1_dot = (u2
+        .mul_add(
+            u1_dot_part_3,
+            S::int(4) * cos_q2_minus_90deg * (u1_sq.mul_add(sin_q2_minus_90deg, g / R)),
+        )) / ((sin_q2_minus_90deg * sin_q2_minus_90deg).mul_add(S::int(4), -S::int(5)));
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
     let u2_dot = u1 * u1_dot_part_3;
     // Shared terms.
     // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
-    let u5_dot_part = u1 * u2
-        + u1_dot_part * (u2_dot * cos_q2_minus_90deg + u1 * u2_u1_dot_part);
+    let u5_dot_part = u1_dot_part
+        .mul_add(u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg), u1 * u2);
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
-    let u5_dot_part_2 = u1_dot * sin_q2_minus_90deg
-        - cos_q2_minus_90deg * (u1_sq + u2_u1_dot_part * u2_u1_dot_part);
+    let u5_dot_part_2 = (-cos_q2_minus_90deg)
+        .mul_add(
+            u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq),
+            u1_dot * sin_q2_minus_90deg,
+        );
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
     // u5' = -R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
     //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
     //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
-    let u5_dot = -u5_dot_part * r_s1 - u5_dot_part_2 * r_c1;
+    let u5_dot = (-u5_dot_part_2).mul_add(r_c1, -u5_dot_part * r_s1);
     // u4' = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 +
     //   1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1'*sin(q2_minus_90deg)))
-    let u4_dot = r_s1 * u5_dot_part_2 - u5_dot_part * r_c1;
+    let u4_dot = (-u5_dot_part).mul_add(r_c1, r_s1 * u5_dot_part_2);
     // Values.
     // q1' = -u2/sin(q2_minus_90deg)
     let q1_dot_value = -u2_u1_dot_part;
@@ -253,7 +265,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
     // 1/(sin_q2_minus_90deg_scaled*sin(q2_minus_90deg) - 5); used 4 times
     let u1_dot_part = S::int(1)
-        / (sin_q2_minus_90deg_scaled * sin_q2_minus_90deg - S::int(5));
+        / (sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5)));
     // u2*u1_dot_part; used 3 times
     let u2_u1_dot_part = u2 * u1_dot_part;
     // 2*u3; used 3 times
@@ -269,14 +281,17 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // u1*sin(q2_minus_90deg); used 2 times
     let u1_dot_part_4 = u1 * sin_q2_minus_90deg;
     // g/R + u1*u1_dot_part_4; used 2 times
-    let u1_dot_part_5 = g / R + u1 * u1_dot_part_4;
+    let u1_dot_part_5 = u1.mul_add(u1_dot_part_4, g / R);
     // 4*u1_dot_part_2; used 2 times
     let u1_dot_part_2_scaled = S::int(4) * u1_dot_part_2;
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = u2_u1_dot_part * u3_scaled + u1_dot_part_2 * u2_u2_u1_dot_part_3
-        + u1_dot_part_5 * u1_dot_part_2_scaled;
+    let u1_dot = u1_dot_part_5
+        .mul_add(
+            u1_dot_part_2_scaled,
+            u1_dot_part_2.mul_add(u2_u2_u1_dot_part_3, u2_u1_dot_part * u3_scaled),
+        );
     // Shared terms.
     // 2*u1; used 4 times
     let u1_scaled = S::int(2) * u1;
@@ -284,36 +299,37 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u2_dot_part = u1 * cos_q2_minus_90deg;
     // Elimination, step by step.
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
-    let u2_dot = u3 * u1_scaled + u2_u1_dot_part_3 * u2_dot_part;
+    let u2_dot = u2_u1_dot_part_3.mul_add(u2_dot_part, u3 * u1_scaled);
     // Shared terms.
     // R*u1_dot_part_3; used 5 times
     let r_u1_dot_part_3 = R * u1_dot_part_3;
     // r_u1_dot_part_3*cos(q2_minus_90deg); used 7 times
     let u5_dot_by_q1_part = r_u1_dot_part_3 * cos_q2_minus_90deg;
     // R + u1_dot_part_3*r_u1_dot_part_3; used 2 times
-    let u5_dot_by_q1_part_2 = R + u1_dot_part_3 * r_u1_dot_part_3;
+    let u5_dot_by_q1_part_2 = u1_dot_part_3.mul_add(r_u1_dot_part_3, R);
     // u1*u5_dot_by_q1_part_2; used 2 times
     let u5_dot_by_q1_part_3 = u1 * u5_dot_by_q1_part_2;
     // u2'*u5_dot_by_q1_part + u2*u5_dot_by_q1_part_3; used 2 times
-    let u5_dot_by_q1_part_4 = u2_dot * u5_dot_by_q1_part + u2 * u5_dot_by_q1_part_3;
+    let u5_dot_by_q1_part_4 = u2
+        .mul_add(u5_dot_by_q1_part_3, u2_dot * u5_dot_by_q1_part);
     // R*sin(q2_minus_90deg); used 6 times
     let r_sin_q2_minus_90deg = R * sin_q2_minus_90deg;
     // u1*u2_dot_part; used 2 times
     let u1_u2_dot_part = u1 * u2_dot_part;
     // u2_u2_u1_dot_part_3*u5_dot_by_q1_part + R*u1_u2_dot_part
-    let u5_dot_by_q1_part_5 = u2_u2_u1_dot_part_3 * u5_dot_by_q1_part
-        + R * u1_u2_dot_part;
+    let u5_dot_by_q1_part_5 = R
+        .mul_add(u1_u2_dot_part, u2_u2_u1_dot_part_3 * u5_dot_by_q1_part);
     // u1'*r_sin_q2_minus_90deg - u5_dot_by_q1_part_5; used 2 times
-    let u5_dot_by_q1_part_6 = u1_dot * r_sin_q2_minus_90deg - u5_dot_by_q1_part_5;
+    let u5_dot_by_q1_part_6 = u1_dot.mul_add(r_sin_q2_minus_90deg, -u5_dot_by_q1_part_5);
     // Elimination, step by step.
     // u5_dot_by_q1 = -R*(u2'*cos(q1)/tan(q2_minus_90deg) + u1*(u1*sin(q1)*cos(q2_minus_90deg) +
     //   u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
     //   - u1'*sin(q2_minus_90deg)))
-    let u5_dot_by_q1 = u5_dot_by_q1_part_6 * s1 - u5_dot_by_q1_part_4 * c1;
+    let u5_dot_by_q1 = (-u5_dot_by_q1_part_4).mul_add(c1, u5_dot_by_q1_part_6 * s1);
     // u4_dot_by_q1 = R*(u2'*sin(q1)/tan(q2_minus_90deg) + u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) -
     //   u1*cos(q1)*cos(q2_minus_90deg)) + cos(q1)*(u1'*sin(q2_minus_90deg) -
     //   u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))))
-    let u4_dot_by_q1 = u5_dot_by_q1_part_4 * s1 + u5_dot_by_q1_part_6 * c1;
+    let u4_dot_by_q1 = u5_dot_by_q1_part_6.mul_add(c1, u5_dot_by_q1_part_4 * s1);
     // Shared terms.
     // u2_u1_dot_part_3*cos(q2_minus_90deg); used 3 times
     let u1_dot_by_q2_minus_90deg_part = u2_u1_dot_part_3 * cos_q2_minus_90deg;
@@ -326,12 +342,20 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   cos(q2_minus_90deg)*(16*u2*u3*sin(q2_minus_90deg)/(5 - 4*sin(q2_minus_90deg)^2) +
     //   cos(q2_minus_90deg)*(4*u1^2 - u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + 4*sin(q2_minus_90deg)*(g/R +
     //   u1^2*sin(q2_minus_90deg)))/(5 - 4*sin(q2_minus_90deg)^2))))/(5 - 4*sin(q2_minus_90deg)^2)
-    let u1_dot_by_q2_minus_90deg = u1_dot_part_2_scaled * u1_u2_dot_part
-        - u1_dot_part_2
-            * (S::int(16) * u3 * u2_u1_dot_part * sin_q2_minus_90deg
-                + u2_u1_dot_part_3 * u1_dot_by_q2_minus_90deg_part)
-        - (sin_q2_minus_90deg_scaled * u1_dot_part_5 + u2_sq)
-            * (u1_dot_part + u1_dot_part_2 * u1_dot_part_2_scaled_2);
+    let u1_dot_by_q2_minus_90deg = (-(sin_q2_minus_90deg_scaled
+        .mul_add(u1_dot_part_5, u2_sq)))
+        .mul_add(
+            u1_dot_part_2.mul_add(u1_dot_part_2_scaled_2, u1_dot_part),
+            (-u1_dot_part_2)
+                .mul_add(
+                    u2_u1_dot_part_3
+                        .mul_add(
+                            u1_dot_by_q2_minus_90deg_part,
+                            S::int(16) * u3 * u2_u1_dot_part * sin_q2_minus_90deg,
+                        ),
+                    u1_dot_part_2_scaled * u1_u2_dot_part,
+                ),
+        );
     // Shared terms.
     // u1_dot_part_3*u2_u1_dot_part_3; used 2 times
     let u2_dot_by_q2_minus_90deg_part = u1_dot_part_3 * u2_u1_dot_part_3;
@@ -343,22 +367,29 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u5_dot_by_q2_minus_90deg_part = u1_scaled * u5_dot_by_q1_part;
     // u1_dot_part_3*(u2'*r_u1_dot_part_3 + u2_u1_dot_part_3*u5_dot_by_q2_minus_90deg_part) -
     //   u2_dot_by_q2_minus_90deg*u5_dot_by_q1_part; used 2 times
-    let u5_dot_by_q2_minus_90deg_part_2 = u1_dot_part_3
-        * (u2_dot * r_u1_dot_part_3 + u2_u1_dot_part_3 * u5_dot_by_q2_minus_90deg_part)
-        - u2_dot_by_q2_minus_90deg * u5_dot_by_q1_part;
+    let u5_dot_by_q2_minus_90deg_part_2 = (-u2_dot_by_q2_minus_90deg)
+        .mul_add(
+            u5_dot_by_q1_part,
+            u1_dot_part_3
+                * (u2_u1_dot_part_3
+                    .mul_add(u5_dot_by_q2_minus_90deg_part, u2_dot * r_u1_dot_part_3)),
+        );
     // 2*u2_u1_dot_part_3; used 3 times
     let u2_u1_dot_part_3_scaled = S::int(2) * u2_u1_dot_part_3;
     // R*cos(q2_minus_90deg); used 2 times
     let r_cos_q2_minus_90deg = R * cos_q2_minus_90deg;
     // u2_u1_dot_part_3*r_u1_dot_part_3*u2_u1_dot_part_3_scaled + u1'*r_cos_q2_minus_90deg
-    let u5_dot_by_q2_minus_90deg_part_3 = u2_u1_dot_part_3 * r_u1_dot_part_3
-        * u2_u1_dot_part_3_scaled + u1_dot * r_cos_q2_minus_90deg;
+    let u5_dot_by_q2_minus_90deg_part_3 = u1_dot
+        .mul_add(
+            r_cos_q2_minus_90deg,
+            u2_u1_dot_part_3 * r_u1_dot_part_3 * u2_u1_dot_part_3_scaled,
+        );
     // u1^2*r_sin_q2_minus_90deg - r_u1_dot_part_3*u2_sq
-    let u5_dot_by_q2_minus_90deg_part_4 = u1 * u1 * r_sin_q2_minus_90deg
-        - r_u1_dot_part_3 * u2_sq;
+    let u5_dot_by_q2_minus_90deg_part_4 = (-r_u1_dot_part_3)
+        .mul_add(u2_sq, u1 * u1 * r_sin_q2_minus_90deg);
     // u1_dot_by_q2_minus_90deg*r_sin_q2_minus_90deg + u5_dot_by_q2_minus_90deg_part_3
-    let u5_dot_by_q2_minus_90deg_part_5 = u1_dot_by_q2_minus_90deg * r_sin_q2_minus_90deg
-        + u5_dot_by_q2_minus_90deg_part_3;
+    let u5_dot_by_q2_minus_90deg_part_5 = u1_dot_by_q2_minus_90deg
+        .mul_add(r_sin_q2_minus_90deg, u5_dot_by_q2_minus_90deg_part_3);
     // u5_dot_by_q2_minus_90deg_part_4 + u5_dot_by_q2_minus_90deg_part_5; used 2 times
     let u5_dot_by_q2_minus_90deg_part_6 = u5_dot_by_q2_minus_90deg_part_4
         + u5_dot_by_q2_minus_90deg_part_5;
@@ -367,51 +398,53 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   1)/sin(q2_minus_90deg) + sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg)) +
     //   sin(q1)*(u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg) - (u2' +
     //   2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg))/sin(q2_minus_90deg))
-    let u5_dot_by_q2_minus_90deg = u5_dot_by_q2_minus_90deg_part_2 * s1
-        - u5_dot_by_q2_minus_90deg_part_6 * c1;
+    let u5_dot_by_q2_minus_90deg = (-u5_dot_by_q2_minus_90deg_part_6)
+        .mul_add(c1, u5_dot_by_q2_minus_90deg_part_2 * s1);
     // u4_dot_by_q2_minus_90deg = R*(sin(q1)*(u1'*cos(q2_minus_90deg) + u2^2*(2/sin(q2_minus_90deg)^2 -
     //   1)/sin(q2_minus_90deg) + sin(q2_minus_90deg)*(u1^2 + u1_dot_by_q2_minus_90deg)) + cos(q1)*((u2' +
     //   2*u1*u2/tan(q2_minus_90deg))/sin(q2_minus_90deg) -
     //   u2_dot_by_q2_minus_90deg*cos(q2_minus_90deg))/sin(q2_minus_90deg))
-    let u4_dot_by_q2_minus_90deg = u5_dot_by_q2_minus_90deg_part_2 * c1
-        + u5_dot_by_q2_minus_90deg_part_6 * s1;
+    let u4_dot_by_q2_minus_90deg = u5_dot_by_q2_minus_90deg_part_6
+        .mul_add(s1, u5_dot_by_q2_minus_90deg_part_2 * c1);
     // u1_dot_by_u1 = 8*u1*sin(q2_minus_90deg)*cos(q2_minus_90deg)/(4*sin(q2_minus_90deg)^2 - 5)
     let u1_dot_by_u1 = u1_dot_part_4 * u1_dot_part_2_scaled_2;
     // u2_dot_by_u1 = 2*u3 + u2/tan(q2_minus_90deg)
     let u2_dot_by_u1 = u3_scaled + u1_dot_by_q2_minus_90deg_part;
     // Shared terms.
     // u1_scaled*r_cos_q2_minus_90deg - u1_dot_by_u1*r_sin_q2_minus_90deg; used 2 times
-    let u5_dot_by_u1_part = u1_scaled * r_cos_q2_minus_90deg
-        - u1_dot_by_u1 * r_sin_q2_minus_90deg;
+    let u5_dot_by_u1_part = (-u1_dot_by_u1)
+        .mul_add(r_sin_q2_minus_90deg, u1_scaled * r_cos_q2_minus_90deg);
     // u2_dot_by_u1*u5_dot_by_q1_part + u2*u5_dot_by_q1_part_2; used 2 times
-    let u5_dot_by_u1_part_2 = u2_dot_by_u1 * u5_dot_by_q1_part
-        + u2 * u5_dot_by_q1_part_2;
+    let u5_dot_by_u1_part_2 = u2
+        .mul_add(u5_dot_by_q1_part_2, u2_dot_by_u1 * u5_dot_by_q1_part);
     // Elimination, step by step.
     // u5_dot_by_u1 = -R*(cos(q1)*(u1_dot_by_u1*sin(q2_minus_90deg) - 2*u1*cos(q2_minus_90deg)) +
     //   sin(q1)*(u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg)))
-    let u5_dot_by_u1 = u5_dot_by_u1_part * c1 - u5_dot_by_u1_part_2 * s1;
+    let u5_dot_by_u1 = (-u5_dot_by_u1_part_2).mul_add(s1, u5_dot_by_u1_part * c1);
     // u4_dot_by_u1 = -R*(sin(q1)*(2*u1*cos(q2_minus_90deg) - u1_dot_by_u1*sin(q2_minus_90deg)) +
     //   cos(q1)*(u2*(1 + 1/sin(q2_minus_90deg)^2) + u2_dot_by_u1/tan(q2_minus_90deg)))
-    let u4_dot_by_u1 = -u5_dot_by_u1_part * s1 - u5_dot_by_u1_part_2 * c1;
+    let u4_dot_by_u1 = (-u5_dot_by_u1_part_2).mul_add(c1, -u5_dot_by_u1_part * s1);
     // u1_dot_by_u2 = 2*(u3 + u2/tan(q2_minus_90deg))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot_by_u2 = u1_dot_part * u3_scaled + u1_dot_part_2 * u2_u1_dot_part_3_scaled;
+    let u1_dot_by_u2 = u1_dot_part_2
+        .mul_add(u2_u1_dot_part_3_scaled, u1_dot_part * u3_scaled);
     // u2_dot_by_u2 = u1/tan(q2_minus_90deg)
     let u2_dot_by_u2 = u1_dot_part_3 * u2_dot_part;
     // Shared terms.
     // u1_dot_by_u2*r_sin_q2_minus_90deg - u5_dot_by_q1_part*u2_u1_dot_part_3_scaled; used 2 times
-    let u5_dot_by_u2_part = u1_dot_by_u2 * r_sin_q2_minus_90deg
-        - u5_dot_by_q1_part * u2_u1_dot_part_3_scaled;
+    let u5_dot_by_u2_part = (-u5_dot_by_q1_part)
+        .mul_add(u2_u1_dot_part_3_scaled, u1_dot_by_u2 * r_sin_q2_minus_90deg);
     // u2_dot_by_u2*u5_dot_by_q1_part + u5_dot_by_q1_part_3; used 2 times
-    let u5_dot_by_u2_part_2 = u2_dot_by_u2 * u5_dot_by_q1_part + u5_dot_by_q1_part_3;
+    let u5_dot_by_u2_part_2 = u2_dot_by_u2
+        .mul_add(u5_dot_by_q1_part, u5_dot_by_q1_part_3);
     // Elimination, step by step.
     // u5_dot_by_u2 = R*(cos(q1)*(2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1_dot_by_u2*sin(q2_minus_90deg)) - sin(q1)*(u1*(1 + 1/sin(q2_minus_90deg)^2) +
     //   u2_dot_by_u2/tan(q2_minus_90deg)))
-    let u5_dot_by_u2 = -u5_dot_by_u2_part * c1 - u5_dot_by_u2_part_2 * s1;
+    let u5_dot_by_u2 = (-u5_dot_by_u2_part_2).mul_add(s1, -u5_dot_by_u2_part * c1);
     // u4_dot_by_u2 = -R*(sin(q1)*(2*u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1_dot_by_u2*sin(q2_minus_90deg)) + cos(q1)*(u1*(1 + 1/sin(q2_minus_90deg)^2) +
     //   u2_dot_by_u2/tan(q2_minus_90deg)))
-    let u4_dot_by_u2 = u5_dot_by_u2_part * s1 - u5_dot_by_u2_part_2 * c1;
+    let u4_dot_by_u2 = (-u5_dot_by_u2_part_2).mul_add(c1, u5_dot_by_u2_part * s1);
     // u1_dot_by_u3 = 2*u2/(4*sin(q2_minus_90deg)^2 - 5)
     let u1_dot_by_u3 = S::int(2) * u2_u1_dot_part;
     // Shared terms.
@@ -419,9 +452,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u5_dot_by_u3_part = u1_dot_by_u3 * r_sin_q2_minus_90deg;
     // Elimination, step by step.
     // u5_dot_by_u3 = -R*(2*u1*sin(q1)/tan(q2_minus_90deg) + u1_dot_by_u3*cos(q1)*sin(q2_minus_90deg))
-    let u5_dot_by_u3 = -u5_dot_by_q2_minus_90deg_part * s1 - u5_dot_by_u3_part * c1;
+    let u5_dot_by_u3 = (-u5_dot_by_u3_part)
+        .mul_add(c1, -u5_dot_by_q2_minus_90deg_part * s1);
     // u4_dot_by_u3 = R*(u1_dot_by_u3*sin(q1)*sin(q2_minus_90deg) - 2*u1*cos(q1)/tan(q2_minus_90deg))
-    let u4_dot_by_u3 = u5_dot_by_u3_part * s1 - u5_dot_by_q2_minus_90deg_part * c1;
+    let u4_dot_by_u3 = (-u5_dot_by_q2_minus_90deg_part)
+        .mul_add(c1, u5_dot_by_u3_part * s1);
     // Entries that are not zero.
     // d(q1')/d(q2_minus_90deg) = u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
     let q1_dot_by_q2_minus_90deg_value = u1_dot_part_3 * u1_dot_by_q2_minus_90deg_part;
@@ -543,7 +578,7 @@ pub fn coordinate_rates<S: Scalar>(
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 + u2/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + q1_dot_value_part * cos_q2_minus_90deg;
+    let q3_dot_value = q1_dot_value_part.mul_add(cos_q2_minus_90deg, u3);
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5
@@ -568,16 +603,23 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     // 1/sin(q2_minus_90deg); used 2 times
     let energy_part = S::int(1) / sin_q2_minus_90deg;
     // 5*u1^2 + u2^2*(4*energy_part^2 - 3)
-    let energy_part_2 = S::int(5) * u1 * u1
-        + u2 * u2 * (S::int(4) * energy_part * energy_part - S::int(3));
+    let energy_part_2 = (u2 * u2)
+        .mul_add(
+            (energy_part * energy_part).mul_add(S::int(4), -S::int(3)),
+            S::int(5) * u1 * u1,
+        );
     // Values.
     // T = M*(4*u4^2 + 4*u5^2 + R*(8*u1*sin(q2_minus_90deg)*(u5*cos(q1) - u4*sin(q1)) + 8*u2*(u4*cos(q1) +
     //   u5*sin(q1))/tan(q2_minus_90deg) + R*(5*u1^2 + 2*u3^2 + u2^2*(1 + 4/tan(q2_minus_90deg)^2))))/8
-    let energy = S::ratio(1, 2) * M * (u4 * u4 + u5 * u5)
-        + m_r
-            * (u2 * energy_part * cos_q2_minus_90deg * (u4 * c1 + u5 * s1)
-                - u1 * sin_q2_minus_90deg * (u4 * s1 - u5 * c1))
-        + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part_2);
+    let energy = m_r
+        .mul_add(
+            (-(u1 * sin_q2_minus_90deg))
+                .mul_add(
+                    (-u5).mul_add(c1, u4 * s1),
+                    u2 * energy_part * cos_q2_minus_90deg * (u5.mul_add(s1, u4 * c1)),
+                ),
+            S::ratio(1, 2) * M * (u5.mul_add(u5, u4 * u4)),
+        ) + S::ratio(1, 8) * R * m_r * ((u3 * u3).mul_add(S::int(2), energy_part_2));
     energy
 }
 

@@ -39,7 +39,7 @@ pub fn mass_matrix<S: Scalar>(
     let c2_m_r = m_r * c2;
     // Entries that are not zero; upper triangle.
     // M11 = M*R^2*(6 - 5*cos(q2)^2)/4
-    let m11 = S::ratio(3, 2) * r_m_r - r_m_r_scaled * c2 * c2;
+    let m11 = (-r_m_r_scaled).mul_add(c2 * c2, S::ratio(3, 2) * r_m_r);
     // M13 = M*R^2*sin(q2)/2
     let m13 = r_m_r_scaled_2 * s2;
     // M14 = -M*R*cos(q1)*sin(q2)
@@ -94,22 +94,26 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     // m_r*sin(q2); used 2 times
     let s2_m_r = m_r * s2;
     // s2_m_r*(q1'^2 + q2'^2); used 2 times
-    let f4_part = s2_m_r * (q1_dot * q1_dot + q2_dot * q2_dot);
+    let f4_part = s2_m_r * (q2_dot.mul_add(q2_dot, q1_dot * q1_dot));
     // 2*q2'*q1_dot_c2_m_r; used 2 times
     let q2_dot_q1_dot_c2_m_r_scaled = S::int(2) * q2_dot * q1_dot_c2_m_r;
     // Values.
     // f1 = -M*R^2*q2'*cos(q2)*(5*q1'*sin(q2) + q3')/2
-    let f1 = -R * q3_dot * c2_m_r * q2_dot_scaled
-        - S::ratio(5, 2) * q2_dot * s2_r_q1_dot_c2_m_r;
+    let f1 = (-(R * q3_dot * c2_m_r))
+        .mul_add(q2_dot_scaled, -S::ratio(5, 2) * q2_dot * s2_r_q1_dot_c2_m_r);
     // f2 = M*R*(4*g*sin(q2) + R*q1'*cos(q2)*(5*q1'*sin(q2) + 2*q3'))/4
-    let f2 = S::ratio(1, 2) * q3_dot * r_q1_dot_c2_m_r
-        + S::ratio(5, 4) * q1_dot * s2_r_q1_dot_c2_m_r + g * s2_m_r;
+    let f2 = g
+        .mul_add(
+            s2_m_r,
+            S::ratio(1, 2) * q3_dot * r_q1_dot_c2_m_r
+                + S::ratio(5, 4) * q1_dot * s2_r_q1_dot_c2_m_r,
+        );
     // f3 = -M*R^2*q1'*q2'*cos(q2)/2
     let f3 = -q2_dot_scaled * r_q1_dot_c2_m_r;
     // f4 = -M*R*(q2'^2*sin(q1)*sin(q2) + q1'*(q1'*sin(q1)*sin(q2) - 2*q2'*cos(q1)*cos(q2)))
-    let f4 = q2_dot_q1_dot_c2_m_r_scaled * c1 - f4_part * s1;
+    let f4 = (-f4_part).mul_add(s1, q2_dot_q1_dot_c2_m_r_scaled * c1);
     // f5 = M*R*(q2'^2*cos(q1)*sin(q2) + q1'*(q1'*cos(q1)*sin(q2) + 2*q2'*sin(q1)*cos(q2)))
-    let f5 = f4_part * c1 + q2_dot_q1_dot_c2_m_r_scaled * s1;
+    let f5 = q2_dot_q1_dot_c2_m_r_scaled.mul_add(s1, f4_part * c1);
     [f1, f2, f3, f4, f5]
 }
 
@@ -141,29 +145,31 @@ pub fn accelerations<S: Scalar>(
     let q1_dot_c2 = q1_dot * c2;
     // Elimination, step by step.
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = (S::int(4) * s2 * (g / R - q2_dot_sq * c2)
-        + q1_dot_c2 * (q1_dot * s2 + S::int(2) * q3_dot))
-        / (S::int(5) - S::int(4) * c2 * c2);
+    let q2_ddot = (q1_dot_c2
+        .mul_add(
+            q3_dot.mul_add(S::int(2), q1_dot * s2),
+            S::int(4) * s2 * ((-q2_dot_sq).mul_add(c2, g / R)),
+        )) / ((-(c2 * c2)).mul_add(S::int(4), S::int(5)));
     // Shared terms.
     // q1''*sin(q2); used 2 times
     let s2_q1_ddot = q1_ddot * s2;
     // q2_dot_scaled*q1_dot_c2 + s2_q1_ddot; used 2 times
-    let q5_ddot_part = q2_dot_scaled * q1_dot_c2 + s2_q1_ddot;
+    let q5_ddot_part = q2_dot_scaled.mul_add(q1_dot_c2, s2_q1_ddot);
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // q2''*cos(q2) - sin(q2)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part_2 = q2_ddot * c2 - s2 * (q1_dot * q1_dot + q2_dot_sq);
+    let q5_ddot_part_2 = (-s2).mul_add(q1_dot.mul_add(q1_dot, q2_dot_sq), q2_ddot * c2);
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
     // q5'' = R*(sin(q2)*(cos(q1)*(q1'^2 + q2'^2) + q1''*sin(q1)) + cos(q2)*(2*q1'*q2'*sin(q1) -
     //   q2''*cos(q1)))
-    let q5_ddot = q5_ddot_part * r_s1 - q5_ddot_part_2 * r_c1;
+    let q5_ddot = (-q5_ddot_part_2).mul_add(r_c1, q5_ddot_part * r_s1);
     // q4'' = R*(cos(q2)*(2*q1'*q2'*cos(q1) + q2''*sin(q1)) - sin(q2)*(sin(q1)*(q1'^2 + q2'^2) -
     //   q1''*cos(q1)))
-    let q4_ddot = r_s1 * q5_ddot_part_2 + q5_ddot_part * r_c1;
+    let q4_ddot = q5_ddot_part.mul_add(r_c1, r_s1 * q5_ddot_part_2);
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
-    let q3_ddot = -q2_dot * q1_dot_c2 - s2_q1_ddot;
+    let q3_ddot = (-q2_dot).mul_add(q1_dot_c2, -s2_q1_ddot);
     [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot]
 }
 
@@ -195,29 +201,31 @@ pub fn derivative<S: Scalar>(
     let q1_dot_c2 = q1_dot * c2;
     // Elimination, step by step.
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = (S::int(4) * s2 * (g / R - q2_dot_sq * c2)
-        + q1_dot_c2 * (q1_dot * s2 + S::int(2) * q3_dot))
-        / (S::int(5) - S::int(4) * c2 * c2);
+    let q2_ddot = (q1_dot_c2
+        .mul_add(
+            q3_dot.mul_add(S::int(2), q1_dot * s2),
+            S::int(4) * s2 * ((-q2_dot_sq).mul_add(c2, g / R)),
+        )) / ((-(c2 * c2)).mul_add(S::int(4), S::int(5)));
     // Shared terms.
     // q1''*sin(q2); used 2 times
     let s2_q1_ddot = q1_ddot * s2;
     // q2_dot_scaled*q1_dot_c2 + s2_q1_ddot; used 2 times
-    let q5_ddot_part = q2_dot_scaled * q1_dot_c2 + s2_q1_ddot;
+    let q5_ddot_part = q2_dot_scaled.mul_add(q1_dot_c2, s2_q1_ddot);
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // q2''*cos(q2) - sin(q2)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part_2 = q2_ddot * c2 - s2 * (q1_dot * q1_dot + q2_dot_sq);
+    let q5_ddot_part_2 = (-s2).mul_add(q1_dot.mul_add(q1_dot, q2_dot_sq), q2_ddot * c2);
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
     // q5'' = R*(sin(q2)*(cos(q1)*(q1'^2 + q2'^2) + q1''*sin(q1)) + cos(q2)*(2*q1'*q2'*sin(q1) -
     //   q2''*cos(q1)))
-    let q5_ddot = q5_ddot_part * r_s1 - q5_ddot_part_2 * r_c1;
+    let q5_ddot = (-q5_ddot_part_2).mul_add(r_c1, q5_ddot_part * r_s1);
     // q4'' = R*(cos(q2)*(2*q1'*q2'*cos(q1) + q2''*sin(q1)) - sin(q2)*(sin(q1)*(q1'^2 + q2'^2) -
     //   q1''*cos(q1)))
-    let q4_ddot = r_s1 * q5_ddot_part_2 + q5_ddot_part * r_c1;
+    let q4_ddot = q5_ddot_part.mul_add(r_c1, r_s1 * q5_ddot_part_2);
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
-    let q3_ddot = -q2_dot * q1_dot_c2 - s2_q1_ddot;
+    let q3_ddot = (-q2_dot).mul_add(q1_dot_c2, -s2_q1_ddot);
     // Values.
     // q1' = q1'
     let q1_dot_value = q1_dot;
@@ -267,9 +275,9 @@ pub fn jacobian<S: Scalar>(
     // q2'^2; used 2 times
     let q2_dot_sq = q2_dot * q2_dot;
     // 4*q2_dot_sq - q1_dot_sq; used 2 times
-    let q2_ddot_part = S::int(4) * q2_dot_sq - q1_dot_sq;
+    let q2_ddot_part = q2_dot_sq.mul_add(S::int(4), -q1_dot_sq);
     // 1/(4*cos(q2)^2 - 5); used 5 times
-    let q2_ddot_part_2 = S::int(1) / (S::int(4) * c2 * c2 - S::int(5));
+    let q2_ddot_part_2 = S::int(1) / ((c2 * c2).mul_add(S::int(4), -S::int(5)));
     // q2_ddot_part_2*sin(q2); used 4 times
     let s2_q2_ddot_part_2 = q2_ddot_part_2 * s2;
     // s2_q2_ddot_part_2*cos(q2); used 4 times
@@ -286,8 +294,12 @@ pub fn jacobian<S: Scalar>(
     let q2_ddot_part_3 = q1_dot_scaled * c2_q2_ddot_part_2;
     // Elimination, step by step.
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = q2_ddot_part * c2_s2_q2_ddot_part_2
-        - r_inv_g * s2_q2_ddot_part_2_scaled - q3_dot * q2_ddot_part_3;
+    let q2_ddot = (-q3_dot)
+        .mul_add(
+            q2_ddot_part_3,
+            (-r_inv_g)
+                .mul_add(s2_q2_ddot_part_2_scaled, q2_ddot_part * c2_s2_q2_ddot_part_2),
+        );
     // Shared terms.
     // R*cos(q2); used 2 times
     let r_c2 = R * c2;
@@ -308,12 +320,23 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q5_ddot_by_q1 = R*(cos(q2)*(2*q1'*q2'*cos(q1) + q2''*sin(q1)) - sin(q2)*(sin(q1)*(q1'^2 + q2'^2) -
     //   q1''*cos(q1)))
-    let q5_ddot_by_q1 = q2_ddot * s1_r_c2 - q5_ddot_by_q1_part * s1_r_s2
-        + q1_ddot * c1_r_s2 + c1_r_c2 * q1_dot_q2_dot_scaled;
+    let q5_ddot_by_q1 = c1_r_c2
+        .mul_add(
+            q1_dot_q2_dot_scaled,
+            q1_ddot
+                .mul_add(
+                    c1_r_s2,
+                    (-q5_ddot_by_q1_part).mul_add(s1_r_s2, q2_ddot * s1_r_c2),
+                ),
+        );
     // q4_ddot_by_q1 = -R*(sin(q2)*(cos(q1)*(q1'^2 + q2'^2) + q1''*sin(q1)) + cos(q2)*(2*q1'*q2'*sin(q1) -
     //   q2''*cos(q1)))
-    let q4_ddot_by_q1 = q2_ddot * c1_r_c2 - q1_ddot * s1_r_s2
-        - q5_ddot_by_q1_part * c1_r_s2 - s1_r_c2 * q1_dot_q2_dot_scaled;
+    let q4_ddot_by_q1 = (-s1_r_c2)
+        .mul_add(
+            q1_dot_q2_dot_scaled,
+            (-q5_ddot_by_q1_part)
+                .mul_add(c1_r_s2, (-q1_ddot).mul_add(s1_r_s2, q2_ddot * c1_r_c2)),
+        );
     // Shared terms.
     // q2_dot_scaled*c2_inv; used 2 times
     let q2_dot_scaled_c2_inv = q2_dot_scaled * c2_inv;
@@ -326,14 +349,24 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q2_ddot_by_q2 = (4*g*cos(q2)*(4*cos(q2)^2 - 3) + R*(4*q2'^2*(5 - 6*cos(q2)^2) +
     //   q1'*(q1'*(6*cos(q2)^2 - 5) - 2*q3'*sin(q2)*(5 + 4*cos(q2)^2))))/(R*(4*cos(q2)^2 - 5)^2)
-    let q2_ddot_by_q2 = q2_ddot_part
-        * (S::int(6) * s2_q2_ddot_part_2 * s2_q2_ddot_part_2
-            - q2_ddot_part_2 * q2_ddot_part_2)
-        + S::int(4) * r_inv_g
-            * (q2_ddot_part_2 * c2_q2_ddot_part_2
-                - c2_s2_q2_ddot_part_2 * s2_q2_ddot_part_2_scaled)
-        + q1_dot * s2_q2_ddot_part_2 * q3_dot_scaled
-            * (s2_q2_ddot_part_2_scaled * s2 - S::int(9) * q2_ddot_part_2);
+    let q2_ddot_by_q2 = (q1_dot * s2_q2_ddot_part_2 * q3_dot_scaled)
+        .mul_add(
+            (-q2_ddot_part_2).mul_add(S::int(9), s2_q2_ddot_part_2_scaled * s2),
+            (S::int(4) * r_inv_g)
+                .mul_add(
+                    (-c2_s2_q2_ddot_part_2)
+                        .mul_add(
+                            s2_q2_ddot_part_2_scaled,
+                            q2_ddot_part_2 * c2_q2_ddot_part_2,
+                        ),
+                    q2_ddot_part
+                        * ((-q2_ddot_part_2)
+                            .mul_add(
+                                q2_ddot_part_2,
+                                S::int(6) * s2_q2_ddot_part_2 * s2_q2_ddot_part_2,
+                            )),
+                ),
+        );
     // Shared terms.
     // q1_dot_q2_dot_scaled - q1_ddot_by_q2; used 2 times
     let q5_ddot_by_q2_part = q1_dot_q2_dot_scaled - q1_ddot_by_q2;
@@ -342,45 +375,76 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q5_ddot_by_q2 = R*(sin(q2)*(q2''*cos(q1) + sin(q1)*(q1_ddot_by_q2 - 2*q1'*q2')) +
     //   cos(q2)*(q1''*sin(q1) + cos(q1)*(q1'^2 + q2'^2 - q2_ddot_by_q2)))
-    let q5_ddot_by_q2 = q1_ddot * s1_r_c2 + q2_ddot * c1_r_s2
-        - s1_r_s2 * q5_ddot_by_q2_part - c1_r_c2 * q5_ddot_by_q2_part_2;
+    let q5_ddot_by_q2 = (-c1_r_c2)
+        .mul_add(
+            q5_ddot_by_q2_part_2,
+            (-s1_r_s2)
+                .mul_add(q5_ddot_by_q2_part, q2_ddot.mul_add(c1_r_s2, q1_ddot * s1_r_c2)),
+        );
     // q4_ddot_by_q2 = R*(cos(q2)*(q1''*cos(q1) + sin(q1)*(q2_ddot_by_q2 - q1'^2 - q2'^2)) -
     //   sin(q2)*(q2''*sin(q1) + cos(q1)*(2*q1'*q2' - q1_ddot_by_q2)))
-    let q4_ddot_by_q2 = q1_ddot * c1_r_c2 - q2_ddot * s1_r_s2
-        - c1_r_s2 * q5_ddot_by_q2_part + s1_r_c2 * q5_ddot_by_q2_part_2;
+    let q4_ddot_by_q2 = s1_r_c2
+        .mul_add(
+            q5_ddot_by_q2_part_2,
+            (-c1_r_s2)
+                .mul_add(
+                    q5_ddot_by_q2_part,
+                    (-q2_ddot).mul_add(s1_r_s2, q1_ddot * c1_r_c2),
+                ),
+        );
     // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
-    let q3_ddot_by_q2 = s2 * (q1_dot * q2_dot - q1_ddot_by_q2) - q1_ddot * c2;
+    let q3_ddot_by_q2 = (-q1_ddot)
+        .mul_add(c2, s2 * (q1_dot.mul_add(q2_dot, -q1_ddot_by_q2)));
     // q2_ddot_by_q1_dot = 2*cos(q2)*(q1'*sin(q2) + q3')/(5 - 4*cos(q2)^2)
-    let q2_ddot_by_q1_dot = -c2_s2_q2_ddot_part_2 * q1_dot_scaled
-        - c2_q2_ddot_part_2 * q3_dot_scaled;
+    let q2_ddot_by_q1_dot = (-c2_q2_ddot_part_2)
+        .mul_add(q3_dot_scaled, -c2_s2_q2_ddot_part_2 * q1_dot_scaled);
     // q5_ddot_by_q1_dot = R*(2*q1'*cos(q1)*sin(q2) + cos(q2)*(2*q2'*sin(q1) - q2_ddot_by_q1_dot*cos(q1)))
-    let q5_ddot_by_q1_dot = q2_dot_scaled * s1_r_c2 + q1_dot_scaled * c1_r_s2
-        - q2_ddot_by_q1_dot * c1_r_c2;
+    let q5_ddot_by_q1_dot = (-q2_ddot_by_q1_dot)
+        .mul_add(c1_r_c2, q1_dot_scaled.mul_add(c1_r_s2, q2_dot_scaled * s1_r_c2));
     // q4_ddot_by_q1_dot = R*(cos(q2)*(2*q2'*cos(q1) + q2_ddot_by_q1_dot*sin(q1)) - 2*q1'*sin(q1)*sin(q2))
-    let q4_ddot_by_q1_dot = q2_ddot_by_q1_dot * s1_r_c2 - q1_dot_scaled * s1_r_s2
-        + q2_dot_scaled * c1_r_c2;
+    let q4_ddot_by_q1_dot = q2_dot_scaled
+        .mul_add(
+            c1_r_c2,
+            (-q1_dot_scaled).mul_add(s1_r_s2, q2_ddot_by_q1_dot * s1_r_c2),
+        );
     // q1_ddot_by_q2_dot = -2*q3'/cos(q2)
     let q1_ddot_by_q2_dot = -S::int(2) * q3_dot_c2_inv;
     // q2_ddot_by_q2_dot = 8*q2'*sin(q2)*cos(q2)/(4*cos(q2)^2 - 5)
     let q2_ddot_by_q2_dot = S::int(8) * q2_dot * c2_s2_q2_ddot_part_2;
     // q5_ddot_by_q2_dot = R*(sin(q2)*(2*q2'*cos(q1) + q1_ddot_by_q2_dot*sin(q1)) + cos(q2)*(2*q1'*sin(q1)
     //   - q2_ddot_by_q2_dot*cos(q1)))
-    let q5_ddot_by_q2_dot = q1_dot_scaled * s1_r_c2 + q1_ddot_by_q2_dot * s1_r_s2
-        + q2_dot_scaled * c1_r_s2 - q2_ddot_by_q2_dot * c1_r_c2;
+    let q5_ddot_by_q2_dot = (-q2_ddot_by_q2_dot)
+        .mul_add(
+            c1_r_c2,
+            q2_dot_scaled
+                .mul_add(
+                    c1_r_s2,
+                    q1_ddot_by_q2_dot.mul_add(s1_r_s2, q1_dot_scaled * s1_r_c2),
+                ),
+        );
     // q4_ddot_by_q2_dot = R*(cos(q2)*(2*q1'*cos(q1) + q2_ddot_by_q2_dot*sin(q1)) - sin(q2)*(2*q2'*sin(q1)
     //   - q1_ddot_by_q2_dot*cos(q1)))
-    let q4_ddot_by_q2_dot = q2_ddot_by_q2_dot * s1_r_c2 - q2_dot_scaled * s1_r_s2
-        + q1_ddot_by_q2_dot * c1_r_s2 + q1_dot_scaled * c1_r_c2;
+    let q4_ddot_by_q2_dot = q1_dot_scaled
+        .mul_add(
+            c1_r_c2,
+            q1_ddot_by_q2_dot
+                .mul_add(
+                    c1_r_s2,
+                    (-q2_dot_scaled).mul_add(s1_r_s2, q2_ddot_by_q2_dot * s1_r_c2),
+                ),
+        );
     // q3_ddot_by_q2_dot = -q1'*cos(q2) - q1_ddot_by_q2_dot*sin(q2)
-    let q3_ddot_by_q2_dot = -q1_dot * c2 - q1_ddot_by_q2_dot * s2;
+    let q3_ddot_by_q2_dot = (-q1_ddot_by_q2_dot).mul_add(s2, -q1_dot * c2);
     // q1_ddot_by_q3_dot = -2*q2'/cos(q2)
     let q1_ddot_by_q3_dot = -q2_dot_scaled_c2_inv;
     // q2_ddot_by_q3_dot = 2*q1'*cos(q2)/(5 - 4*cos(q2)^2)
     let q2_ddot_by_q3_dot = -q2_ddot_part_3;
     // q5_ddot_by_q3_dot = R*(q1_ddot_by_q3_dot*sin(q1)*sin(q2) - q2_ddot_by_q3_dot*cos(q1)*cos(q2))
-    let q5_ddot_by_q3_dot = q1_ddot_by_q3_dot * s1_r_s2 - q2_ddot_by_q3_dot * c1_r_c2;
+    let q5_ddot_by_q3_dot = (-q2_ddot_by_q3_dot)
+        .mul_add(c1_r_c2, q1_ddot_by_q3_dot * s1_r_s2);
     // q4_ddot_by_q3_dot = R*(q1_ddot_by_q3_dot*cos(q1)*sin(q2) + q2_ddot_by_q3_dot*sin(q1)*cos(q2))
-    let q4_ddot_by_q3_dot = q2_ddot_by_q3_dot * s1_r_c2 + q1_ddot_by_q3_dot * c1_r_s2;
+    let q4_ddot_by_q3_dot = q1_ddot_by_q3_dot
+        .mul_add(c1_r_s2, q2_ddot_by_q3_dot * s1_r_c2);
     // Entries that are not zero.
     // d(q1')/d(q1') = 1
     let q1_dot_by_q1_dot_value = S::int(1);
@@ -506,19 +570,23 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     // q1'*sin(q2); used 3 times
     let q1_dot_s2 = q1_dot * s2;
     // q2'^2 + q1_dot_s2^2
-    let energy_part = q2_dot * q2_dot + q1_dot_s2 * q1_dot_s2;
+    let energy_part = q1_dot_s2.mul_add(q1_dot_s2, q2_dot * q2_dot);
     // q1'^2 + 2*q3'*(q3' + 2*q1_dot_s2)
-    let energy_part_2 = q1_dot * q1_dot
-        + S::int(2) * q3_dot * (q3_dot + S::int(2) * q1_dot_s2);
+    let energy_part_2 = (S::int(2) * q3_dot)
+        .mul_add(q1_dot_s2.mul_add(S::int(2), q3_dot), q1_dot * q1_dot);
     // Values.
     // T = M*R^2*q1'^2*(6 - 5*cos(q2)^2)/8 + 5*M*R^2*q2'^2/8 + M*R^2*q3'^2/4 + M*R^2*q1'*q3'*sin(q2)/2 +
     //   M*q4'^2/2 - M*R*q1'*q4'*cos(q1)*sin(q2) - M*R*q2'*q4'*sin(q1)*cos(q2) + M*q5'^2/2 -
     //   M*R*q1'*q5'*sin(q1)*sin(q2) + M*R*q2'*q5'*cos(q1)*cos(q2)
-    let energy = S::ratio(1, 2) * M * (q4_dot * q4_dot + q5_dot * q5_dot)
-        - m_r
-            * (q2_dot * c2 * (q4_dot * s1 - q5_dot * c1)
-                + q1_dot_s2 * (q4_dot * c1 + q5_dot * s1))
-        + S::ratio(1, 8) * R * m_r * (S::int(5) * energy_part + energy_part_2);
+    let energy = (-m_r)
+        .mul_add(
+            q1_dot_s2
+                .mul_add(
+                    q5_dot.mul_add(s1, q4_dot * c1),
+                    q2_dot * c2 * ((-q5_dot).mul_add(c1, q4_dot * s1)),
+                ),
+            S::ratio(1, 2) * M * (q5_dot.mul_add(q5_dot, q4_dot * q4_dot)),
+        ) + S::ratio(1, 8) * R * m_r * (energy_part.mul_add(S::int(5), energy_part_2));
     energy
 }
 
@@ -556,7 +624,7 @@ pub fn generalized_speeds<S: Scalar>(
     // u2 = q1'*cos(q2)
     let u2_value = q1_dot * c2;
     // u3 = q1'*sin(q2) + q3'
-    let u3_value = q1_dot * s2 + q3_dot;
+    let u3_value = q1_dot.mul_add(s2, q3_dot);
     // u4 = q4'
     let u4_value = q4_dot;
     // u5 = q5'
@@ -586,9 +654,9 @@ pub fn generalized_speed_rates<S: Scalar>(
     // u1' = -q2''
     let u1_dot_value = -q2_ddot;
     // u2' = q1''*cos(q2) - q1'*q2'*sin(q2)
-    let u2_dot_value = q1_ddot * c2 - q1_dot_q2_dot * s2;
+    let u2_dot_value = (-q1_dot_q2_dot).mul_add(s2, q1_ddot * c2);
     // u3' = q1'*q2'*cos(q2) + q1''*sin(q2) + q3''
-    let u3_dot_value = q1_ddot * s2 + q3_ddot + q1_dot_q2_dot * c2;
+    let u3_dot_value = q1_dot_q2_dot.mul_add(c2, q1_ddot.mul_add(s2, q3_ddot));
     // u4' = q4''
     let u4_dot_value = q4_ddot;
     // u5' = q5''
@@ -618,7 +686,7 @@ pub fn motion_variables<S: Scalar>(
     // q2' = -u1
     let q2_dot_value = -u1;
     // q3' = u3 - u2*tan(q2)
-    let q3_dot_value = u3 - u2_c2_inv * s2;
+    let q3_dot_value = (-u2_c2_inv).mul_add(s2, u3);
     // q4' = u4
     let q4_dot_value = u4;
     // q5' = u5

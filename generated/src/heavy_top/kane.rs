@@ -46,14 +46,14 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     // tan(q2)
     let t2 = s2 / c2;
     // I3*u3 - I1*u1*tan(q2); used 2 times
-    let f1_part = I3 * u3 - I1 * u1 * t2;
+    let f1_part = (-(I1 * u1)).mul_add(t2, I3 * u3);
     // m*l*g; used 2 times
     let m_l_g = m * l * g;
     // Values.
     // f1 = m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3)
-    let f1 = m_l_g * s1 - u2 * f1_part;
+    let f1 = (-u2).mul_add(f1_part, m_l_g * s1);
     // f2 = m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2))
-    let f2 = u1 * f1_part + m_l_g * c1 * s2;
+    let f2 = (m_l_g * c1).mul_add(s2, u1 * f1_part);
     [f1, f2, zero]
 }
 
@@ -75,14 +75,14 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     // tan(q2)
     let t2 = s2 / c2;
     // u1*tan(q2) - I3*u3*i1_inv; used 2 times
-    let u2_dot_part = u1 * t2 - I3 * u3 * i1_inv;
+    let u2_dot_part = (-(I3 * u3)).mul_add(i1_inv, u1 * t2);
     // m*l*g*i1_inv; used 2 times
     let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u2_dot = m_l_g_i1_inv * c1 * s2 - u1 * u2_dot_part;
+    let u2_dot = (-u1).mul_add(u2_dot_part, m_l_g_i1_inv * c1 * s2);
     // u1' = (m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3))/I1
-    let u1_dot = u2 * u2_dot_part + m_l_g_i1_inv * s1;
+    let u1_dot = m_l_g_i1_inv.mul_add(s1, u2 * u2_dot_part);
     [u1_dot, u2_dot, zero]
 }
 
@@ -110,14 +110,14 @@ pub fn derivative<S: Scalar>(
     // u1_c2_inv*sin(q2); used 2 times
     let s2_u1_c2_inv = u1_c2_inv * s2;
     // s2_u1_c2_inv - I3*u3*i1_inv; used 2 times
-    let u2_dot_part = s2_u1_c2_inv - I3 * u3 * i1_inv;
+    let u2_dot_part = (-(I3 * u3)).mul_add(i1_inv, s2_u1_c2_inv);
     // m*l*g*i1_inv; used 2 times
     let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u2_dot = m_l_g_i1_inv * c1 * s2 - u1 * u2_dot_part;
+    let u2_dot = (-u1).mul_add(u2_dot_part, m_l_g_i1_inv * c1 * s2);
     // u1' = (m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3))/I1
-    let u1_dot = u2 * u2_dot_part + m_l_g_i1_inv * s1;
+    let u1_dot = m_l_g_i1_inv.mul_add(s1, u2 * u2_dot_part);
     // Values.
     // q1' = u1/cos(q2)
     let q1_dot_value = u1_c2_inv;
@@ -157,7 +157,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u1_c2_inv = u1 * c2_inv;
     // Elimination, step by step.
     // u2_dot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
-    let u2_dot_by_q2 = u1_dot_by_q1 * c2 - u1_c2_inv * u1_c2_inv;
+    let u2_dot_by_q2 = (-u1_c2_inv).mul_add(u1_c2_inv, u1_dot_by_q1 * c2);
     // Shared terms.
     // c2_inv*u1_c2_inv; used 2 times
     let c2_inv_u1_c2_inv = c2_inv * u1_c2_inv;
@@ -173,7 +173,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u3_i3_i1_inv = u3 * i3_i1_inv;
     // Elimination, step by step.
     // u2_dot_by_u1 = I3*u3/I1 - 2*u1*tan(q2)
-    let u2_dot_by_u1 = u3_i3_i1_inv - S::int(2) * s2_u1_c2_inv;
+    let u2_dot_by_u1 = (-s2_u1_c2_inv).mul_add(S::int(2), u3_i3_i1_inv);
     // Shared terms.
     // c2_inv*sin(q2); used 3 times
     let s2_c2_inv = c2_inv * s2;
@@ -238,7 +238,7 @@ pub fn coordinate_rates<S: Scalar>(
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
-    let q3_dot_value = u3 - u1_c2_inv * s2;
+    let q3_dot_value = (-u1_c2_inv).mul_add(s2, u3);
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
@@ -251,7 +251,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> 
     let [u1, u2, u3] = *u;
     // Shared terms.
     // I1*(u1^2 + u2^2) + I3*u3^2
-    let energy_part = I1 * (u1 * u1 + u2 * u2) + I3 * u3 * u3;
+    let energy_part = I3.mul_add(u3 * u3, I1 * (u2.mul_add(u2, u1 * u1)));
     // Values.
     // T = I1*u1^2/2 + I1*u2^2/2 + I3*u3^2/2
     let energy = S::ratio(1, 2) * energy_part;

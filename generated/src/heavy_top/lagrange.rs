@@ -28,7 +28,7 @@ pub fn mass_matrix<S: Scalar>(
     let i3_s2 = I3 * s2;
     // Entries that are not zero; upper triangle.
     // M11 = I3*sin(q2)^2 + I1*cos(q2)^2
-    let m11 = I1 * c2 * c2 + i3_s2 * s2;
+    let m11 = i3_s2.mul_add(s2, I1 * c2 * c2);
     // M13 = I3*sin(q2)
     let m13 = i3_s2;
     // M22 = I1
@@ -60,9 +60,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     let m_l_g = m * l * g;
     // Values.
     // f1 = cos(q2)*(m*l*g*sin(q1) - q2'*(I3*(2*q1'*sin(q2) + q3') - 2*I1*q1'*sin(q2)))
-    let f1 = c2 * (m_l_g * s1 - q3_dot * i3_q2_dot) - S::int(2) * q2_dot * f1_part;
+    let f1 = (-(S::int(2) * q2_dot))
+        .mul_add(f1_part, c2 * ((-q3_dot).mul_add(i3_q2_dot, m_l_g * s1)));
     // f2 = m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2))
-    let f2 = I3 * q3_dot * q1_dot_c2 + q1_dot * f1_part + m_l_g * c1 * s2;
+    let f2 = (m_l_g * c1).mul_add(s2, q1_dot.mul_add(f1_part, I3 * q3_dot * q1_dot_c2));
     // f3 = -I3*q1'*q2'*cos(q2)
     let f3 = -q1_dot_c2 * i3_q2_dot;
     [f1, f2, f3]
@@ -97,15 +98,17 @@ pub fn accelerations<S: Scalar>(
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
     let q1_ddot = i1_inv
-        * (m_l_g * s1 - q2_dot * (q1_ddot_part - S::int(2) * i1_q1_dot_s2)) / c2;
+        * ((-q2_dot)
+            .mul_add((-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part), m_l_g * s1)) / c2;
     // Shared terms.
     // q1'*cos(q2); used 2 times
     let q1_dot_c2 = q1_dot * c2;
     // Elimination, step by step.
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
-    let q3_ddot = -q1_ddot * s2 - q2_dot * q1_dot_c2;
+    let q3_ddot = (-q2_dot).mul_add(q1_dot_c2, -q1_ddot * s2);
     // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
-    let q2_ddot = i1_inv * (m_l_g * c1 * s2 + q1_dot_c2 * (q1_ddot_part - i1_q1_dot_s2));
+    let q2_ddot = i1_inv
+        * (q1_dot_c2.mul_add(q1_ddot_part - i1_q1_dot_s2, m_l_g * c1 * s2));
     [q1_ddot, q2_ddot, q3_ddot]
 }
 
@@ -138,15 +141,17 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
     let q1_ddot = i1_inv
-        * (m_l_g * s1 - q2_dot * (q1_ddot_part - S::int(2) * i1_q1_dot_s2)) / c2;
+        * ((-q2_dot)
+            .mul_add((-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part), m_l_g * s1)) / c2;
     // Shared terms.
     // q1'*cos(q2); used 2 times
     let q1_dot_c2 = q1_dot * c2;
     // Elimination, step by step.
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
-    let q3_ddot = -q1_ddot * s2 - q2_dot * q1_dot_c2;
+    let q3_ddot = (-q2_dot).mul_add(q1_dot_c2, -q1_ddot * s2);
     // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
-    let q2_ddot = i1_inv * (m_l_g * c1 * s2 + q1_dot_c2 * (q1_ddot_part - i1_q1_dot_s2));
+    let q2_ddot = i1_inv
+        * (q1_dot_c2.mul_add(q1_ddot_part - i1_q1_dot_s2, m_l_g * c1 * s2));
     // Values.
     // q1' = q1'
     let q1_dot_value = q1_dot;
@@ -191,14 +196,14 @@ pub fn jacobian<S: Scalar>(
     // q3_dot_i3_i1_inv - q1_dot_s2_scaled; used 2 times
     let q1_ddot_part = q3_dot_i3_i1_inv - q1_dot_s2_scaled;
     // i3_i1_inv*q1_dot_s2 + q1_ddot_part; used 2 times
-    let q1_ddot_part_2 = i3_i1_inv * q1_dot_s2 + q1_ddot_part;
+    let q1_ddot_part_2 = i3_i1_inv.mul_add(q1_dot_s2, q1_ddot_part);
     // m*l*g*i1_inv; used 3 times
     let m_l_g_i1_inv = m * l * g * i1_inv;
     // c2_inv*m_l_g_i1_inv; used 3 times
     let c2_inv_m_l_g_i1_inv = c2_inv * m_l_g_i1_inv;
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
-    let q1_ddot = c2_inv_m_l_g_i1_inv * s1 - q2_dot_c2_inv * q1_ddot_part_2;
+    let q1_ddot = (-q2_dot_c2_inv).mul_add(q1_ddot_part_2, c2_inv_m_l_g_i1_inv * s1);
     // q1_ddot_by_q1 = m*l*g*cos(q1)/(I1*cos(q2))
     let q1_ddot_by_q1 = c2_inv_m_l_g_i1_inv * c1;
     // Shared terms.
@@ -213,24 +218,31 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q1_ddot_by_q2 = (2*q1'*q2' + (m*l*g*sin(q1)*sin(q2) - I3*q2'*(q1' + q3'*sin(q2)))/I1)/cos(q2)^2
     let q1_ddot_by_q2 = c2_inv
-        * (c2_inv_m_l_g_i1_inv * s2_s1
-            + q2_dot_c2_inv * (q1_dot * q1_ddot_by_q2_part - q3_dot_i3_i1_inv * s2));
+        * (q2_dot_c2_inv
+            .mul_add(
+                (-q3_dot_i3_i1_inv).mul_add(s2, q1_dot * q1_ddot_by_q2_part),
+                c2_inv_m_l_g_i1_inv * s2_s1,
+            ));
     // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
-    let q3_ddot_by_q2 = q2_dot * q1_dot_s2 - q1_ddot * c2 - q1_ddot_by_q2 * s2;
+    let q3_ddot_by_q2 = (-q1_ddot_by_q2)
+        .mul_add(s2, (-q1_ddot).mul_add(c2, q2_dot * q1_dot_s2));
     // Shared terms.
     // i3_i1_inv*q1_dot_s2_scaled + q1_ddot_part; used 2 times
-    let q2_ddot_by_q2_part = i3_i1_inv * q1_dot_s2_scaled + q1_ddot_part;
+    let q2_ddot_by_q2_part = i3_i1_inv.mul_add(q1_dot_s2_scaled, q1_ddot_part);
     // q1'^2; used 2 times
     let q1_dot_sq = q1_dot * q1_dot;
     // Elimination, step by step.
     // q2_ddot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - q1'*(q1'*(cos(q2)^2 - sin(q2)^2 + I3*(sin(q2)^2 -
     //   cos(q2)^2)/I1) + I3*q3'*sin(q2)/I1)
-    let q2_ddot_by_q2 = m_l_g_i1_inv * c1 * c2 - q1_dot_s2 * q2_ddot_by_q2_part
-        - q1_dot_sq + i3_i1_inv * q1_dot_sq;
+    let q2_ddot_by_q2 = i3_i1_inv
+        .mul_add(
+            q1_dot_sq,
+            (-q1_dot_s2).mul_add(q2_ddot_by_q2_part, m_l_g_i1_inv * c1 * c2) - q1_dot_sq,
+        );
     // q1_ddot_by_q1_dot = q2'*tan(q2)*(2 - I3/I1)
     let q1_ddot_by_q1_dot = q2_dot_c2_inv * q1_ddot_by_q2_part * s2;
     // q3_ddot_by_q1_dot = -q2'*cos(q2) - q1_ddot_by_q1_dot*sin(q2)
-    let q3_ddot_by_q1_dot = -q2_dot * c2 - q1_ddot_by_q1_dot * s2;
+    let q3_ddot_by_q1_dot = (-q1_ddot_by_q1_dot).mul_add(s2, -q2_dot * c2);
     // q2_ddot_by_q1_dot = cos(q2)*(I3*(2*q1'*sin(q2) + q3')/I1 - 2*q1'*sin(q2))
     let q2_ddot_by_q1_dot = q2_ddot_by_q2_part * c2;
     // q1_ddot_by_q2_dot = (2*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')/I1)/cos(q2)
@@ -240,7 +252,7 @@ pub fn jacobian<S: Scalar>(
     let q1_dot_c2 = q1_dot * c2;
     // Elimination, step by step.
     // q3_ddot_by_q2_dot = -q1'*cos(q2) - q1_ddot_by_q2_dot*sin(q2)
-    let q3_ddot_by_q2_dot = -q1_ddot_by_q2_dot * s2 - q1_dot_c2;
+    let q3_ddot_by_q2_dot = (-q1_ddot_by_q2_dot).mul_add(s2, -q1_dot_c2);
     // q1_ddot_by_q3_dot = -I3*q2'/(I1*cos(q2))
     let q1_ddot_by_q3_dot = -q2_dot_c2_inv * i3_i1_inv;
     // q2_ddot_by_q3_dot = I3*q1'*cos(q2)/I1
@@ -314,13 +326,13 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) 
     // I3*q3'; used 2 times
     let i3_q3_dot = I3 * q3_dot;
     // q1'^2*(I3 + cos(q2)^2*(I1 - I3)) + I1*q2'^2
-    let energy_part = q1_dot * q1_dot * (I3 + c2 * c2 * (I1 - I3))
-        + I1 * q2_dot * q2_dot;
+    let energy_part = I1
+        .mul_add(q2_dot * q2_dot, q1_dot * q1_dot * ((c2 * c2).mul_add(I1 - I3, I3)));
     // q3'*i3_q3_dot + energy_part
-    let energy_part_2 = q3_dot * i3_q3_dot + energy_part;
+    let energy_part_2 = q3_dot.mul_add(i3_q3_dot, energy_part);
     // Values.
     // T = q1'^2*(I3*sin(q2)^2 + I1*cos(q2)^2)/2 + I1*q2'^2/2 + I3*q3'^2/2 + I3*q1'*q3'*sin(q2)
-    let energy = q1_dot * i3_q3_dot * s2 + S::ratio(1, 2) * energy_part_2;
+    let energy = (q1_dot * i3_q3_dot).mul_add(s2, S::ratio(1, 2) * energy_part_2);
     energy
 }
 
@@ -359,7 +371,7 @@ pub fn generalized_speeds<S: Scalar>(
     // u2 = q2'
     let u2_value = q2_dot;
     // u3 = q1'*sin(q2) + q3'
-    let u3_value = q1_dot * s2 + q3_dot;
+    let u3_value = q1_dot.mul_add(s2, q3_dot);
     [u1_value, u2_value, u3_value]
 }
 
@@ -383,11 +395,11 @@ pub fn generalized_speed_rates<S: Scalar>(
     let q1_dot_q2_dot = q1_dot * q2_dot;
     // Values.
     // u1' = q1''*cos(q2) - q1'*q2'*sin(q2)
-    let u1_dot_value = q1_ddot * c2 - q1_dot_q2_dot * s2;
+    let u1_dot_value = (-q1_dot_q2_dot).mul_add(s2, q1_ddot * c2);
     // u2' = q2''
     let u2_dot_value = q2_ddot;
     // u3' = q1'*q2'*cos(q2) + q1''*sin(q2) + q3''
-    let u3_dot_value = q1_ddot * s2 + q3_ddot + q1_dot_q2_dot * c2;
+    let u3_dot_value = q1_dot_q2_dot.mul_add(c2, q1_ddot.mul_add(s2, q3_ddot));
     [u1_dot_value, u2_dot_value, u3_dot_value]
 }
 
@@ -413,7 +425,7 @@ pub fn motion_variables<S: Scalar>(
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
-    let q3_dot_value = u3 - u1_c2_inv * s2;
+    let q3_dot_value = (-u1_c2_inv).mul_add(s2, u3);
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 

@@ -32,7 +32,7 @@ pub fn mass_matrix<S: Scalar>(
     // cos(q1)*sin(q2); used 2 times
     let s2_c1 = c1 * s2;
     // l*m_l - I1
-    let l_m_l_minus_i1 = l * m_l - I1;
+    let l_m_l_minus_i1 = l.mul_add(m_l, -I1);
     // -l_m_l_minus_i1; used 2 times
     let l_m_l_minus_i1_scaled = -l_m_l_minus_i1;
     // Entries that are not zero.
@@ -108,14 +108,14 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     // m_l*u1_c2_inv_s2; used 2 times
     let m_l_u1_c2_inv_s2 = m_l * u1_c2_inv_s2;
     // I3*u3 + u1_c2_inv_s2*(l*m_l - I1); used 2 times
-    let f4_part = I3 * u3 + u1_c2_inv_s2 * (l * m_l - I1);
+    let f4_part = u1_c2_inv_s2.mul_add(l.mul_add(m_l, -I1), I3 * u3);
     // Values.
     // f1 = m*sin(q2)*(g*cos(q1) - l*u1^2/cos(q2))
-    let f1 = c1_m_g * s2 - u1 * m_l_u1_c2_inv_s2;
+    let f1 = (-u1).mul_add(m_l_u1_c2_inv_s2, c1_m_g * s2);
     // f2 = -m*(g*sin(q1) + l*u1*u2*tan(q2))
-    let f2 = -m_g * s1 - u2 * m_l_u1_c2_inv_s2;
+    let f2 = (-u2).mul_add(m_l_u1_c2_inv_s2, -m_g * s1);
     // f3 = m*(l*(u1^2 + u2^2) - g*cos(q1)*cos(q2))
-    let f3 = m_l * (u1 * u1 + u2 * u2) - c1_m_g * c2;
+    let f3 = (-c1_m_g).mul_add(c2, m_l * (u2.mul_add(u2, u1 * u1)));
     // f4 = -u2*(u1*tan(q2)*(m*l^2 - I1) + I3*u3)
     let f4 = -u2 * f4_part;
     // f5 = u1*(u1*tan(q2)*(m*l^2 - I1) + I3*u3)
@@ -141,14 +141,14 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     // tan(q2)
     let t2 = s2 / c2;
     // u1*tan(q2) - I3*u3*i1_inv; used 2 times
-    let u2_dot_part = u1 * t2 - I3 * u3 * i1_inv;
+    let u2_dot_part = (-(I3 * u3)).mul_add(i1_inv, u1 * t2);
     // m*l*g*i1_inv; used 2 times
     let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u2_dot = m_l_g_i1_inv * c1 * s2 - u1 * u2_dot_part;
+    let u2_dot = (-u1).mul_add(u2_dot_part, m_l_g_i1_inv * c1 * s2);
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u1_dot = u2 * u2_dot_part + m_l_g_i1_inv * s1;
+    let u1_dot = m_l_g_i1_inv.mul_add(s1, u2 * u2_dot_part);
     [u1_dot, u2_dot, zero]
 }
 
@@ -176,14 +176,14 @@ pub fn derivative<S: Scalar>(
     // u1_c2_inv*sin(q2); used 2 times
     let s2_u1_c2_inv = u1_c2_inv * s2;
     // s2_u1_c2_inv - I3*u3*i1_inv; used 2 times
-    let u2_dot_part = s2_u1_c2_inv - I3 * u3 * i1_inv;
+    let u2_dot_part = (-(I3 * u3)).mul_add(i1_inv, s2_u1_c2_inv);
     // m*l*g*i1_inv; used 2 times
     let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u2_dot = m_l_g_i1_inv * c1 * s2 - u1 * u2_dot_part;
+    let u2_dot = (-u1).mul_add(u2_dot_part, m_l_g_i1_inv * c1 * s2);
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u1_dot = u2 * u2_dot_part + m_l_g_i1_inv * s1;
+    let u1_dot = m_l_g_i1_inv.mul_add(s1, u2 * u2_dot_part);
     // Values.
     // q1' = u1/cos(q2)
     let q1_dot_value = u1_c2_inv;
@@ -223,7 +223,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u1_c2_inv = u1 * c2_inv;
     // Elimination, step by step.
     // u2_dot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
-    let u2_dot_by_q2 = u1_dot_by_q1 * c2 - u1_c2_inv * u1_c2_inv;
+    let u2_dot_by_q2 = (-u1_c2_inv).mul_add(u1_c2_inv, u1_dot_by_q1 * c2);
     // Shared terms.
     // c2_inv*u1_c2_inv; used 2 times
     let c2_inv_u1_c2_inv = c2_inv * u1_c2_inv;
@@ -239,7 +239,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u3_i3_i1_inv = u3 * i3_i1_inv;
     // Elimination, step by step.
     // u2_dot_by_u1 = I3*u3/I1 - 2*u1*tan(q2)
-    let u2_dot_by_u1 = u3_i3_i1_inv - S::int(2) * s2_u1_c2_inv;
+    let u2_dot_by_u1 = (-s2_u1_c2_inv).mul_add(S::int(2), u3_i3_i1_inv);
     // Shared terms.
     // c2_inv*sin(q2); used 3 times
     let s2_c2_inv = c2_inv * s2;
@@ -304,7 +304,7 @@ pub fn coordinate_rates<S: Scalar>(
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
-    let q3_dot_value = u3 - u1_c2_inv * s2;
+    let q3_dot_value = (-u1_c2_inv).mul_add(s2, u3);
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
@@ -317,7 +317,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> 
     let [u1, u2, u3] = *u;
     // Shared terms.
     // I1*(u1^2 + u2^2) + I3*u3^2
-    let energy_part = I1 * (u1 * u1 + u2 * u2) + I3 * u3 * u3;
+    let energy_part = I3.mul_add(u3 * u3, I1 * (u2.mul_add(u2, u1 * u1)));
     // Values.
     // T = I1*u1^2/2 + I1*u2^2/2 + I3*u3^2/2
     let energy = S::ratio(1, 2) * energy_part;

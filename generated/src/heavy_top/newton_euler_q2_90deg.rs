@@ -32,7 +32,7 @@ pub fn mass_matrix<S: Scalar>(
     // cos(q1)*cos(q2_minus_90deg); used 2 times
     let m16_part = c1 * cos_q2_minus_90deg;
     // l*m_l - I1
-    let l_m_l_minus_i1 = l * m_l - I1;
+    let l_m_l_minus_i1 = l.mul_add(m_l, -I1);
     // -l_m_l_minus_i1; used 2 times
     let l_m_l_minus_i1_scaled = -l_m_l_minus_i1;
     // Entries that are not zero.
@@ -102,14 +102,15 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     // l*f1_part; used 2 times
     let l_f1_part = l * f1_part;
     // I3*u3 + f1_part*cos(q2_minus_90deg)*(I1 - m*l^2); used 2 times
-    let f4_part = I3 * u3 + f1_part * cos_q2_minus_90deg * (I1 - m * l * l);
+    let f4_part = (f1_part * cos_q2_minus_90deg)
+        .mul_add((-m).mul_add(l * l, I1), I3 * u3);
     // Values.
     // f1 = m*cos(q2_minus_90deg)*(g*cos(q1) + l*u1^2/sin(q2_minus_90deg))
-    let f1 = m * cos_q2_minus_90deg * (g_c1 + u1 * l_f1_part);
+    let f1 = m * cos_q2_minus_90deg * (u1.mul_add(l_f1_part, g_c1));
     // f2 = m*(l*u1*u2/tan(q2_minus_90deg) - g*sin(q1))
-    let f2 = m * (u2 * l_f1_part * cos_q2_minus_90deg - g * s1);
+    let f2 = m * ((-g).mul_add(s1, u2 * l_f1_part * cos_q2_minus_90deg));
     // f3 = m*(l*(u1^2 + u2^2) + g*cos(q1)*sin(q2_minus_90deg))
-    let f3 = m * (l * (u1 * u1 + u2 * u2) + g_c1 * sin_q2_minus_90deg);
+    let f3 = m * (g_c1.mul_add(sin_q2_minus_90deg, l * (u2.mul_add(u2, u1 * u1))));
     // f4 = -u2*(I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg))
     let f4 = -u2 * f4_part;
     // f5 = u1*(I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg))
@@ -135,14 +136,14 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     // tan(q2_minus_90deg)
     let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
     // u1/tan(q2_minus_90deg) + I3*u3*i1_inv; used 2 times
-    let u2_dot_part = u1 / tan_q2_minus_90deg + I3 * u3 * i1_inv;
+    let u2_dot_part = (I3 * u3).mul_add(i1_inv, u1 / tan_q2_minus_90deg);
     // m*l*g*i1_inv; used 2 times
     let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u2_dot = u1 * u2_dot_part + m_l_g_i1_inv * c1 * cos_q2_minus_90deg;
+    let u2_dot = (m_l_g_i1_inv * c1).mul_add(cos_q2_minus_90deg, u1 * u2_dot_part);
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u1_dot = m_l_g_i1_inv * s1 - u2 * u2_dot_part;
+    let u1_dot = (-u2).mul_add(u2_dot_part, m_l_g_i1_inv * s1);
     [u1_dot, u2_dot, zero]
 }
 
@@ -170,14 +171,14 @@ pub fn derivative<S: Scalar>(
     // u2_dot_part*cos(q2_minus_90deg); used 2 times
     let u2_dot_part_2 = u2_dot_part * cos_q2_minus_90deg;
     // I3*u3*i1_inv + u2_dot_part_2; used 2 times
-    let u2_dot_part_3 = I3 * u3 * i1_inv + u2_dot_part_2;
+    let u2_dot_part_3 = (I3 * u3).mul_add(i1_inv, u2_dot_part_2);
     // m*l*g*i1_inv; used 2 times
     let m_l_g_i1_inv = m * l * g * i1_inv;
     // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u2_dot = u1 * u2_dot_part_3 + m_l_g_i1_inv * c1 * cos_q2_minus_90deg;
+    let u2_dot = (m_l_g_i1_inv * c1).mul_add(cos_q2_minus_90deg, u1 * u2_dot_part_3);
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u1_dot = m_l_g_i1_inv * s1 - u2 * u2_dot_part_3;
+    let u1_dot = (-u2).mul_add(u2_dot_part_3, m_l_g_i1_inv * s1);
     // Values.
     // q1' = -u1/sin(q2_minus_90deg)
     let q1_dot_value = -u2_dot_part;
@@ -217,8 +218,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u2_dot_by_q2_minus_90deg_part_2 = u1 * u2_dot_by_q2_minus_90deg_part;
     // Elimination, step by step.
     // u2_dot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 - u1^2/sin(q2_minus_90deg)^2
-    let u2_dot_by_q2_minus_90deg = -u1_dot_by_q1 * sin_q2_minus_90deg
-        - u2_dot_by_q2_minus_90deg_part_2 * u2_dot_by_q2_minus_90deg_part_2;
+    let u2_dot_by_q2_minus_90deg = (-u2_dot_by_q2_minus_90deg_part_2)
+        .mul_add(u2_dot_by_q2_minus_90deg_part_2, -u1_dot_by_q1 * sin_q2_minus_90deg);
     // Shared terms.
     // u2_dot_by_q2_minus_90deg_part*u2_dot_by_q2_minus_90deg_part_2; used 2 times
     let u1_dot_by_q2_minus_90deg_part = u2_dot_by_q2_minus_90deg_part
@@ -235,7 +236,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u3_i3_i1_inv = u3 * i3_i1_inv;
     // Elimination, step by step.
     // u2_dot_by_u1 = I3*u3/I1 + 2*u1/tan(q2_minus_90deg)
-    let u2_dot_by_u1 = S::int(2) * u2_dot_by_u1_part + u3_i3_i1_inv;
+    let u2_dot_by_u1 = u2_dot_by_u1_part.mul_add(S::int(2), u3_i3_i1_inv);
     // Shared terms.
     // u2_dot_by_q2_minus_90deg_part*cos(q2_minus_90deg); used 3 times
     let u1_dot_by_u1_part = u2_dot_by_q2_minus_90deg_part * cos_q2_minus_90deg;
@@ -315,7 +316,7 @@ pub fn coordinate_rates<S: Scalar>(
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 + u1/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + q1_dot_value_part * cos_q2_minus_90deg;
+    let q3_dot_value = q1_dot_value_part.mul_add(cos_q2_minus_90deg, u3);
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
@@ -328,7 +329,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> 
     let [u1, u2, u3] = *u;
     // Shared terms.
     // I1*(u1^2 + u2^2) + I3*u3^2
-    let energy_part = I1 * (u1 * u1 + u2 * u2) + I3 * u3 * u3;
+    let energy_part = I3.mul_add(u3 * u3, I1 * (u2.mul_add(u2, u1 * u1)));
     // Values.
     // T = I1*(u1^2 + u2^2)/2 + I3*u3^2/2
     let energy = S::ratio(1, 2) * energy_part;
