@@ -79,6 +79,18 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
+    /// Write the generated Rust module of any model file: mod.rs, and one file a formulation
+    Emit {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// The folder of the module, named as the module; files in it that this command did not write stay untouched
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// kane, lagrange or newton-euler, more than once for several; all that the model supports if not given, and what
+        /// the report beside it prints
+        #[arg(long = "formulation", value_name = "F")]
+        formulations: Vec<String>,
+    },
     /// Evaluate the equations of motion at one state
     Evaluate {
         /// A model file, or a folder with model.toml
@@ -179,6 +191,7 @@ fn main() -> ExitCode {
         Command::Prove { model, json } => commands::prove::prove(&model, json),
         Command::Regenerate { check: true } => commands::regenerate::check(),
         Command::Regenerate { check: false } => commands::regenerate::regenerate(),
+        Command::Emit { model, out, formulations } => commands::emit::emit(&model, &out, &formulations),
         Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),
         Command::Stability { scene, quick, out } => commands::stability::stability(&scene, quick, &out),
         Command::Chart { scene, quick, printed, out } => commands::chart::chart(&scene, quick, printed, &out),

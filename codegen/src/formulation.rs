@@ -34,9 +34,10 @@ impl Solved {
     }
 }
 
-/// Emits the file of one formulation, such as `kane.rs`, from a source such as `models/disk/model.toml`.
+/// Emits the file of one formulation, such as `kane.rs`; `origin` is the sentence of its header that says where it comes
+/// from.
 #[must_use]
-pub fn file(model: &Model, source: &str, arena: &Arena, equations: &Equations, solved: Option<&Solved>) -> String {
+pub fn file(model: &Model, origin: &str, arena: &Arena, equations: &Equations, solved: Option<&Solved>) -> String {
     let variables = Variables::new(arena, &type_name(&equations.name));
     let writer = Writer { model, arena, equations, variables, shares: solved.is_some() };
     let mut functions = linear_system(&writer);
@@ -47,7 +48,7 @@ pub fn file(model: &Model, source: &str, arena: &Arena, equations: &Equations, s
     if equations.formulation == Formulation::Lagrange {
         functions.extend(conversions(&writer));
     }
-    let header = header(&writer, source, &functions, solved);
+    let header = header(&writer, origin, &functions, solved);
     let functions = functions.into_iter().map(|f| f.tokens);
     let system = system::system(model, equations, solved.is_some());
     format(
@@ -201,7 +202,7 @@ fn equation_text(formulation: Formulation) -> &'static str {
     }
 }
 
-fn header(writer: &Writer<'_>, source: &str, functions: &[Function], solved: Option<&Solved>) -> Vec<String> {
+fn header(writer: &Writer<'_>, origin: &str, functions: &[Function], solved: Option<&Solved>) -> Vec<String> {
     let (e, model) = (writer.equations, writer.model);
     let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
     let mut counts = vec![
@@ -218,7 +219,7 @@ fn header(writer: &Writer<'_>, source: &str, functions: &[Function], solved: Opt
     vec![
         format!("{}: {}, {}.", model.title, e.title, equation_text(e.formulation)),
         String::new(),
-        format!("Generated from `{source}`. Do not edit; run `tripos regenerate`."),
+        origin.to_owned(),
         format!("{}. Unknowns: {}.", counts.join(", "), vector_text(writer.arena, &e.unknowns)),
         format!("Cost: {}.", costs.join("; ")),
         singular_text(writer.arena, e),

@@ -4,10 +4,12 @@
 //! text through prettyplease → [`workspace::Generated`] files. Nothing here reads a clock, an
 //! environment variable or a hash map's order.
 
+pub mod emit;
 pub mod formulation;
 mod function;
 mod identifiers;
 mod module;
+mod origin;
 pub mod program;
 mod system;
 pub mod tokens;

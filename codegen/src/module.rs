@@ -6,14 +6,9 @@ use proc_macro2::Literal;
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 
-/// Emits `mod.rs` for equations of these names.
-pub fn file(model: &Model, folder: &str, report_hash: &str, equations: &[String]) -> String {
-    let header = vec![
-        format!("{}.", model.title),
-        String::new(),
-        format!("Generated from `models/{folder}/model.toml`. Do not edit; run `tripos regenerate`."),
-        format!("{}.", model.count()),
-    ];
+/// Emits `mod.rs` for equations of these names; `origin` is the sentence of its header that says where it comes from.
+pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equations: &[String]) -> String {
+    let header = vec![format!("{}.", model.title), String::new(), origin.to_owned(), format!("{}.", model.count())];
     let modules = equations.iter().map(|name| {
         let name = format_ident!("{}", module_name(name));
         quote!(#[rustfmt::skip] pub mod #name;)

@@ -2,6 +2,7 @@
 
 use crate::formulation::Solved;
 use crate::identifiers::module_name;
+use crate::origin::Origin;
 use crate::tokens::format;
 use crate::{formulation, module};
 use quote::{format_ident, quote};
@@ -9,7 +10,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{Derivation, derive_all, distances, in_distance};
+use tripos_derive::mechanics::{Derivation, DeriveError, derive_all, distances, in_distance};
 use tripos_derive::model::text_hash;
 use tripos_derive::report::Report;
 use tripos_derive::{Formulation, Model, derive};
@@ -63,24 +64,42 @@ fn guarded(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnosti
     })
 }
 
-/// The files of one model, by name.
+/// The files of one model of the workspace, by name.
 ///
 /// # Errors
 /// [`Diagnostics`] of the model file.
 pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnostics> {
+    let origin = Origin { folder: format!("models/{folder}/"), model: "model.toml".to_owned(), command: "regenerate" };
+    Ok(module_files(path, folder, &origin, None)?.files)
+}
+
+/// What one model gives.
+pub(crate) struct ModuleFiles {
+    /// Text of each file, by name.
+    pub files: Vec<(String, String)>,
+    /// Formulations that this model does not support, each with the reason.
+    pub left_out: Vec<(Formulation, DeriveError)>,
+}
+
+/// The files of a module of this name: of these formulations alone, or of all and of the report beside the model.
+pub(crate) fn module_files(
+    path: &Path,
+    module: &str,
+    origin: &Origin,
+    formulations: Option<&[Formulation]>,
+) -> Result<ModuleFiles, Diagnostics> {
     let model = Model::read(path)?;
     // The report's symbols go to a store of their own: derived equations do not change with a report.
     let mut with_report = model.clone();
-    if syn::parse_str::<syn::Ident>(folder).is_err() {
-        let message = format!("the folder's name `{folder}` cannot be a Rust module");
+    if syn::parse_str::<syn::Ident>(module).is_err() {
+        let message = format!("the folder's name `{module}` cannot be a Rust module");
         let help = "rename the folder: a letter, then letters, digits and `_`";
         let diagnostic = Diagnostic::of_file(message, help);
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
-    let report = report_beside(path, &mut with_report)?;
-    let (mut files, mut names) = (Vec::new(), Vec::new());
-    let source = format!("models/{folder}/model.toml");
-    for f in Formulation::ALL {
+    let report = if formulations.is_none() { report_beside(path, &mut with_report)? } else { None };
+    let (mut files, mut names, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
+    for &f in formulations.unwrap_or(&Formulation::ALL) {
         // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
         match derive(&model, f) {
             Ok(derivation) => {
@@ -88,18 +107,17 @@ pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, D
                 for Derivation { mut arena, equations } in std::iter::once(derivation.clone()).chain(near) {
                     // The matrix has full rank by meaning, so it is never singular identically.
                     let solved = Solved::new(&mut arena, &equations).ok();
-                    let text = formulation::file(&model, &source, &arena, &equations, solved.as_ref());
+                    let text = formulation::file(&model, &origin.of_model(), &arena, &equations, solved.as_ref());
                     files.push((format!("{}.rs", module_name(&equations.name)), text));
                     names.push(equations.name);
                 }
             }
-            Err(error) if error.is_unsupported() => {}
+            Err(error) if error.is_unsupported() => left_out.push((f, error)),
             Err(error) => return Err(model.diagnose(&error)),
         }
     }
     if let Some(report) = &report {
         let mut derivations = derive_all(&with_report).map_err(|error| model.diagnose(&error))?;
-        let source = format!("models/{folder}/report.toml");
         for equations in printed_equations(&with_report, &mut derivations, report) {
             let file = format!("{}.rs", module_name(&equations.name));
             if files.iter().any(|(known, _)| *known == file) {
@@ -107,16 +125,14 @@ pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, D
                 let diagnostic = Diagnostic::of_file(message, "let ids differ in more than signs");
                 return Err(Diagnostics::new(report.source.clone(), vec![diagnostic]));
             }
-            files.push((
-                file,
-                formulation::file(&with_report, &source, &derivations.kinematics.arena, &equations, None),
-            ));
+            let arena = &derivations.kinematics.arena;
+            files.push((file, formulation::file(&with_report, &origin.of_report(), arena, &equations, None)));
             names.push(equations.name);
         }
     }
     let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();
-    files.push(("mod.rs".to_owned(), module::file(&model, folder, &report_hash, &names)));
-    Ok(files)
+    files.push(("mod.rs".to_owned(), module::file(&model, module, &origin.of_model(), &report_hash, &names)));
+    Ok(ModuleFiles { files, left_out })
 }
 
 /// The report file beside a model file, if there is one.

@@ -3,6 +3,7 @@
 pub mod chart;
 pub mod derive;
 pub mod diff;
+pub mod emit;
 pub mod evaluate;
 pub mod prove;
 pub mod regenerate;

@@ -1,0 +1,39 @@
+//! `tripos emit`: the generated Rust of any model file, as a module for a crate of the user's own.
+
+use crate::catalogue::{formulation, model_file};
+use crate::failure::{Failure, print, say};
+use std::path::{Path, PathBuf};
+use tripos_codegen::emit::{PlaceError, emit as emission, place};
+
+/// Writes the module, and says what became of each file.
+pub fn emit(model: &Path, out: &Path, formulations: &[String]) -> Result<u8, Failure> {
+    let formulations = formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
+    let module = module(out)?;
+    let emission = emission(&model_file(model), &module, &formulations)?;
+    for (_, error) in &emission.left_out {
+        say(&format!("not emitted: {error}"));
+    }
+    let placed = place(&emission, out).map_err(|error| match error {
+        PlaceError::Foreign(_) => {
+            Failure::Request(error.to_string(), "give another folder, or move the file away".to_owned())
+        }
+        PlaceError::Io(path, error) => Failure::Output(path.display().to_string(), error),
+    })?;
+    let lines: Vec<String> = placed.iter().map(|file| format!("{file}\n")).collect();
+    print(&lines.concat())?;
+    say(&format!(
+        "declare it as `#[allow(non_snake_case)] pub mod {module};` in a crate that depends on tripos-traits"
+    ));
+    Ok(0)
+}
+
+/// The name of the module: that of its folder.
+fn module(out: &Path) -> Result<String, Failure> {
+    // `.` and `..` have no name of their own.
+    let named =
+        if out.file_name().is_some() { out.to_owned() } else { out.canonicalize().unwrap_or_else(|_| PathBuf::new()) };
+    named.file_name().map(|name| name.to_string_lossy().into_owned()).ok_or_else(|| {
+        let what = format!("`{}` has no name that a module could have", out.display());
+        Failure::Request(what, "give a folder whose name is a Rust module, as in `--out src/pendulum`".to_owned())
+    })
+}

@@ -1,0 +1,154 @@
+//! The Rust module of any one model file, for a crate of its user's own.
+//!
+//! Invariant: a file that [`place`] did not write is never changed, and nothing is changed if one stands in the way.
+//! What it wrote it knows by the header. Absent on purpose: the crate around the module; it needs `tripos-traits`.
+
+use crate::origin::{Origin, is_written_by};
+use crate::workspace::{ModuleFiles, module_files};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use tripos_derive::Formulation;
+use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::mechanics::DeriveError;
+
+/// The command that writes such modules, as their headers name it.
+const COMMAND: &str = "emit";
+
+/// The module of one model.
+#[derive(Debug)]
+pub struct Emission {
+    /// Text of each file by its name: `mod.rs`, and one a formulation.
+    pub files: BTreeMap<String, String>,
+    /// Formulations that the model does not support, each with the reason.
+    pub left_out: Vec<(Formulation, DeriveError)>,
+}
+
+/// Emits the module `module` of a model file: these formulations alone, or, if none are named, all that the model
+/// supports and the printed equations of the report beside it.
+///
+/// The text is what a workspace has in `generated/src/MODULE`, but for the line that says where it comes from.
+///
+/// # Errors
+/// [`Diagnostics`] of the model file or the report; a formulation that is named and cannot be had is one.
+pub fn emit(path: &Path, module: &str, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
+    // Each once, in the order in which they are always listed.
+    let ordered: Vec<_> = Formulation::ALL.into_iter().filter(|f| formulations.contains(f)).collect();
+    let named = (!ordered.is_empty()).then_some(ordered.as_slice());
+    let ModuleFiles { files, left_out } = module_files(path, module, &origin(path), named)?;
+    match left_out.first() {
+        Some((_, error)) if named.is_some() => Err(tripos_derive::Model::read(path)?.diagnose(error)),
+        _ => Ok(Emission { files: files.into_iter().collect(), left_out }),
+    }
+}
+
+/// `model.toml` alone would say little: its folder goes with it. Neither depends on where that folder is.
+fn origin(path: &Path) -> Origin {
+    let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
+    let model = name(path.file_name()).unwrap_or_default();
+    let full = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let folder = full.parent().and_then(|folder| name(folder.file_name()));
+    let folder = folder.filter(|_| model == "model.toml").map(|folder| format!("{folder}/"));
+    Origin { folder: folder.unwrap_or_default(), model, command: COMMAND }
+}
+
+/// What became of one file of a module.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Placed {
+    /// It is new or has another text than before.
+    Written(String),
+    /// It had this text already, and was not touched.
+    Unchanged(String),
+    /// An earlier emission wrote it, and this one has no such file.
+    Removed(String),
+}
+
+impl fmt::Display for Placed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Written(file) => write!(f, "written    {file}"),
+            Self::Unchanged(file) => write!(f, "unchanged  {file}"),
+            Self::Removed(file) => write!(f, "removed    {file}"),
+        }
+    }
+}
+
+/// Why a module could not be placed.
+#[derive(Debug)]
+pub enum PlaceError {
+    /// A file that this did not write has the place of one of the module.
+    Foreign(PathBuf),
+    /// A file or folder that cannot be read or written.
+    Io(PathBuf, std::io::Error),
+}
+
+impl std::error::Error for PlaceError {}
+
+impl fmt::Display for PlaceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Foreign(path) => write!(f, "`{}` is not a file that `tripos {COMMAND}` wrote", path.display()),
+            Self::Io(path, error) => write!(f, "cannot read or write `{}`: {error}", path.display()),
+        }
+    }
+}
+
+/// Makes a folder hold a module: all its files, and no others of an earlier emission. Other files stay as they are.
+///
+/// # Errors
+/// [`PlaceError`]; [`PlaceError::Foreign`] before anything is changed.
+pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceError> {
+    let old = written_before(folder)?;
+    for file in emission.files.keys() {
+        let path = folder.join(file);
+        if !old.contains_key(file) && path.symlink_metadata().is_ok() {
+            return Err(PlaceError::Foreign(path));
+        }
+    }
+    std::fs::create_dir_all(folder).map_err(|error| PlaceError::Io(folder.to_owned(), error))?;
+    let mut placed = Vec::new();
+    for (file, text) in &emission.files {
+        if old.get(file) == Some(text) {
+            placed.push(Placed::Unchanged(file.clone()));
+            continue;
+        }
+        let path = folder.join(file);
+        std::fs::write(&path, text).map_err(|error| PlaceError::Io(path, error))?;
+        placed.push(Placed::Written(file.clone()));
+    }
+    for file in old.into_keys().filter(|file| !emission.files.contains_key(file)) {
+        let path = folder.join(&file);
+        std::fs::remove_file(&path).map_err(|error| PlaceError::Io(path, error))?;
+        placed.push(Placed::Removed(file));
+    }
+    Ok(placed)
+}
+
+/// The files of a folder that an earlier emission wrote, with their texts; none if there is no such folder.
+fn written_before(folder: &Path) -> Result<BTreeMap<String, String>, PlaceError> {
+    let failed = |path: &Path| {
+        let path = path.to_owned();
+        move |error| PlaceError::Io(path, error)
+    };
+    let mut files = BTreeMap::new();
+    if folder.symlink_metadata().is_err() {
+        return Ok(files);
+    }
+    for entry in std::fs::read_dir(folder).map_err(failed(folder))? {
+        let entry = entry.map_err(failed(folder))?;
+        let path = entry.path();
+        // Neither folders nor links: what a link points to is another's.
+        if path.extension().is_none_or(|extension| extension != "rs")
+            || !entry.file_type().map_err(failed(&path))?.is_file()
+        {
+            continue;
+        }
+        let text = std::fs::read(&path).map_err(failed(&path))?;
+        if let (Ok(text), Ok(name)) = (String::from_utf8(text), entry.file_name().into_string())
+            && is_written_by(&text, COMMAND)
+        {
+            files.insert(name, text);
+        }
+    }
+    Ok(files)
+}
