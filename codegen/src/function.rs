@@ -190,6 +190,7 @@ impl Writer<'_> {
         for reading in Reading::ALL {
             let mut arena = self.arena.clone();
             let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, &values);
+            let Some(shared) = shared else { continue };
             let rewritten = outputs.iter().zip(shared.values).map(|(o, value)| Output { value, ..o.clone() });
             let candidate = program(&arena, &self.variables, &shared.steps, steps, &rewritten.collect::<Vec<_>>());
             let weight = cost(&candidate).weight();

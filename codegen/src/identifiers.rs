@@ -62,7 +62,8 @@ impl Variables {
         self.shared.insert(arena.symbol_name(symbol).unwrap_or_default().to_owned(), name.to_owned());
     }
 
-    /// A formula with the variables of symbols that sharing introduced, which are spelled `#1`, `#2`, ….
+    /// A formula with the variables of symbols that sharing introduced: they are spelled `#1`, `#2`, …, or `#` before what
+    /// they hold.
     #[must_use]
     pub fn spell(&self, formula: &str) -> String {
         let mut parts = formula.split('#');

@@ -115,7 +115,11 @@ pub fn program(
         }
         let Some(step) = step else { continue };
         if is_shared_symbol(arena, step.symbol) {
-            let name = names.descriptive(arena, &variables, step.value, &needs);
+            let held = arena.symbol_name(step.symbol).and_then(|name| identifier(name.trim_start_matches('#'), 24));
+            let name = match held {
+                Some(word) => names.allocator.unique(&word),
+                None => names.descriptive(arena, &variables, step.value, &needs),
+            };
             let value = lines.resolve(arena, &mut names, operand(arena, step.value, &shared));
             let meaning = variables.spell(&text(arena, step.value));
             let comment = match uses.get(&step.symbol) {

@@ -23,11 +23,13 @@ pub struct Cost {
 impl Cost {
     /// What one division costs in additions, roughly: on current processors it holds its unit that much longer.
     const DIVISION: usize = 4;
+    /// The same for a sine and a cosine, or another function.
+    const FUNCTION: usize = 30;
 
     /// The price of a call by which programs for the same values are compared.
     #[must_use]
     pub fn weight(&self) -> usize {
-        self.operations + (Self::DIVISION - 1) * self.divisions
+        self.operations + (Self::DIVISION - 1) * self.divisions + Self::FUNCTION * (self.sincos + self.functions)
     }
 }
 
@@ -96,24 +98,26 @@ fn number(numerator: &str, denominator: &str) -> TokenStream {
     }
 }
 
-/// Terms from left to right; each product but the first is fused with what stands before it, where the scalar type can. If only the first
-/// is a product, it is fused with the second.
+/// Terms from left to right. A product of plain factors is fused with what stands before it, where the scalar type can:
+/// one in a sum and none inside another, since nested calls are hard to read and gain little. If only the first term is a
+/// product, it is fused with the second.
 fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
     let mut order: Vec<&(bool, View)> = terms.iter().collect();
     if let [first, second, ..] = order.as_slice()
-        && is_product(&first.1)
-        && !is_product(&second.1)
+        && is_plain_product(&first.1)
+        && !is_plain_product(&second.1)
     {
         order.swap(0, 1);
     }
     let mut tokens = TokenStream::new();
+    let mut fused = order.iter().any(|(_, term)| !is_flat(term));
     for (at, (negative, term)) in order.into_iter().enumerate() {
         cost.operations += usize::from(at > 0 || (*negative && terms[0].0));
-        if at > 0
-            && let Some((left, right)) = fusible(term, cost)
-        {
-            let left = if *negative { quote!((- #left)) } else { quote!(#left) };
+        if at > 0 && !fused && is_plain_product(term) {
+            let (left, right) = halves(term, cost);
+            let left = if *negative { quote!((- #left)) } else { left };
             tokens = quote!(#left.mul_add(#right, #tokens));
+            fused = true;
             continue;
         }
         let loose = matches!(term, View::Sum(_));
@@ -128,32 +132,44 @@ fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
     tokens
 }
 
-fn is_product(view: &View) -> bool {
-    matches!(view, View::Product(_))
-        || matches!(view, View::Power(base, 2) if matches!(**base, View::Name(_) | View::Shared(_)))
+fn is_plain(view: &View) -> bool {
+    matches!(view, View::Name(_) | View::Shared(_) | View::Number(_))
 }
 
-/// A product as what `mul_add` is called on and what it is multiplied by.
-fn fusible(term: &View, cost: &mut Cost) -> Option<(TokenStream, TokenStream)> {
-    if !is_product(term) {
-        return None;
+fn is_plain_product(view: &View) -> bool {
+    match view {
+        View::Product(factors) => factors.iter().all(is_plain),
+        View::Power(base, 2) => is_plain(base),
+        _ => false,
     }
+}
+
+/// Without a sum inside.
+fn is_flat(view: &View) -> bool {
+    match view {
+        View::Sum(_) => false,
+        View::Product(factors) => factors.iter().all(is_flat),
+        View::Fraction(above, below) => is_flat(above) && is_flat(below),
+        View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => is_flat(inner),
+        View::Number(_) | View::Name(_) | View::Shared(_) | View::Pi | View::Cut => true,
+    }
+}
+
+/// A plain product as what `mul_add` is called on and what it is multiplied by.
+fn halves(term: &View, cost: &mut Cost) -> (TokenStream, TokenStream) {
     cost.operations += 1;
-    match term {
-        View::Product(factors) => {
-            let (last, rest) = factors.split_last()?;
-            // A number is multiplied by, not called upon: `x.mul_add(S::int(4), y)` reads as it is written.
-            let one = if rest.len() == 1 { rest[0].clone() } else { View::Product(rest.to_vec()) };
-            let (left, right) = if matches!(one, View::Number(_)) { (last, &one) } else { (&one, last) };
-            let right = expression(right, cost);
-            Some((receiver(left, cost), right))
-        }
-        View::Power(base, _) => {
-            let base = expression(base, cost);
-            Some((base.clone(), base))
-        }
-        _ => None,
-    }
+    let factors = match term {
+        View::Product(factors) => factors.clone(),
+        View::Power(base, _) => vec![(**base).clone(); 2],
+        other => vec![other.clone()],
+    };
+    // A number is multiplied by, not called upon: `x.mul_add(S::int(4), y)`.
+    let number = factors.iter().position(|f| matches!(f, View::Number(_)));
+    let right = number.unwrap_or(factors.len() - 1);
+    let mut left = factors;
+    let right = expression(&left.remove(right), cost);
+    let left = if left.len() == 1 { left.remove(0) } else { View::Product(left) };
+    (receiver(&left, cost), right)
 }
 
 fn factor(view: &View, cost: &mut Cost) -> TokenStream {

@@ -6,7 +6,7 @@ use tripos_derive::algebra::elimination::Definition;
 use tripos_derive::algebra::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::parse::parse_free;
 use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::sharing::{Reading, is_shared_symbol, share};
+use tripos_derive::algebra::sharing::{Angles, Products, Reading, is_shared_symbol, share};
 use tripos_derive::algebra::simplify::{Simplifier, cost_of_all};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Derivation, accelerations, jacobian};
@@ -63,7 +63,7 @@ fn proved(arena: &Arena, steps: &[Definition], values: &[Expr], of: &str) -> usi
     let mut least = before;
     for reading in Reading::ALL {
         let mut arena = arena.clone();
-        let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, values);
+        let Some(shared) = share(&mut arena, &mut Simplifier::default(), reading, steps, values) else { continue };
         least = least.min(operations(&arena, &shared.steps, &shared.values));
         let (old_steps, old_values) = unfolded(&mut arena, steps, values);
         let (new_steps, new_values) = unfolded(&mut arena, &shared.steps, &shared.values);
@@ -123,10 +123,11 @@ fn sharing_keeps_the_meaning_of_a_jacobian() {
     assert!(5 * least < 4 * before, "{least} of {before} operations");
 }
 
-fn shared(input: &[&str], reading: Reading) -> Vec<String> {
+fn shared(input: &[&str], products: Products, angles: Angles) -> Vec<String> {
     let mut arena = Arena::new();
     let values: Vec<Expr> = input.iter().map(|text| parse_free(&mut arena, text).unwrap()).collect();
-    let shared = share(&mut arena, &mut Simplifier::default(), reading, &[], &values);
+    let reading = Reading { products, angles };
+    let shared = share(&mut arena, &mut Simplifier::default(), reading, &[], &values).unwrap();
     let steps = shared.steps.iter().map(|s| format!("{} = {}", text(&arena, s.symbol), text(&arena, s.value)));
     steps.chain(shared.values.iter().map(|e| text(&arena, *e))).collect()
 }
@@ -154,7 +155,7 @@ fn common_parts_are_what_a_person_would_take_out() {
         (&["a + b", "c*d"], &["a + b", "c*d"]),
         (&["0", "5", "a"], &["0", "5", "a"]),
     ] {
-        assert_eq!(shared(input, Reading::Expanded), expected, "{input:?}");
+        assert_eq!(shared(input, Products::Expanded, Angles::Kept), expected, "{input:?}");
     }
 }
 
@@ -170,11 +171,31 @@ fn sums_along_a_chain_grow_as_its_length() {
                 parse_free(&mut arena, &terms.join(" + ")).unwrap()
             })
             .collect();
-        let shared = share(&mut arena, &mut Simplifier::default(), Reading::Factored, &[], &values);
+        let reading = Reading { products: Products::Factored, angles: Angles::Kept };
+        let shared = share(&mut arena, &mut Simplifier::default(), reading, &[], &values).unwrap();
         operations(&arena, &shared.steps, &shared.values)
     };
     for n in [4, 8, 16, 32] {
         // n products, and n − 1 sums that each add one term to another.
         assert_eq!(count(n), 2 * n - 1, "{n}");
     }
+}
+
+#[test]
+fn sines_of_sums_come_from_those_of_the_parts() {
+    let composed = |input: &[&str]| shared(input, Products::Factored, Angles::Composed);
+    assert_eq!(
+        composed(&["sin(p)*cos(q)", "sin(p - q)"]),
+        ["#1 = sin(p)*cos(q)", "#sin(p - q) = #1 - cos(p)*sin(q)", "#1", "#sin(p - q)"]
+    );
+    // Three differences of three angles: the angles themselves, and nothing else.
+    let angles = ["sin(p - q)", "sin(q - r)", "sin(p - r)"];
+    let text = composed(&angles).join("\n");
+    let of = |angle: &str| text.matches(&format!("sin({angle})")).count();
+    assert!(of("p") > 0 && of("q") > 0 && of("r") > 0, "{text}");
+    // Two angles are no cheaper than one sum of them.
+    let mut arena = Arena::new();
+    let alone = parse_free(&mut arena, "sin(p + q)*cos(p + q)").unwrap();
+    let reading = Reading { products: Products::Factored, angles: Angles::Composed };
+    assert!(share(&mut arena, &mut Simplifier::default(), reading, &[], &[alone]).is_none());
 }

@@ -6,7 +6,7 @@ pub mod stability;
 
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::evaluate::value_of;
-use tripos_derive::algebra::{Arena, Expr, Node};
+use tripos_derive::algebra::{Arena, Expr, Function, Node};
 use tripos_sim::Dynamics;
 use tripos_traits::{CompiledSystem, System};
 
@@ -58,7 +58,13 @@ pub fn largest_terms(arena: &Arena, inputs: &[Expr], values: &[f64], outputs: &[
                     .fold(1.0_f64, |s, (b, n)| s * if *n > 0 { largest[b].powi(*n) } else { plain[b].abs().powi(*n) });
                 (value, magnitude)
             }
-            Node::Apply(f, x) => (value_of(*f, plain[x]), value_of(*f, plain[x]).abs()),
+            Node::Apply(f, x) => {
+                let value = value_of(*f, plain[x]);
+                // The sum of two angles is rounded as 1 is, however small its sine; so is the sine that an
+                // addition theorem gives.
+                let wave = matches!(f, Function::Sin | Function::Cos) && matches!(arena.node(*x), Node::Sum(..));
+                (value, if wave { value.abs().max(1.0) } else { value.abs() })
+            }
         };
         plain.insert(e, value);
         largest.insert(e, magnitude);

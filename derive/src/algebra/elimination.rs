@@ -10,13 +10,14 @@
 use super::linear::Singular;
 use super::modular::{ZeroTest, zero_test};
 use super::range::never_zero;
+use super::sharing::{Reading, share};
 use super::simplify::{Simplifier, cost, cost_of_all};
 use super::{Arena, Expr, Node};
 use rustc_hash::FxHashSet;
 
 /// Operations in an entry above which it gets a name of its own: what is tried first leaves room for what only
-/// cancels some pivots later.
-const LONGEST: [usize; 2] = [150, 40];
+/// cancels some pivots later; in the last trial nothing is written out.
+const LONGEST: [usize; 3] = [150, 40, 0];
 
 /// A symbol and its value in symbols that are defined before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,7 +79,7 @@ pub fn eliminate(
         // In stores of their own, so that the names of an attempt that loses are not taken.
         let (mut arena, mut simplifier) = (arena.clone(), simplifier.clone());
         let steps = solve(&mut arena, &mut simplifier, system, longest)?;
-        let total = cost_of_all(&arena, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
+        let total = least_cost(&arena, &steps, system.unknowns);
         let has_names = steps.len() > system.unknowns.len();
         if best.as_ref().is_none_or(|(least, ..)| total < *least) {
             best = Some((total, arena, simplifier, steps));
@@ -92,6 +93,17 @@ pub fn eliminate(
     (*arena, *simplifier) = (its_arena, its_simplifier);
     let divisors = divisors(arena, &steps);
     Ok(Elimination { steps, divisors })
+}
+
+/// Operations of a solution once common parts are taken out, which is how it will be computed.
+fn least_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
+    let counts = Reading::SAMPLE.into_iter().filter_map(|reading| {
+        let mut arena = arena.clone();
+        let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, unknowns)?;
+        let values: Vec<Expr> = shared.steps.iter().map(|step| step.value).chain(shared.values).collect();
+        Some(cost_of_all(&arena, &values))
+    });
+    counts.min().unwrap_or(0)
 }
 
 /// A new symbol, called `wanted` unless that is a name already.

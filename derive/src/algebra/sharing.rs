@@ -6,14 +6,15 @@
 //! that what grows along a chain is added up once along it. Reciprocals are atoms too: what many terms divide by is inverted once.
 //!
 //! Invariant: the value of every step and output is the same function as before; only polynomial identities are used.
-//! Absent on purpose: names. New symbols are called `#1`, `#2`, …, which no model file can contain; who writes them down
-//! gives them better ones.
+//! Absent on purpose: names. New symbols are called `#1`, `#2`, …, or `#sin(q1 - q2)` after what they hold, which no model file can
+//! contain; who writes them down gives them better ones.
 //!
 //! Source: greedy extraction of double-cube and single-cube divisors, J. Rajski & J. Vasudevamurthy, "The
 //! testability-preserving concurrent decomposition and factorization of Boolean expressions", IEEE Trans. CAD 11
 //! (1992); for polynomials, A. Hosangadi, F. Fallah & R. Kastner, "Optimizing polynomial expressions by algebraic factorization
 //! and common subexpression elimination", IEEE Trans. CAD 25 (2006).
 
+mod angles;
 mod divisors;
 mod network;
 mod rebuild;
@@ -21,12 +22,33 @@ mod rebuild;
 use super::elimination::Definition;
 use super::simplify::Simplifier;
 use super::{Arena, Expr, Function};
+use angles::Composed;
 use divisors::Extraction;
 use network::Network;
 
 /// How the values are read before common divisors are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+pub struct Reading {
+    /// How far products are multiplied out.
+    pub products: Products,
+    /// What becomes of angles that are sums of others.
+    pub angles: Angles,
+}
+
+/// What becomes of sines and cosines of sums of angles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Angles {
+    /// They are computed as such.
+    Kept,
+    /// They come from those of the parts by the addition theorems, where that saves sines and cosines.
+    Composed,
+    /// The same, and the theorems are multiplied out with the rest.
+    Open,
+}
+
+/// How far products are multiplied out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Products {
     /// As they are factored.
     Factored,
     /// Multiplied out, as far as that stays short.
@@ -39,8 +61,26 @@ pub enum Reading {
 
 impl Reading {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Factored, Self::Expanded, Self::Cosines, Self::Sines];
+    pub const ALL: [Self; 12] = {
+        let mut all = [Self { products: Products::Factored, angles: Angles::Kept }; 12];
+        let mut at = 0;
+        while at < 12 {
+            all[at].products = [Products::Factored, Products::Expanded, Products::Cosines, Products::Sines][at % 4];
+            all[at].angles = [Angles::Kept, Angles::Composed, Angles::Open][at / 4];
+            at += 1;
+        }
+        all
+    };
 
+    /// Those that win most often.
+    pub const SAMPLE: [Self; 3] = [
+        Self { products: Products::Factored, angles: Angles::Kept },
+        Self { products: Products::Expanded, angles: Angles::Kept },
+        Self { products: Products::Expanded, angles: Angles::Open },
+    ];
+}
+
+impl Products {
     /// Terms beyond which a value is read as it is factored.
     const LIMIT: usize = 60;
 
@@ -79,19 +119,26 @@ pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
 }
 
 /// Takes common sub-sums and sub-products out of steps and values.
+///
+/// `None` if there is nothing that this reading reads otherwise than one before it.
 pub fn share(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     reading: Reading,
     steps: &[Definition],
     values: &[Expr],
-) -> Shared {
+) -> Option<Shared> {
+    let (steps, values) = match reading.angles {
+        Angles::Kept => (steps.to_vec(), values.to_vec()),
+        Angles::Composed => angles::compose(arena, &Composed::Named, steps, values)?,
+        Angles::Open => angles::compose(arena, &Composed::Open, steps, values)?,
+    };
     let steps: Vec<Definition> = steps
         .iter()
-        .map(|step| Definition { symbol: step.symbol, value: reading.read(arena, simplifier, step.value) })
+        .map(|step| Definition { symbol: step.symbol, value: reading.products.read(arena, simplifier, step.value) })
         .collect();
-    let values: Vec<Expr> = values.iter().map(|e| reading.read(arena, simplifier, *e)).collect();
+    let values: Vec<Expr> = values.iter().map(|e| reading.products.read(arena, simplifier, *e)).collect();
     let network = Network::new(arena, &steps, &values);
     let network = Extraction::new(network).run();
-    rebuild::rebuild(arena, &network)
+    Some(rebuild::rebuild(arena, &network))
 }

@@ -2,16 +2,16 @@
 //!
 //! Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
 //! 4 coordinates, 4 speeds, 9 parameters. Unknowns: (u0', u1', u2', u3').
-//! Cost: mass_matrix 24 operations, 6 sines and cosines; forcing 39 operations, 6 sines and cosines; accelerations 131 operations, 6 sines and cosines.
+//! Cost: mass_matrix 30 operations, 3 sines and cosines; forcing 45 operations, 3 sines and cosines; accelerations 126 operations, 3 sines and cosines.
 //! The kinematic equations are singular nowhere.
-//! The accelerations divide by m0 + m1 + m2 + m3*sin(q3)^2, by s4, by s6 - s5^2/s4, by l2.
+//! The accelerations divide by d1, by s3, by s15, by s22.
 
 use super::Parameters;
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u0, u1, u2, u3.
 ///
-/// 24 operations, 6 sines and cosines.
+/// 30 operations, 3 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -21,9 +21,9 @@ pub fn mass_matrix<S: Scalar>(
     let Parameters { m0, m1, m2, m3, l0, l1, l2, .. } = *p;
     let [_, q1, q2, q3] = *q;
     // Sines and cosines.
-    let (_, c1) = q1.sin_cos();
-    let (_, c2) = q2.sin_cos();
-    let (_, c3) = q3.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
     // m2 + m3; used 2 times
     let m2_plus_m3 = m2 + m3;
@@ -35,10 +35,6 @@ pub fn mass_matrix<S: Scalar>(
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
     // m3*l2; used 4 times
     let m3_l2 = m3 * l2;
-    // Sines and cosines.
-    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
-    let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
-    let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
     // Entries that are not zero; upper triangle.
     // M11 = m0 + m1 + m2 + m3
     let m11 = m0 + m11_part;
@@ -51,13 +47,13 @@ pub fn mass_matrix<S: Scalar>(
     // M22 = l0^2*(m1 + m2 + m3)
     let m22 = l0 * l0_m11_part;
     // M23 = l0*l1*cos(q1 - q2)*(m2 + m3)
-    let m23 = l0 * l1_m2_plus_m3 * cos_q1_minus_q2;
+    let m23 = l0 * l1_m2_plus_m3 * (c1.mul_add(c2, s1 * s2));
     // M24 = m3*l0*l2*cos(q1 - q3)
-    let m24 = l0 * m3_l2 * cos_q1_minus_q3;
+    let m24 = l0 * m3_l2 * (c1.mul_add(c3, s1 * s3_2));
     // M33 = l1^2*(m2 + m3)
     let m33 = l1 * l1_m2_plus_m3;
     // M34 = m3*l1*l2*cos(q2 - q3)
-    let m34 = l1 * m3_l2 * cos_q2_minus_q3;
+    let m34 = l1 * m3_l2 * (c2.mul_add(c3, s2 * s3_2));
     // M44 = m3*l2^2
     let m44 = l2 * m3_l2;
     [
@@ -70,16 +66,16 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u0', u1', u2', u3').
 ///
-/// 39 operations, 6 sines and cosines.
+/// 45 operations, 3 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let Parameters { m1, m2, m3, l0, l1, l2, g, F, .. } = *p;
     let [_, q1, q2, q3] = *q;
     let [_, u1, u2, u3] = *u;
     // Sines and cosines.
-    let (s1, _) = q1.sin_cos();
-    let (s2, _) = q2.sin_cos();
-    let (s3, _) = q3.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
     // m3*l2; used 2 times
     let m3_l2 = m3 * l2;
@@ -97,46 +93,35 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
     // l1_m2_plus_m3*sin(q2); used 2 times
     let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
-    // Sines and cosines.
-    let (sin_q1_minus_q2, _) = (q1 - q2).sin_cos();
-    // Shared terms.
-    // l1_m2_plus_m3*sin(q1 - q2); used 2 times
-    let f2_part = l1_m2_plus_m3 * sin_q1_minus_q2;
-    // Sines and cosines.
-    let (sin_q1_minus_q3, _) = (q1 - q3).sin_cos();
-    // Shared terms.
-    // g*f1_part - u3_sq_m3_l2*sin(q1 - q3)
-    let f2_part_2 = (-u3_sq_m3_l2).mul_add(sin_q1_minus_q3, g * f1_part);
-    // Sines and cosines.
-    let (sin_q2_minus_q3, _) = (q2 - q3).sin_cos();
-    // Shared terms.
-    // l1*sin(q2 - q3); used 2 times
-    let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
-    // g*sin(q3) + l0_u1_sq*sin(q1 - q3)
-    let f4_part = l0_u1_sq.mul_add(sin_q1_minus_q3, g * s3);
+    // l1_m2_plus_m3*(sin(q1)*cos(q2) - cos(q1)*sin(q2)); used 2 times
+    let f2_part = l1_m2_plus_m3 * ((-c1).mul_add(s2, s1 * c2));
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3); used 2 times
+    let f2_part_2 = (-c1).mul_add(s3_2, s1 * c3);
+    // g*f1_part - u3_sq_m3_l2*f2_part_2
+    let f2_part_3 = (-u3_sq_m3_l2).mul_add(f2_part_2, g * f1_part);
+    // l1*(sin(q2)*cos(q3) - cos(q2)*sin(q3)); used 2 times
+    let f3_part = l1 * ((-c2).mul_add(s3_2, s2 * c3));
+    // g*sin(q3) + l0_u1_sq*f2_part_2
+    let f4_part = l0_u1_sq.mul_add(f2_part_2, g * s3_2);
     // Values.
     // f1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
     //   l1*u2^2*sin(q2) + l2*u3^2*sin(q3))
-    let f1 = (-u2_sq)
-        .mul_add(
-            s2_l1_m2_plus_m3,
-            (-l0_u1_sq).mul_add(f1_part, (-u3_sq_m3_l2).mul_add(s3, F)),
-        );
+    let f1 = (-u3_sq_m3_l2).mul_add(s3_2, F) - l0_u1_sq * f1_part
+        - u2_sq * s2_l1_m2_plus_m3;
     // f2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
     //   - l2*u3^2*sin(q1 - q3)))
-    let f2 = l0 * ((-u2_sq).mul_add(f2_part, f2_part_2));
+    let f2 = l0 * ((-u2_sq).mul_add(f2_part, f2_part_3));
     // f3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
     //   l2*u3^2*sin(q2 - q3)))
-    let f3 = (-u3_sq_m3_l2)
-        .mul_add(l1_sin_q2_minus_q3, l0_u1_sq.mul_add(f2_part, g * s2_l1_m2_plus_m3));
+    let f3 = l0_u1_sq.mul_add(f2_part, g * s2_l1_m2_plus_m3) - u3_sq_m3_l2 * f3_part;
     // f4 = m3*l2*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))
-    let f4 = m3_l2 * (u2_sq.mul_add(l1_sin_q2_minus_q3, f4_part));
+    let f4 = m3_l2 * (u2_sq.mul_add(f3_part, f4_part));
     [f1, f2, f3, f4]
 }
 
 /// The accelerations (u0', u1', u2', u3'), solved for when this code was generated.
 ///
-/// 131 operations, 6 sines and cosines.
+/// 126 operations, 3 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
@@ -145,166 +130,159 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
-    let (s3, c3) = q3.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
-    // u1^2; used 2 times
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
+    // m3*l2; used 6 times
+    let m3_l2 = m3 * l2;
+    // Elimination, step by step.
+    // d1 = m3*l2^2
+    let d1 = l2 * m3_l2;
+    // Shared terms.
+    // m3_l2/d1; used 4 times
+    let d1_inv_m3_l2 = m3_l2 / d1;
+    // Elimination, step by step.
+    // l2_ = -m3*l2*cos(q3)/d1
+    let l2_ = -d1_inv_m3_l2 * c3;
+    // Shared terms.
+    // m2 + m3; used 2 times
+    let m2_plus_m3 = m2 + m3;
+    // m1 + m2_plus_m3; used 2 times
+    let s3_part = m1 + m2_plus_m3;
+    // l2_*m3_l2; used 4 times
+    let l2__m3_l2 = l2_ * m3_l2;
+    // Elimination, step by step.
+    // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
+    let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
+    // Shared terms.
+    // l0*cos(q1 - q3); used 3 times
+    let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
+    // l0*s3_part; used 3 times
+    let l0_s3_part = l0 * s3_part;
+    // Elimination, step by step.
+    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*cos(q1 - q3))
+    let s4 = (-l0_s3_part).mul_add(c1, -l2__m3_l2 * l0_cos_q1_minus_q3);
+    // Shared terms.
+    // l1*m2_plus_m3; used 4 times
+    let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // l1*cos(q2 - q3); used 4 times
+    let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
+    // Elimination, step by step.
+    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    let s5 = (-l2__m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
+    // Shared terms.
+    // u1^2; used 3 times
     let u1_sq = u1 * u1;
-    // l0*u1_sq; used 5 times
-    let l0_u1_sq = l0 * u1_sq;
-    // u2^2; used 2 times
+    // l0*sin(q1 - q3); used 2 times
+    let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
+    // u2^2; used 3 times
     let u2_sq = u2 * u2;
-    // l1*u2_sq; used 4 times
-    let l1_u2_sq = l1 * u2_sq;
-    // l0_u1_sq*sin(q1) + l1_u2_sq*sin(q2); used 2 times
-    let r1_part = l1_u2_sq.mul_add(s2, l0_u1_sq * s1);
-    // m1*sin(q1); used 2 times
-    let m1_s1 = m1 * s1;
-    // l2*u3^2; used 3 times
-    let l2_u3_sq = l2 * u3 * u3;
-    // m3*sin(q3); used 2 times
-    let m3_s3 = m3 * s3;
+    // l1*sin(q2 - q3); used 2 times
+    let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
+    // u1_sq*l0_sin_q1_minus_q3 + u2_sq*l1_sin_q2_minus_q3
+    let r6_part = u2_sq.mul_add(l1_sin_q2_minus_q3, u1_sq * l0_sin_q1_minus_q3);
+    // g*sin(q3) + r6_part; used 4 times
+    let r6_part_2 = g.mul_add(s3_2, r6_part);
+    // u3^2*m3_l2; used 3 times
+    let u3_sq_m3_l2 = u3 * u3 * m3_l2;
+    // l1_m2_plus_m3*sin(q2); used 2 times
+    let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
+    // l0_s3_part*sin(q1); used 2 times
+    let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
-    //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
-    //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = (-m3_s3)
-        .mul_add(
-            r1_part.mul_add(s3, c3 * (l1_u2_sq.mul_add(c2, l0_u1_sq.mul_add(c1, -g))))
-                + l2_u3_sq,
-            (-l0_u1_sq).mul_add(m1_s1, (-m2).mul_add(r1_part, F)),
-        );
+    // r6 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
+    //   l1*u2^2*sin(q2) + l2*(u3^2*sin(q3) + l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))))
+    let r6 = (-l2__m3_l2).mul_add(r6_part_2, F) - u3_sq_m3_l2 * s3_2
+        - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_s3_part;
+    // l7 = m3*l0*l2*cos(q1 - q3)/d1
+    let l7 = d1_inv_m3_l2 * l0_cos_q1_minus_q3;
     // Shared terms.
-    // q1 - q2; used 2 times
-    let q1_minus_q2 = q1 - q2;
-    // Sines and cosines.
-    let (sin_q1_minus_q2, cos_q1_minus_q2) = q1_minus_q2.sin_cos();
-    // Shared terms.
-    // g*sin(q1) - l1_u2_sq*sin(q1 - q2); used 2 times
-    let r2_part = (-l1_u2_sq).mul_add(sin_q1_minus_q2, g * s1);
-    // g*sin(q3); used 2 times
-    let g_s3 = g * s3;
-    // q1 - q3; used 2 times
-    let q1_minus_q3 = q1 - q3;
-    // Sines and cosines.
-    let (sin_q1_minus_q3, cos_q1_minus_q3) = q1_minus_q3.sin_cos();
-    // Shared terms.
-    // q2 - q3; used 2 times
-    let q2_minus_q3 = q2 - q3;
-    // Sines and cosines.
-    let (sin_q2_minus_q3, cos_q2_minus_q3) = q2_minus_q3.sin_cos();
-    // Shared terms.
-    // l0_u1_sq*sin(q1 - q3) + l1_u2_sq*sin(q2 - q3) + g_s3; used 2 times
-    let r2_part_2 = l1_u2_sq.mul_add(sin_q2_minus_q3, l0_u1_sq * sin_q1_minus_q3) + g_s3;
+    // l7*m3_l2; used 3 times
+    let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // r2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
-    //   - cos(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q1 - q3)))
-    let r2 = l0
-        * (m3
-            .mul_add(
-                (-r2_part_2)
-                    .mul_add(
-                        cos_q1_minus_q3,
-                        (-l2_u3_sq).mul_add(sin_q1_minus_q3, r2_part),
-                    ),
-                m2.mul_add(r2_part, g * m1_s1),
-            ));
+    // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*cos(q1 - q3))
+    let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
-    // g*sin(q2) + l0_u1_sq*sin(q1 - q2); used 2 times
-    let r3_part = l0_u1_sq.mul_add(sin_q1_minus_q2, g * s2);
+    // l0*l1_m2_plus_m3; used 2 times
+    let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // Elimination, step by step.
-    // r3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) - cos(q2 -
-    //   q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q2 - q3)))
-    let r3 = l1
-        * (m3
-            .mul_add(
-                (-r2_part_2)
-                    .mul_add(
-                        cos_q2_minus_q3,
-                        (-l2_u3_sq).mul_add(sin_q2_minus_q3, r3_part),
-                    ),
-                m2 * r3_part,
-            ));
+    // s9 = l0*l1*cos(q1 - q2)*(m2 + m3) - m3*l1*l2*l7*cos(q2 - q3)
+    let s9 = (-l1_cos_q2_minus_q3).mul_add(l7_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
     // Shared terms.
-    // m1 + m2; used 3 times
-    let m1_plus_m2 = m1 + m2;
-    // l0*(cos(q1)*(m3 + m1_plus_m2) - m3*cos(q3)*cos(q1 - q3)); used 3 times
-    let s4_part = l0 * ((-(m3 * c3)).mul_add(cos_q1_minus_q3, c1 * (m3 + m1_plus_m2)));
-    // 1/(m0 + m3_s3*sin(q3) + m1_plus_m2); used 3 times
-    let s4_part_2 = S::int(1) / (m3_s3.mul_add(s3, m0) + m1_plus_m2);
-    // s4_part*s4_part_2; used 3 times
-    let s4_part_s4_part_2 = s4_part * s4_part_2;
+    // sin(q1 - q2)*l0_l1_m2_plus_m3; used 2 times
+    let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // s4 = l0^2*(m1 + m2 + m3*sin(q1 - q3)^2) - l0^2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
-    //   q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4 = (-s4_part)
-        .mul_add(
-            s4_part_s4_part_2,
-            l0 * l0 * (m3.mul_add(sin_q1_minus_q3 * sin_q1_minus_q3, m1_plus_m2)),
-        );
+    // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 -
+    //   q2) - l2*sin(q1 - q3)*(u3^2 + u1^2*l7))) - m3*l2*l7*(g*sin(q3) + l1*u2^2*sin(q2 - q3))
+    let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_sq_m3_l2, g * s1_l0_s3_part)
+        - r6_part_2 * l7_m3_l2 - u2_sq * r10_part;
+    // l11 = m3*l1*l2*cos(q2 - q3)/d1
+    let l11 = d1_inv_m3_l2 * l1_cos_q2_minus_q3;
     // Shared terms.
-    // l1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3))); used 4 times
-    let s5_part = l1 * (m3.mul_add((-c3).mul_add(cos_q2_minus_q3, c2), m2 * c2));
+    // l11*m3_l2; used 2 times
+    let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s5 = l0*l1*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 + m3))*(m2*cos(q2) + m3*(cos(q2) -
-    //   cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*l1*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) -
-    //   cos(q1 - q3)*cos(q2 - q3)))
-    let s5 = (-s4_part_s4_part_2)
-        .mul_add(
-            s5_part,
-            l0 * l1
-                * (m3
-                    .mul_add(
-                        (-cos_q1_minus_q3).mul_add(cos_q2_minus_q3, cos_q1_minus_q2),
-                        m2 * cos_q1_minus_q2,
-                    )),
-        );
+    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*cos(q2 - q3)))
+    let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
+    // r13 = m2*l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
+    //   l2*sin(q2 - q3)*(u3^2 + u2^2*l11)) - l2*l11*(g*sin(q3) + l0*u1^2*sin(q1 - q3)))
+    let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_sq_m3_l2, g * s2_l1_m2_plus_m3)
+        + u1_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
-    // s4_part_2*s5_part; used 2 times
-    let s4_part_2_s5_part = s4_part_2 * s5_part;
+    // 1/s3; used 3 times
+    let s3_inv = S::int(1) / s3;
     // Elimination, step by step.
-    // s6 = l1^2*(m2 + m3*sin(q2 - q3)^2) - l1^2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 +
-    //   m1 + m2 + m3*sin(q3)^2)
-    let s6 = (-s5_part)
-        .mul_add(
-            s4_part_2_s5_part,
-            l1 * l1 * (m3.mul_add(sin_q2_minus_q3 * sin_q2_minus_q3, m2)),
-        );
+    // l14 = s4/s3
+    let l14 = s4 * s3_inv;
+    // s15 = s8 - s4*l14
+    let s15 = (-s4).mul_add(l14, s8);
+    // s16 = s9 - s5*l14
+    let s16 = (-s5).mul_add(l14, s9);
+    // r17 = r10 - r6*l14
+    let r17 = (-r6).mul_add(l14, r10);
+    // l18 = s5/s3
+    let l18 = s5 * s3_inv;
+    // s19 = s12 - s5*l18
+    let s19 = (-s5).mul_add(l18, s12);
+    // r20 = r13 - r6*l18
+    let r20 = (-r6).mul_add(l18, r13);
     // Shared terms.
-    // r2 + r1*s4_part_s4_part_2; used 2 times
-    let r7_part = r1.mul_add(s4_part_s4_part_2, r2);
-    // 1/s4; used 2 times
-    let s4_inv = S::int(1) / s4;
-    // s5*s4_inv; used 2 times
-    let s5_s4_inv = s5 * s4_inv;
+    // 1/s15; used 2 times
+    let s15_inv = S::int(1) / s15;
     // Elimination, step by step.
-    // r7 = l1*r1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3 -
-    //   s5*(l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7 = (-r7_part).mul_add(s5_s4_inv, r1.mul_add(s4_part_2_s5_part, r3));
-    // u2' = r7/(s6 - s5^2/s4)
-    let u2_dot = r7 / ((-s5).mul_add(s5_s4_inv, s6));
-    // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2 -
-    //   u2'*s5)/s4
-    let u1_dot = s4_inv * ((-u2_dot).mul_add(s5, r7_part));
-    // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)) + l1*u2'*(m2*cos(q2) + m3*(cos(q2)
-    //   - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s4_part_2 * (u2_dot.mul_add(s5_part, u1_dot.mul_add(s4_part, r1)));
-    // u3' = (g*sin(q3) + u0'*cos(q3) + l0*(u1^2*sin(q1 - q3) - u1'*cos(q1 - q3)) + l1*(u2^2*sin(q2 - q3) -
-    //   u2'*cos(q2 - q3)))/l2
-    let u3_dot = (l1
-        .mul_add(
-            (-u2_dot).mul_add(cos_q2_minus_q3, u2_sq * sin_q2_minus_q3),
-            l0
-                .mul_add(
-                    (-u1_dot).mul_add(cos_q1_minus_q3, u1_sq * sin_q1_minus_q3),
-                    u0_dot * c3,
-                ),
-        ) + g_s3) / l2;
+    // l21 = s16/s15
+    let l21 = s16 * s15_inv;
+    // s22 = s19 - s16*l21
+    let s22 = (-s16).mul_add(l21, s19);
+    // r23 = r20 - r17*l21
+    let r23 = (-r17).mul_add(l21, r20);
+    // u2' = r23/s22
+    let u2_dot = r23 / s22;
+    // u1' = (r17 - u2'*s16)/s15
+    let u1_dot = (-u2_dot).mul_add(l21, r17 * s15_inv);
+    // u0' = (r6 - u1'*s4 - u2'*s5)/s3
+    let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
+    // u3' = m3*l2*(g*sin(q3) + u0'*cos(q3) + l0*(u1^2*sin(q1 - q3) - u1'*cos(q1 - q3)) + l1*(u2^2*sin(q2 -
+    //   q3) - u2'*cos(q2 - q3)))/d1
+    let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, r6_part_2)) - u1_dot * l7
+        - u2_dot * l11;
     [u0_dot, u1_dot, u2_dot, u3_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 131 operations, 6 sines and cosines.
+/// 126 operations, 3 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -317,160 +295,153 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
-    let (s3, c3) = q3.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
-    // u1^2; used 2 times
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
+    // m3*l2; used 6 times
+    let m3_l2 = m3 * l2;
+    // Elimination, step by step.
+    // d1 = m3*l2^2
+    let d1 = l2 * m3_l2;
+    // Shared terms.
+    // m3_l2/d1; used 4 times
+    let d1_inv_m3_l2 = m3_l2 / d1;
+    // Elimination, step by step.
+    // l2_ = -m3*l2*cos(q3)/d1
+    let l2_ = -d1_inv_m3_l2 * c3;
+    // Shared terms.
+    // m2 + m3; used 2 times
+    let m2_plus_m3 = m2 + m3;
+    // m1 + m2_plus_m3; used 2 times
+    let s3_part = m1 + m2_plus_m3;
+    // l2_*m3_l2; used 4 times
+    let l2__m3_l2 = l2_ * m3_l2;
+    // Elimination, step by step.
+    // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
+    let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
+    // Shared terms.
+    // l0*cos(q1 - q3); used 3 times
+    let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
+    // l0*s3_part; used 3 times
+    let l0_s3_part = l0 * s3_part;
+    // Elimination, step by step.
+    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*cos(q1 - q3))
+    let s4 = (-l0_s3_part).mul_add(c1, -l2__m3_l2 * l0_cos_q1_minus_q3);
+    // Shared terms.
+    // l1*m2_plus_m3; used 4 times
+    let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // l1*cos(q2 - q3); used 4 times
+    let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
+    // Elimination, step by step.
+    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    let s5 = (-l2__m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
+    // Shared terms.
+    // u1^2; used 3 times
     let u1_sq = u1 * u1;
-    // l0*u1_sq; used 5 times
-    let l0_u1_sq = l0 * u1_sq;
-    // u2^2; used 2 times
+    // l0*sin(q1 - q3); used 2 times
+    let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
+    // u2^2; used 3 times
     let u2_sq = u2 * u2;
-    // l1*u2_sq; used 4 times
-    let l1_u2_sq = l1 * u2_sq;
-    // l0_u1_sq*sin(q1) + l1_u2_sq*sin(q2); used 2 times
-    let r1_part = l1_u2_sq.mul_add(s2, l0_u1_sq * s1);
-    // m1*sin(q1); used 2 times
-    let m1_s1 = m1 * s1;
-    // l2*u3^2; used 3 times
-    let l2_u3_sq = l2 * u3 * u3;
-    // m3*sin(q3); used 2 times
-    let m3_s3 = m3 * s3;
+    // l1*sin(q2 - q3); used 2 times
+    let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
+    // u1_sq*l0_sin_q1_minus_q3 + u2_sq*l1_sin_q2_minus_q3
+    let r6_part = u2_sq.mul_add(l1_sin_q2_minus_q3, u1_sq * l0_sin_q1_minus_q3);
+    // g*sin(q3) + r6_part; used 4 times
+    let r6_part_2 = g.mul_add(s3_2, r6_part);
+    // u3^2*m3_l2; used 3 times
+    let u3_sq_m3_l2 = u3 * u3 * m3_l2;
+    // l1_m2_plus_m3*sin(q2); used 2 times
+    let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
+    // l0_s3_part*sin(q1); used 2 times
+    let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
-    //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
-    //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = (-m3_s3)
-        .mul_add(
-            r1_part.mul_add(s3, c3 * (l1_u2_sq.mul_add(c2, l0_u1_sq.mul_add(c1, -g))))
-                + l2_u3_sq,
-            (-l0_u1_sq).mul_add(m1_s1, (-m2).mul_add(r1_part, F)),
-        );
+    // r6 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
+    //   l1*u2^2*sin(q2) + l2*(u3^2*sin(q3) + l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))))
+    let r6 = (-l2__m3_l2).mul_add(r6_part_2, F) - u3_sq_m3_l2 * s3_2
+        - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_s3_part;
+    // l7 = m3*l0*l2*cos(q1 - q3)/d1
+    let l7 = d1_inv_m3_l2 * l0_cos_q1_minus_q3;
     // Shared terms.
-    // q1 - q2; used 2 times
-    let q1_minus_q2 = q1 - q2;
-    // Sines and cosines.
-    let (sin_q1_minus_q2, cos_q1_minus_q2) = q1_minus_q2.sin_cos();
-    // Shared terms.
-    // g*sin(q1) - l1_u2_sq*sin(q1 - q2); used 2 times
-    let r2_part = (-l1_u2_sq).mul_add(sin_q1_minus_q2, g * s1);
-    // g*sin(q3); used 2 times
-    let g_s3 = g * s3;
-    // q1 - q3; used 2 times
-    let q1_minus_q3 = q1 - q3;
-    // Sines and cosines.
-    let (sin_q1_minus_q3, cos_q1_minus_q3) = q1_minus_q3.sin_cos();
-    // Shared terms.
-    // q2 - q3; used 2 times
-    let q2_minus_q3 = q2 - q3;
-    // Sines and cosines.
-    let (sin_q2_minus_q3, cos_q2_minus_q3) = q2_minus_q3.sin_cos();
-    // Shared terms.
-    // l0_u1_sq*sin(q1 - q3) + l1_u2_sq*sin(q2 - q3) + g_s3; used 2 times
-    let r2_part_2 = l1_u2_sq.mul_add(sin_q2_minus_q3, l0_u1_sq * sin_q1_minus_q3) + g_s3;
+    // l7*m3_l2; used 3 times
+    let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // r2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
-    //   - cos(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q1 - q3)))
-    let r2 = l0
-        * (m3
-            .mul_add(
-                (-r2_part_2)
-                    .mul_add(
-                        cos_q1_minus_q3,
-                        (-l2_u3_sq).mul_add(sin_q1_minus_q3, r2_part),
-                    ),
-                m2.mul_add(r2_part, g * m1_s1),
-            ));
+    // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*cos(q1 - q3))
+    let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
-    // g*sin(q2) + l0_u1_sq*sin(q1 - q2); used 2 times
-    let r3_part = l0_u1_sq.mul_add(sin_q1_minus_q2, g * s2);
+    // l0*l1_m2_plus_m3; used 2 times
+    let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // Elimination, step by step.
-    // r3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) - cos(q2 -
-    //   q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q2 - q3)))
-    let r3 = l1
-        * (m3
-            .mul_add(
-                (-r2_part_2)
-                    .mul_add(
-                        cos_q2_minus_q3,
-                        (-l2_u3_sq).mul_add(sin_q2_minus_q3, r3_part),
-                    ),
-                m2 * r3_part,
-            ));
+    // s9 = l0*l1*cos(q1 - q2)*(m2 + m3) - m3*l1*l2*l7*cos(q2 - q3)
+    let s9 = (-l1_cos_q2_minus_q3).mul_add(l7_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
     // Shared terms.
-    // m1 + m2; used 3 times
-    let m1_plus_m2 = m1 + m2;
-    // l0*(cos(q1)*(m3 + m1_plus_m2) - m3*cos(q3)*cos(q1 - q3)); used 3 times
-    let s4_part = l0 * ((-(m3 * c3)).mul_add(cos_q1_minus_q3, c1 * (m3 + m1_plus_m2)));
-    // 1/(m0 + m3_s3*sin(q3) + m1_plus_m2); used 3 times
-    let s4_part_2 = S::int(1) / (m3_s3.mul_add(s3, m0) + m1_plus_m2);
-    // s4_part*s4_part_2; used 3 times
-    let s4_part_s4_part_2 = s4_part * s4_part_2;
+    // sin(q1 - q2)*l0_l1_m2_plus_m3; used 2 times
+    let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // s4 = l0^2*(m1 + m2 + m3*sin(q1 - q3)^2) - l0^2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
-    //   q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4 = (-s4_part)
-        .mul_add(
-            s4_part_s4_part_2,
-            l0 * l0 * (m3.mul_add(sin_q1_minus_q3 * sin_q1_minus_q3, m1_plus_m2)),
-        );
+    // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 -
+    //   q2) - l2*sin(q1 - q3)*(u3^2 + u1^2*l7))) - m3*l2*l7*(g*sin(q3) + l1*u2^2*sin(q2 - q3))
+    let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_sq_m3_l2, g * s1_l0_s3_part)
+        - r6_part_2 * l7_m3_l2 - u2_sq * r10_part;
+    // l11 = m3*l1*l2*cos(q2 - q3)/d1
+    let l11 = d1_inv_m3_l2 * l1_cos_q2_minus_q3;
     // Shared terms.
-    // l1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3))); used 4 times
-    let s5_part = l1 * (m3.mul_add((-c3).mul_add(cos_q2_minus_q3, c2), m2 * c2));
+    // l11*m3_l2; used 2 times
+    let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s5 = l0*l1*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 + m3))*(m2*cos(q2) + m3*(cos(q2) -
-    //   cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*l1*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) -
-    //   cos(q1 - q3)*cos(q2 - q3)))
-    let s5 = (-s4_part_s4_part_2)
-        .mul_add(
-            s5_part,
-            l0 * l1
-                * (m3
-                    .mul_add(
-                        (-cos_q1_minus_q3).mul_add(cos_q2_minus_q3, cos_q1_minus_q2),
-                        m2 * cos_q1_minus_q2,
-                    )),
-        );
+    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*cos(q2 - q3)))
+    let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
+    // r13 = m2*l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
+    //   l2*sin(q2 - q3)*(u3^2 + u2^2*l11)) - l2*l11*(g*sin(q3) + l0*u1^2*sin(q1 - q3)))
+    let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_sq_m3_l2, g * s2_l1_m2_plus_m3)
+        + u1_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
-    // s4_part_2*s5_part; used 2 times
-    let s4_part_2_s5_part = s4_part_2 * s5_part;
+    // 1/s3; used 3 times
+    let s3_inv = S::int(1) / s3;
     // Elimination, step by step.
-    // s6 = l1^2*(m2 + m3*sin(q2 - q3)^2) - l1^2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 +
-    //   m1 + m2 + m3*sin(q3)^2)
-    let s6 = (-s5_part)
-        .mul_add(
-            s4_part_2_s5_part,
-            l1 * l1 * (m3.mul_add(sin_q2_minus_q3 * sin_q2_minus_q3, m2)),
-        );
+    // l14 = s4/s3
+    let l14 = s4 * s3_inv;
+    // s15 = s8 - s4*l14
+    let s15 = (-s4).mul_add(l14, s8);
+    // s16 = s9 - s5*l14
+    let s16 = (-s5).mul_add(l14, s9);
+    // r17 = r10 - r6*l14
+    let r17 = (-r6).mul_add(l14, r10);
+    // l18 = s5/s3
+    let l18 = s5 * s3_inv;
+    // s19 = s12 - s5*l18
+    let s19 = (-s5).mul_add(l18, s12);
+    // r20 = r13 - r6*l18
+    let r20 = (-r6).mul_add(l18, r13);
     // Shared terms.
-    // r2 + r1*s4_part_s4_part_2; used 2 times
-    let r7_part = r1.mul_add(s4_part_s4_part_2, r2);
-    // 1/s4; used 2 times
-    let s4_inv = S::int(1) / s4;
-    // s5*s4_inv; used 2 times
-    let s5_s4_inv = s5 * s4_inv;
+    // 1/s15; used 2 times
+    let s15_inv = S::int(1) / s15;
     // Elimination, step by step.
-    // r7 = l1*r1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3 -
-    //   s5*(l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7 = (-r7_part).mul_add(s5_s4_inv, r1.mul_add(s4_part_2_s5_part, r3));
-    // u2' = r7/(s6 - s5^2/s4)
-    let u2_dot = r7 / ((-s5).mul_add(s5_s4_inv, s6));
-    // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2 -
-    //   u2'*s5)/s4
-    let u1_dot = s4_inv * ((-u2_dot).mul_add(s5, r7_part));
-    // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)) + l1*u2'*(m2*cos(q2) + m3*(cos(q2)
-    //   - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s4_part_2 * (u2_dot.mul_add(s5_part, u1_dot.mul_add(s4_part, r1)));
-    // u3' = (g*sin(q3) + u0'*cos(q3) + l0*(u1^2*sin(q1 - q3) - u1'*cos(q1 - q3)) + l1*(u2^2*sin(q2 - q3) -
-    //   u2'*cos(q2 - q3)))/l2
-    let u3_dot = (l1
-        .mul_add(
-            (-u2_dot).mul_add(cos_q2_minus_q3, u2_sq * sin_q2_minus_q3),
-            l0
-                .mul_add(
-                    (-u1_dot).mul_add(cos_q1_minus_q3, u1_sq * sin_q1_minus_q3),
-                    u0_dot * c3,
-                ),
-        ) + g_s3) / l2;
+    // l21 = s16/s15
+    let l21 = s16 * s15_inv;
+    // s22 = s19 - s16*l21
+    let s22 = (-s16).mul_add(l21, s19);
+    // r23 = r20 - r17*l21
+    let r23 = (-r17).mul_add(l21, r20);
+    // u2' = r23/s22
+    let u2_dot = r23 / s22;
+    // u1' = (r17 - u2'*s16)/s15
+    let u1_dot = (-u2_dot).mul_add(l21, r17 * s15_inv);
+    // u0' = (r6 - u1'*s4 - u2'*s5)/s3
+    let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
+    // u3' = m3*l2*(g*sin(q3) + u0'*cos(q3) + l0*(u1^2*sin(q1 - q3) - u1'*cos(q1 - q3)) + l1*(u2^2*sin(q2 -
+    //   q3) - u2'*cos(q2 - q3)))/d1
+    let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, r6_part_2)) - u1_dot * l7
+        - u2_dot * l11;
     // Values.
     // q0' = u0
     let q0_dot_value = u0;
@@ -488,7 +459,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q0, q1, q2, q3, u0, u1, u2, u3.
 ///
-/// 582 operations, 6 sines and cosines.
+/// 474 operations, 3 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]; 8] {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
@@ -498,801 +469,516 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
-    let (s3, c3) = q3.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
-    // l0*u1; used 3 times
-    let l0_u1 = l0 * u1;
-    // u1*l0_u1; used 9 times
-    let u1_l0_u1 = u1 * l0_u1;
-    // l1*u2; used 4 times
-    let l1_u2 = l1 * u2;
-    // u2*l1_u2; used 8 times
-    let u2_l1_u2 = u2 * l1_u2;
-    // u1_l0_u1*sin(q1) + u2_l1_u2*sin(q2); used 2 times
-    let r1_part = u2_l1_u2.mul_add(s2, u1_l0_u1 * s1);
-    // g - u1_l0_u1*cos(q1) - u2_l1_u2*cos(q2); used 2 times
-    let r1_part_2 = (-u2_l1_u2).mul_add(c2, (-u1_l0_u1).mul_add(c1, g));
-    // l2*u3; used 4 times
-    let l2_u3 = l2 * u3;
-    // u3*l2_u3; used 5 times
-    let u3_l2_u3 = u3 * l2_u3;
-    // r1_part_2*cos(q3) - u3_l2_u3; used 2 times
-    let r1_part_3 = r1_part_2.mul_add(c3, -u3_l2_u3);
-    // r1_part*sin(q3); used 2 times
-    let s3_r1_part = r1_part * s3;
-    // m3*sin(q3); used 10 times
-    let m3_s3 = m3 * s3;
-    // m1*sin(q1); used 2 times
-    let m1_s1 = m1 * s1;
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
+    // m3*l2; used 10 times
+    let m3_l2 = m3 * l2;
     // Elimination, step by step.
-    // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
-    //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
-    //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = (-u1_l0_u1)
-        .mul_add(
-            m1_s1,
-            m3_s3.mul_add(r1_part_3 - s3_r1_part, (-m2).mul_add(r1_part, F)),
-        );
+    // d1 = m3*l2^2
+    let d1 = l2 * m3_l2;
     // Shared terms.
-    // q1 - q2; used 2 times
-    let q1_minus_q2 = q1 - q2;
-    // Sines and cosines.
-    let (sin_q1_minus_q2, cos_q1_minus_q2) = q1_minus_q2.sin_cos();
-    // Shared terms.
-    // g*sin(q1) - u2_l1_u2*sin(q1 - q2); used 2 times
-    let r2_part = (-u2_l1_u2).mul_add(sin_q1_minus_q2, g * s1);
-    // q1 - q3; used 2 times
-    let q1_minus_q3 = q1 - q3;
-    // Sines and cosines.
-    let (sin_q1_minus_q3, cos_q1_minus_q3) = q1_minus_q3.sin_cos();
-    // Shared terms.
-    // q2 - q3; used 2 times
-    let q2_minus_q3 = q2 - q3;
-    // Sines and cosines.
-    let (sin_q2_minus_q3, cos_q2_minus_q3) = q2_minus_q3.sin_cos();
-    // Shared terms.
-    // g*sin(q3) + u1_l0_u1*sin(q1 - q3) + u2_l1_u2*sin(q2 - q3); used 4 times
-    let r2_part_2 = u2_l1_u2
-        .mul_add(sin_q2_minus_q3, u1_l0_u1.mul_add(sin_q1_minus_q3, g * s3));
+    // m3_l2/d1; used 7 times
+    let d1_inv_m3_l2 = m3_l2 / d1;
+    // d1_inv_m3_l2*cos(q3); used 7 times
+    let c3_d1_inv_m3_l2 = d1_inv_m3_l2 * c3;
     // Elimination, step by step.
-    // r2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
-    //   - cos(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q1 - q3)))
-    let r2 = l0
-        * (m3
-            .mul_add(
-                (-r2_part_2)
-                    .mul_add(
-                        cos_q1_minus_q3,
-                        (-u3_l2_u3).mul_add(sin_q1_minus_q3, r2_part),
-                    ),
-                m2.mul_add(r2_part, g * m1_s1),
-            ));
+    // l2_ = -m3*l2*cos(q3)/d1
+    let l2_ = -c3_d1_inv_m3_l2;
     // Shared terms.
-    // g*sin(q2) + u1_l0_u1*sin(q1 - q2); used 2 times
-    let r3_part = u1_l0_u1.mul_add(sin_q1_minus_q2, g * s2);
+    // m2 + m3; used 2 times
+    let m2_plus_m3 = m2 + m3;
+    // m1 + m2_plus_m3; used 2 times
+    let s3_part = m1 + m2_plus_m3;
+    // l2_*m3_l2; used 8 times
+    let l2__m3_l2 = l2_ * m3_l2;
     // Elimination, step by step.
-    // r3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) - cos(q2 -
-    //   q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - l2*u3^2*sin(q2 - q3)))
-    let r3 = l1
-        * (m3
-            .mul_add(
-                (-r2_part_2)
-                    .mul_add(
-                        cos_q2_minus_q3,
-                        (-u3_l2_u3).mul_add(sin_q2_minus_q3, r3_part),
-                    ),
-                m2 * r3_part,
-            ));
+    // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
+    let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
-    // m1 + m2; used 5 times
-    let m1_plus_m2 = m1 + m2;
-    // m3*sin(q1 - q3); used 3 times
-    let m3_sin_q1_minus_q3 = m3 * sin_q1_minus_q3;
-    // m3 + m1_plus_m2; used 2 times
-    let s4_part = m3 + m1_plus_m2;
-    // s4_part*cos(q1) - m3*cos(q3)*cos(q1 - q3); used 2 times
-    let s4_part_2 = (-(m3 * c3)).mul_add(cos_q1_minus_q3, s4_part * c1);
-    // m3_s3*sin(q3) + m1_plus_m2; used 3 times
-    let s4_part_3 = m3_s3.mul_add(s3, m1_plus_m2);
-    // 1/(m0 + s4_part_3); used 13 times
-    let s4_part_4 = S::int(1) / (m0 + s4_part_3);
-    // l0*s4_part_4; used 4 times
-    let l0_s4_part_4 = l0 * s4_part_4;
-    // s4_part_2*l0_s4_part_4; used 14 times
-    let s4_part_5 = s4_part_2 * l0_s4_part_4;
-    // l0*s4_part_2; used 6 times
-    let l0_s4_part_2 = l0 * s4_part_2;
-    // Elimination, step by step.
-    // s4 = l0^2*(m1 + m2 + m3*sin(q1 - q3)^2) - l0^2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
-    //   q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4 = (-s4_part_5)
-        .mul_add(
-            l0_s4_part_2,
-            l0 * l0 * (m3_sin_q1_minus_q3.mul_add(sin_q1_minus_q3, m1_plus_m2)),
-        );
-    // Shared terms.
-    // m2*cos(q2); used 3 times
-    let m2_c2 = m2 * c2;
-    // l1*(m3*(cos(q2) - cos(q3)*cos(q2 - q3)) + m2_c2); used 10 times
-    let s5_part = l1 * (m3.mul_add((-c3).mul_add(cos_q2_minus_q3, c2), m2_c2));
-    // m2*cos(q1 - q2) + m3*(cos(q1 - q2) - cos(q1 - q3)*cos(q2 - q3)); used 3 times
-    let s5_part_2 = m3
-        .mul_add(
-            (-cos_q1_minus_q3).mul_add(cos_q2_minus_q3, cos_q1_minus_q2),
-            m2 * cos_q1_minus_q2,
-        );
-    // l0*l1; used 3 times
-    let l0_l1 = l0 * l1;
-    // Elimination, step by step.
-    // s5 = l0*l1*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 + m3))*(m2*cos(q2) + m3*(cos(q2) -
-    //   cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*l1*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) -
-    //   cos(q1 - q3)*cos(q2 - q3)))
-    let s5 = (-s4_part_5).mul_add(s5_part, s5_part_2 * l0_l1);
-    // Shared terms.
-    // s4_part_4*s5_part; used 9 times
-    let s4_part_4_s5_part = s4_part_4 * s5_part;
-    // l1^2; used 2 times
-    let l1_sq = l1 * l1;
-    // Elimination, step by step.
-    // s6 = l1^2*(m2 + m3*sin(q2 - q3)^2) - l1^2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 +
-    //   m1 + m2 + m3*sin(q3)^2)
-    let s6 = (-s5_part)
-        .mul_add(
-            s4_part_4_s5_part,
-            l1_sq * (m3.mul_add(sin_q2_minus_q3 * sin_q2_minus_q3, m2)),
-        );
-    // Shared terms.
-    // r2 + r1*s4_part_5; used 3 times
-    let r7_part = r1.mul_add(s4_part_5, r2);
-    // 1/s4; used 11 times
-    let s4_inv = S::int(1) / s4;
-    // s5*s4_inv; used 12 times
-    let s5_s4_inv = s5 * s4_inv;
-    // r1*s4_part_4_s5_part; used 2 times
-    let r1_s4_part_4_s5_part = r1 * s4_part_4_s5_part;
-    // Elimination, step by step.
-    // r7 = l1*r1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3 -
-    //   s5*(l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7 = (-r7_part).mul_add(s5_s4_inv, r3) + r1_s4_part_4_s5_part;
-    // Shared terms.
-    // 1/(s6 - s5*s5_s4_inv); used 7 times
-    let u2_dot_part = S::int(1) / ((-s5).mul_add(s5_s4_inv, s6));
-    // Elimination, step by step.
-    // u2' = r7/(s6 - s5^2/s4)
-    let u2_dot = r7 * u2_dot_part;
-    // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2 -
-    //   u2'*s5)/s4
-    let u1_dot = s4_inv * ((-u2_dot).mul_add(s5, r7_part));
-    // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)) + l1*u2'*(m2*cos(q2) + m3*(cos(q2)
-    //   - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s4_part_4 * (u2_dot.mul_add(s5_part, u1_dot.mul_add(l0_s4_part_2, r1)));
-    // Shared terms.
-    // m3_s3*cos(q3); used 4 times
-    let c3_m3_s3 = m3_s3 * c3;
-    // Elimination, step by step.
-    // r1_by_q1 = l0*u1^2*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 + m3*sin(q3)^2))
-    let r1_by_q1 = u1_l0_u1 * ((-s4_part_3).mul_add(c1, c3_m3_s3 * s1));
-    // Shared terms.
-    // g*cos(q1); used 2 times
-    let g_c1 = g * c1;
-    // g_c1 - u2_l1_u2*cos(q1 - q2); used 2 times
-    let r2_by_q1_part = (-u2_l1_u2).mul_add(cos_q1_minus_q2, g_c1);
-    // u1_l0_u1*cos(q1 - q3) + u3_l2_u3; used 2 times
-    let r2_by_q1_part_2 = u1_l0_u1.mul_add(cos_q1_minus_q3, u3_l2_u3);
-    // r2_part_2*sin(q1 - q3); used 2 times
-    let r2_by_q1_part_3 = r2_part_2 * sin_q1_minus_q3;
-    // Elimination, step by step.
-    // r2_by_q1 = l0*(m1*g*cos(q1) + m2*(g*cos(q1) - l1*u2^2*cos(q1 - q2)) + m3*(g*cos(q1) - l1*u2^2*cos(q1
-    //   - q2) + sin(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) - cos(q1 -
-    //   q3)*(l0*u1^2*cos(q1 - q3) + l2*u3^2)))
-    let r2_by_q1 = l0
-        * (m3
-            .mul_add(
-                (-r2_by_q1_part_2).mul_add(cos_q1_minus_q3, r2_by_q1_part)
-                    + r2_by_q1_part_3,
-                m2.mul_add(r2_by_q1_part, m1 * g_c1),
-            ));
-    // r3_by_q1 = l0*l1*u1^2*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) - cos(q1 - q3)*cos(q2 - q3)))
-    let r3_by_q1 = l1 * u1_l0_u1 * s5_part_2;
-    // Shared terms.
-    // 2*cos(q3)^2 - 1; used 2 times
-    let s4_by_q1_part = (c3 * c3).mul_add(S::int(2), -S::int(1));
-    // 2*c3_m3_s3; used 4 times
-    let c3_m3_s3_scaled = S::int(2) * c3_m3_s3;
-    // 2*l0; used 4 times
-    let l0_scaled = S::int(2) * l0;
-    // Elimination, step by step.
-    // s4_by_q1 = 2*l0^2*(m0*m3*sin(q3)*cos(q3) - cos(q1)*(2*m0*m3*cos(q1)*sin(q3)*cos(q3) - sin(q1)*(m2^2
-    //   + m1*(m1 + 2*m2) + m3*(m1 + m2 + m0*(2*cos(q3)^2 - 1)))))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s4_by_q1 = l0_s4_part_4 * l0_scaled
-        * (c1
-            .mul_add(
-                (-(m0 * c3_m3_s3_scaled))
-                    .mul_add(
-                        c1,
-                        s1
-                            * (m3
-                                .mul_add(
-                                    m0.mul_add(s4_by_q1_part, m1_plus_m2),
-                                    m1.mul_add(m2.mul_add(S::int(2), m1), m2 * m2),
-                                )),
-                    ),
-                m0 * c3_m3_s3,
-            ));
-    // Shared terms.
-    // sin(q1 - q3)*cos(q2 - q3); used 2 times
-    let s5_by_q1_part = sin_q1_minus_q3 * cos_q2_minus_q3;
-    // m2*sin(q1 - q2); used 2 times
-    let m2_sin_q1_minus_q2 = m2 * sin_q1_minus_q2;
-    // m3*(sin(q1 - q2) - s5_by_q1_part) + m2_sin_q1_minus_q2; used 2 times
-    let s5_by_q1_part_2 = m3
-        .mul_add(sin_q1_minus_q2 - s5_by_q1_part, m2_sin_q1_minus_q2);
-    // m3_sin_q1_minus_q3*cos(q3); used 2 times
-    let s5_by_q1_part_3 = m3_sin_q1_minus_q3 * c3;
-    // l0_s4_part_4*(s4_part*sin(q1) - s5_by_q1_part_3); used 2 times
-    let s5_by_q1_part_4 = l0_s4_part_4 * (s4_part.mul_add(s1, -s5_by_q1_part_3));
-    // Elimination, step by step.
-    // s5_by_q1 = l0*l1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))*(sin(q1)*(m1 + m2 + m3) -
-    //   m3*sin(q1 - q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) - l0*l1*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) -
-    //   sin(q1 - q3)*cos(q2 - q3)))
-    let s5_by_q1 = (-l0_l1).mul_add(s5_by_q1_part_2, s5_part * s5_by_q1_part_4);
-    // Shared terms.
-    // r1*s5_by_q1_part_4 - r1_by_q1*s4_part_5
-    let r7_by_q1_part = (-r1_by_q1).mul_add(s4_part_5, r1 * s5_by_q1_part_4);
-    // r2_by_q1 - r7_by_q1_part; used 2 times
-    let r7_by_q1_part_2 = r2_by_q1 - r7_by_q1_part;
-    // r7_part*s4_inv; used 2 times
-    let r7_part_s4_inv = r7_part * s4_inv;
-    // s4_by_q1*s5_s4_inv; used 2 times
-    let s4_by_q1_s5_s4_inv = s4_by_q1 * s5_s4_inv;
-    // Elimination, step by step.
-    // r7_by_q1 = l1*r1_by_q1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) - s5*(l0*r1*(m3*sin(q1 - q3)*cos(q3) - sin(q1)*(m1 + m2 + m3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + l0*r1_by_q1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r2_by_q1)/s4 + r3_by_q1 + s5*s4_by_q1*(l0*r1*(cos(q1)*(m1 + m2 + m3) -
-    //   m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4^2 - s5_by_q1*(l0*r1*(cos(q1)*(m1 +
-    //   m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7_by_q1 = r7_part_s4_inv
-        .mul_add(
-            s4_by_q1_s5_s4_inv - s5_by_q1,
-            (-s5_s4_inv)
-                .mul_add(r7_by_q1_part_2, r1_by_q1.mul_add(s4_part_4_s5_part, r3_by_q1)),
-        );
-    // u2_dot_by_q1 = (s5*r7*(2*s5_by_q1 - s5*s4_by_q1/s4)/(s4*(s6 - s5^2/s4)) + r7_by_q1)/(s6 - s5^2/s4)
-    let u2_dot_by_q1 = u2_dot_part
-        * ((u2_dot * s5_s4_inv)
-            .mul_add(s5_by_q1.mul_add(S::int(2), -s4_by_q1_s5_s4_inv), r7_by_q1));
-    // Shared terms.
-    // u1'*s4_inv; used 2 times
-    let u1_dot_s4_inv = u1_dot * s4_inv;
-    // Elimination, step by step.
-    // u1_dot_by_q1 = s4_by_q1*(u2'*s5 - l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1
-    //   + m2 + m3*sin(q3)^2) - r2)/s4^2 + (l0*r1*(m3*sin(q1 - q3)*cos(q3) - sin(q1)*(m1 + m2 + m3))/(m0 + m1
-    //   + m2 + m3*sin(q3)^2) + l0*r1_by_q1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2
-    //   + m3*sin(q3)^2) + r2_by_q1 - u2'*s5_by_q1 - s5*u2_dot_by_q1)/s4
-    let u1_dot_by_q1 = (-s4_by_q1)
-        .mul_add(
-            u1_dot_s4_inv,
-            s4_inv
-                * ((-s5)
-                    .mul_add(u2_dot_by_q1, (-u2_dot).mul_add(s5_by_q1, r7_by_q1_part_2))),
-        );
-    // Shared terms.
-    // sin(q1)*cos(q3) - cos(q1)*sin(q3); used 2 times
-    let u0_dot_by_q1_part = (-c1).mul_add(s3, s1 * c3);
-    // sin(q2)*cos(q3) - cos(q2)*sin(q3); used 2 times
-    let u0_dot_by_q1_part_2 = (-c2).mul_add(s3, s2 * c3);
-    // m3_s3*u0_dot_by_q1_part_2 - m2_c2; used 2 times
-    let u0_dot_by_q1_part_3 = m3_s3.mul_add(u0_dot_by_q1_part_2, -m2_c2);
-    // Elimination, step by step.
-    // u0_dot_by_q1 = (r1_by_q1 + l1*u2_dot_by_q1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
-    //   cos(q2)*sin(q3))) - l0*(m3*sin(q3)*(u1'*(sin(q1)*sin(q3) + cos(q1)*cos(q3)) +
-    //   u1_dot_by_q1*(sin(q1)*cos(q3) - cos(q1)*sin(q3))) + m1*(u1'*sin(q1) - u1_dot_by_q1*cos(q1)) +
-    //   m2*(u1'*sin(q1) - u1_dot_by_q1*cos(q1))))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot_by_q1 = s4_part_4
-        * ((-(l1 * u2_dot_by_q1))
-            .mul_add(
-                u0_dot_by_q1_part_3,
-                (-l0)
-                    .mul_add(
-                        m3_s3
-                            .mul_add(
-                                u1_dot_by_q1
-                                    .mul_add(
-                                        u0_dot_by_q1_part,
-                                        u1_dot * (c1.mul_add(c3, s1 * s3)),
-                                    ),
-                                m1_plus_m2 * ((-u1_dot_by_q1).mul_add(c1, u1_dot * s1)),
-                            ),
-                        r1_by_q1,
-                    ),
-            ));
-    // Shared terms.
-    // u1^2; used 2 times
-    let u1_sq = u1 * u1;
-    // u1'*sin(q1 - q3); used 2 times
-    let u3_dot_by_q1_part = u1_dot * sin_q1_minus_q3;
-    // l1*cos(q2 - q3); used 4 times
-    let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
-    // 1/l2; used 6 times
-    let l2_inv = S::int(1) / l2;
-    // Elimination, step by step.
-    // u3_dot_by_q1 = (l0*(u1'*sin(q1 - q3) + cos(q1 - q3)*(u1^2 - u1_dot_by_q1)) - l1*u2_dot_by_q1*cos(q2
-    //   - q3) + u0_dot_by_q1*cos(q3))/l2
-    let u3_dot_by_q1 = l2_inv
-        * ((-u2_dot_by_q1)
-            .mul_add(
-                l1_cos_q2_minus_q3,
-                l0
-                    .mul_add(
-                        cos_q1_minus_q3.mul_add(u1_sq - u1_dot_by_q1, u3_dot_by_q1_part),
-                        u0_dot_by_q1 * c3,
-                    ),
-            ));
-    // r1_by_q2 = l1*u2^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))
-    let r1_by_q2 = u2_l1_u2 * u0_dot_by_q1_part_3;
-    // r2_by_q2 = l0*l1*u2^2*(m2*cos(q1 - q2) + m3*(cos(q1 - q2) - cos(q1 - q3)*cos(q2 - q3)))
-    let r2_by_q2 = l0 * u2_l1_u2 * s5_part_2;
-    // Shared terms.
-    // g*cos(q2) - u1_l0_u1*cos(q1 - q2); used 2 times
-    let r3_by_q2_part = (-u1_l0_u1).mul_add(cos_q1_minus_q2, g * c2);
-    // u2_l1_u2*cos(q2 - q3); used 2 times
-    let r3_by_q2_part_2 = u2_l1_u2 * cos_q2_minus_q3;
-    // r2_part_2*sin(q2 - q3); used 2 times
-    let r3_by_q2_part_3 = r2_part_2 * sin_q2_minus_q3;
-    // Elimination, step by step.
-    // r3_by_q2 = -l1*(m2*(l0*u1^2*cos(q1 - q2) - g*cos(q2)) + m3*(l0*u1^2*cos(q1 - q2) - g*cos(q2) -
-    //   sin(q2 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) + cos(q2 -
-    //   q3)*(l1*u2^2*cos(q2 - q3) + l2*u3^2)))
-    let r3_by_q2 = l1
-        * (m3
-            .mul_add(
-                (-cos_q2_minus_q3).mul_add(u3_l2_u3 + r3_by_q2_part_2, r3_by_q2_part)
-                    + r3_by_q2_part_3,
-                m2 * r3_by_q2_part,
-            ));
-    // Shared terms.
-    // sin(q2 - q3)*cos(q3); used 2 times
-    let c3_sin_q2_minus_q3 = sin_q2_minus_q3 * c3;
-    // m2*sin(q2); used 3 times
-    let m2_s2 = m2 * s2;
-    // sin(q2 - q3)*cos(q1 - q3); used 2 times
-    let s5_by_q2_part = sin_q2_minus_q3 * cos_q1_minus_q3;
-    // m2_sin_q1_minus_q2 + m3*(sin(q1 - q2) + s5_by_q2_part); used 2 times
-    let s5_by_q2_part_2 = m3
-        .mul_add(sin_q1_minus_q2 + s5_by_q2_part, m2_sin_q1_minus_q2);
-    // Elimination, step by step.
-    // s5_by_q2 = l0*l1*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) + sin(q2 - q3)*cos(q1 - q3))) +
-    //   l0*l1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))*(m2*sin(q2) + m3*(sin(q2) - sin(q2 -
-    //   q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5_by_q2 = l0_l1
-        .mul_add(
-            s5_by_q2_part_2,
-            l1 * s4_part_5 * (m3.mul_add(s2 - c3_sin_q2_minus_q3, m2_s2)),
-        );
-    // Shared terms.
-    // m0 + m1; used 2 times
-    let m0_plus_m1 = m0 + m1;
-    // m0_plus_m1*sin(q3)*cos(q3); used 2 times
-    let s3_c3_m0_plus_m1 = m0_plus_m1 * s3 * c3;
-    // Elimination, step by step.
-    // s6_by_q2 = 2*l1^2*(m2^2*sin(q2)*cos(q2) + m3*(sin(q3)*cos(q3)*(m0 + m1) + cos(q2)*(sin(q2)*(m2 +
-    //   m0*(2*cos(q3)^2 - 1) + m1*(2*cos(q3)^2 - 1)) - 2*cos(q2)*sin(q3)*cos(q3)*(m0 + m1))))/(m0 + m1 + m2
-    //   + m3*sin(q3)^2)
-    let s6_by_q2 = S::int(2) * s4_part_4 * l1_sq
-        * (m3
-            .mul_add(
-                c2
-                    .mul_add(
-                        (-(S::int(2) * s3_c3_m0_plus_m1))
-                            .mul_add(c2, s2 * (s4_by_q1_part.mul_add(m0_plus_m1, m2))),
-                        s3_c3_m0_plus_m1,
-                    ),
-                m2_c2 * m2_s2,
-            ));
-    // Shared terms.
-    // s5*r2_by_q2 + r2*s5_by_q2; used 2 times
-    let r7_by_q2_part = r2.mul_add(s5_by_q2, s5 * r2_by_q2);
-    // s5*r1_by_q2 + r1*s5_by_q2; used 2 times
-    let r7_by_q2_part_2 = r1.mul_add(s5_by_q2, s5 * r1_by_q2);
-    // l0*cos(q1); used 2 times
-    let l0_c1 = l0 * c1;
-    // r7_by_q2_part_2*l0_c1; used 2 times
-    let r7_by_q2_part_3 = r7_by_q2_part_2 * l0_c1;
-    // s4*(l1*(r1_by_q2*cos(q2) - r1*sin(q2)) + r3_by_q2) - r7_by_q2_part - r7_by_q2_part_3; used 2 times
-    let r7_by_q2_part_4 = s4
-        .mul_add(l1.mul_add((-r1).mul_add(s2, r1_by_q2 * c2), r3_by_q2), -r7_by_q2_part)
-        - r7_by_q2_part_3;
-    // s4*r3_by_q2 - r7_by_q2_part; used 2 times
-    let r7_by_q2_part_5 = s4.mul_add(r3_by_q2, -r7_by_q2_part);
-    // Elimination, step by step.
-    // r7_by_q2 = (m2*(s4*(l1*(r1_by_q2*cos(q2) - r1*sin(q2)) + r3_by_q2) - s5*r2_by_q2 - r2*s5_by_q2 -
-    //   l0*cos(q1)*(s5*r1_by_q2 + r1*s5_by_q2)) + m3*sin(q3)*(sin(q3)*(s4*(l1*(r1_by_q2*cos(q2) -
-    //   r1*sin(q2)) + r3_by_q2) - s5*r2_by_q2 - r2*s5_by_q2 - l0*cos(q1)*(s5*r1_by_q2 + r1*s5_by_q2)) +
-    //   cos(q3)*(l0*sin(q1)*(s5*r1_by_q2 + r1*s5_by_q2) - l1*s4*(r1*cos(q2) + r1_by_q2*sin(q2)))) +
-    //   m0*(s4*r3_by_q2 - s5*r2_by_q2 - r2*s5_by_q2) + m1*(s4*r3_by_q2 - s5*r2_by_q2 - r2*s5_by_q2 -
-    //   l0*cos(q1)*(s5*r1_by_q2 + r1*s5_by_q2)))/(s4*(m0 + m1 + m2 + m3*sin(q3)^2))
-    let r7_by_q2 = s4_part_4 * s4_inv
-        * (m1
-            .mul_add(
-                r7_by_q2_part_5 - r7_by_q2_part_3,
-                m0
-                    .mul_add(
-                        r7_by_q2_part_5,
-                        m3_s3
-                            .mul_add(
-                                r7_by_q2_part_4
-                                    .mul_add(
-                                        s3,
-                                        c3
-                                            * ((-(l1 * s4))
-                                                .mul_add(
-                                                    r1_by_q2.mul_add(s2, r1 * c2),
-                                                    l0 * r7_by_q2_part_2 * s1,
-                                                )),
-                                    ),
-                                m2 * r7_by_q2_part_4,
-                            ),
-                    ),
-            ));
-    // u2_dot_by_q2 = (r7*(s6_by_q2 - 2*s5*s5_by_q2/s4)/(s5^2/s4 - s6) + r7_by_q2)/(s6 - s5^2/s4)
-    let u2_dot_by_q2 = u2_dot_part
-        * (u2_dot
-            .mul_add((S::int(2) * s5_by_q2).mul_add(s5_s4_inv, -s6_by_q2), r7_by_q2));
-    // u1_dot_by_q2 = (l0*r1_by_q2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r2_by_q2 - u2'*s5_by_q2 - s5*u2_dot_by_q2)/s4
-    let u1_dot_by_q2 = s4_inv
-        * (r1_by_q2
-            .mul_add(
-                s4_part_5,
-                (-s5).mul_add(u2_dot_by_q2, (-u2_dot).mul_add(s5_by_q2, r2_by_q2)),
-            ));
-    // Shared terms.
-    // u1_dot_by_q2*l0_c1; used 2 times
-    let u1_dot_by_q2_l0_c1 = u1_dot_by_q2 * l0_c1;
-    // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 2 times
-    let u0_dot_by_q2_part = c2.mul_add(c3, s2 * s3);
-    // Elimination, step by step.
-    // u0_dot_by_q2 = (r1_by_q2 + m1*l0*u1_dot_by_q2*cos(q1) - m3*sin(q3)*(l1*(u2'*(sin(q2)*sin(q3) +
-    //   cos(q2)*cos(q3)) + u2_dot_by_q2*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) +
-    //   l0*u1_dot_by_q2*(sin(q1)*cos(q3) - cos(q1)*sin(q3))) + m2*(l0*u1_dot_by_q2*cos(q1) - l1*(u2'*sin(q2)
-    //   - u2_dot_by_q2*cos(q2))))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot_by_q2 = s4_part_4
-        * ((-m3_s3)
-            .mul_add(
-                l1
-                    .mul_add(
-                        u2_dot
-                            .mul_add(
-                                u0_dot_by_q2_part,
-                                u2_dot_by_q2 * u0_dot_by_q1_part_2,
-                            ),
-                        l0 * u1_dot_by_q2 * u0_dot_by_q1_part,
-                    ),
-                m2
-                    .mul_add(
-                        (-l1)
-                            .mul_add(
-                                (-u2_dot_by_q2).mul_add(c2, u2_dot * s2),
-                                u1_dot_by_q2_l0_c1,
-                            ),
-                        m1.mul_add(u1_dot_by_q2_l0_c1, r1_by_q2),
-                    ),
-            ));
-    // Shared terms.
-    // u2^2; used 2 times
-    let u2_sq = u2 * u2;
-    // u2'*sin(q2 - q3); used 2 times
-    let u3_dot_by_q2_part = u2_dot * sin_q2_minus_q3;
-    // l0*cos(q1 - q3); used 4 times
+    // l0*cos(q1 - q3); used 6 times
     let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
+    // l0*s3_part; used 3 times
+    let l0_s3_part = l0 * s3_part;
+    // l0_s3_part*cos(q1); used 2 times
+    let c1_l0_s3_part = l0_s3_part * c1;
+    // l2__m3_l2*l0_cos_q1_minus_q3 + c1_l0_s3_part; used 2 times
+    let s4_part = l2__m3_l2.mul_add(l0_cos_q1_minus_q3, c1_l0_s3_part);
     // Elimination, step by step.
-    // u3_dot_by_q2 = (l1*(u2'*sin(q2 - q3) + cos(q2 - q3)*(u2^2 - u2_dot_by_q2)) - l0*u1_dot_by_q2*cos(q1
-    //   - q3) + u0_dot_by_q2*cos(q3))/l2
-    let u3_dot_by_q2 = l2_inv
-        * ((-u1_dot_by_q2)
-            .mul_add(
-                l0_cos_q1_minus_q3,
-                l1
-                    .mul_add(
-                        cos_q2_minus_q3.mul_add(u2_sq - u2_dot_by_q2, u3_dot_by_q2_part),
-                        u0_dot_by_q2 * c3,
-                    ),
-            ));
-    // r1_by_q3 = -m3*(sin(q3)^2*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)) +
-    //   cos(q3)*(2*sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
-    //   l1*u2^2*cos(q2)) + l2*u3^2))
-    let r1_by_q3 = m3
-        * ((-r1_part_2)
-            .mul_add(s3 * s3, c3 * ((-s3_r1_part).mul_add(S::int(2), r1_part_3))));
+    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*cos(q1 - q3))
+    let s4 = -s4_part;
     // Shared terms.
-    // r2_by_q1_part_2 - g*cos(q3) + r3_by_q2_part_2; used 2 times
-    let r2_by_q3_part = (-g).mul_add(c3, r2_by_q1_part_2) + r3_by_q2_part_2;
+    // l1*cos(q2 - q3); used 7 times
+    let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
+    // l1*m2_plus_m3; used 4 times
+    let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // l1_m2_plus_m3*cos(q2); used 2 times
+    let c2_l1_m2_plus_m3 = l1_m2_plus_m3 * c2;
+    // l2__m3_l2*l1_cos_q2_minus_q3 + c2_l1_m2_plus_m3; used 2 times
+    let s5_part = l2__m3_l2.mul_add(l1_cos_q2_minus_q3, c2_l1_m2_plus_m3);
     // Elimination, step by step.
-    // r2_by_q3 = -m3*l0*(sin(q1 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) + cos(q1 -
-    //   q3)*(g*cos(q3) - l0*u1^2*cos(q1 - q3) - l1*u2^2*cos(q2 - q3) - l2*u3^2))
-    let r2_by_q3 = m3 * l0 * (r2_by_q3_part.mul_add(cos_q1_minus_q3, -r2_by_q1_part_3));
+    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    let s5 = -s5_part;
     // Shared terms.
-    // m3*l1; used 4 times
-    let m3_l1 = m3 * l1;
+    // l0*sin(q1 - q3); used 7 times
+    let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
+    // u1^2; used 7 times
+    let u1_sq = u1 * u1;
+    // l1*sin(q2 - q3); used 7 times
+    let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
+    // u2^2; used 8 times
+    let u2_sq = u2 * u2;
+    // l0_sin_q1_minus_q3*u1_sq + l1_sin_q2_minus_q3*u2_sq
+    let r6_part = l1_sin_q2_minus_q3.mul_add(u2_sq, l0_sin_q1_minus_q3 * u1_sq);
+    // g*sin(q3) + r6_part; used 4 times
+    let r6_part_2 = g.mul_add(s3_2, r6_part);
+    // u3*m3_l2; used 2 times
+    let u3_m3_l2 = u3 * m3_l2;
+    // u3*u3_m3_l2; used 6 times
+    let u3_u3_m3_l2 = u3 * u3_m3_l2;
+    // l1_m2_plus_m3*sin(q2); used 3 times
+    let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
+    // l0_s3_part*sin(q1); used 3 times
+    let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r3_by_q3 = -m3*l1*(sin(q2 - q3)*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) + cos(q2 -
-    //   q3)*(g*cos(q3) - l0*u1^2*cos(q1 - q3) - l1*u2^2*cos(q2 - q3) - l2*u3^2))
-    let r3_by_q3 = m3_l1 * (r2_by_q3_part.mul_add(cos_q2_minus_q3, -r3_by_q2_part_3));
+    // r6 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
+    //   l1*u2^2*sin(q2) + l2*(u3^2*sin(q3) + l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))))
+    let r6 = (-l2__m3_l2).mul_add(r6_part_2, F) - u3_u3_m3_l2 * s3_2
+        - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_s3_part;
+    // l7 = m3*l0*l2*cos(q1 - q3)/d1
+    let l7 = d1_inv_m3_l2 * l0_cos_q1_minus_q3;
     // Shared terms.
-    // m3_sin_q1_minus_q3*l0_scaled; used 3 times
-    let s4_by_q3_part = m3_sin_q1_minus_q3 * l0_scaled;
-    // s5_by_q1_part_3 - m3_s3*cos(q1 - q3); used 3 times
-    let s4_by_q3_part_2 = (-m3_s3).mul_add(cos_q1_minus_q3, s5_by_q1_part_3);
+    // l7*m3_l2; used 7 times
+    let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // s4_by_q3 = 2*m3*l0^2*sin(q3)*cos(q3)*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))^2/(m0 + m1 +
-    //   m2 + m3*sin(q3)^2)^2 - 2*m3*l0^2*sin(q1 - q3)*cos(q1 - q3) + 2*l0^2*(cos(q1)*(m1 + m2 + m3) -
-    //   m3*cos(q3)*cos(q1 - q3))*(m3*sin(q1 - q3)*cos(q3) - m3*sin(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2)
-    let s4_by_q3 = (-l0_cos_q1_minus_q3)
-        .mul_add(
-            s4_by_q3_part,
-            s4_part_5 * (l0_scaled.mul_add(s4_by_q3_part_2, s4_part_5 * c3_m3_s3_scaled)),
-        );
+    // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*cos(q1 - q3))
+    let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
-    // s4_part_4*c3_m3_s3_scaled; used 3 times
-    let s5_by_q3_part = s4_part_4 * c3_m3_s3_scaled;
-    // l0_s4_part_4*s4_by_q3_part_2 + s4_part_5*s5_by_q3_part; used 2 times
-    let s5_by_q3_part_2 = s4_part_5
-        .mul_add(s5_by_q3_part, l0_s4_part_4 * s4_by_q3_part_2);
-    // m3_l1*(c3_sin_q2_minus_q3 - sin(q3)*cos(q2 - q3)); used 4 times
-    let s5_by_q3_part_3 = m3_l1 * ((-s3).mul_add(cos_q2_minus_q3, c3_sin_q2_minus_q3));
+    // l0*l1_m2_plus_m3; used 2 times
+    let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
+    // cos(q1 - q2)*l0_l1_m2_plus_m3; used 3 times
+    let s9_part = cos_q1_minus_q2 * l0_l1_m2_plus_m3;
+    // l1_cos_q2_minus_q3*l7_m3_l2 - s9_part; used 2 times
+    let s9_part_2 = l1_cos_q2_minus_q3.mul_add(l7_m3_l2, -s9_part);
     // Elimination, step by step.
-    // s5_by_q3 = 2*m3*l0*l1*sin(q3)*cos(q3)*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))*(m2*cos(q2)
-    //   + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)^2 + l0*l1*(m2*cos(q2) +
-    //   m3*(cos(q2) - cos(q3)*cos(q2 - q3)))*(m3*sin(q1 - q3)*cos(q3) - m3*sin(q3)*cos(q1 - q3))/(m0 + m1 +
-    //   m2 + m3*sin(q3)^2) + m3*l0*l1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))*(sin(q2 -
-    //   q3)*cos(q3) - sin(q3)*cos(q2 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) - m3*l0*l1*(sin(q2 - q3)*cos(q1 -
-    //   q3) + sin(q1 - q3)*cos(q2 - q3))
-    let s5_by_q3 = s4_part_5
-        .mul_add(
-            s5_by_q3_part_3,
-            (-(l0 * m3_l1))
-                .mul_add(s5_by_q1_part + s5_by_q2_part, s5_part * s5_by_q3_part_2),
-        );
+    // s9 = l0*l1*cos(q1 - q2)*(m2 + m3) - m3*l1*l2*l7*cos(q2 - q3)
+    let s9 = -s9_part_2;
     // Shared terms.
-    // 2*sin(q2 - q3); used 2 times
-    let sin_q2_minus_q3_scaled = S::int(2) * sin_q2_minus_q3;
-    // m3_l1*sin_q2_minus_q3_scaled; used 3 times
-    let s6_by_q3_part = m3_l1 * sin_q2_minus_q3_scaled;
+    // sin(q1 - q2)*l0_l1_m2_plus_m3; used 5 times
+    let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // s6_by_q3 = 2*m3*l1^2*sin(q3)*cos(q3)*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))^2/(m0 + m1 +
-    //   m2 + m3*sin(q3)^2)^2 - 2*m3*l1^2*sin(q2 - q3)*cos(q2 - q3) + 2*m3*l1^2*(m2*cos(q2) + m3*(cos(q2) -
-    //   cos(q3)*cos(q2 - q3)))*(sin(q2 - q3)*cos(q3) - sin(q3)*cos(q2 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s6_by_q3 = (-l1_cos_q2_minus_q3)
-        .mul_add(
-            s6_by_q3_part,
-            s4_part_4_s5_part
-                * (s5_by_q3_part_3
-                    .mul_add(S::int(2), s4_part_4_s5_part * c3_m3_s3_scaled)),
-        );
+    // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 -
+    //   q2) - l2*sin(q1 - q3)*(u3^2 + u1^2*l7))) - m3*l2*l7*(g*sin(q3) + l1*u2^2*sin(q2 - q3))
+    let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_u3_m3_l2, g * s1_l0_s3_part)
+        - r6_part_2 * l7_m3_l2 - u2_sq * r10_part;
+    // l11 = m3*l1*l2*cos(q2 - q3)/d1
+    let l11 = d1_inv_m3_l2 * l1_cos_q2_minus_q3;
     // Shared terms.
-    // r1*s5_by_q3_part_2 - r1_by_q3*s4_part_5
-    let r7_by_q3_part = (-r1_by_q3).mul_add(s4_part_5, r1 * s5_by_q3_part_2);
-    // r2_by_q3 - r7_by_q3_part; used 2 times
-    let r7_by_q3_part_2 = r2_by_q3 - r7_by_q3_part;
-    // s4_by_q3*s5_s4_inv; used 2 times
-    let s4_by_q3_s5_s4_inv = s4_by_q3 * s5_s4_inv;
+    // l11*m3_l2; used 7 times
+    let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // r7_by_q3 = m3*l1*r1*(sin(q3)*cos(q2 - q3) - sin(q2 - q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) -
-    //   2*m3*l1*r1*sin(q3)*cos(q3)*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2)^2 + l1*r1_by_q3*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) - s5*(2*m3*l0*r1*sin(q3)*cos(q3)*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1 + m2 +
-    //   m3))/(m0 + m1 + m2 + m3*sin(q3)^2)^2 + l0*r1*(m3*sin(q3)*cos(q1 - q3) - m3*sin(q1 - q3)*cos(q3))/(m0
-    //   + m1 + m2 + m3*sin(q3)^2) + l0*r1_by_q3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1
-    //   + m2 + m3*sin(q3)^2) + r2_by_q3)/s4 + r3_by_q3 + s5*s4_by_q3*(l0*r1*(cos(q1)*(m1 + m2 + m3) -
-    //   m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4^2 - s5_by_q3*(l0*r1*(cos(q1)*(m1 +
-    //   m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2)/s4
-    let r7_by_q3 = r7_part_s4_inv
-        .mul_add(
-            s4_by_q3_s5_s4_inv - s5_by_q3,
-            (-s5_s4_inv)
-                .mul_add(
-                    r7_by_q3_part_2,
-                    (-(r1 * s4_part_4))
-                        .mul_add(
-                            s5_by_q3_part_3,
-                            (-r1_s4_part_4_s5_part)
-                                .mul_add(
-                                    s5_by_q3_part,
-                                    r1_by_q3.mul_add(s4_part_4_s5_part, r3_by_q3),
-                                ),
-                        ),
-                ),
-        );
-    // u2_dot_by_q3 = (r7*(s5*(s5*s4_by_q3/s4 - 2*s5_by_q3)/s4 + s6_by_q3)/(s5^2/s4 - s6) + r7_by_q3)/(s6 -
-    //   s5^2/s4)
-    let u2_dot_by_q3 = u2_dot_part
-        * ((-u2_dot)
-            .mul_add(
-                s5_s4_inv
-                    .mul_add(
-                        (-s5_by_q3).mul_add(S::int(2), s4_by_q3_s5_s4_inv),
-                        s6_by_q3,
-                    ),
-                r7_by_q3,
-            ));
-    // u1_dot_by_q3 = s4_by_q3*(u2'*s5 - l0*r1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1
-    //   + m2 + m3*sin(q3)^2) - r2)/s4^2 + (2*m3*l0*r1*sin(q3)*cos(q3)*(m3*cos(q3)*cos(q1 - q3) - cos(q1)*(m1
-    //   + m2 + m3))/(m0 + m1 + m2 + m3*sin(q3)^2)^2 + l0*r1*(m3*sin(q3)*cos(q1 - q3) - m3*sin(q1 -
-    //   q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*r1_by_q3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1
-    //   - q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r2_by_q3 - u2'*s5_by_q3 - s5*u2_dot_by_q3)/s4
-    let u1_dot_by_q3 = (-s4_by_q3)
-        .mul_add(
-            u1_dot_s4_inv,
-            s4_inv
-                * ((-s5)
-                    .mul_add(u2_dot_by_q3, (-u2_dot).mul_add(s5_by_q3, r7_by_q3_part_2))),
-        );
-    // u0_dot_by_q3 = (l0*u1'*(m3*sin(q3)*cos(q1 - q3) - m3*sin(q1 - q3)*cos(q3)) +
-    //   m3*l1*u2'*(sin(q3)*cos(q2 - q3) - sin(q2 - q3)*cos(q3)) + r1_by_q3 + l1*u2_dot_by_q3*(m2*cos(q2) +
-    //   m3*(cos(q2) - cos(q3)*cos(q2 - q3))) + l0*u1_dot_by_q3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 -
-    //   q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) - 2*m3*sin(q3)*cos(q3)*(l0*u1'*(cos(q1)*(m1 + m2 + m3) -
-    //   m3*cos(q3)*cos(q1 - q3)) + l1*u2'*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3))) + r1)/(m0 + m1
-    //   + m2 + m3*sin(q3)^2)^2
-    let u0_dot_by_q3 = (-u0_dot)
-        .mul_add(
-            s5_by_q3_part,
-            s4_part_4
-                * ((-u2_dot)
-                    .mul_add(
-                        s5_by_q3_part_3,
-                        (-(l0 * u1_dot))
-                            .mul_add(
-                                s4_by_q3_part_2,
-                                u2_dot_by_q3
-                                    .mul_add(
-                                        s5_part,
-                                        u1_dot_by_q3.mul_add(l0_s4_part_2, r1_by_q3),
-                                    ),
-                            ),
-                    )),
-        );
-    // u3_dot_by_q3 = (cos(q3)*(g + u0_dot_by_q3) - u0'*sin(q3) - l1*(u2'*sin(q2 - q3) + cos(q2 - q3)*(u2^2
-    //   + u2_dot_by_q3)) - l0*(u1'*sin(q1 - q3) + cos(q1 - q3)*(u1^2 + u1_dot_by_q3)))/l2
-    let u3_dot_by_q3 = l2_inv
-        * ((-l1)
-            .mul_add(
-                cos_q2_minus_q3.mul_add(u2_dot_by_q3 + u2_sq, u3_dot_by_q2_part),
-                (-l0)
-                    .mul_add(
-                        cos_q1_minus_q3.mul_add(u1_dot_by_q3 + u1_sq, u3_dot_by_q1_part),
-                        (-u0_dot).mul_add(s3, c3 * (g + u0_dot_by_q3)),
-                    ),
-            ));
+    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*cos(q2 - q3)))
+    let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
+    // r13 = m2*l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
+    //   l2*sin(q2 - q3)*(u3^2 + u2^2*l11)) - l2*l11*(g*sin(q3) + l0*u1^2*sin(q1 - q3)))
+    let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_u3_m3_l2, g * s2_l1_m2_plus_m3)
+        + u1_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
-    // 2*l0_u1; used 2 times
-    let l0_u1_scaled = S::int(2) * l0_u1;
+    // 1/s3; used 9 times
+    let s3_inv = S::int(1) / s3;
     // Elimination, step by step.
-    // r1_by_u1 = -2*l0*u1*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))
-    let r1_by_u1 = -l0_u1_scaled * (c3_m3_s3.mul_add(c1, s4_part_3 * s1));
-    // r2_by_u1 = -2*m3*l0^2*u1*sin(q1 - q3)*cos(q1 - q3)
-    let r2_by_u1 = -l0_u1 * s4_by_q3_part * cos_q1_minus_q3;
-    // r3_by_u1 = 2*l0*l1*u1*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) - sin(q1 - q3)*cos(q2 - q3)))
-    let r3_by_u1 = l1 * s5_by_q1_part_2 * l0_u1_scaled;
+    // l14 = s4/s3
+    let l14 = s4 * s3_inv;
+    // s15 = s8 - s4*l14
+    let s15 = (-s4).mul_add(l14, s8);
+    // s16 = s9 - s5*l14
+    let s16 = (-s5).mul_add(l14, s9);
+    // r17 = r10 - r6*l14
+    let r17 = (-r6).mul_add(l14, r10);
+    // l18 = s5/s3
+    let l18 = s5 * s3_inv;
+    // s19 = s12 - s5*l18
+    let s19 = (-s5).mul_add(l18, s12);
+    // r20 = r13 - r6*l18
+    let r20 = (-r6).mul_add(l18, r13);
     // Shared terms.
-    // r2_by_u1 + r1_by_u1*s4_part_5; used 2 times
-    let r7_by_u1_part = r1_by_u1.mul_add(s4_part_5, r2_by_u1);
+    // 1/s15; used 14 times
+    let s15_inv = S::int(1) / s15;
     // Elimination, step by step.
-    // r7_by_u1 = l1*r1_by_u1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) - s5*(l0*r1_by_u1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r2_by_u1)/s4 + r3_by_u1
-    let r7_by_u1 = (-s5_s4_inv)
-        .mul_add(r7_by_u1_part, r1_by_u1.mul_add(s4_part_4_s5_part, r3_by_u1));
+    // l21 = s16/s15
+    let l21 = s16 * s15_inv;
+    // s22 = s19 - s16*l21
+    let s22 = (-s16).mul_add(l21, s19);
+    // r23 = r20 - r17*l21
+    let r23 = (-r17).mul_add(l21, r20);
     // Shared terms.
-    // r7_by_u1*u2_dot_part; used 4 times
-    let r7_by_u1_u2_dot_part = r7_by_u1 * u2_dot_part;
+    // 1/s22; used 11 times
+    let s22_inv = S::int(1) / s22;
     // Elimination, step by step.
-    // u1_dot_by_u1 = (l0*r1_by_u1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r2_by_u1 + s5*r7_by_u1/(s5^2/s4 - s6))/s4
-    let u1_dot_by_u1 = s4_inv * ((-s5).mul_add(r7_by_u1_u2_dot_part, r7_by_u1_part));
-    // u0_dot_by_u1 = (r1_by_u1 + l1*r7_by_u1*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(s6 -
-    //   s5^2/s4) + l0*u1_dot_by_u1*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2)
-    let u0_dot_by_u1 = s4_part_4
-        * (s5_part
-            .mul_add(
-                r7_by_u1_u2_dot_part,
-                u1_dot_by_u1.mul_add(l0_s4_part_2, r1_by_u1),
-            ));
-    // u3_dot_by_u1 = (l1*r7_by_u1*cos(q2 - q3)/(s5^2/s4 - s6) + l0*(2*u1*sin(q1 - q3) -
-    //   u1_dot_by_u1*cos(q1 - q3)) + u0_dot_by_u1*cos(q3))/l2
-    let u3_dot_by_u1 = l2_inv
-        * ((-l1_cos_q2_minus_q3)
-            .mul_add(
-                r7_by_u1_u2_dot_part,
-                u0_dot_by_u1
-                    .mul_add(
-                        c3,
-                        l0
-                            * ((-u1_dot_by_u1)
-                                .mul_add(cos_q1_minus_q3, S::int(2) * u1 * sin_q1_minus_q3)),
-                    ),
-            ));
-    // r1_by_u2 = -2*l1*u2*(m2*sin(q2) + m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
-    let r1_by_u2 = -S::int(2) * l1_u2 * (m3_s3.mul_add(u0_dot_by_q2_part, m2_s2));
-    // r2_by_u2 = -2*l0*l1*u2*(m2*sin(q1 - q2) + m3*(sin(q1 - q2) + sin(q2 - q3)*cos(q1 - q3)))
-    let r2_by_u2 = -l1_u2 * l0_scaled * s5_by_q2_part_2;
-    // r3_by_u2 = -2*m3*l1^2*u2*sin(q2 - q3)*cos(q2 - q3)
-    let r3_by_u2 = -l1_u2 * s6_by_q3_part * cos_q2_minus_q3;
+    // u2' = r23/s22
+    let u2_dot = r23 * s22_inv;
     // Shared terms.
-    // r2_by_u2 + r1_by_u2*s4_part_5; used 2 times
-    let r7_by_u2_part = r1_by_u2.mul_add(s4_part_5, r2_by_u2);
+    // r17*s15_inv; used 2 times
+    let r17_s15_inv = r17 * s15_inv;
     // Elimination, step by step.
-    // r7_by_u2 = l1*r1_by_u2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) - s5*(l0*r1_by_u2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r2_by_u2)/s4 + r3_by_u2
-    let r7_by_u2 = (-s5_s4_inv)
-        .mul_add(r7_by_u2_part, r1_by_u2.mul_add(s4_part_4_s5_part, r3_by_u2));
+    // u1' = (r17 - u2'*s16)/s15
+    let u1_dot = (-u2_dot).mul_add(l21, r17_s15_inv);
     // Shared terms.
-    // r7_by_u2*u2_dot_part; used 4 times
-    let r7_by_u2_u2_dot_part = r7_by_u2 * u2_dot_part;
+    // r6*s3_inv; used 5 times
+    let r6_s3_inv = r6 * s3_inv;
+    // r6_s3_inv - u2'*l18; used 3 times
+    let u0_dot_part = (-u2_dot).mul_add(l18, r6_s3_inv);
     // Elimination, step by step.
-    // u1_dot_by_u2 = (l0*r1_by_u2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r2_by_u2 + s5*r7_by_u2/(s5^2/s4 - s6))/s4
-    let u1_dot_by_u2 = s4_inv * ((-s5).mul_add(r7_by_u2_u2_dot_part, r7_by_u2_part));
-    // u0_dot_by_u2 = (r1_by_u2 + l1*r7_by_u2*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(s6 -
-    //   s5^2/s4) + l0*u1_dot_by_u2*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2)
-    let u0_dot_by_u2 = s4_part_4
-        * (s5_part
-            .mul_add(
-                r7_by_u2_u2_dot_part,
-                u1_dot_by_u2.mul_add(l0_s4_part_2, r1_by_u2),
-            ));
-    // u3_dot_by_u2 = (l1*(2*u2*sin(q2 - q3) + r7_by_u2*cos(q2 - q3)/(s5^2/s4 - s6)) -
-    //   l0*u1_dot_by_u2*cos(q1 - q3) + u0_dot_by_u2*cos(q3))/l2
-    let u3_dot_by_u2 = l2_inv
-        * (l1
-            .mul_add(
-                (-r7_by_u2_u2_dot_part)
-                    .mul_add(cos_q2_minus_q3, u2 * sin_q2_minus_q3_scaled),
-                (-u1_dot_by_u2).mul_add(l0_cos_q1_minus_q3, u0_dot_by_u2 * c3),
-            ));
-    // r1_by_u3 = -2*m3*l2*u3*sin(q3)
-    let r1_by_u3 = -S::int(2) * l2_u3 * m3_s3;
-    // r2_by_u3 = -2*m3*l0*l2*u3*sin(q1 - q3)
-    let r2_by_u3 = -l2_u3 * s4_by_q3_part;
-    // r3_by_u3 = -2*m3*l1*l2*u3*sin(q2 - q3)
-    let r3_by_u3 = -l2_u3 * s6_by_q3_part;
+    // u0' = (r6 - u1'*s4 - u2'*s5)/s3
+    let u0_dot = (-u1_dot).mul_add(l14, u0_dot_part);
     // Shared terms.
-    // r2_by_u3 + r1_by_u3*s4_part_5; used 2 times
-    let r7_by_u3_part = r1_by_u3.mul_add(s4_part_5, r2_by_u3);
+    // l2__m3_l2*l0_sin_q1_minus_q3; used 2 times
+    let s4_by_q1_part = l2__m3_l2 * l0_sin_q1_minus_q3;
     // Elimination, step by step.
-    // r7_by_u3 = l1*r1_by_u3*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) - s5*(l0*r1_by_u3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r2_by_u3)/s4 + r3_by_u3
-    let r7_by_u3 = (-s5_s4_inv)
-        .mul_add(r7_by_u3_part, r1_by_u3.mul_add(s4_part_4_s5_part, r3_by_u3));
+    // s4_by_q1 = l0*(sin(q1)*(m1 + m2 + m3) + m3*l2*l2_*sin(q1 - q3))
+    let s4_by_q1 = s1_l0_s3_part + s4_by_q1_part;
+    // r6_by_q1 = -l0*u1^2*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*cos(q1 - q3))
+    let r6_by_q1 = -s4_part * u1_sq;
+    // l7_by_q3 = m3*l0*l2*sin(q1 - q3)/d1
+    let l7_by_q3 = d1_inv_m3_l2 * l0_sin_q1_minus_q3;
+    // l7_by_q1 = -m3*l0*l2*sin(q1 - q3)/d1
+    let l7_by_q1 = -l7_by_q3;
     // Shared terms.
-    // r7_by_u3*u2_dot_part; used 4 times
-    let r7_by_u3_u2_dot_part = r7_by_u3 * u2_dot_part;
+    // m3_l2*l0_cos_q1_minus_q3; used 3 times
+    let s8_by_q1_part = m3_l2 * l0_cos_q1_minus_q3;
+    // l0_sin_q1_minus_q3*l7_m3_l2; used 3 times
+    let s8_by_q1_part_2 = l0_sin_q1_minus_q3 * l7_m3_l2;
     // Elimination, step by step.
-    // u1_dot_by_u3 = (l0*r1_by_u3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r2_by_u3 + s5*r7_by_u3/(s5^2/s4 - s6))/s4
-    let u1_dot_by_u3 = s4_inv * ((-s5).mul_add(r7_by_u3_u2_dot_part, r7_by_u3_part));
-    // u0_dot_by_u3 = (r1_by_u3 + l1*r7_by_u3*(m2*cos(q2) + m3*(cos(q2) - cos(q3)*cos(q2 - q3)))/(s6 -
-    //   s5^2/s4) + l0*u1_dot_by_u3*(cos(q1)*(m1 + m2 + m3) - m3*cos(q3)*cos(q1 - q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2)
-    let u0_dot_by_u3 = s4_part_4
-        * (s5_part
-            .mul_add(
-                r7_by_u3_u2_dot_part,
-                u1_dot_by_u3.mul_add(l0_s4_part_2, r1_by_u3),
-            ));
-    // u3_dot_by_u3 = (u0_dot_by_u3*cos(q3) - l1*r7_by_u3*cos(q2 - q3)/(s6 - s5^2/s4) -
-    //   l0*u1_dot_by_u3*cos(q1 - q3))/l2
-    let u3_dot_by_u3 = l2_inv
-        * ((-l1_cos_q2_minus_q3)
-            .mul_add(
-                r7_by_u3_u2_dot_part,
-                (-u1_dot_by_u3).mul_add(l0_cos_q1_minus_q3, u0_dot_by_u3 * c3),
-            ));
+    // s8_by_q1 = m3*l0*l2*(l7*sin(q1 - q3) - l7_by_q1*cos(q1 - q3))
+    let s8_by_q1 = (-l7_by_q1).mul_add(s8_by_q1_part, s8_by_q1_part_2);
+    // Shared terms.
+    // m3_l2*l1_cos_q2_minus_q3; used 5 times
+    let s9_by_q1_part = m3_l2 * l1_cos_q2_minus_q3;
+    // Elimination, step by step.
+    // s9_by_q1 = -l0*l1*sin(q1 - q2)*(m2 + m3) - m3*l1*l2*l7_by_q1*cos(q2 - q3)
+    let s9_by_q1 = (-l7_by_q1).mul_add(s9_by_q1_part, -r10_part);
+    // Shared terms.
+    // m3_l2*r6_part_2; used 5 times
+    let m3_l2_r6_part_2 = m3_l2 * r6_part_2;
+    // l0_cos_q1_minus_q3*u1_sq; used 3 times
+    let r10_by_q1_part = l0_cos_q1_minus_q3 * u1_sq;
+    // l0_cos_q1_minus_q3*u3_u3_m3_l2; used 2 times
+    let r10_by_q1_part_2 = l0_cos_q1_minus_q3 * u3_u3_m3_l2;
+    // Elimination, step by step.
+    // r10_by_q1 = l0*(m1*g*cos(q1) + m2*(g*cos(q1) - l1*u2^2*cos(q1 - q2)) + m3*(g*cos(q1) -
+    //   l1*u2^2*cos(q1 - q2) - l2*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) + l7_by_q1*sin(q1 - q3))))) -
+    //   m3*l2*l7_by_q1*(g*sin(q3) + l1*u2^2*sin(q2 - q3))
+    let r10_by_q1 = (-u2_sq).mul_add(s9_part, g * c1_l0_s3_part)
+        - l7_by_q1 * m3_l2_r6_part_2 - l7_m3_l2 * r10_by_q1_part - r10_by_q1_part_2;
+    // Shared terms.
+    // u1_sq*s9_part; used 2 times
+    let u1_sq_s9_part = u1_sq * s9_part;
+    // Elimination, step by step.
+    // r13_by_q1 = l0*u1^2*(m2*l1*cos(q1 - q2) + m3*(l1*cos(q1 - q2) - l2*l11*cos(q1 - q3)))
+    let r13_by_q1 = (-l11_m3_l2).mul_add(r10_by_q1_part, u1_sq_s9_part);
+    // Shared terms.
+    // l14*s15_inv; used 11 times
+    let l14_s15_inv = l14 * s15_inv;
+    // l21*s4_by_q1; used 3 times
+    let l21_s4_by_q1 = l21 * s4_by_q1;
+    // l14*l21 - l18; used 8 times
+    let l21_by_q1_part = l14.mul_add(l21, -l18);
+    // s4_by_q1*s15_inv; used 2 times
+    let s4_by_q1_s15_inv = s4_by_q1 * s15_inv;
+    // s8_by_q1*s15_inv; used 2 times
+    let s8_by_q1_s15_inv = s8_by_q1 * s15_inv;
+    // Elimination, step by step.
+    // l21_by_q1 = (s16*(s4_by_q1*(s4/s3 + l14) - s8_by_q1)/s15 - s5*s4_by_q1/s3 + s9_by_q1)/s15
+    let l21_by_q1 = l14_s15_inv.mul_add(l21_s4_by_q1, s9_by_q1 * s15_inv)
+        + l21_by_q1_part * s4_by_q1_s15_inv - l21 * s8_by_q1_s15_inv;
+    // s22_by_q1 = l21*(s5*s4_by_q1/s3 - s9_by_q1) - s16*l21_by_q1
+    let s22_by_q1 = (-l21).mul_add(s9_by_q1, l18 * l21_s4_by_q1) - s16 * l21_by_q1;
+    // r23_by_q1 = l21*(r6*s4_by_q1/s3 - r10_by_q1 + l14*r6_by_q1) - l18*r6_by_q1 + r13_by_q1 -
+    //   r17*l21_by_q1
+    let r23_by_q1 = (-l21).mul_add(r10_by_q1, r13_by_q1) - r17 * l21_by_q1
+        + r6_s3_inv * l21_s4_by_q1 + r6_by_q1 * l21_by_q1_part;
+    // Shared terms.
+    // u2'*s22_by_q1 - r23_by_q1; used 4 times
+    let u1_dot_by_q1_part = u2_dot.mul_add(s22_by_q1, -r23_by_q1);
+    // l21*s22_inv; used 6 times
+    let l21_s22_inv = l21 * s22_inv;
+    // u2'*s15_inv; used 2 times
+    let u2_dot_s15_inv = u2_dot * s15_inv;
+    // Elimination, step by step.
+    // u1_dot_by_q1 = (u2'*s16 - r17)*(s8_by_q1 - s4_by_q1*(s4/s3 + l14))/s15^2 + (u2'*(s5*s4_by_q1/s3 -
+    //   s9_by_q1) - r6*s4_by_q1/s3 - l14*r6_by_q1 + r10_by_q1 + s16*(r23*s22_by_q1/s22 - r23_by_q1)/s22)/s15
+    let u1_dot_by_q1 = l14_s15_inv * ((u1_dot * s4_by_q1).mul_add(S::int(2), -r6_by_q1))
+        + r10_by_q1 * s15_inv - u0_dot_part * s4_by_q1_s15_inv
+        - u1_dot * s8_by_q1_s15_inv + u1_dot_by_q1_part * l21_s22_inv
+        - s9_by_q1 * u2_dot_s15_inv;
+    // Shared terms.
+    // l18*s22_inv; used 3 times
+    let l18_s22_inv = l18 * s22_inv;
+    // u1'*s3_inv; used 2 times
+    let u1_dot_s3_inv = u1_dot * s3_inv;
+    // Elimination, step by step.
+    // u0_dot_by_q1 = (r6_by_q1 - u1'*s4_by_q1 + s5*(r23*s22_by_q1/s22 - r23_by_q1)/s22 -
+    //   s4*u1_dot_by_q1)/s3
+    let u0_dot_by_q1 = (-l14).mul_add(u1_dot_by_q1, r6_by_q1 * s3_inv)
+        + u1_dot_by_q1_part * l18_s22_inv - s4_by_q1 * u1_dot_s3_inv;
+    // Shared terms.
+    // l11*s22_inv; used 3 times
+    let l11_s22_inv = l11 * s22_inv;
+    // u1'*l7_by_q3; used 2 times
+    let u1_dot_l7_by_q3 = u1_dot * l7_by_q3;
+    // Elimination, step by step.
+    // u3_dot_by_q1 = m3*l2*(l0*(u1'*sin(q1 - q3) + cos(q1 - q3)*(u1^2 - u1_dot_by_q1)) - l1*cos(q2 -
+    //   q3)*(r23_by_q1 - r23*s22_by_q1/s22)/s22 + u0_dot_by_q1*cos(q3))/d1
+    let u3_dot_by_q1 = l7 * (u1_sq - u1_dot_by_q1) + u0_dot_by_q1 * c3_d1_inv_m3_l2
+        + u1_dot_by_q1_part * l11_s22_inv + u1_dot_l7_by_q3;
+    // Shared terms.
+    // l2__m3_l2*l1_sin_q2_minus_q3; used 2 times
+    let s5_by_q2_part = l2__m3_l2 * l1_sin_q2_minus_q3;
+    // Elimination, step by step.
+    // s5_by_q2 = l1*(m2*sin(q2) + m3*(sin(q2) + l2*l2_*sin(q2 - q3)))
+    let s5_by_q2 = s2_l1_m2_plus_m3 + s5_by_q2_part;
+    // r6_by_q2 = -l1*u2^2*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    let r6_by_q2 = -s5_part * u2_sq;
+    // Shared terms.
+    // l1_sin_q2_minus_q3*l7_m3_l2; used 2 times
+    let s9_by_q2_part = l1_sin_q2_minus_q3 * l7_m3_l2;
+    // Elimination, step by step.
+    // s9_by_q2 = l0*l1*sin(q1 - q2)*(m2 + m3) + m3*l1*l2*l7*sin(q2 - q3)
+    let s9_by_q2 = r10_part + s9_by_q2_part;
+    // r10_by_q2 = l1*u2^2*(m2*l0*cos(q1 - q2) + m3*(l0*cos(q1 - q2) - l2*l7*cos(q2 - q3)))
+    let r10_by_q2 = -u2_sq * s9_part_2;
+    // l11_by_q3 = m3*l1*l2*sin(q2 - q3)/d1
+    let l11_by_q3 = d1_inv_m3_l2 * l1_sin_q2_minus_q3;
+    // l11_by_q2 = -m3*l1*l2*sin(q2 - q3)/d1
+    let l11_by_q2 = -l11_by_q3;
+    // Shared terms.
+    // l1_sin_q2_minus_q3*l11_m3_l2; used 3 times
+    let s12_by_q2_part = l1_sin_q2_minus_q3 * l11_m3_l2;
+    // Elimination, step by step.
+    // s12_by_q2 = m3*l1*l2*(l11*sin(q2 - q3) - l11_by_q2*cos(q2 - q3))
+    let s12_by_q2 = (-l11_by_q2).mul_add(s9_by_q1_part, s12_by_q2_part);
+    // Shared terms.
+    // l1_cos_q2_minus_q3*u2_sq; used 2 times
+    let r13_by_q2_part = l1_cos_q2_minus_q3 * u2_sq;
+    // l1_cos_q2_minus_q3*u3_u3_m3_l2; used 2 times
+    let r13_by_q2_part_2 = l1_cos_q2_minus_q3 * u3_u3_m3_l2;
+    // Elimination, step by step.
+    // r13_by_q2 = m2*l1*(g*cos(q2) - l0*u1^2*cos(q1 - q2)) - m3*(l2*l11_by_q2*(g*sin(q3) + l0*u1^2*sin(q1
+    //   - q3)) + l1*(l0*u1^2*cos(q1 - q2) - g*cos(q2) + l2*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) +
+    //   l11_by_q2*sin(q2 - q3)))))
+    let r13_by_q2 = (-l11_by_q2).mul_add(m3_l2_r6_part_2, g * c2_l1_m2_plus_m3)
+        - u1_sq_s9_part - l11_m3_l2 * r13_by_q2_part - r13_by_q2_part_2;
+    // s22_by_q2 = s5_by_q2*(l14*(s16/s15 + l21) - s5/s3 - l18) - s9_by_q2*(s16/s15 + l21) + s12_by_q2
+    let s22_by_q2 = (-(l21 * s9_by_q2)).mul_add(S::int(2), s12_by_q2)
+        + S::int(2) * s5_by_q2 * l21_by_q1_part;
+    // Shared terms.
+    // s9_by_q2*s15_inv - s5_by_q2*l14_s15_inv; used 2 times
+    let r23_by_q2_part = (-s5_by_q2).mul_add(l14_s15_inv, s9_by_q2 * s15_inv);
+    // Elimination, step by step.
+    // r23_by_q2 = r17*(l14*s5_by_q2 - s9_by_q2)/s15 - r6*s5_by_q2/s3 - l18*r6_by_q2 + l21*(l14*r6_by_q2 -
+    //   r10_by_q2) + r13_by_q2
+    let r23_by_q2 = (-l21).mul_add(r10_by_q2, r13_by_q2) - s5_by_q2 * r6_s3_inv
+        + r6_by_q2 * l21_by_q1_part - r17 * r23_by_q2_part;
+    // Shared terms.
+    // u2'*s22_by_q2 - r23_by_q2; used 4 times
+    let u1_dot_by_q2_part = u2_dot.mul_add(s22_by_q2, -r23_by_q2);
+    // Elimination, step by step.
+    // u1_dot_by_q2 = (u2'*(l14*s5_by_q2 - s9_by_q2) - l14*r6_by_q2 + r10_by_q2 + s16*(r23*s22_by_q2/s22 -
+    //   r23_by_q2)/s22)/s15
+    let u1_dot_by_q2 = (-r6_by_q2).mul_add(l14_s15_inv, r10_by_q2 * s15_inv)
+        - u2_dot * r23_by_q2_part + l21_s22_inv * u1_dot_by_q2_part;
+    // Shared terms.
+    // u2'*s3_inv; used 2 times
+    let u2_dot_s3_inv = u2_dot * s3_inv;
+    // Elimination, step by step.
+    // u0_dot_by_q2 = (r6_by_q2 - u2'*s5_by_q2 + s5*(r23*s22_by_q2/s22 - r23_by_q2)/s22 -
+    //   s4*u1_dot_by_q2)/s3
+    let u0_dot_by_q2 = (-l14).mul_add(u1_dot_by_q2, r6_by_q2 * s3_inv)
+        + l18_s22_inv * u1_dot_by_q2_part - s5_by_q2 * u2_dot_s3_inv;
+    // Shared terms.
+    // u2'*l11_by_q3; used 2 times
+    let u2_dot_l11_by_q3 = u2_dot * l11_by_q3;
+    // Elimination, step by step.
+    // u3_dot_by_q2 = m3*l2*(l1*(u2'*sin(q2 - q3) + cos(q2 - q3)*(u2^2 + (r23*s22_by_q2/s22 -
+    //   r23_by_q2)/s22)) - l0*u1_dot_by_q2*cos(q1 - q3) + u0_dot_by_q2*cos(q3))/d1
+    let u3_dot_by_q2 = (-l7).mul_add(u1_dot_by_q2, u0_dot_by_q2 * c3_d1_inv_m3_l2)
+        + l11 * u2_sq + l11_s22_inv * u1_dot_by_q2_part + u2_dot_l11_by_q3;
+    // l2__by_q3 = m3*l2*sin(q3)/d1
+    let l2__by_q3 = d1_inv_m3_l2 * s3_2;
+    // s3_by_q3 = m3*l2*(l2__by_q3*cos(q3) - l2_*sin(q3))
+    let s3_by_q3 = (-l2__m3_l2).mul_add(s3_2, l2__by_q3 * m3_l2 * c3);
+    // s4_by_q3 = -m3*l0*l2*(l2_*sin(q1 - q3) + l2__by_q3*cos(q1 - q3))
+    let s4_by_q3 = (-l2__by_q3).mul_add(s8_by_q1_part, -s4_by_q1_part);
+    // s5_by_q3 = -m3*l1*l2*(l2_*sin(q2 - q3) + l2__by_q3*cos(q2 - q3))
+    let s5_by_q3 = (-l2__by_q3).mul_add(s9_by_q1_part, -s5_by_q2_part);
+    // Shared terms.
+    // r10_by_q1_part + r13_by_q2_part
+    let r6_by_q3_part = r10_by_q1_part + r13_by_q2_part;
+    // g*cos(q3) - r6_by_q3_part; used 4 times
+    let r6_by_q3_part_2 = g.mul_add(c3, -r6_by_q3_part);
+    // Elimination, step by step.
+    // r6_by_q3 = -m3*l2*(u3^2*cos(q3) + l2_*(g*cos(q3) - l0*u1^2*cos(q1 - q3) - l1*u2^2*cos(q2 - q3)) +
+    //   l2__by_q3*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
+    let r6_by_q3 = (-l2__by_q3).mul_add(m3_l2_r6_part_2, -u3_u3_m3_l2 * c3)
+        - l2__m3_l2 * r6_by_q3_part_2;
+    // s8_by_q3 = -m3*l0*l2*(l7*sin(q1 - q3) + l7_by_q3*cos(q1 - q3))
+    let s8_by_q3 = (-l7_by_q3).mul_add(s8_by_q1_part, -s8_by_q1_part_2);
+    // s9_by_q3 = -m3*l1*l2*(l7*sin(q2 - q3) + l7_by_q3*cos(q2 - q3))
+    let s9_by_q3 = (-l7_by_q3).mul_add(s9_by_q1_part, -s9_by_q2_part);
+    // r10_by_q3 = m3*l2*(l0*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) - l7_by_q3*sin(q1 - q3))) -
+    //   g*(l7*cos(q3) + l7_by_q3*sin(q3)) - l1*u2^2*(l7_by_q3*sin(q2 - q3) - l7*cos(q2 - q3)))
+    let r10_by_q3 = (-l7_by_q3).mul_add(m3_l2_r6_part_2, r10_by_q1_part_2)
+        - l7_m3_l2 * r6_by_q3_part_2;
+    // s12_by_q3 = -m3*l1*l2*(l11*sin(q2 - q3) + l11_by_q3*cos(q2 - q3))
+    let s12_by_q3 = (-l11_by_q3).mul_add(s9_by_q1_part, -s12_by_q2_part);
+    // r13_by_q3 = m3*l2*(l1*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) - l11_by_q3*sin(q2 - q3))) -
+    //   g*(l11*cos(q3) + l11_by_q3*sin(q3)) - l0*u1^2*(l11_by_q3*sin(q1 - q3) - l11*cos(q1 - q3)))
+    let r13_by_q3 = (-l11_by_q3).mul_add(m3_l2_r6_part_2, r13_by_q2_part_2)
+        - l11_m3_l2 * r6_by_q3_part_2;
+    // Shared terms.
+    // l14*s3_by_q3 - s4_by_q3; used 4 times
+    let s15_by_q3_part = l14.mul_add(s3_by_q3, -s4_by_q3);
+    // Elimination, step by step.
+    // s15_by_q3 = s4*(s4*s3_by_q3/s3 - s4_by_q3)/s3 - l14*s4_by_q3 + s8_by_q3
+    let s15_by_q3 = s8_by_q3 + l14 * (s15_by_q3_part - s4_by_q3);
+    // s16_by_q3 = s5*(s4*s3_by_q3/s3 - s4_by_q3)/s3 - l14*s5_by_q3 + s9_by_q3
+    let s16_by_q3 = (-l14).mul_add(s5_by_q3, s9_by_q3) + l18 * s15_by_q3_part;
+    // r17_by_q3 = r6*(s4*s3_by_q3/s3 - s4_by_q3)/s3 - l14*r6_by_q3 + r10_by_q3
+    let r17_by_q3 = (-l14).mul_add(r6_by_q3, r10_by_q3) + r6_s3_inv * s15_by_q3_part;
+    // Shared terms.
+    // l18*s3_by_q3; used 2 times
+    let l18_s3_by_q3 = l18 * s3_by_q3;
+    // Elimination, step by step.
+    // s19_by_q3 = s5*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*s5_by_q3 + s12_by_q3
+    let s19_by_q3 = s12_by_q3 + l18 * ((-s5_by_q3).mul_add(S::int(2), l18_s3_by_q3));
+    // r20_by_q3 = r6*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*r6_by_q3 + r13_by_q3
+    let r20_by_q3 = r13_by_q3 - l18 * r6_by_q3 + r6_s3_inv * (l18_s3_by_q3 - s5_by_q3);
+    // Shared terms.
+    // l21*s15_by_q3; used 2 times
+    let l21_s15_by_q3 = l21 * s15_by_q3;
+    // Elimination, step by step.
+    // s22_by_q3 = s16*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*s16_by_q3 + s19_by_q3
+    let s22_by_q3 = s19_by_q3 + l21 * ((-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3));
+    // r23_by_q3 = r17*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*r17_by_q3 + r20_by_q3
+    let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3
+        + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
+    // Shared terms.
+    // u2'*s22_by_q3 - r23_by_q3; used 4 times
+    let u1_dot_by_q3_part = u2_dot.mul_add(s22_by_q3, -r23_by_q3);
+    // Elimination, step by step.
+    // u1_dot_by_q3 = s15_by_q3*(u2'*s16 - r17)/s15^2 + (r17_by_q3 - u2'*s16_by_q3 + s16*(r23*s22_by_q3/s22
+    //   - r23_by_q3)/s22)/s15
+    let u1_dot_by_q3 = s15_inv * ((-u1_dot).mul_add(s15_by_q3, r17_by_q3))
+        - s16_by_q3 * u2_dot_s15_inv + l21_s22_inv * u1_dot_by_q3_part;
+    // u0_dot_by_q3 = (s3_by_q3*(u1'*s4 - r6 + u2'*s5)/s3 - u1'*s4_by_q3 - u2'*s5_by_q3 + r6_by_q3 +
+    //   s5*(r23*s22_by_q3/s22 - r23_by_q3)/s22 - s4*u1_dot_by_q3)/s3
+    let u0_dot_by_q3 = s3_inv * ((-s3_by_q3).mul_add(u0_dot_part, r6_by_q3))
+        - l14 * u1_dot_by_q3 - s5_by_q3 * u2_dot_s3_inv + u1_dot_s3_inv * s15_by_q3_part
+        + l18_s22_inv * u1_dot_by_q3_part;
+    // u3_dot_by_q3 = m3*l2*(cos(q3)*(g + u0_dot_by_q3) - u0'*sin(q3) - l1*(u2'*sin(q2 - q3) + cos(q2 -
+    //   q3)*(u2^2 + (r23_by_q3 - r23*s22_by_q3/s22)/s22)) - l0*(u1'*sin(q1 - q3) + cos(q1 - q3)*(u1^2 +
+    //   u1_dot_by_q3)))/d1
+    let u3_dot_by_q3 = (-u0_dot).mul_add(l2__by_q3, u0_dot_by_q3 * c3_d1_inv_m3_l2)
+        - l7 * u1_dot_by_q3 - u1_dot_l7_by_q3 - u2_dot_l11_by_q3
+        + d1_inv_m3_l2 * r6_by_q3_part_2 + l11_s22_inv * u1_dot_by_q3_part;
+    // Shared terms.
+    // 2*u1; used 4 times
+    let u1_scaled = S::int(2) * u1;
+    // Elimination, step by step.
+    // r6_by_u1 = -2*l0*u1*(sin(q1)*(m1 + m2 + m3) + m3*l2*l2_*sin(q1 - q3))
+    let r6_by_u1 = -s4_by_q1 * u1_scaled;
+    // r10_by_u1 = -2*m3*l0*l2*u1*l7*sin(q1 - q3)
+    let r10_by_u1 = -s8_by_q1_part_2 * u1_scaled;
+    // r13_by_u1 = 2*l0*u1*(m2*l1*sin(q1 - q2) + m3*(l1*sin(q1 - q2) - l2*l11*sin(q1 - q3)))
+    let r13_by_u1 = u1_scaled * ((-l0_sin_q1_minus_q3).mul_add(l11_m3_l2, r10_part));
+    // Shared terms.
+    // s22_inv*l21_by_q1_part; used 3 times
+    let u2_dot_by_u1_part = s22_inv * l21_by_q1_part;
+    // Elimination, step by step.
+    // u2_dot_by_u1 = (l21*(l14*r6_by_u1 - r10_by_u1) - l18*r6_by_u1 + r13_by_u1)/s22
+    let u2_dot_by_u1 = (-r10_by_u1).mul_add(l21_s22_inv, r13_by_u1 * s22_inv)
+        + r6_by_u1 * u2_dot_by_u1_part;
+    // Shared terms.
+    // s3_inv + l14*l14_s15_inv; used 3 times
+    let u0_dot_by_u1_part = l14.mul_add(l14_s15_inv, s3_inv);
+    // Elimination, step by step.
+    // u0_dot_by_u1 = (r6_by_u1 - s5*u2_dot_by_u1 + s4*(l14*r6_by_u1 - r10_by_u1 +
+    //   s16*u2_dot_by_u1)/s15)/s3
+    let u0_dot_by_u1 = (-r10_by_u1).mul_add(l14_s15_inv, u2_dot_by_u1 * l21_by_q1_part)
+        + r6_by_u1 * u0_dot_by_u1_part;
+    // Shared terms.
+    // l7*l21 - l11; used 3 times
+    let l7_l21_minus_l11 = l7.mul_add(l21, -l11);
+    // r10_by_u1*s15_inv - r6_by_u1*l14_s15_inv; used 2 times
+    let u3_dot_by_u1_part = (-r6_by_u1).mul_add(l14_s15_inv, r10_by_u1 * s15_inv);
+    // Elimination, step by step.
+    // u3_dot_by_u1 = m3*l2*(l0*(2*u1*sin(q1 - q3) + cos(q1 - q3)*(l14*r6_by_u1 - r10_by_u1 +
+    //   s16*u2_dot_by_u1)/s15) - l1*u2_dot_by_u1*cos(q2 - q3) + u0_dot_by_u1*cos(q3))/d1
+    let u3_dot_by_u1 = l7_by_q3.mul_add(u1_scaled, u0_dot_by_u1 * c3_d1_inv_m3_l2)
+        + u2_dot_by_u1 * l7_l21_minus_l11 - l7 * u3_dot_by_u1_part;
+    // Shared terms.
+    // 2*u2; used 4 times
+    let u2_scaled = S::int(2) * u2;
+    // Elimination, step by step.
+    // r6_by_u2 = -2*l1*u2*(m2*sin(q2) + m3*(sin(q2) + l2*l2_*sin(q2 - q3)))
+    let r6_by_u2 = -s5_by_q2 * u2_scaled;
+    // r10_by_u2 = -2*l1*u2*(m2*l0*sin(q1 - q2) + m3*(l0*sin(q1 - q2) + l2*l7*sin(q2 - q3)))
+    let r10_by_u2 = -s9_by_q2 * u2_scaled;
+    // r13_by_u2 = -2*m3*l1*l2*u2*l11*sin(q2 - q3)
+    let r13_by_u2 = -s12_by_q2_part * u2_scaled;
+    // u2_dot_by_u2 = (l21*(l14*r6_by_u2 - r10_by_u2) - l18*r6_by_u2 + r13_by_u2)/s22
+    let u2_dot_by_u2 = (-r10_by_u2).mul_add(l21_s22_inv, r13_by_u2 * s22_inv)
+        + r6_by_u2 * u2_dot_by_u1_part;
+    // u0_dot_by_u2 = (r6_by_u2 - s5*u2_dot_by_u2 + s4*(l14*r6_by_u2 - r10_by_u2 +
+    //   s16*u2_dot_by_u2)/s15)/s3
+    let u0_dot_by_u2 = (-r10_by_u2).mul_add(l14_s15_inv, u2_dot_by_u2 * l21_by_q1_part)
+        + r6_by_u2 * u0_dot_by_u1_part;
+    // Shared terms.
+    // r10_by_u2*s15_inv - r6_by_u2*l14_s15_inv; used 2 times
+    let u3_dot_by_u2_part = (-r6_by_u2).mul_add(l14_s15_inv, r10_by_u2 * s15_inv);
+    // Elimination, step by step.
+    // u3_dot_by_u2 = m3*l2*(u0_dot_by_u2*cos(q3) - l0*cos(q1 - q3)*(r10_by_u2 - l14*r6_by_u2 -
+    //   s16*u2_dot_by_u2)/s15 - l1*(u2_dot_by_u2*cos(q2 - q3) - 2*u2*sin(q2 - q3)))/d1
+    let u3_dot_by_u2 = u2_dot_by_u2
+        .mul_add(l7_l21_minus_l11, u0_dot_by_u2 * c3_d1_inv_m3_l2)
+        + l11_by_q3 * u2_scaled - l7 * u3_dot_by_u2_part;
+    // Shared terms.
+    // 2*u3_m3_l2; used 3 times
+    let u3_m3_l2_scaled = S::int(2) * u3_m3_l2;
+    // Elimination, step by step.
+    // r6_by_u3 = -2*m3*l2*u3*sin(q3)
+    let r6_by_u3 = -u3_m3_l2_scaled * s3_2;
+    // r10_by_u3 = -2*m3*l0*l2*u3*sin(q1 - q3)
+    let r10_by_u3 = -l0_sin_q1_minus_q3 * u3_m3_l2_scaled;
+    // r13_by_u3 = -2*m3*l1*l2*u3*sin(q2 - q3)
+    let r13_by_u3 = -l1_sin_q2_minus_q3 * u3_m3_l2_scaled;
+    // u2_dot_by_u3 = (l21*(l14*r6_by_u3 - r10_by_u3) - l18*r6_by_u3 + r13_by_u3)/s22
+    let u2_dot_by_u3 = (-r10_by_u3).mul_add(l21_s22_inv, r13_by_u3 * s22_inv)
+        + r6_by_u3 * u2_dot_by_u1_part;
+    // u0_dot_by_u3 = (r6_by_u3 - s5*u2_dot_by_u3 + s4*(l14*r6_by_u3 - r10_by_u3 +
+    //   s16*u2_dot_by_u3)/s15)/s3
+    let u0_dot_by_u3 = (-r10_by_u3).mul_add(l14_s15_inv, u2_dot_by_u3 * l21_by_q1_part)
+        + r6_by_u3 * u0_dot_by_u1_part;
+    // Shared terms.
+    // r10_by_u3*s15_inv - r6_by_u3*l14_s15_inv; used 2 times
+    let u3_dot_by_u3_part = (-r6_by_u3).mul_add(l14_s15_inv, r10_by_u3 * s15_inv);
+    // Elimination, step by step.
+    // u3_dot_by_u3 = m3*l2*(u0_dot_by_u3*cos(q3) - l1*u2_dot_by_u3*cos(q2 - q3) - l0*cos(q1 -
+    //   q3)*(r10_by_u3 - l14*r6_by_u3 - s16*u2_dot_by_u3)/s15)/d1
+    let u3_dot_by_u3 = u2_dot_by_u3
+        .mul_add(l7_l21_minus_l11, u0_dot_by_u3 * c3_d1_inv_m3_l2)
+        - l7 * u3_dot_by_u3_part;
     // Entries that are not zero.
     // d(q0')/d(u0) = 1
     let q0_dot_by_u0_value = S::int(1);
@@ -1302,12 +988,18 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let q2_dot_by_u2_value = S::int(1);
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
-    // d(u2')/d(u1) = r7_by_u1/(s6 - s5^2/s4)
-    let u2_dot_by_u1_value = r7_by_u1_u2_dot_part;
-    // d(u2')/d(u2) = r7_by_u2/(s6 - s5^2/s4)
-    let u2_dot_by_u2_value = r7_by_u2_u2_dot_part;
-    // d(u2')/d(u3) = r7_by_u3/(s6 - s5^2/s4)
-    let u2_dot_by_u3_value = r7_by_u3_u2_dot_part;
+    // d(u1')/d(u1) = (r10_by_u1 - l14*r6_by_u1 - s16*u2_dot_by_u1)/s15
+    let u1_dot_by_u1_value = (-l21).mul_add(u2_dot_by_u1, u3_dot_by_u1_part);
+    // d(u1')/d(u2) = (r10_by_u2 - l14*r6_by_u2 - s16*u2_dot_by_u2)/s15
+    let u1_dot_by_u2_value = (-l21).mul_add(u2_dot_by_u2, u3_dot_by_u2_part);
+    // d(u1')/d(u3) = (r10_by_u3 - l14*r6_by_u3 - s16*u2_dot_by_u3)/s15
+    let u1_dot_by_u3_value = (-l21).mul_add(u2_dot_by_u3, u3_dot_by_u3_part);
+    // d(u2')/d(q1) = (r23_by_q1 - r23*s22_by_q1/s22)/s22
+    let u2_dot_by_q1_value = -s22_inv * u1_dot_by_q1_part;
+    // d(u2')/d(q2) = (r23_by_q2 - r23*s22_by_q2/s22)/s22
+    let u2_dot_by_q2_value = -s22_inv * u1_dot_by_q2_part;
+    // d(u2')/d(q3) = (r23_by_q3 - r23*s22_by_q3/s22)/s22
+    let u2_dot_by_q3_value = -s22_inv * u1_dot_by_q3_part;
     [
         [zero, zero, zero, zero, q0_dot_by_u0_value, zero, zero, zero],
         [zero, zero, zero, zero, zero, q1_dot_by_u1_value, zero, zero],
@@ -1329,19 +1021,19 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
             u1_dot_by_q2,
             u1_dot_by_q3,
             zero,
-            u1_dot_by_u1,
-            u1_dot_by_u2,
-            u1_dot_by_u3,
+            u1_dot_by_u1_value,
+            u1_dot_by_u2_value,
+            u1_dot_by_u3_value,
         ],
         [
             zero,
-            u2_dot_by_q1,
-            u2_dot_by_q2,
-            u2_dot_by_q3,
+            u2_dot_by_q1_value,
+            u2_dot_by_q2_value,
+            u2_dot_by_q3_value,
             zero,
-            u2_dot_by_u1_value,
-            u2_dot_by_u2_value,
-            u2_dot_by_u3_value,
+            u2_dot_by_u1,
+            u2_dot_by_u2,
+            u2_dot_by_u3,
         ],
         [
             zero,
@@ -1380,25 +1072,29 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 36 operations, 6 sines and cosines.
+/// 39 operations, 3 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, .. } = *p;
     let [_, q1, q2, q3] = *q;
     let [u0, u1, u2, u3] = *u;
     // Sines and cosines.
-    let (_, c3) = q3.sin_cos();
-    let (_, c1) = q1.sin_cos();
-    let (_, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
     // m2 + m3; used 2 times
     let m2_plus_m3 = m2 + m3;
-    // m1 + m2_plus_m3; used 2 times
+    // m1 + m2_plus_m3; used 3 times
     let energy_part = m1 + m2_plus_m3;
-    // l0*u1; used 4 times
+    // l0*u1; used 3 times
     let l0_u1 = l0 * u1;
-    // energy_part*l0_u1; used 2 times
-    let energy_part_l0_u1 = energy_part * l0_u1;
+    // l0_u1*cos(q1); used 2 times
+    let c1_l0_u1 = l0_u1 * c1;
+    // u0 - c1_l0_u1; used 2 times
+    let energy_part_2 = u0 - c1_l0_u1;
+    // l0_u1*sin(q1); used 2 times
+    let s1_l0_u1 = l0_u1 * s1;
     // l1*u2; used 3 times
     let l1_u2 = l1 * u2;
     // m2_plus_m3*l1_u2; used 2 times
@@ -1407,33 +1103,22 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     let l2_u3 = l2 * u3;
     // m3*l2_u3; used 2 times
     let m3_l2_u3 = m3 * l2_u3;
-    // Sines and cosines.
-    let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
-    // Shared terms.
-    // u0*cos(q3) - l0_u1*cos(q1 - q3)
-    let energy_part_2 = (-l0_u1).mul_add(cos_q1_minus_q3, u0 * c3);
-    // u0^2*(m0 + energy_part) + l2_u3*m3_l2_u3
-    let energy_part_3 = l2_u3.mul_add(m3_l2_u3, u0 * u0 * (m0 + energy_part));
-    // l0_u1*energy_part_l0_u1 + l1_u2*m2_plus_m3_l1_u2
-    let energy_part_4 = l1_u2.mul_add(m2_plus_m3_l1_u2, l0_u1 * energy_part_l0_u1);
-    // energy_part_3 + energy_part_4
-    let energy_part_5 = energy_part_3 + energy_part_4;
-    // Sines and cosines.
-    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
-    let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
+    // energy_part_2*cos(q3) - l1_u2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
+    let energy_part_3 = -l1_u2 * (c2.mul_add(c3, s2 * s3_2)) + energy_part_2 * c3;
+    // energy_part*l0_u1^2 + l2_u3*m3_l2_u3
+    let energy_part_4 = l2_u3.mul_add(m3_l2_u3, energy_part * l0_u1 * l0_u1);
+    // u0^2*(m0 + energy_part) + l1_u2*m2_plus_m3_l1_u2
+    let energy_part_5 = u0 * u0 * (m0 + energy_part) + l1_u2 * m2_plus_m3_l1_u2;
+    // energy_part_4 + energy_part_5
+    let energy_part_6 = energy_part_4 + energy_part_5;
     // Values.
     // T = u0^2*(m0 + m1 + m2 + m3)/2 + l0^2*u1^2*(m1 + m2 + m3)/2 - l0*u0*u1*cos(q1)*(m1 + m2 + m3) +
     //   l1^2*u2^2*(m2 + m3)/2 - l1*u0*u2*cos(q2)*(m2 + m3) + l0*l1*u1*u2*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2^2*u3^2/2 - m3*l2*u0*u3*cos(q3) + m3*l0*l2*u1*u3*cos(q1 - q3) + m3*l1*l2*u2*u3*cos(q2 - q3)
-    let energy = m3_l2_u3
-        .mul_add(
-            l1_u2.mul_add(cos_q2_minus_q3, -energy_part_2),
-            (-(u0 * energy_part_l0_u1))
-                .mul_add(
-                    c1,
-                    m2_plus_m3_l1_u2 * ((-u0).mul_add(c2, l0_u1 * cos_q1_minus_q2)),
-                ),
-        ) + S::ratio(1, 2) * energy_part_5;
+    let energy = m2_plus_m3_l1_u2 * ((-energy_part_2).mul_add(c2, s1_l0_u1 * s2))
+        - u0 * energy_part * c1_l0_u1
+        + m3_l2_u3 * (s1_l0_u1.mul_add(s3_2, -energy_part_3))
+        + S::ratio(1, 2) * energy_part_6;
     energy
 }
 
@@ -1456,7 +1141,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     // Values.
     // V = g*(m1*l0*cos(q1) + m2*(l0*cos(q1) + l1*cos(q2)) + m3*(l0*cos(q1) + l1*cos(q2) + l2*cos(q3)))
     let energy = g
-        * (m3.mul_add(l2.mul_add(c3, energy_part), m2.mul_add(energy_part, m1 * l0_c1)));
+        * (m1 * l0_c1 + m2 * energy_part + m3 * (l2.mul_add(c3, energy_part)));
     energy
 }
 

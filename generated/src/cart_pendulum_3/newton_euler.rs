@@ -2,9 +2,9 @@
 //!
 //! Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
 //! 4 coordinates, 4 speeds, 9 parameters, 4 reactions. Unknowns: (u0', u1', u2', u3', rail, T1, T2, T3).
-//! Cost: mass_matrix 36 operations, 3 sines and cosines; forcing 30 operations, 3 sines and cosines; accelerations 161 operations, 3 sines and cosines.
+//! Cost: mass_matrix 36 operations, 3 sines and cosines; forcing 30 operations, 3 sines and cosines; accelerations 135 operations, 3 sines and cosines.
 //! The kinematic equations are singular nowhere.
-//! The accelerations divide by m0 + m1 + m2 + m3*sin(q3)^2, by s5, by s7 - s6^2/s5, by l2.
+//! The accelerations divide by d1, by s3, by s15, by s22.
 
 use super::Parameters;
 use tripos_traits::{Scalar, System};
@@ -23,8 +23,8 @@ pub fn mass_matrix<S: Scalar>(
     let zero = S::int(0);
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
-    let (s2_2, c2) = q2.sin_cos();
-    let (s3, c3) = q3.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
     // l0*cos(q1); used 3 times
     let l0_c1 = l0 * c1;
@@ -33,7 +33,7 @@ pub fn mass_matrix<S: Scalar>(
     // l1*cos(q2); used 2 times
     let l1_c2 = l1 * c2;
     // l1*sin(q2); used 2 times
-    let l1_s2_2 = l1 * s2_2;
+    let l1_s2 = l1 * s2;
     // m3*l2; used 2 times
     let m3_l2 = m3 * l2;
     // Entries that are not zero.
@@ -52,7 +52,7 @@ pub fn mass_matrix<S: Scalar>(
     // M36 = sin(q1)
     let m36 = s1;
     // M37 = -sin(q2)
-    let m37 = -s2_2;
+    let m37 = -s2;
     // M42 = -m1*l0*sin(q1)
     let m42 = -m1 * l0_s1;
     // M46 = -cos(q1)
@@ -66,13 +66,13 @@ pub fn mass_matrix<S: Scalar>(
     // M53 = -m2*l1*cos(q2)
     let m53 = -m2 * l1_c2;
     // M57 = sin(q2)
-    let m57 = s2_2;
+    let m57 = s2;
     // M58 = -sin(q3)
-    let m58 = -s3;
+    let m58 = -s3_2;
     // M62 = -m2*l0*sin(q1)
     let m62 = -m2 * l0_s1;
     // M63 = -m2*l1*sin(q2)
-    let m63 = -m2 * l1_s2_2;
+    let m63 = -m2 * l1_s2;
     // M67 = -cos(q2)
     let m67 = -c2;
     // M68 = cos(q3)
@@ -86,13 +86,13 @@ pub fn mass_matrix<S: Scalar>(
     // M74 = -m3*l2*cos(q3)
     let m74 = -m3_l2 * c3;
     // M78 = sin(q3)
-    let m78 = s3;
+    let m78 = s3_2;
     // M82 = -m3*l0*sin(q1)
     let m82 = -m3 * l0_s1;
     // M83 = -m3*l1*sin(q2)
-    let m83 = -m3 * l1_s2_2;
+    let m83 = -m3 * l1_s2;
     // M84 = -m3*l2*sin(q3)
-    let m84 = -m3_l2 * s3;
+    let m84 = -m3_l2 * s3_2;
     // M88 = -cos(q3)
     let m88 = -c3;
     [
@@ -117,8 +117,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
     let [_, u1, u2, u3] = *u;
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
-    let (s2_2, c2) = q2.sin_cos();
-    let (s3, c3) = q3.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
     // l0*u1^2; used 2 times
     let l0_u1_sq = l0 * u1 * u1;
@@ -129,7 +129,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
     // l1*u2^2; used 2 times
     let l1_u2_sq = l1 * u2 * u2;
     // s1_l0_u1_sq + l1_u2_sq*sin(q2); used 2 times
-    let f5_part = l1_u2_sq.mul_add(s2_2, s1_l0_u1_sq);
+    let f5_part = l1_u2_sq.mul_add(s2, s1_l0_u1_sq);
     // f4_part - l1_u2_sq*cos(q2); used 2 times
     let f6_part = (-l1_u2_sq).mul_add(c2, f4_part);
     // l2*u3^2; used 2 times
@@ -148,7 +148,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
     // f6 = m2*(l0*u1^2*cos(q1) - g + l1*u2^2*cos(q2))
     let f6 = -m2 * f6_part;
     // f7 = -m3*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2) + l2*u3^2*sin(q3))
-    let f7 = -m3 * (l2_u3_sq.mul_add(s3, f5_part));
+    let f7 = -m3 * (l2_u3_sq.mul_add(s3_2, f5_part));
     // f8 = m3*(l0*u1^2*cos(q1) - g + l1*u2^2*cos(q2) + l2*u3^2*cos(q3))
     let f8 = m3 * (l2_u3_sq.mul_add(c3, -f6_part));
     [f1, f2, f3, f4, f5, f6, f7, f8]
@@ -156,193 +156,167 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
 
 /// The accelerations (u0', u1', u2', u3'), solved for when this code was generated.
 ///
-/// 161 operations, 3 sines and cosines.
+/// 135 operations, 3 sines and cosines.
 #[must_use]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
     let [_, q1, q2, q3] = *q;
     let [_, u1, u2, u3] = *u;
     // Sines and cosines.
+    let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
-    let (s2_2, c2) = q2.sin_cos();
-    let (s3, c3) = q3.sin_cos();
+    let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // u1^2; used 3 times
-    let u1_sq = u1 * u1;
-    // l0*u1_sq; used 3 times
-    let l0_u1_sq = l0 * u1_sq;
-    // l0_u1_sq*sin(q1); used 3 times
-    let s1_l0_u1_sq = l0_u1_sq * s1;
-    // u2^2; used 3 times
-    let u2_sq = u2 * u2;
-    // l1*u2_sq; used 2 times
-    let l1_u2_sq = l1 * u2_sq;
-    // l1_u2_sq*sin(q2); used 3 times
-    let s2_2_l1_u2_sq = l1_u2_sq * s2_2;
-    // s1_l0_u1_sq + s2_2_l1_u2_sq; used 3 times
-    let r1_part = s1_l0_u1_sq + s2_2_l1_u2_sq;
-    // l1_u2_sq*cos(q2) - g; used 3 times
-    let r1_part_2 = l1_u2_sq.mul_add(c2, -g);
-    // l0_u1_sq*cos(q1); used 2 times
-    let c1_l0_u1_sq = l0_u1_sq * c1;
-    // -r1_part_2 - c1_l0_u1_sq; used 2 times
-    let r1_part_3 = -r1_part_2 - c1_l0_u1_sq;
-    // l2*u3^2; used 3 times
-    let l2_u3_sq = l2 * u3 * u3;
-    // m3*sin(q3); used 4 times
-    let m3_s3 = m3 * s3;
+    // m3*l2; used 7 times
+    let m3_l2 = m3 * l2;
     // Elimination, step by step.
-    // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
-    //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
-    //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = m3_s3
-        .mul_add(
-            (-r1_part).mul_add(s3, r1_part_3 * c3) - l2_u3_sq,
-            (-m2).mul_add(r1_part, (-m1).mul_add(s1_l0_u1_sq, F)),
-        );
+    // d1 = m3*l2^2
+    let d1 = l2 * m3_l2;
+    // Shared terms.
+    // m3_l2/d1; used 4 times
+    let d1_inv_m3_l2 = m3_l2 / d1;
+    // Elimination, step by step.
+    // l2_ = -m3*l2*cos(q3)/d1
+    let l2_ = -d1_inv_m3_l2 * c3;
     // Shared terms.
     // m2 + m3; used 3 times
     let m2_plus_m3 = m2 + m3;
-    // l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3)); used 3 times
-    let s2_part = l1 * (c2.mul_add(c3, s2_2 * s3));
-    // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 2 times
-    let s2_part_2 = l0 * (c1.mul_add(c3, s1 * s3));
-    // m3*s2_part_2; used 3 times
-    let m3_s2_part_2 = m3 * s2_part_2;
+    // m1 + m2_plus_m3; used 4 times
+    let s3_part = m1 + m2_plus_m3;
+    // l2_*m3_l2; used 3 times
+    let l2__m3_l2 = l2_ * m3_l2;
     // Elimination, step by step.
-    // s2 = l0*l1*(m2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) -
-    //   m3*l0*l1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let s2 = (-s2_part)
-        .mul_add(m3_s2_part_2, l0 * l1 * m2_plus_m3 * (c1.mul_add(c2, s1 * s2_2)));
+    // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
+    let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
-    // l2_u3_sq*cos(q3); used 2 times
-    let c3_l2_u3_sq = l2_u3_sq * c3;
-    // l2_u3_sq*sin(q3); used 2 times
-    let s3_l2_u3_sq = l2_u3_sq * s3;
-    // r1_part*cos(q3) + r1_part_3*sin(q3); used 2 times
-    let r3_part = r1_part_3.mul_add(s3, r1_part * c3);
+    // l0*cos(q1); used 4 times
+    let l0_c1 = l0 * c1;
+    // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 3 times
+    let s4_part = l0 * (c1.mul_add(c3, s1 * s3_2));
     // Elimination, step by step.
-    // r3 = l0*(sin(q1)*(m1*g + m2*(g - l1*u2^2*cos(q2)) + m3*(g - l1*u2^2*cos(q2) - l2*u3^2*cos(q3))) +
-    //   cos(q1)*(m2*l1*u2^2*sin(q2) + m3*(l1*u2^2*sin(q2) + l2*u3^2*sin(q3)))) - m3*l0*(sin(q1)*sin(q3) +
-    //   cos(q1)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g - l0*u1^2*cos(q1) -
-    //   l1*u2^2*cos(q2)))
-    let r3 = (-m3_s2_part_2)
-        .mul_add(
-            r3_part,
-            l0
-                * (c1
-                    .mul_add(
-                        m3.mul_add(s2_2_l1_u2_sq + s3_l2_u3_sq, m2 * s2_2_l1_u2_sq),
-                        s1
-                            * ((-m3)
-                                .mul_add(
-                                    r1_part_2 + c3_l2_u3_sq,
-                                    (-m2).mul_add(r1_part_2, m1 * g),
-                                )),
-                    )),
-        );
+    // s4 = -l0*cos(q1)*(m1 + m2 + m3) - m3*l0*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3))
+    let s4 = (-l2__m3_l2).mul_add(s4_part, -s3_part * l0_c1);
     // Shared terms.
-    // m3*s2_part; used 2 times
-    let m3_s2_part = m3 * s2_part;
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 2 times
+    let s5_part = c2.mul_add(c3, s2 * s3_2);
+    // l1*m3_l2; used 2 times
+    let l1_m3_l2 = l1 * m3_l2;
+    // s5_part*l1_m3_l2; used 3 times
+    let s5_part_l1_m3_l2 = s5_part * l1_m3_l2;
+    // l1*m2_plus_m3; used 4 times
+    let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // l1_m2_plus_m3*cos(q2); used 2 times
+    let c2_l1_m2_plus_m3 = l1_m2_plus_m3 * c2;
     // Elimination, step by step.
-    // r4 = l1*(m2*(g*sin(q2) + l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) + m3*(sin(q2)*(g -
-    //   l0*u1^2*cos(q1) - l2*u3^2*cos(q3)) + cos(q2)*(l0*u1^2*sin(q1) + l2*u3^2*sin(q3)))) -
-    //   m3*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g
-    //   - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)))
-    let r4 = (-r3_part)
-        .mul_add(
-            m3_s2_part,
-            l1
-                * (m3
-                    .mul_add(
-                        c2
-                            .mul_add(
-                                s1_l0_u1_sq + s3_l2_u3_sq,
-                                s2_2 * (g - c1_l0_u1_sq - c3_l2_u3_sq),
-                            ),
-                        m2 * (l0_u1_sq.mul_add((-c1).mul_add(s2_2, s1 * c2), g * s2_2)),
-                    )),
-        );
+    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s5 = (-l2_).mul_add(s5_part_l1_m3_l2, -c2_l1_m2_plus_m3);
     // Shared terms.
-    // m1 + m3_s3*sin(q3)
-    let s5_part = m3_s3.mul_add(s3, m1);
-    // m2 + s5_part; used 2 times
-    let m2_plus_s5_part = m2 + s5_part;
-    // l0*(m2_plus_s5_part*cos(q1) - m3_s3*sin(q1)*cos(q3)); used 3 times
-    let s5_part_2 = l0 * ((-(m3_s3 * s1)).mul_add(c3, m2_plus_s5_part * c1));
-    // 1/(m0 + m2_plus_s5_part); used 3 times
-    let s5_part_3 = S::int(1) / (m0 + m2_plus_s5_part);
-    // s5_part_2*s5_part_3; used 3 times
-    let s5_part_2_s5_part_3 = s5_part_2 * s5_part_3;
+    // l0*sin(q1); used 4 times
+    let l0_s1 = l0 * s1;
+    // u1^2; used 3 times
+    let u1_sq = u1 * u1;
+    // l0_s1*u1_sq; used 2 times
+    let l0_s1_u1_sq = l0_s1 * u1_sq;
+    // u2^2; used 2 times
+    let u2_sq = u2 * u2;
+    // l1*u2_sq; used 2 times
+    let l1_u2_sq = l1 * u2_sq;
+    // l0_s1_u1_sq + l1_u2_sq*sin(q2); used 2 times
+    let r6_part = l1_u2_sq.mul_add(s2, l0_s1_u1_sq);
+    // g*sin(q3) + r6_part*cos(q3)
+    let r6_part_2 = r6_part.mul_add(c3, g * s3_2);
+    // sin(q3)*(l0_c1*u1_sq + l1_u2_sq*cos(q2)) - r6_part_2; used 4 times
+    let r6_part_3 = s3_2 * (l1_u2_sq.mul_add(c2, l0_c1 * u1_sq)) - r6_part_2;
+    // u3^2; used 2 times
+    let u3_sq = u3 * u3;
+    // m3_l2*u3_sq; used 2 times
+    let m3_l2_u3_sq = m3_l2 * u3_sq;
     // Elimination, step by step.
-    // s5 = l0^2*(m1 + m2 + m3) - m3*l0^2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))^2 - l0^2*(cos(q1)*(m1 + m2 +
-    //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5 = (-s5_part_2)
-        .mul_add(
-            s5_part_2_s5_part_3,
-            (-s2_part_2).mul_add(m3_s2_part_2, l0 * l0 * (m1 + m2_plus_m3)),
-        );
+    // r6 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
+    //   l1*u2^2*sin(q2) + l2*(u3^2*sin(q3) + l2_*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g -
+    //   l0*u1^2*cos(q1) - l1*u2^2*cos(q2)))))
+    let r6 = (-m1).mul_add(l0_s1_u1_sq, F) - m2_plus_m3 * r6_part + l2__m3_l2 * r6_part_3
+        - m3_l2_u3_sq * s3_2;
+    // l7 = m3*l0*l2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))/d1
+    let l7 = d1_inv_m3_l2 * s4_part;
     // Shared terms.
-    // -l1*(m2*cos(q2) + m3_s3*(cos(q2)*sin(q3) - sin(q2)*cos(q3))); used 4 times
-    let s6_part = -l1 * (m3_s3.mul_add((-s2_2).mul_add(c3, c2 * s3), m2 * c2));
+    // l7*m3_l2; used 2 times
+    let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // s6 = l0*l1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3))*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))/(m0 + m1 +
-    //   m2 + m3*sin(q3)^2) + s2
-    let s6 = s5_part_2_s5_part_3.mul_add(s6_part, s2);
+    // s8 = l0*(l0*(m1 + m2) + m3*(l0 - l2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3))))
+    let s8 = (-s4_part).mul_add(l7_m3_l2, l0 * l0 * s3_part);
     // Shared terms.
-    // s5_part_3*s6_part; used 2 times
-    let s5_part_3_s6_part = s5_part_3 * s6_part;
+    // l1_m2_plus_m3*sin(q2); used 2 times
+    let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
     // Elimination, step by step.
-    // s7 = l1^2*(m2 + m3) - m3*l1^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))^2 -
-    //   l1^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7 = (-s6_part)
-        .mul_add(
-            s5_part_3_s6_part,
-            (-s2_part).mul_add(m3_s2_part, l1 * l1 * m2_plus_m3),
-        );
+    // s9 = l1*(m2*l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) -
+    //   l2*l7*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s9 = (-l7).mul_add(s5_part_l1_m3_l2, l0_c1 * c2_l1_m2_plus_m3)
+        + l0_s1 * s2_l1_m2_plus_m3;
     // Shared terms.
-    // r3 + r1*s5_part_2_s5_part_3; used 2 times
-    let r8_part = r1.mul_add(s5_part_2_s5_part_3, r3);
-    // 1/s5; used 2 times
-    let s5_inv = S::int(1) / s5;
-    // s6*s5_inv; used 2 times
-    let s6_s5_inv = s6 * s5_inv;
+    // l0*l1_m2_plus_m3*(cos(q1)*sin(q2) - sin(q1)*cos(q2)); used 2 times
+    let r10_part = l0 * l1_m2_plus_m3 * ((-s1).mul_add(c2, c1 * s2));
     // Elimination, step by step.
-    // r8 = l1*r1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r4 - s6*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 +
-    //   m1 + m2 + m3*sin(q3)^2) + r3)/s5
-    let r8 = (-r8_part).mul_add(s6_s5_inv, (-r1).mul_add(s5_part_3_s6_part, r4));
-    // u2' = r8/(s7 - s6^2/s5)
-    let u2_dot = r8 / ((-s6).mul_add(s6_s5_inv, s7));
-    // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r3 - u2'*s6)/s5
-    let u1_dot = s5_inv * ((-u2_dot).mul_add(s6, r8_part));
-    // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)) + l1*u2'*(m2*cos(q2) -
-    //   m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s5_part_3 * ((-u2_dot).mul_add(s6_part, u1_dot.mul_add(s5_part_2, r1)));
-    // u3' = (cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))) +
-    //   sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))))/l2
-    let u3_dot = (c3
-        .mul_add(
-            l1
-                .mul_add(
-                    (-u2_dot).mul_add(c2, u2_sq * s2_2),
-                    l0.mul_add((-u1_dot).mul_add(c1, u1_sq * s1), u0_dot),
-                ),
-            s3
-                * ((-l1)
-                    .mul_add(
-                        u2_sq.mul_add(c2, u2_dot * s2_2),
-                        (-l0).mul_add(u1_sq.mul_add(c1, u1_dot * s1), g),
-                    )),
-        )) / l2;
+    // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) +
+    //   m3*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q1)*cos(q3) -
+    //   cos(q1)*sin(q3)) + u1^2*l7*(sin(q1)*cos(q3) - cos(q1)*sin(q3))))) - m3*l2*l7*(g*sin(q3) +
+    //   l1*u2^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
+    let r10 = m3_l2_u3_sq * ((-l0_s1).mul_add(c3, l0_c1 * s3_2)) + g * s3_part * l0_s1
+        + r6_part_3 * l7_m3_l2 + u2_sq * r10_part;
+    // l11 = m3*l1*l2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/d1
+    let l11 = l1 * d1_inv_m3_l2 * s5_part;
+    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s12 = (-l11).mul_add(s5_part_l1_m3_l2, l1 * l1_m2_plus_m3);
+    // r13 = m2*l1*(g*sin(q2) + l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) + m3*(l1*(g*sin(q2) +
+    //   l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
+    //   u2^2*l11*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))) - l2*l11*(g*sin(q3) + l0*u1^2*(sin(q1)*cos(q3) -
+    //   cos(q1)*sin(q3))))
+    let r13 = l1_m3_l2 * u3_sq * ((-s2).mul_add(c3, c2 * s3_2)) + l11 * m3_l2 * r6_part_3
+        + g * s2_l1_m2_plus_m3 - u1_sq * r10_part;
+    // Shared terms.
+    // 1/s3; used 3 times
+    let s3_inv = S::int(1) / s3;
+    // Elimination, step by step.
+    // l14 = s4/s3
+    let l14 = s4 * s3_inv;
+    // s15 = s8 - s4*l14
+    let s15 = (-s4).mul_add(l14, s8);
+    // s16 = s9 - s5*l14
+    let s16 = (-s5).mul_add(l14, s9);
+    // r17 = r10 - r6*l14
+    let r17 = (-r6).mul_add(l14, r10);
+    // l18 = s5/s3
+    let l18 = s5 * s3_inv;
+    // s19 = s12 - s5*l18
+    let s19 = (-s5).mul_add(l18, s12);
+    // r20 = r13 - r6*l18
+    let r20 = (-r6).mul_add(l18, r13);
+    // Shared terms.
+    // 1/s15; used 2 times
+    let s15_inv = S::int(1) / s15;
+    // Elimination, step by step.
+    // l21 = s16/s15
+    let l21 = s16 * s15_inv;
+    // s22 = s19 - s16*l21
+    let s22 = (-s16).mul_add(l21, s19);
+    // r23 = r20 - r17*l21
+    let r23 = (-r17).mul_add(l21, r20);
+    // u2' = r23/s22
+    let u2_dot = r23 / s22;
+    // u1' = (r17 - u2'*s16)/s15
+    let u1_dot = (-u2_dot).mul_add(l21, r17 * s15_inv);
+    // u0' = (r6 - u1'*s4 - u2'*s5)/s3
+    let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
+    // u3' = m3*l2*(cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))) +
+    //   sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))))/d1
+    let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, -r6_part_3)) - u1_dot * l7
+        - u2_dot * l11;
     [u0_dot, u1_dot, u2_dot, u3_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 161 operations, 3 sines and cosines.
+/// 135 operations, 3 sines and cosines.
 #[must_use]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
@@ -353,180 +327,154 @@ pub fn derivative<S: Scalar>(
     let [_, q1, q2, q3] = *q;
     let [u0, u1, u2, u3] = *u;
     // Sines and cosines.
+    let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
-    let (s2_2, c2) = q2.sin_cos();
-    let (s3, c3) = q3.sin_cos();
+    let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // u1^2; used 3 times
-    let u1_sq = u1 * u1;
-    // l0*u1_sq; used 3 times
-    let l0_u1_sq = l0 * u1_sq;
-    // l0_u1_sq*sin(q1); used 3 times
-    let s1_l0_u1_sq = l0_u1_sq * s1;
-    // u2^2; used 3 times
-    let u2_sq = u2 * u2;
-    // l1*u2_sq; used 2 times
-    let l1_u2_sq = l1 * u2_sq;
-    // l1_u2_sq*sin(q2); used 3 times
-    let s2_2_l1_u2_sq = l1_u2_sq * s2_2;
-    // s1_l0_u1_sq + s2_2_l1_u2_sq; used 3 times
-    let r1_part = s1_l0_u1_sq + s2_2_l1_u2_sq;
-    // l1_u2_sq*cos(q2) - g; used 3 times
-    let r1_part_2 = l1_u2_sq.mul_add(c2, -g);
-    // l0_u1_sq*cos(q1); used 2 times
-    let c1_l0_u1_sq = l0_u1_sq * c1;
-    // -r1_part_2 - c1_l0_u1_sq; used 2 times
-    let r1_part_3 = -r1_part_2 - c1_l0_u1_sq;
-    // l2*u3^2; used 3 times
-    let l2_u3_sq = l2 * u3 * u3;
-    // m3*sin(q3); used 4 times
-    let m3_s3 = m3 * s3;
+    // m3*l2; used 7 times
+    let m3_l2 = m3 * l2;
     // Elimination, step by step.
-    // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
-    //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
-    //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = m3_s3
-        .mul_add(
-            (-r1_part).mul_add(s3, r1_part_3 * c3) - l2_u3_sq,
-            (-m2).mul_add(r1_part, (-m1).mul_add(s1_l0_u1_sq, F)),
-        );
+    // d1 = m3*l2^2
+    let d1 = l2 * m3_l2;
+    // Shared terms.
+    // m3_l2/d1; used 4 times
+    let d1_inv_m3_l2 = m3_l2 / d1;
+    // Elimination, step by step.
+    // l2_ = -m3*l2*cos(q3)/d1
+    let l2_ = -d1_inv_m3_l2 * c3;
     // Shared terms.
     // m2 + m3; used 3 times
     let m2_plus_m3 = m2 + m3;
-    // l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3)); used 3 times
-    let s2_part = l1 * (c2.mul_add(c3, s2_2 * s3));
-    // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 2 times
-    let s2_part_2 = l0 * (c1.mul_add(c3, s1 * s3));
-    // m3*s2_part_2; used 3 times
-    let m3_s2_part_2 = m3 * s2_part_2;
+    // m1 + m2_plus_m3; used 4 times
+    let s3_part = m1 + m2_plus_m3;
+    // l2_*m3_l2; used 3 times
+    let l2__m3_l2 = l2_ * m3_l2;
     // Elimination, step by step.
-    // s2 = l0*l1*(m2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) -
-    //   m3*l0*l1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let s2 = (-s2_part)
-        .mul_add(m3_s2_part_2, l0 * l1 * m2_plus_m3 * (c1.mul_add(c2, s1 * s2_2)));
+    // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
+    let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
-    // l2_u3_sq*cos(q3); used 2 times
-    let c3_l2_u3_sq = l2_u3_sq * c3;
-    // l2_u3_sq*sin(q3); used 2 times
-    let s3_l2_u3_sq = l2_u3_sq * s3;
-    // r1_part*cos(q3) + r1_part_3*sin(q3); used 2 times
-    let r3_part = r1_part_3.mul_add(s3, r1_part * c3);
+    // l0*cos(q1); used 4 times
+    let l0_c1 = l0 * c1;
+    // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 3 times
+    let s4_part = l0 * (c1.mul_add(c3, s1 * s3_2));
     // Elimination, step by step.
-    // r3 = l0*(sin(q1)*(m1*g + m2*(g - l1*u2^2*cos(q2)) + m3*(g - l1*u2^2*cos(q2) - l2*u3^2*cos(q3))) +
-    //   cos(q1)*(m2*l1*u2^2*sin(q2) + m3*(l1*u2^2*sin(q2) + l2*u3^2*sin(q3)))) - m3*l0*(sin(q1)*sin(q3) +
-    //   cos(q1)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g - l0*u1^2*cos(q1) -
-    //   l1*u2^2*cos(q2)))
-    let r3 = (-m3_s2_part_2)
-        .mul_add(
-            r3_part,
-            l0
-                * (c1
-                    .mul_add(
-                        m3.mul_add(s2_2_l1_u2_sq + s3_l2_u3_sq, m2 * s2_2_l1_u2_sq),
-                        s1
-                            * ((-m3)
-                                .mul_add(
-                                    r1_part_2 + c3_l2_u3_sq,
-                                    (-m2).mul_add(r1_part_2, m1 * g),
-                                )),
-                    )),
-        );
+    // s4 = -l0*cos(q1)*(m1 + m2 + m3) - m3*l0*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3))
+    let s4 = (-l2__m3_l2).mul_add(s4_part, -s3_part * l0_c1);
     // Shared terms.
-    // m3*s2_part; used 2 times
-    let m3_s2_part = m3 * s2_part;
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 2 times
+    let s5_part = c2.mul_add(c3, s2 * s3_2);
+    // l1*m3_l2; used 2 times
+    let l1_m3_l2 = l1 * m3_l2;
+    // s5_part*l1_m3_l2; used 3 times
+    let s5_part_l1_m3_l2 = s5_part * l1_m3_l2;
+    // l1*m2_plus_m3; used 4 times
+    let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // l1_m2_plus_m3*cos(q2); used 2 times
+    let c2_l1_m2_plus_m3 = l1_m2_plus_m3 * c2;
     // Elimination, step by step.
-    // r4 = l1*(m2*(g*sin(q2) + l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) + m3*(sin(q2)*(g -
-    //   l0*u1^2*cos(q1) - l2*u3^2*cos(q3)) + cos(q2)*(l0*u1^2*sin(q1) + l2*u3^2*sin(q3)))) -
-    //   m3*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g
-    //   - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)))
-    let r4 = (-r3_part)
-        .mul_add(
-            m3_s2_part,
-            l1
-                * (m3
-                    .mul_add(
-                        c2
-                            .mul_add(
-                                s1_l0_u1_sq + s3_l2_u3_sq,
-                                s2_2 * (g - c1_l0_u1_sq - c3_l2_u3_sq),
-                            ),
-                        m2 * (l0_u1_sq.mul_add((-c1).mul_add(s2_2, s1 * c2), g * s2_2)),
-                    )),
-        );
+    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s5 = (-l2_).mul_add(s5_part_l1_m3_l2, -c2_l1_m2_plus_m3);
     // Shared terms.
-    // m1 + m3_s3*sin(q3)
-    let s5_part = m3_s3.mul_add(s3, m1);
-    // m2 + s5_part; used 2 times
-    let m2_plus_s5_part = m2 + s5_part;
-    // l0*(m2_plus_s5_part*cos(q1) - m3_s3*sin(q1)*cos(q3)); used 3 times
-    let s5_part_2 = l0 * ((-(m3_s3 * s1)).mul_add(c3, m2_plus_s5_part * c1));
-    // 1/(m0 + m2_plus_s5_part); used 3 times
-    let s5_part_3 = S::int(1) / (m0 + m2_plus_s5_part);
-    // s5_part_2*s5_part_3; used 3 times
-    let s5_part_2_s5_part_3 = s5_part_2 * s5_part_3;
+    // l0*sin(q1); used 4 times
+    let l0_s1 = l0 * s1;
+    // u1^2; used 3 times
+    let u1_sq = u1 * u1;
+    // l0_s1*u1_sq; used 2 times
+    let l0_s1_u1_sq = l0_s1 * u1_sq;
+    // u2^2; used 2 times
+    let u2_sq = u2 * u2;
+    // l1*u2_sq; used 2 times
+    let l1_u2_sq = l1 * u2_sq;
+    // l0_s1_u1_sq + l1_u2_sq*sin(q2); used 2 times
+    let r6_part = l1_u2_sq.mul_add(s2, l0_s1_u1_sq);
+    // g*sin(q3) + r6_part*cos(q3)
+    let r6_part_2 = r6_part.mul_add(c3, g * s3_2);
+    // sin(q3)*(l0_c1*u1_sq + l1_u2_sq*cos(q2)) - r6_part_2; used 4 times
+    let r6_part_3 = s3_2 * (l1_u2_sq.mul_add(c2, l0_c1 * u1_sq)) - r6_part_2;
+    // u3^2; used 2 times
+    let u3_sq = u3 * u3;
+    // m3_l2*u3_sq; used 2 times
+    let m3_l2_u3_sq = m3_l2 * u3_sq;
     // Elimination, step by step.
-    // s5 = l0^2*(m1 + m2 + m3) - m3*l0^2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))^2 - l0^2*(cos(q1)*(m1 + m2 +
-    //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5 = (-s5_part_2)
-        .mul_add(
-            s5_part_2_s5_part_3,
-            (-s2_part_2).mul_add(m3_s2_part_2, l0 * l0 * (m1 + m2_plus_m3)),
-        );
+    // r6 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
+    //   l1*u2^2*sin(q2) + l2*(u3^2*sin(q3) + l2_*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g -
+    //   l0*u1^2*cos(q1) - l1*u2^2*cos(q2)))))
+    let r6 = (-m1).mul_add(l0_s1_u1_sq, F) - m2_plus_m3 * r6_part + l2__m3_l2 * r6_part_3
+        - m3_l2_u3_sq * s3_2;
+    // l7 = m3*l0*l2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))/d1
+    let l7 = d1_inv_m3_l2 * s4_part;
     // Shared terms.
-    // -l1*(m2*cos(q2) + m3_s3*(cos(q2)*sin(q3) - sin(q2)*cos(q3))); used 4 times
-    let s6_part = -l1 * (m3_s3.mul_add((-s2_2).mul_add(c3, c2 * s3), m2 * c2));
+    // l7*m3_l2; used 2 times
+    let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // s6 = l0*l1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3))*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))/(m0 + m1 +
-    //   m2 + m3*sin(q3)^2) + s2
-    let s6 = s5_part_2_s5_part_3.mul_add(s6_part, s2);
+    // s8 = l0*(l0*(m1 + m2) + m3*(l0 - l2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3))))
+    let s8 = (-s4_part).mul_add(l7_m3_l2, l0 * l0 * s3_part);
     // Shared terms.
-    // s5_part_3*s6_part; used 2 times
-    let s5_part_3_s6_part = s5_part_3 * s6_part;
+    // l1_m2_plus_m3*sin(q2); used 2 times
+    let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
     // Elimination, step by step.
-    // s7 = l1^2*(m2 + m3) - m3*l1^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))^2 -
-    //   l1^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7 = (-s6_part)
-        .mul_add(
-            s5_part_3_s6_part,
-            (-s2_part).mul_add(m3_s2_part, l1 * l1 * m2_plus_m3),
-        );
+    // s9 = l1*(m2*l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) -
+    //   l2*l7*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s9 = (-l7).mul_add(s5_part_l1_m3_l2, l0_c1 * c2_l1_m2_plus_m3)
+        + l0_s1 * s2_l1_m2_plus_m3;
     // Shared terms.
-    // r3 + r1*s5_part_2_s5_part_3; used 2 times
-    let r8_part = r1.mul_add(s5_part_2_s5_part_3, r3);
-    // 1/s5; used 2 times
-    let s5_inv = S::int(1) / s5;
-    // s6*s5_inv; used 2 times
-    let s6_s5_inv = s6 * s5_inv;
+    // l0*l1_m2_plus_m3*(cos(q1)*sin(q2) - sin(q1)*cos(q2)); used 2 times
+    let r10_part = l0 * l1_m2_plus_m3 * ((-s1).mul_add(c2, c1 * s2));
     // Elimination, step by step.
-    // r8 = l1*r1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r4 - s6*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 +
-    //   m1 + m2 + m3*sin(q3)^2) + r3)/s5
-    let r8 = (-r8_part).mul_add(s6_s5_inv, (-r1).mul_add(s5_part_3_s6_part, r4));
-    // u2' = r8/(s7 - s6^2/s5)
-    let u2_dot = r8 / ((-s6).mul_add(s6_s5_inv, s7));
-    // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r3 - u2'*s6)/s5
-    let u1_dot = s5_inv * ((-u2_dot).mul_add(s6, r8_part));
-    // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)) + l1*u2'*(m2*cos(q2) -
-    //   m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s5_part_3 * ((-u2_dot).mul_add(s6_part, u1_dot.mul_add(s5_part_2, r1)));
-    // u3' = (cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))) +
-    //   sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))))/l2
-    let u3_dot = (c3
-        .mul_add(
-            l1
-                .mul_add(
-                    (-u2_dot).mul_add(c2, u2_sq * s2_2),
-                    l0.mul_add((-u1_dot).mul_add(c1, u1_sq * s1), u0_dot),
-                ),
-            s3
-                * ((-l1)
-                    .mul_add(
-                        u2_sq.mul_add(c2, u2_dot * s2_2),
-                        (-l0).mul_add(u1_sq.mul_add(c1, u1_dot * s1), g),
-                    )),
-        )) / l2;
+    // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) +
+    //   m3*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q1)*cos(q3) -
+    //   cos(q1)*sin(q3)) + u1^2*l7*(sin(q1)*cos(q3) - cos(q1)*sin(q3))))) - m3*l2*l7*(g*sin(q3) +
+    //   l1*u2^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
+    let r10 = m3_l2_u3_sq * ((-l0_s1).mul_add(c3, l0_c1 * s3_2)) + g * s3_part * l0_s1
+        + r6_part_3 * l7_m3_l2 + u2_sq * r10_part;
+    // l11 = m3*l1*l2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/d1
+    let l11 = l1 * d1_inv_m3_l2 * s5_part;
+    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s12 = (-l11).mul_add(s5_part_l1_m3_l2, l1 * l1_m2_plus_m3);
+    // r13 = m2*l1*(g*sin(q2) + l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) + m3*(l1*(g*sin(q2) +
+    //   l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
+    //   u2^2*l11*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))) - l2*l11*(g*sin(q3) + l0*u1^2*(sin(q1)*cos(q3) -
+    //   cos(q1)*sin(q3))))
+    let r13 = l1_m3_l2 * u3_sq * ((-s2).mul_add(c3, c2 * s3_2)) + l11 * m3_l2 * r6_part_3
+        + g * s2_l1_m2_plus_m3 - u1_sq * r10_part;
+    // Shared terms.
+    // 1/s3; used 3 times
+    let s3_inv = S::int(1) / s3;
+    // Elimination, step by step.
+    // l14 = s4/s3
+    let l14 = s4 * s3_inv;
+    // s15 = s8 - s4*l14
+    let s15 = (-s4).mul_add(l14, s8);
+    // s16 = s9 - s5*l14
+    let s16 = (-s5).mul_add(l14, s9);
+    // r17 = r10 - r6*l14
+    let r17 = (-r6).mul_add(l14, r10);
+    // l18 = s5/s3
+    let l18 = s5 * s3_inv;
+    // s19 = s12 - s5*l18
+    let s19 = (-s5).mul_add(l18, s12);
+    // r20 = r13 - r6*l18
+    let r20 = (-r6).mul_add(l18, r13);
+    // Shared terms.
+    // 1/s15; used 2 times
+    let s15_inv = S::int(1) / s15;
+    // Elimination, step by step.
+    // l21 = s16/s15
+    let l21 = s16 * s15_inv;
+    // s22 = s19 - s16*l21
+    let s22 = (-s16).mul_add(l21, s19);
+    // r23 = r20 - r17*l21
+    let r23 = (-r17).mul_add(l21, r20);
+    // u2' = r23/s22
+    let u2_dot = r23 / s22;
+    // u1' = (r17 - u2'*s16)/s15
+    let u1_dot = (-u2_dot).mul_add(l21, r17 * s15_inv);
+    // u0' = (r6 - u1'*s4 - u2'*s5)/s3
+    let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
+    // u3' = m3*l2*(cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))) +
+    //   sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))))/d1
+    let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, -r6_part_3)) - u1_dot * l7
+        - u2_dot * l11;
     // Values.
     // q0' = u0
     let q0_dot_value = u0;
@@ -544,7 +492,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q0, q1, q2, q3, u0, u1, u2, u3.
 ///
-/// 595 operations, 3 sines and cosines.
+/// 474 operations, 3 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]; 8] {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
@@ -552,837 +500,538 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let [_, u1, u2, u3] = *u;
     let zero = S::int(0);
     // Sines and cosines.
+    let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
-    let (s2_2, c2) = q2.sin_cos();
-    let (s3, c3) = q3.sin_cos();
+    let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // l0*u1; used 4 times
-    let l0_u1 = l0 * u1;
-    // u1*l0_u1; used 6 times
-    let u1_l0_u1 = u1 * l0_u1;
-    // u1_l0_u1*sin(q1); used 3 times
-    let s1_u1_l0_u1 = u1_l0_u1 * s1;
-    // l1*u2; used 3 times
-    let l1_u2 = l1 * u2;
-    // u2*l1_u2; used 4 times
-    let u2_l1_u2 = u2 * l1_u2;
-    // u2_l1_u2*sin(q2); used 3 times
-    let s2_2_u2_l1_u2 = u2_l1_u2 * s2_2;
-    // s1_u1_l0_u1 + s2_2_u2_l1_u2; used 3 times
-    let r1_part = s1_u1_l0_u1 + s2_2_u2_l1_u2;
-    // l2*u3; used 2 times
-    let l2_u3 = l2 * u3;
-    // u3*l2_u3; used 6 times
-    let u3_l2_u3 = u3 * l2_u3;
-    // g - u2_l1_u2*cos(q2); used 3 times
-    let r1_part_2 = (-u2_l1_u2).mul_add(c2, g);
-    // u1_l0_u1*cos(q1); used 2 times
-    let c1_u1_l0_u1 = u1_l0_u1 * c1;
-    // r1_part_2 - c1_u1_l0_u1; used 2 times
-    let r1_part_3 = r1_part_2 - c1_u1_l0_u1;
-    // r1_part_3*cos(q3); used 2 times
-    let c3_r1_part_3 = r1_part_3 * c3;
-    // r1_part*sin(q3); used 2 times
-    let s3_r1_part = r1_part * s3;
-    // s3_r1_part - c3_r1_part_3; used 2 times
-    let r1_part_4 = s3_r1_part - c3_r1_part_3;
-    // m3*sin(q3); used 8 times
-    let m3_s3 = m3 * s3;
+    // m3*l2; used 10 times
+    let m3_l2 = m3 * l2;
     // Elimination, step by step.
-    // r1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) -
-    //   m3*sin(q3)*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
-    //   l1*u2^2*cos(q2)) + l2*u3^2)
-    let r1 = (-m3_s3)
-        .mul_add(
-            u3_l2_u3 + r1_part_4,
-            (-m2).mul_add(r1_part, (-m1).mul_add(s1_u1_l0_u1, F)),
-        );
+    // d1 = m3*l2^2
+    let d1 = l2 * m3_l2;
     // Shared terms.
-    // sin(q1)*sin(q3) + cos(q1)*cos(q3); used 3 times
-    let s2_part = c1.mul_add(c3, s1 * s3);
-    // l0*s2_part; used 6 times
-    let l0_s2_part = l0 * s2_part;
-    // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 8 times
-    let s2_part_2 = c2.mul_add(c3, s2_2 * s3);
-    // m3*l1; used 3 times
-    let m3_l1 = m3 * l1;
-    // s2_part_2*m3_l1; used 8 times
-    let s2_part_2_m3_l1 = s2_part_2 * m3_l1;
-    // cos(q1)*cos(q2); used 2 times
-    let c1_c2 = c1 * c2;
-    // sin(q1)*sin(q2) + c1_c2; used 3 times
-    let s2_part_3 = s1.mul_add(s2_2, c1_c2);
-    // m2 + m3; used 5 times
+    // m3_l2/d1; used 7 times
+    let d1_inv_m3_l2 = m3_l2 / d1;
+    // d1_inv_m3_l2*cos(q3); used 7 times
+    let c3_d1_inv_m3_l2 = d1_inv_m3_l2 * c3;
+    // Elimination, step by step.
+    // l2_ = -m3*l2*cos(q3)/d1
+    let l2_ = -c3_d1_inv_m3_l2;
+    // Shared terms.
+    // m2 + m3; used 2 times
     let m2_plus_m3 = m2 + m3;
-    // l0*l1; used 2 times
-    let l0_l1 = l0 * l1;
+    // m1 + m2_plus_m3; used 2 times
+    let s3_part = m1 + m2_plus_m3;
+    // l2_*m3_l2; used 8 times
+    let l2__m3_l2 = l2_ * m3_l2;
     // Elimination, step by step.
-    // s2 = l0*l1*(m2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) -
-    //   m3*l0*l1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let s2 = (-l0_s2_part).mul_add(s2_part_2_m3_l1, s2_part_3 * m2_plus_m3 * l0_l1);
+    // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
+    let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
-    // u3_l2_u3*cos(q3); used 2 times
-    let c3_u3_l2_u3 = u3_l2_u3 * c3;
-    // m1*g + m2*r1_part_2 + m3*(r1_part_2 - c3_u3_l2_u3); used 2 times
-    let r3_part = m3.mul_add(r1_part_2 - c3_u3_l2_u3, m2.mul_add(r1_part_2, m1 * g));
-    // u3_l2_u3*sin(q3); used 2 times
-    let s3_u3_l2_u3 = u3_l2_u3 * s3;
-    // m2*s2_2_u2_l1_u2 + m3*(s2_2_u2_l1_u2 + s3_u3_l2_u3); used 2 times
-    let r3_part_2 = m3.mul_add(s2_2_u2_l1_u2 + s3_u3_l2_u3, m2 * s2_2_u2_l1_u2);
-    // r1_part_3*sin(q3); used 2 times
-    let s3_r1_part_3 = r1_part_3 * s3;
-    // r1_part*cos(q3) + s3_r1_part_3; used 4 times
-    let r3_part_3 = r1_part.mul_add(c3, s3_r1_part_3);
-    // m3*l0_s2_part; used 5 times
-    let m3_l0_s2_part = m3 * l0_s2_part;
+    // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 6 times
+    let s4_part = l0 * (c1.mul_add(c3, s1 * s3_2));
+    // l0*s3_part; used 3 times
+    let l0_s3_part = l0 * s3_part;
+    // l0_s3_part*cos(q1); used 2 times
+    let c1_l0_s3_part = l0_s3_part * c1;
+    // l2__m3_l2*s4_part + c1_l0_s3_part; used 2 times
+    let s4_part_2 = l2__m3_l2.mul_add(s4_part, c1_l0_s3_part);
     // Elimination, step by step.
-    // r3 = l0*(sin(q1)*(m1*g + m2*(g - l1*u2^2*cos(q2)) + m3*(g - l1*u2^2*cos(q2) - l2*u3^2*cos(q3))) +
-    //   cos(q1)*(m2*l1*u2^2*sin(q2) + m3*(l1*u2^2*sin(q2) + l2*u3^2*sin(q3)))) - m3*l0*(sin(q1)*sin(q3) +
-    //   cos(q1)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g - l0*u1^2*cos(q1) -
-    //   l1*u2^2*cos(q2)))
-    let r3 = (-r3_part_3)
-        .mul_add(m3_l0_s2_part, l0 * (r3_part_2.mul_add(c1, r3_part * s1)));
+    // s4 = -l0*cos(q1)*(m1 + m2 + m3) - m3*l0*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3))
+    let s4 = -s4_part_2;
     // Shared terms.
-    // g - c1_u1_l0_u1 - c3_u3_l2_u3; used 2 times
-    let r4_part = g - c1_u1_l0_u1 - c3_u3_l2_u3;
-    // s1_u1_l0_u1 + s3_u3_l2_u3; used 2 times
-    let r4_part_2 = s1_u1_l0_u1 + s3_u3_l2_u3;
-    // sin(q1)*cos(q2); used 2 times
-    let s1_c2 = s1 * c2;
-    // cos(q1)*sin(q2); used 2 times
-    let c1_s2_2 = c1 * s2_2;
-    // s1_c2 - c1_s2_2; used 3 times
-    let r4_part_3 = s1_c2 - c1_s2_2;
+    // l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3)); used 7 times
+    let s5_part = l1 * (c2.mul_add(c3, s2 * s3_2));
+    // l1*m2_plus_m3; used 4 times
+    let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // l1_m2_plus_m3*cos(q2); used 2 times
+    let c2_l1_m2_plus_m3 = l1_m2_plus_m3 * c2;
+    // l2__m3_l2*s5_part + c2_l1_m2_plus_m3; used 2 times
+    let s5_part_2 = l2__m3_l2.mul_add(s5_part, c2_l1_m2_plus_m3);
     // Elimination, step by step.
-    // r4 = l1*(m2*(g*sin(q2) + l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) + m3*(sin(q2)*(g -
-    //   l0*u1^2*cos(q1) - l2*u3^2*cos(q3)) + cos(q2)*(l0*u1^2*sin(q1) + l2*u3^2*sin(q3)))) -
-    //   m3*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g
-    //   - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)))
-    let r4 = (-s2_part_2_m3_l1)
-        .mul_add(
-            r3_part_3,
-            l1
-                * (m2
-                    .mul_add(
-                        u1_l0_u1.mul_add(r4_part_3, g * s2_2),
-                        m3 * (r4_part_2.mul_add(c2, r4_part * s2_2)),
-                    )),
-        );
+    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s5 = -s5_part_2;
     // Shared terms.
-    // m1 + m2; used 2 times
-    let m1_plus_m2 = m1 + m2;
-    // m3_s3*sin(q3); used 3 times
-    let s3_m3_s3 = m3_s3 * s3;
-    // m1_plus_m2 + s3_m3_s3; used 2 times
-    let s5_part = m1_plus_m2 + s3_m3_s3;
-    // m3_s3*cos(q3); used 3 times
-    let c3_m3_s3 = m3_s3 * c3;
-    // l0*(s5_part*cos(q1) - c3_m3_s3*sin(q1)); used 10 times
-    let s5_part_2 = l0 * ((-c3_m3_s3).mul_add(s1, s5_part * c1));
-    // m0 + m1_plus_m2; used 3 times
-    let s5_part_3 = m0 + m1_plus_m2;
-    // 1/(s3_m3_s3 + s5_part_3); used 12 times
-    let s5_part_4 = S::int(1) / (s3_m3_s3 + s5_part_3);
-    // s5_part_2*s5_part_4; used 13 times
-    let s5_part_2_s5_part_4 = s5_part_2 * s5_part_4;
-    // l0^2; used 2 times
-    let l0_sq = l0 * l0;
-    // Elimination, step by step.
-    // s5 = l0^2*(m1 + m2 + m3) - m3*l0^2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))^2 - l0^2*(cos(q1)*(m1 + m2 +
-    //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5 = (-s5_part_2)
-        .mul_add(
-            s5_part_2_s5_part_4,
-            (-l0_s2_part).mul_add(m3_l0_s2_part, l0_sq * (m1 + m2_plus_m3)),
-        );
-    // Shared terms.
-    // sin(q2)*cos(q3) - cos(q2)*sin(q3); used 8 times
-    let s6_part = (-c2).mul_add(s3, s2_2 * c3);
-    // l1*(m3_s3*s6_part - m2*cos(q2)); used 11 times
-    let s6_part_2 = l1 * ((-m2).mul_add(c2, m3_s3 * s6_part));
-    // Elimination, step by step.
-    // s6 = l0*l1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3))*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))/(m0 + m1 +
-    //   m2 + m3*sin(q3)^2) + s2
-    let s6 = s5_part_2_s5_part_4.mul_add(s6_part_2, s2);
-    // Shared terms.
-    // s5_part_4*s6_part_2; used 12 times
-    let s5_part_4_s6_part_2 = s5_part_4 * s6_part_2;
-    // l1*s2_part_2; used 3 times
-    let l1_s2_part_2 = l1 * s2_part_2;
-    // Elimination, step by step.
-    // s7 = l1^2*(m2 + m3) - m3*l1^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))^2 -
-    //   l1^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))^2/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7 = (-s2_part_2_m3_l1)
-        .mul_add(
-            l1_s2_part_2,
-            (-s6_part_2).mul_add(s5_part_4_s6_part_2, l1 * l1 * m2_plus_m3),
-        );
-    // Shared terms.
-    // r3 + r1*s5_part_2_s5_part_4; used 3 times
-    let r8_part = r1.mul_add(s5_part_2_s5_part_4, r3);
-    // 1/s5; used 11 times
-    let s5_inv = S::int(1) / s5;
-    // s6*s5_inv; used 12 times
-    let s6_s5_inv = s6 * s5_inv;
-    // Elimination, step by step.
-    // r8 = l1*r1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r4 - s6*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 +
-    //   m1 + m2 + m3*sin(q3)^2) + r3)/s5
-    let r8 = (-r8_part).mul_add(s6_s5_inv, (-r1).mul_add(s5_part_4_s6_part_2, r4));
-    // Shared terms.
-    // 1/(s7 - s6*s6_s5_inv); used 7 times
-    let u2_dot_part = S::int(1) / ((-s6).mul_add(s6_s5_inv, s7));
-    // Elimination, step by step.
-    // u2' = r8/(s7 - s6^2/s5)
-    let u2_dot = r8 * u2_dot_part;
-    // u1' = (l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r3 - u2'*s6)/s5
-    let u1_dot = s5_inv * ((-u2_dot).mul_add(s6, r8_part));
-    // u0' = (l0*u1'*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)) + l1*u2'*(m2*cos(q2) -
-    //   m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) + r1)/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot = s5_part_4
-        * ((-u2_dot).mul_add(s6_part_2, u1_dot.mul_add(s5_part_2, r1)));
-    // Shared terms.
-    // u1^2; used 3 times
+    // l0*(sin(q1)*cos(q3) - cos(q1)*sin(q3)); used 7 times
+    let r6_part = l0 * ((-c1).mul_add(s3_2, s1 * c3));
+    // u1^2; used 7 times
     let u1_sq = u1 * u1;
-    // Elimination, step by step.
-    // r1_by_q1 = l0*u1^2*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 + m3*sin(q3)^2))
-    let r1_by_q1 = -s5_part_2 * u1_sq;
-    // Shared terms.
-    // sin(q1)*cos(q3); used 3 times
-    let s1_c3 = s1 * c3;
-    // cos(q1)*sin(q3); used 2 times
-    let c1_s3 = c1 * s3;
-    // s1_c3 - c1_s3; used 3 times
-    let s2_by_q1_part = s1_c3 - c1_s3;
-    // l0*s2_by_q1_part; used 3 times
-    let l0_s2_by_q1_part = l0 * s2_by_q1_part;
-    // s2_part_2_m3_l1*l0_s2_by_q1_part; used 2 times
-    let s2_by_q1_part_2 = s2_part_2_m3_l1 * l0_s2_by_q1_part;
-    // m2_plus_m3*l0_l1*r4_part_3; used 2 times
-    let s2_by_q1_part_3 = m2_plus_m3 * l0_l1 * r4_part_3;
-    // Elimination, step by step.
-    // s2_by_q1 = m3*l0*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(sin(q1)*cos(q3) - cos(q1)*sin(q3)) -
-    //   l0*l1*(m2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + m3*(sin(q1)*cos(q2) - cos(q1)*sin(q2)))
-    let s2_by_q1 = s2_by_q1_part_2 - s2_by_q1_part_3;
-    // Shared terms.
-    // m3*l0_s2_by_q1_part; used 2 times
-    let m3_l0_s2_by_q1_part = m3 * l0_s2_by_q1_part;
-    // r3_part_3*m3_l0_s2_by_q1_part; used 2 times
-    let r3_by_q1_part = r3_part_3 * m3_l0_s2_by_q1_part;
-    // Elimination, step by step.
-    // r3_by_q1 = m3*l0*(sin(q1)*cos(q3) - cos(q1)*sin(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) +
-    //   sin(q3)*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2))) - m3*l0*(sin(q1)*sin(q3) +
-    //   cos(q1)*cos(q3))*(l0*u1^2*sin(q1)*sin(q3) + l0*u1^2*cos(q1)*cos(q3)) + l0*(cos(q1)*(m1*g + m2*(g -
-    //   l1*u2^2*cos(q2)) + m3*(g - l1*u2^2*cos(q2) - l2*u3^2*cos(q3))) - sin(q1)*(m2*l1*u2^2*sin(q2) +
-    //   m3*(l1*u2^2*sin(q2) + l2*u3^2*sin(q3))))
-    let r3_by_q1 = (-(u1_l0_u1 * s2_part))
-        .mul_add(m3_l0_s2_part, l0 * ((-r3_part_2).mul_add(s1, r3_part * c1)))
-        + r3_by_q1_part;
-    // Shared terms.
-    // m2*s2_part_3 + m3*(c1_c2 + cos(q3)*(s6_part*sin(q1) - s2_part_2*cos(q1))); used 2 times
-    let r4_by_q1_part = m3
-        .mul_add(
-            c3.mul_add((-s2_part_2).mul_add(c1, s6_part * s1), c1_c2),
-            m2 * s2_part_3,
-        );
-    // Elimination, step by step.
-    // r4_by_q1 = l0*l1*u1^2*(m2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(cos(q1)*cos(q2) +
-    //   cos(q3)*(sin(q1)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - cos(q1)*(sin(q2)*sin(q3) +
-    //   cos(q2)*cos(q3)))))
-    let r4_by_q1 = l1 * u1_l0_u1 * r4_by_q1_part;
-    // Shared terms.
-    // s5_part*sin(q1) + c3_m3_s3*cos(q1); used 2 times
-    let s5_by_q1_part = c3_m3_s3.mul_add(c1, s5_part * s1);
-    // l0*s5_by_q1_part; used 4 times
-    let l0_s5_by_q1_part = l0 * s5_by_q1_part;
-    // 2*m3_l0_s2_part; used 2 times
-    let m3_l0_s2_part_scaled = S::int(2) * m3_l0_s2_part;
-    // Elimination, step by step.
-    // s5_by_q1 = 2*m3*l0^2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(sin(q1)*cos(q3) - cos(q1)*sin(q3)) +
-    //   2*l0^2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))*(m3*cos(q1)*sin(q3)*cos(q3) +
-    //   sin(q1)*(m1 + m2 + m3*sin(q3)^2))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s5_by_q1 = l0_s2_by_q1_part
-        .mul_add(
-            m3_l0_s2_part_scaled,
-            S::int(2) * s5_part_2_s5_part_4 * l0_s5_by_q1_part,
-        );
-    // s6_by_q1 = l0*l1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
-    //   cos(q2)*sin(q3)))*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + s2_by_q1
-    let s6_by_q1 = (-s5_part_4_s6_part_2).mul_add(l0_s5_by_q1_part, s2_by_q1);
-    // Shared terms.
-    // r1*s5_part_4; used 3 times
-    let r1_s5_part_4 = r1 * s5_part_4;
-    // r1_by_q1*s5_part_2_s5_part_4 - l0_s5_by_q1_part*r1_s5_part_4
-    let r8_by_q1_part = (-l0_s5_by_q1_part)
-        .mul_add(r1_s5_part_4, r1_by_q1 * s5_part_2_s5_part_4);
-    // r3_by_q1 + r8_by_q1_part; used 2 times
-    let r8_by_q1_part_2 = r3_by_q1 + r8_by_q1_part;
-    // r8_part*s5_inv; used 2 times
-    let r8_part_s5_inv = r8_part * s5_inv;
-    // s5_by_q1*s6_s5_inv; used 2 times
-    let s5_by_q1_s6_s5_inv = s5_by_q1 * s6_s5_inv;
-    // Elimination, step by step.
-    // r8_by_q1 = l1*r1_by_q1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + s6*(l0*r1*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))/(m0 + m1 +
-    //   m2 + m3*sin(q3)^2) - l0*r1_by_q1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0
-    //   + m1 + m2 + m3*sin(q3)^2) - r3_by_q1)/s5 + r4_by_q1 + s6*s5_by_q1*(l0*r1*(cos(q1)*(m1 + m2 +
-    //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3)/s5^2 -
-    //   s6_by_q1*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r3)/s5
-    let r8_by_q1 = r8_part_s5_inv
-        .mul_add(
-            s5_by_q1_s6_s5_inv - s6_by_q1,
-            (-s6_s5_inv)
-                .mul_add(
-                    r8_by_q1_part_2,
-                    (-r1_by_q1).mul_add(s5_part_4_s6_part_2, r4_by_q1),
-                ),
-        );
-    // u2_dot_by_q1 = (s6*r8*(2*s6_by_q1 - s6*s5_by_q1/s5)/(s5*(s7 - s6^2/s5)) + r8_by_q1)/(s7 - s6^2/s5)
-    let u2_dot_by_q1 = u2_dot_part
-        * ((u2_dot * s6_s5_inv)
-            .mul_add(s6_by_q1.mul_add(S::int(2), -s5_by_q1_s6_s5_inv), r8_by_q1));
-    // Shared terms.
-    // u1'*s5_inv; used 2 times
-    let u1_dot_s5_inv = u1_dot * s5_inv;
-    // Elimination, step by step.
-    // u1_dot_by_q1 = s5_by_q1*(u2'*s6 - l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) - r3)/s5^2 + (l0*r1_by_q1*(cos(q1)*(m1 +
-    //   m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) -
-    //   l0*r1*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    //   + r3_by_q1 - u2'*s6_by_q1 - s6*u2_dot_by_q1)/s5
-    let u1_dot_by_q1 = (-s5_by_q1)
-        .mul_add(
-            u1_dot_s5_inv,
-            s5_inv
-                * ((-s6)
-                    .mul_add(u2_dot_by_q1, (-u2_dot).mul_add(s6_by_q1, r8_by_q1_part_2))),
-        );
-    // u0_dot_by_q1 = (r1_by_q1 - l0*u1'*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2)) +
-    //   l1*u2_dot_by_q1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) +
-    //   l0*u1_dot_by_q1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2)
-    let u0_dot_by_q1 = s5_part_4
-        * ((-u1_dot)
-            .mul_add(
-                l0_s5_by_q1_part,
-                (-u2_dot_by_q1)
-                    .mul_add(s6_part_2, u1_dot_by_q1.mul_add(s5_part_2, r1_by_q1)),
-            ));
-    // Shared terms.
-    // u1_dot_by_q1 - u1_sq; used 2 times
-    let u3_dot_by_q1_part = u1_dot_by_q1 - u1_sq;
-    // 1/l2; used 6 times
-    let l2_inv = S::int(1) / l2;
-    // Elimination, step by step.
-    // u3_dot_by_q1 = (u0_dot_by_q1*cos(q3) - l1*u2_dot_by_q1*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) -
-    //   l0*(sin(q1)*(sin(q3)*(u1_dot_by_q1 - u1^2) - u1'*cos(q3)) + cos(q1)*(u1'*sin(q3) +
-    //   cos(q3)*(u1_dot_by_q1 - u1^2))))/l2
-    let u3_dot_by_q1 = l2_inv
-        * (l0
-            .mul_add(
-                (-c1)
-                    .mul_add(
-                        u3_dot_by_q1_part.mul_add(c3, u1_dot * s3),
-                        s1 * ((-u3_dot_by_q1_part).mul_add(s3, u1_dot * c3)),
-                    ),
-                (-u2_dot_by_q1).mul_add(l1_s2_part_2, u0_dot_by_q1 * c3),
-            ));
-    // Shared terms.
-    // u2^2; used 3 times
+    // l1*(sin(q2)*cos(q3) - cos(q2)*sin(q3)); used 7 times
+    let r6_part_2 = l1 * ((-c2).mul_add(s3_2, s2 * c3));
+    // u2^2; used 8 times
     let u2_sq = u2 * u2;
+    // r6_part*u1_sq + r6_part_2*u2_sq
+    let r6_part_3 = r6_part_2.mul_add(u2_sq, r6_part * u1_sq);
+    // g*sin(q3) + r6_part_3; used 4 times
+    let r6_part_4 = g.mul_add(s3_2, r6_part_3);
+    // u3*m3_l2; used 2 times
+    let u3_m3_l2 = u3 * m3_l2;
+    // u3*u3_m3_l2; used 6 times
+    let u3_u3_m3_l2 = u3 * u3_m3_l2;
+    // l1_m2_plus_m3*sin(q2); used 3 times
+    let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
+    // l0_s3_part*sin(q1); used 3 times
+    let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r1_by_q2 = l1*u2^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))
-    let r1_by_q2 = s6_part_2 * u2_sq;
+    // r6 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
+    //   l1*u2^2*sin(q2) + l2*(u3^2*sin(q3) + l2_*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + sin(q3)*(g -
+    //   l0*u1^2*cos(q1) - l1*u2^2*cos(q2)))))
+    let r6 = (-l2__m3_l2).mul_add(r6_part_4, F) - u3_u3_m3_l2 * s3_2
+        - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_s3_part;
+    // l7 = m3*l0*l2*(sin(q1)*sin(q3) + cos(q1)*cos(q3))/d1
+    let l7 = d1_inv_m3_l2 * s4_part;
     // Shared terms.
-    // m3_l1*s6_part; used 3 times
-    let m3_l1_s6_part = m3_l1 * s6_part;
-    // l0_s2_part*m3_l1_s6_part; used 2 times
-    let s2_by_q2_part = l0_s2_part * m3_l1_s6_part;
+    // l7*m3_l2; used 7 times
+    let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // s2_by_q2 = l0*l1*(m2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + m3*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) +
-    //   m3*l0*l1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(sin(q2)*cos(q3) - cos(q2)*sin(q3))
-    let s2_by_q2 = s2_by_q1_part_3 + s2_by_q2_part;
-    // r3_by_q2 = l0*l1*u2^2*(m2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(cos(q1)*cos(q2) +
-    //   cos(q3)*(sin(q1)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - cos(q1)*(sin(q2)*sin(q3) +
-    //   cos(q2)*cos(q3)))))
-    let r3_by_q2 = l0 * u2_l1_u2 * r4_by_q1_part;
+    // s8 = l0*(l0*(m1 + m2) + m3*(l0 - l2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3))))
+    let s8 = (-s4_part).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
-    // r3_part_3*m3_l1_s6_part; used 2 times
-    let r4_by_q2_part = r3_part_3 * m3_l1_s6_part;
+    // l0*l1_m2_plus_m3; used 2 times
+    let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
+    // l0_l1_m2_plus_m3*(sin(q1)*sin(q2) + cos(q1)*cos(q2)); used 3 times
+    let s9_part = l0_l1_m2_plus_m3 * (c1.mul_add(c2, s1 * s2));
+    // s5_part*l7_m3_l2 - s9_part; used 2 times
+    let s9_part_2 = s5_part.mul_add(l7_m3_l2, -s9_part);
     // Elimination, step by step.
-    // r4_by_q2 = m3*l1*(sin(q2)*cos(q3) - cos(q2)*sin(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) +
-    //   sin(q3)*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2))) - m3*l1*(sin(q2)*sin(q3) +
-    //   cos(q2)*cos(q3))*(l1*u2^2*sin(q2)*sin(q3) + l1*u2^2*cos(q2)*cos(q3)) + l1*(m2*(g*cos(q2) -
-    //   l0*u1^2*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) + m3*(cos(q2)*(g - l0*u1^2*cos(q1) - l2*u3^2*cos(q3)) -
-    //   sin(q2)*(l0*u1^2*sin(q1) + l2*u3^2*sin(q3))))
-    let r4_by_q2 = (-(u2_l1_u2 * s2_part_2))
-        .mul_add(
-            s2_part_2_m3_l1,
-            l1
-                * (m3
-                    .mul_add(
-                        (-r4_part_2).mul_add(s2_2, r4_part * c2),
-                        m2 * ((-u1_l0_u1).mul_add(s2_part_3, g * c2)),
-                    )),
-        ) + r4_by_q2_part;
+    // s9 = l1*(m2*l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) -
+    //   l2*l7*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s9 = -s9_part_2;
     // Shared terms.
-    // m3_s3*s2_part_2; used 2 times
-    let m3_s3_s2_part_2 = m3_s3 * s2_part_2;
-    // m2*sin(q2) + m3_s3_s2_part_2; used 3 times
-    let s6_by_q2_part = m2.mul_add(s2_2, m3_s3_s2_part_2);
-    // l1*s6_by_q2_part; used 2 times
-    let l1_s6_by_q2_part = l1 * s6_by_q2_part;
+    // l0_l1_m2_plus_m3*(cos(q1)*sin(q2) - sin(q1)*cos(q2)); used 5 times
+    let r10_part = l0_l1_m2_plus_m3 * ((-s1).mul_add(c2, c1 * s2));
     // Elimination, step by step.
-    // s6_by_q2 = l0*l1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))*(m2*sin(q2) +
-    //   m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + s2_by_q2
-    let s6_by_q2 = s5_part_2_s5_part_4.mul_add(l1_s6_by_q2_part, s2_by_q2);
+    // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) +
+    //   m3*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q1)*cos(q3) -
+    //   cos(q1)*sin(q3)) + u1^2*l7*(sin(q1)*cos(q3) - cos(q1)*sin(q3))))) - m3*l2*l7*(g*sin(q3) +
+    //   l1*u2^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
+    let r10 = (-r6_part).mul_add(u3_u3_m3_l2, g * s1_l0_s3_part) - r6_part_4 * l7_m3_l2
+        + u2_sq * r10_part;
+    // l11 = m3*l1*l2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/d1
+    let l11 = d1_inv_m3_l2 * s5_part;
     // Shared terms.
-    // 2*l1; used 3 times
-    let l1_scaled = S::int(2) * l1;
-    // s5_part_4_s6_part_2*l1_scaled; used 2 times
-    let s7_by_q2_part = s5_part_4_s6_part_2 * l1_scaled;
-    // s2_part_2_m3_l1*s6_part*l1_scaled; used 2 times
-    let s7_by_q2_part_2 = s2_part_2_m3_l1 * s6_part * l1_scaled;
+    // l11*m3_l2; used 7 times
+    let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s7_by_q2 = 2*m3*l1^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
-    //   2*l1^2*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))*(m2*sin(q2) +
-    //   m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7_by_q2 = (-s6_by_q2_part).mul_add(s7_by_q2_part, s7_by_q2_part_2);
+    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s12 = (-s5_part).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
+    // r13 = m2*l1*(g*sin(q2) + l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) + m3*(l1*(g*sin(q2) +
+    //   l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
+    //   u2^2*l11*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))) - l2*l11*(g*sin(q3) + l0*u1^2*(sin(q1)*cos(q3) -
+    //   cos(q1)*sin(q3))))
+    let r13 = (-r6_part_2).mul_add(u3_u3_m3_l2, g * s2_l1_m2_plus_m3) - u1_sq * r10_part
+        - r6_part_4 * l11_m3_l2;
     // Shared terms.
-    // s6*r3_by_q2 + r3*s6_by_q2; used 2 times
-    let r8_by_q2_part = r3.mul_add(s6_by_q2, s6 * r3_by_q2);
-    // s6*r1_by_q2 + r1*s6_by_q2; used 2 times
-    let r8_by_q2_part_2 = r1.mul_add(s6_by_q2, s6 * r1_by_q2);
-    // l0*cos(q1); used 2 times
-    let l0_c1 = l0 * c1;
-    // r8_by_q2_part + r8_by_q2_part_2*l0_c1; used 2 times
-    let r8_by_q2_part_3 = r8_by_q2_part_2.mul_add(l0_c1, r8_by_q2_part);
-    // s5*(l1*(r1_by_q2*cos(q2) - r1*sin(q2)) + r4_by_q2) - r8_by_q2_part_3; used 2 times
-    let r8_by_q2_part_4 = s5
-        .mul_add(
-            l1.mul_add((-r1).mul_add(s2_2, r1_by_q2 * c2), r4_by_q2),
-            -r8_by_q2_part_3,
-        );
-    // s5*r4_by_q2; used 2 times
-    let s5_r4_by_q2 = s5 * r4_by_q2;
-    // l0*sin(q1); used 2 times
-    let l0_s1 = l0 * s1;
+    // 1/s3; used 9 times
+    let s3_inv = S::int(1) / s3;
     // Elimination, step by step.
-    // r8_by_q2 = (m2*(s5*(l1*(r1_by_q2*cos(q2) - r1*sin(q2)) + r4_by_q2) - s6*r3_by_q2 - r3*s6_by_q2 -
-    //   l0*cos(q1)*(s6*r1_by_q2 + r1*s6_by_q2)) + m3*sin(q3)*(sin(q3)*(s5*(l1*(r1_by_q2*cos(q2) -
-    //   r1*sin(q2)) + r4_by_q2) - s6*r3_by_q2 - r3*s6_by_q2 - l0*cos(q1)*(s6*r1_by_q2 + r1*s6_by_q2)) +
-    //   cos(q3)*(l0*sin(q1)*(s6*r1_by_q2 + r1*s6_by_q2) - l1*s5*(r1*cos(q2) + r1_by_q2*sin(q2)))) +
-    //   m0*(s5*r4_by_q2 - s6*r3_by_q2 - r3*s6_by_q2) + m1*(s5*r4_by_q2 - s6*r3_by_q2 - r3*s6_by_q2 -
-    //   l0*cos(q1)*(s6*r1_by_q2 + r1*s6_by_q2)))/(s5*(m0 + m1 + m2 + m3*sin(q3)^2))
-    let r8_by_q2 = s5_part_4 * s5_inv
-        * (m3_s3
-            .mul_add(
-                c3
-                    .mul_add(
-                        (-(l1 * s5))
-                            .mul_add(
-                                r1_by_q2.mul_add(s2_2, r1 * c2),
-                                r8_by_q2_part_2 * l0_s1,
-                            ),
-                        r8_by_q2_part_4 * s3,
-                    ),
-                m0
-                    .mul_add(
-                        s5_r4_by_q2 - r8_by_q2_part,
-                        m1.mul_add(s5_r4_by_q2 - r8_by_q2_part_3, m2 * r8_by_q2_part_4),
-                    ),
-            ));
-    // u2_dot_by_q2 = (r8*(s7_by_q2 - 2*s6*s6_by_q2/s5)/(s6^2/s5 - s7) + r8_by_q2)/(s7 - s6^2/s5)
-    let u2_dot_by_q2 = u2_dot_part
-        * (u2_dot
-            .mul_add((S::int(2) * s6_by_q2).mul_add(s6_s5_inv, -s7_by_q2), r8_by_q2));
-    // u1_dot_by_q2 = (l0*r1_by_q2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1
-    //   + m2 + m3*sin(q3)^2) + r3_by_q2 - u2'*s6_by_q2 - s6*u2_dot_by_q2)/s5
-    let u1_dot_by_q2 = s5_inv
-        * (r1_by_q2
-            .mul_add(
-                s5_part_2_s5_part_4,
-                (-s6).mul_add(u2_dot_by_q2, (-u2_dot).mul_add(s6_by_q2, r3_by_q2)),
-            ));
-    // u0_dot_by_q2 = (r1_by_q2 - l1*u2'*(m2*sin(q2) + m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3))) +
-    //   l1*u2_dot_by_q2*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) +
-    //   l0*u1_dot_by_q2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2)
-    let u0_dot_by_q2 = s5_part_4
-        * ((-u2_dot)
-            .mul_add(
-                l1_s6_by_q2_part,
-                (-u2_dot_by_q2)
-                    .mul_add(s6_part_2, u1_dot_by_q2.mul_add(s5_part_2, r1_by_q2)),
-            ));
+    // l14 = s4/s3
+    let l14 = s4 * s3_inv;
+    // s15 = s8 - s4*l14
+    let s15 = (-s4).mul_add(l14, s8);
+    // s16 = s9 - s5*l14
+    let s16 = (-s5).mul_add(l14, s9);
+    // r17 = r10 - r6*l14
+    let r17 = (-r6).mul_add(l14, r10);
+    // l18 = s5/s3
+    let l18 = s5 * s3_inv;
+    // s19 = s12 - s5*l18
+    let s19 = (-s5).mul_add(l18, s12);
+    // r20 = r13 - r6*l18
+    let r20 = (-r6).mul_add(l18, r13);
     // Shared terms.
-    // u2_dot_by_q2 - u2_sq; used 2 times
-    let u3_dot_by_q2_part = u2_dot_by_q2 - u2_sq;
+    // 1/s15; used 14 times
+    let s15_inv = S::int(1) / s15;
     // Elimination, step by step.
-    // u3_dot_by_q2 = (u0_dot_by_q2*cos(q3) - l1*(sin(q2)*(sin(q3)*(u2_dot_by_q2 - u2^2) - u2'*cos(q3)) +
-    //   cos(q2)*(u2'*sin(q3) + cos(q3)*(u2_dot_by_q2 - u2^2))) - l0*u1_dot_by_q2*(sin(q1)*sin(q3) +
-    //   cos(q1)*cos(q3)))/l2
-    let u3_dot_by_q2 = l2_inv
-        * (l1
-            .mul_add(
-                (-c2)
-                    .mul_add(
-                        u3_dot_by_q2_part.mul_add(c3, u2_dot * s3),
-                        s2_2 * ((-u3_dot_by_q2_part).mul_add(s3, u2_dot * c3)),
-                    ),
-                (-u1_dot_by_q2).mul_add(l0_s2_part, u0_dot_by_q2 * c3),
-            ));
-    // r1_by_q3 = -m3*(sin(q3)^2*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)) +
-    //   cos(q3)*(2*sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) + cos(q3)*(l0*u1^2*cos(q1) - g +
-    //   l1*u2^2*cos(q2)) + l2*u3^2))
-    let r1_by_q3 = -m3
-        * (s3_r1_part_3
-            .mul_add(s3, c3 * (s3_r1_part.mul_add(S::int(2), u3_l2_u3 - c3_r1_part_3))));
-    // s2_by_q3 = m3*l0*l1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(cos(q2)*sin(q3) - sin(q2)*cos(q3)) +
-    //   m3*l0*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(cos(q1)*sin(q3) - sin(q1)*cos(q3))
-    let s2_by_q3 = -s2_by_q1_part_2 - s2_by_q2_part;
+    // l21 = s16/s15
+    let l21 = s16 * s15_inv;
+    // s22 = s19 - s16*l21
+    let s22 = (-s16).mul_add(l21, s19);
+    // r23 = r20 - r17*l21
+    let r23 = (-r17).mul_add(l21, r20);
     // Shared terms.
-    // m3*cos(q3); used 3 times
-    let m3_c3 = m3 * c3;
-    // -r1_part_4; used 2 times
-    let r1_part_4_scaled = -r1_part_4;
+    // 1/s22; used 11 times
+    let s22_inv = S::int(1) / s22;
     // Elimination, step by step.
-    // r3_by_q3 = m3*l0*(cos(q1)*sin(q3) - sin(q1)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) +
-    //   sin(q3)*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2))) + m3*l0*(sin(q1)*sin(q3) +
-    //   cos(q1)*cos(q3))*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - cos(q3)*(g - l0*u1^2*cos(q1) -
-    //   l1*u2^2*cos(q2))) + l0*(m3*l2*u3^2*sin(q1)*sin(q3) + m3*l2*u3^2*cos(q1)*cos(q3))
-    let r3_by_q3 = (-m3_l0_s2_part)
-        .mul_add(
-            r1_part_4_scaled,
-            (l0 * u3_l2_u3).mul_add(m3_c3.mul_add(c1, m3_s3 * s1), -r3_by_q1_part),
-        );
-    // r4_by_q3 = m3*l1*(cos(q2)*sin(q3) - sin(q2)*cos(q3))*(cos(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) +
-    //   sin(q3)*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2))) + m3*l1*(sin(q2)*sin(q3) +
-    //   cos(q2)*cos(q3))*(sin(q3)*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - cos(q3)*(g - l0*u1^2*cos(q1) -
-    //   l1*u2^2*cos(q2))) + m3*l1*(l2*u3^2*sin(q2)*sin(q3) + l2*u3^2*cos(q2)*cos(q3))
-    let r4_by_q3 = (-s2_part_2_m3_l1)
-        .mul_add(
-            r1_part_4_scaled,
-            (u3_l2_u3 * s2_part_2).mul_add(m3_l1, -r4_by_q2_part),
-        );
+    // u2' = r23/s22
+    let u2_dot = r23 * s22_inv;
     // Shared terms.
-    // m0*(m3 + 2*s5_part_3); used 2 times
-    let s5_by_q3_part = m0 * (s5_part_3.mul_add(S::int(2), m3));
+    // r17*s15_inv; used 2 times
+    let r17_s15_inv = r17 * s15_inv;
     // Elimination, step by step.
-    // s5_by_q3 = 2*m3*l0^2*(m0^2*sin(q3)*cos(q3) - sin(q1)*(m0*cos(q1)*(m0 + m1 + m2) +
-    //   sin(q3)*(sin(q1)*cos(q3)*(m2*(m2 + m3) + m0*(2*m0 + 2*m1 + 2*m2 + m3) + m1*(m1 + 2*m2 + m3)) -
-    //   m0*cos(q1)*sin(q3)*(2*m0 + 2*m1 + 2*m2 + m3))))/(m0 + m1 + m2 + m3*sin(q3)^2)^2
-    let s5_by_q3 = S::int(2) * m3 * s5_part_4 * s5_part_4 * l0_sq
-        * ((-s1)
-            .mul_add(
-                s3
-                    .mul_add(
-                        (-c1_s3)
-                            .mul_add(
-                                s5_by_q3_part,
-                                s1_c3
-                                    * (m2
-                                        .mul_add(m2_plus_m3, m1 * (m2.mul_add(S::int(2), m1) + m3))
-                                        + s5_by_q3_part),
-                            ),
-                        m0 * s5_part_3 * c1,
-                    ),
-                m0 * m0 * s3 * c3,
-            ));
+    // u1' = (r17 - u2'*s16)/s15
+    let u1_dot = (-u2_dot).mul_add(l21, r17_s15_inv);
     // Shared terms.
-    // 2*c3_m3_s3; used 4 times
-    let c3_m3_s3_scaled = S::int(2) * c3_m3_s3;
-    // l0*(s3_m3_s3*sin(q1) - s1_c3*m3_c3 + c3_m3_s3_scaled*cos(q1)); used 2 times
-    let s6_by_q3_part = l0
-        * (c3_m3_s3_scaled.mul_add(c1, (-s1_c3).mul_add(m3_c3, s3_m3_s3 * s1)));
-    // s6_by_q3_part - s5_part_2_s5_part_4*c3_m3_s3_scaled; used 2 times
-    let s6_by_q3_part_2 = (-s5_part_2_s5_part_4).mul_add(c3_m3_s3_scaled, s6_by_q3_part);
-    // m3_s3_s2_part_2 - s6_part*m3_c3; used 2 times
-    let s6_by_q3_part_3 = (-s6_part).mul_add(m3_c3, m3_s3_s2_part_2);
-    // l1*s6_by_q3_part_3; used 3 times
-    let l1_s6_by_q3_part_3 = l1 * s6_by_q3_part_3;
+    // r6*s3_inv; used 5 times
+    let r6_s3_inv = r6 * s3_inv;
+    // r6_s3_inv - u2'*l18; used 3 times
+    let u0_dot_part = (-u2_dot).mul_add(l18, r6_s3_inv);
     // Elimination, step by step.
-    // s6_by_q3 = 2*m3*l0*l1*sin(q3)*cos(q3)*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 +
-    //   m3*sin(q3)^2))*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2)^2 + l0*l1*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) -
-    //   m2*cos(q2))*(m3*sin(q1)*sin(q3)^2 - m3*sin(q1)*cos(q3)^2 + 2*m3*cos(q1)*sin(q3)*cos(q3))/(m0 + m1 +
-    //   m2 + m3*sin(q3)^2) + l0*l1*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 +
-    //   m3*sin(q3)^2))*(m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + m3*cos(q3)*(cos(q2)*sin(q3) -
-    //   sin(q2)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) + s2_by_q3
-    let s6_by_q3 = (-s5_part_2_s5_part_4)
-        .mul_add(
-            l1_s6_by_q3_part_3,
-            s5_part_4_s6_part_2.mul_add(s6_by_q3_part_2, s2_by_q3),
-        );
+    // u0' = (r6 - u1'*s4 - u2'*s5)/s3
+    let u0_dot = (-u1_dot).mul_add(l14, u0_dot_part);
     // Shared terms.
-    // s5_part_4_s6_part_2*c3_m3_s3_scaled; used 2 times
-    let s7_by_q3_part = s5_part_4_s6_part_2 * c3_m3_s3_scaled;
+    // l2__m3_l2*r6_part; used 2 times
+    let l2__m3_l2_r6_part = l2__m3_l2 * r6_part;
     // Elimination, step by step.
-    // s7_by_q3 = 2*m3*l1^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(cos(q2)*sin(q3) - sin(q2)*cos(q3)) +
-    //   2*m3*l1^2*sin(q3)*cos(q3)*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) - m2*cos(q2))^2/(m0 + m1 +
-    //   m2 + m3*sin(q3)^2)^2 + 2*l1^2*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) -
-    //   m2*cos(q2))*(m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + m3*cos(q3)*(cos(q2)*sin(q3) -
-    //   sin(q2)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let s7_by_q3 = s5_part_4_s6_part_2
-        .mul_add(
-            s7_by_q3_part,
-            s7_by_q2_part.mul_add(s6_by_q3_part_3, -s7_by_q2_part_2),
-        );
+    // s4_by_q1 = l0*sin(q1)*(m1 + m2 + m3) + m3*l0*l2*l2_*(sin(q1)*cos(q3) - cos(q1)*sin(q3))
+    let s4_by_q1 = s1_l0_s3_part + l2__m3_l2_r6_part;
+    // r6_by_q1 = -l0*u1^2*(m3*l2*l2_*sin(q1)*sin(q3) + cos(q1)*(m1 + m2 + m3*(1 + l2*l2_*cos(q3))))
+    let r6_by_q1 = -s4_part_2 * u1_sq;
+    // l7_by_q3 = m3*l0*l2*(sin(q1)*cos(q3) - cos(q1)*sin(q3))/d1
+    let l7_by_q3 = d1_inv_m3_l2 * r6_part;
+    // l7_by_q1 = m3*l0*l2*(cos(q1)*sin(q3) - sin(q1)*cos(q3))/d1
+    let l7_by_q1 = -l7_by_q3;
     // Shared terms.
-    // r1_by_q3*s5_part_2_s5_part_4 + r1_s5_part_4*s6_by_q3_part_2
-    let r8_by_q3_part = r1_s5_part_4
-        .mul_add(s6_by_q3_part_2, r1_by_q3 * s5_part_2_s5_part_4);
-    // r3_by_q3 + r8_by_q3_part; used 2 times
-    let r8_by_q3_part_2 = r3_by_q3 + r8_by_q3_part;
-    // s5_by_q3*s6_s5_inv; used 2 times
-    let s5_by_q3_s6_s5_inv = s5_by_q3 * s6_s5_inv;
+    // m3_l2*s4_part; used 3 times
+    let m3_l2_s4_part = m3_l2 * s4_part;
+    // r6_part*l7_m3_l2; used 3 times
+    let r6_part_l7_m3_l2 = r6_part * l7_m3_l2;
     // Elimination, step by step.
-    // r8_by_q3 = 2*m3*l1*r1*sin(q3)*cos(q3)*(m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) -
-    //   m2*cos(q2))/(m0 + m1 + m2 + m3*sin(q3)^2)^2 + l1*r1*(m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    //   + m3*cos(q3)*(cos(q2)*sin(q3) - sin(q2)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) +
-    //   l1*r1_by_q3*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) - s6*(2*m3*l0*r1*sin(q3)*cos(q3)*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 +
-    //   m3*sin(q3)^2))/(m0 + m1 + m2 + m3*sin(q3)^2)^2 + l0*r1*(m3*sin(q1)*sin(q3)^2 - m3*sin(q1)*cos(q3)^2
-    //   + 2*m3*cos(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*r1_by_q3*(cos(q1)*(m1 + m2 +
-    //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3_by_q3)/s5 + r4_by_q3
-    //   + s6*s5_by_q3*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) + r3)/s5^2 - s6_by_q3*(l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3)/s5
-    let r8_by_q3 = r8_part_s5_inv
-        .mul_add(
-            s5_by_q3_s6_s5_inv - s6_by_q3,
-            (-s6_s5_inv)
-                .mul_add(
-                    r8_by_q3_part_2,
-                    r1_s5_part_4
-                        .mul_add(
-                            l1_s6_by_q3_part_3 + s7_by_q3_part,
-                            (-r1_by_q3).mul_add(s5_part_4_s6_part_2, r4_by_q3),
-                        ),
-                ),
-        );
-    // u2_dot_by_q3 = (r8*(s6*(s6*s5_by_q3/s5 - 2*s6_by_q3)/s5 + s7_by_q3)/(s6^2/s5 - s7) + r8_by_q3)/(s7 -
-    //   s6^2/s5)
-    let u2_dot_by_q3 = u2_dot_part
-        * ((-u2_dot)
-            .mul_add(
-                s6_s5_inv
-                    .mul_add(
-                        (-s6_by_q3).mul_add(S::int(2), s5_by_q3_s6_s5_inv),
-                        s7_by_q3,
-                    ),
-                r8_by_q3,
-            ));
-    // u1_dot_by_q3 = s5_by_q3*(u2'*s6 - l0*r1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) - r3)/s5^2 +
-    //   (2*m3*l0*r1*sin(q3)*cos(q3)*(m3*sin(q1)*sin(q3)*cos(q3) - cos(q1)*(m1 + m2 + m3*sin(q3)^2))/(m0 + m1
-    //   + m2 + m3*sin(q3)^2)^2 + l0*r1*(m3*sin(q1)*sin(q3)^2 - m3*sin(q1)*cos(q3)^2 +
-    //   2*m3*cos(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + l0*r1_by_q3*(cos(q1)*(m1 + m2 +
-    //   m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1 + m2 + m3*sin(q3)^2) + r3_by_q3 - u2'*s6_by_q3
-    //   - s6*u2_dot_by_q3)/s5
-    let u1_dot_by_q3 = (-s5_by_q3)
-        .mul_add(
-            u1_dot_s5_inv,
-            s5_inv
-                * ((-s6)
-                    .mul_add(u2_dot_by_q3, (-u2_dot).mul_add(s6_by_q3, r8_by_q3_part_2))),
-        );
+    // s8_by_q1 = -m3*l0*l2*(sin(q1)*(l7_by_q1*sin(q3) - l7*cos(q3)) + cos(q1)*(l7*sin(q3) +
+    //   l7_by_q1*cos(q3)))
+    let s8_by_q1 = (-l7_by_q1).mul_add(m3_l2_s4_part, r6_part_l7_m3_l2);
     // Shared terms.
-    // r1_by_q3 + u1_dot_by_q3*s5_part_2 - u2_dot_by_q3*s6_part_2 + u1'*s6_by_q3_part +
-    //   u2'*l1_s6_by_q3_part_3
-    let u0_dot_by_q3_part = u2_dot
-        .mul_add(
-            l1_s6_by_q3_part_3,
-            u1_dot
-                .mul_add(
-                    s6_by_q3_part,
-                    (-u2_dot_by_q3)
-                        .mul_add(s6_part_2, u1_dot_by_q3.mul_add(s5_part_2, r1_by_q3)),
-                ),
-        );
+    // m3_l2*s5_part; used 5 times
+    let m3_l2_s5_part = m3_l2 * s5_part;
     // Elimination, step by step.
-    // u0_dot_by_q3 = (l0*u1'*(m3*sin(q1)*sin(q3)^2 - m3*sin(q1)*cos(q3)^2 + 2*m3*cos(q1)*sin(q3)*cos(q3))
-    //   + l1*u2'*(m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + m3*cos(q3)*(cos(q2)*sin(q3) -
-    //   sin(q2)*cos(q3))) + r1_by_q3 + l1*u2_dot_by_q3*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
-    //   cos(q2)*sin(q3))) + l0*u1_dot_by_q3*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2) -
-    //   2*m3*sin(q3)*cos(q3)*(l0*u1'*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3)) +
-    //   l1*u2'*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3))) + r1)/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2)^2
-    let u0_dot_by_q3 = s5_part_4
-        * ((-u0_dot).mul_add(c3_m3_s3_scaled, u0_dot_by_q3_part));
+    // s9_by_q1 = -l1*(m2*l0*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + m3*(l0*(sin(q1)*cos(q2) -
+    //   cos(q1)*sin(q2)) + l2*l7_by_q1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let s9_by_q1 = (-l7_by_q1).mul_add(m3_l2_s5_part, r10_part);
     // Shared terms.
-    // u1_dot_by_q3 + u1_sq; used 2 times
-    let u3_dot_by_q3_part = u1_dot_by_q3 + u1_sq;
-    // u2_dot_by_q3 + u2_sq; used 2 times
-    let u3_dot_by_q3_part_2 = u2_dot_by_q3 + u2_sq;
+    // m3_l2*r6_part_4; used 5 times
+    let m3_l2_r6_part_4 = m3_l2 * r6_part_4;
+    // s4_part*u1_sq; used 3 times
+    let s4_part_u1_sq = s4_part * u1_sq;
+    // s4_part*u3_u3_m3_l2; used 2 times
+    let s4_part_u3_u3_m3_l2 = s4_part * u3_u3_m3_l2;
     // Elimination, step by step.
-    // u3_dot_by_q3 = (cos(q3)*(g - l1*(u2'*sin(q2) + cos(q2)*(u2^2 + u2_dot_by_q3)) - l0*(u1'*sin(q1) +
-    //   cos(q1)*(u1^2 + u1_dot_by_q3)) + u0_dot_by_q3) - sin(q3)*(u0' + l1*(sin(q2)*(u2^2 + u2_dot_by_q3) -
-    //   u2'*cos(q2)) + l0*(sin(q1)*(u1^2 + u1_dot_by_q3) - u1'*cos(q1))))/l2
-    let u3_dot_by_q3 = l2_inv
-        * ((-s3)
-            .mul_add(
-                l1
-                    .mul_add(
-                        (-u2_dot).mul_add(c2, u3_dot_by_q3_part_2 * s2_2),
-                        l0.mul_add((-u1_dot).mul_add(c1, u3_dot_by_q3_part * s1), u0_dot),
-                    ),
-                c3
-                    * ((-l1)
-                        .mul_add(
-                            u3_dot_by_q3_part_2.mul_add(c2, u2_dot * s2_2),
-                            (-l0)
-                                .mul_add(
-                                    u3_dot_by_q3_part.mul_add(c1, u1_dot * s1),
-                                    g + u0_dot_by_q3,
-                                ),
-                        )),
-            ));
-    // r1_by_u1 = -2*l0*u1*(m3*cos(q1)*sin(q3)*cos(q3) + sin(q1)*(m1 + m2 + m3*sin(q3)^2))
-    let r1_by_u1 = -S::int(2) * l0_u1 * s5_by_q1_part;
-    // r3_by_u1 = 2*m3*l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3))*(l0*u1*cos(q1)*sin(q3) -
-    //   l0*u1*sin(q1)*cos(q3))
-    let r3_by_u1 = -l0_u1 * s2_by_q1_part * m3_l0_s2_part_scaled;
+    // r10_by_q1 = l0*(m1*g*cos(q1) + m2*(g*cos(q1) - l1*u2^2*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) +
+    //   m3*(g*cos(q1) - l1*u2^2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) - l2*(u3^2*(sin(q1)*sin(q3) +
+    //   cos(q1)*cos(q3)) + u1^2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3)) + u1^2*l7_by_q1*(sin(q1)*cos(q3) -
+    //   cos(q1)*sin(q3))))) - m3*l2*l7_by_q1*(g*sin(q3) + l1*u2^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
+    let r10_by_q1 = (-u2_sq).mul_add(s9_part, g * c1_l0_s3_part)
+        - l7_by_q1 * m3_l2_r6_part_4 - l7_m3_l2 * s4_part_u1_sq - s4_part_u3_u3_m3_l2;
     // Shared terms.
-    // cos(q3)*(s2_part_2*sin(q1) + s6_part*cos(q1)); used 2 times
-    let r4_by_u1_part = c3 * (s6_part.mul_add(c1, s2_part_2 * s1));
-    // m2*r4_part_3; used 2 times
-    let m2_r4_part_3 = m2 * r4_part_3;
+    // u1_sq*s9_part; used 2 times
+    let u1_sq_s9_part = u1_sq * s9_part;
     // Elimination, step by step.
-    // r4_by_u1 = 2*l0*l1*u1*(m2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + m3*(sin(q1)*cos(q2) -
-    //   cos(q3)*(sin(q1)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + cos(q1)*(sin(q2)*cos(q3) -
+    // r13_by_q1 = l0*u1^2*(m2*l1*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(l1*(sin(q1)*sin(q2) +
+    //   cos(q1)*cos(q2)) - l2*l11*(sin(q1)*sin(q3) + cos(q1)*cos(q3))))
+    let r13_by_q1 = (-l11_m3_l2).mul_add(s4_part_u1_sq, u1_sq_s9_part);
+    // Shared terms.
+    // l14*s15_inv; used 11 times
+    let l14_s15_inv = l14 * s15_inv;
+    // l21*s4_by_q1; used 3 times
+    let l21_s4_by_q1 = l21 * s4_by_q1;
+    // l14*l21 - l18; used 8 times
+    let l21_by_q1_part = l14.mul_add(l21, -l18);
+    // s4_by_q1*s15_inv; used 2 times
+    let s4_by_q1_s15_inv = s4_by_q1 * s15_inv;
+    // s8_by_q1*s15_inv; used 2 times
+    let s8_by_q1_s15_inv = s8_by_q1 * s15_inv;
+    // Elimination, step by step.
+    // l21_by_q1 = (s16*(s4_by_q1*(s4/s3 + l14) - s8_by_q1)/s15 - s5*s4_by_q1/s3 + s9_by_q1)/s15
+    let l21_by_q1 = l14_s15_inv.mul_add(l21_s4_by_q1, s9_by_q1 * s15_inv)
+        + l21_by_q1_part * s4_by_q1_s15_inv - l21 * s8_by_q1_s15_inv;
+    // s22_by_q1 = l21*(s5*s4_by_q1/s3 - s9_by_q1) - s16*l21_by_q1
+    let s22_by_q1 = (-l21).mul_add(s9_by_q1, l18 * l21_s4_by_q1) - s16 * l21_by_q1;
+    // r23_by_q1 = l21*(r6*s4_by_q1/s3 - r10_by_q1 + l14*r6_by_q1) - l18*r6_by_q1 + r13_by_q1 -
+    //   r17*l21_by_q1
+    let r23_by_q1 = (-l21).mul_add(r10_by_q1, r13_by_q1) - r17 * l21_by_q1
+        + r6_s3_inv * l21_s4_by_q1 + r6_by_q1 * l21_by_q1_part;
+    // Shared terms.
+    // u2'*s22_by_q1 - r23_by_q1; used 4 times
+    let u1_dot_by_q1_part = u2_dot.mul_add(s22_by_q1, -r23_by_q1);
+    // l21*s22_inv; used 6 times
+    let l21_s22_inv = l21 * s22_inv;
+    // u2'*s15_inv; used 2 times
+    let u2_dot_s15_inv = u2_dot * s15_inv;
+    // Elimination, step by step.
+    // u1_dot_by_q1 = (u2'*s16 - r17)*(s8_by_q1 - s4_by_q1*(s4/s3 + l14))/s15^2 + (u2'*(s5*s4_by_q1/s3 -
+    //   s9_by_q1) - r6*s4_by_q1/s3 - l14*r6_by_q1 + r10_by_q1 + s16*(r23*s22_by_q1/s22 - r23_by_q1)/s22)/s15
+    let u1_dot_by_q1 = l14_s15_inv * ((u1_dot * s4_by_q1).mul_add(S::int(2), -r6_by_q1))
+        + r10_by_q1 * s15_inv - u0_dot_part * s4_by_q1_s15_inv
+        - u1_dot * s8_by_q1_s15_inv + u1_dot_by_q1_part * l21_s22_inv
+        - s9_by_q1 * u2_dot_s15_inv;
+    // Shared terms.
+    // l18*s22_inv; used 3 times
+    let l18_s22_inv = l18 * s22_inv;
+    // u1'*s3_inv; used 2 times
+    let u1_dot_s3_inv = u1_dot * s3_inv;
+    // Elimination, step by step.
+    // u0_dot_by_q1 = (r6_by_q1 - u1'*s4_by_q1 + s5*(r23*s22_by_q1/s22 - r23_by_q1)/s22 -
+    //   s4*u1_dot_by_q1)/s3
+    let u0_dot_by_q1 = (-l14).mul_add(u1_dot_by_q1, r6_by_q1 * s3_inv)
+        + u1_dot_by_q1_part * l18_s22_inv - s4_by_q1 * u1_dot_s3_inv;
+    // Shared terms.
+    // l11*s22_inv; used 3 times
+    let l11_s22_inv = l11 * s22_inv;
+    // u1'*l7_by_q3; used 2 times
+    let u1_dot_l7_by_q3 = u1_dot * l7_by_q3;
+    // Elimination, step by step.
+    // u3_dot_by_q1 = m3*l2*(l0*(sin(q1)*(u1'*cos(q3) + sin(q3)*(u1^2 - u1_dot_by_q1)) +
+    //   cos(q1)*(cos(q3)*(u1^2 - u1_dot_by_q1) - u1'*sin(q3))) - l1*(sin(q2)*sin(q3)*(r23_by_q1 -
+    //   r23*s22_by_q1/s22) + cos(q2)*cos(q3)*(r23_by_q1 - r23*s22_by_q1/s22))/s22 + u0_dot_by_q1*cos(q3))/d1
+    let u3_dot_by_q1 = l7 * (u1_sq - u1_dot_by_q1) + u0_dot_by_q1 * c3_d1_inv_m3_l2
+        + u1_dot_by_q1_part * l11_s22_inv + u1_dot_l7_by_q3;
+    // Shared terms.
+    // l2__m3_l2*r6_part_2; used 2 times
+    let l2__m3_l2_r6_part_2 = l2__m3_l2 * r6_part_2;
+    // Elimination, step by step.
+    // s5_by_q2 = l1*(m2*sin(q2) + m3*(sin(q2) + l2*l2_*(sin(q2)*cos(q3) - cos(q2)*sin(q3))))
+    let s5_by_q2 = s2_l1_m2_plus_m3 + l2__m3_l2_r6_part_2;
+    // r6_by_q2 = -l1*u2^2*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let r6_by_q2 = -s5_part_2 * u2_sq;
+    // Shared terms.
+    // r6_part_2*l7_m3_l2; used 2 times
+    let r6_part_2_l7_m3_l2 = r6_part_2 * l7_m3_l2;
+    // Elimination, step by step.
+    // s9_by_q2 = l1*(m2*l0*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + m3*(l0*(sin(q1)*cos(q2) -
+    //   cos(q1)*sin(q2)) + l2*l7*(sin(q2)*cos(q3) - cos(q2)*sin(q3))))
+    let s9_by_q2 = r6_part_2_l7_m3_l2 - r10_part;
+    // r10_by_q2 = l1*u2^2*(m2*l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(l0*(sin(q1)*sin(q2) +
+    //   cos(q1)*cos(q2)) - l2*l7*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    let r10_by_q2 = -u2_sq * s9_part_2;
+    // l11_by_q3 = m3*l1*l2*(sin(q2)*cos(q3) - cos(q2)*sin(q3))/d1
+    let l11_by_q3 = d1_inv_m3_l2 * r6_part_2;
+    // l11_by_q2 = m3*l1*l2*(cos(q2)*sin(q3) - sin(q2)*cos(q3))/d1
+    let l11_by_q2 = -l11_by_q3;
+    // Shared terms.
+    // r6_part_2*l11_m3_l2; used 3 times
+    let r6_part_2_l11_m3_l2 = r6_part_2 * l11_m3_l2;
+    // Elimination, step by step.
+    // s12_by_q2 = -m3*l1*l2*(sin(q2)*(l11_by_q2*sin(q3) - l11*cos(q3)) + cos(q2)*(l11*sin(q3) +
+    //   l11_by_q2*cos(q3)))
+    let s12_by_q2 = (-l11_by_q2).mul_add(m3_l2_s5_part, r6_part_2_l11_m3_l2);
+    // Shared terms.
+    // s5_part*u2_sq; used 2 times
+    let s5_part_u2_sq = s5_part * u2_sq;
+    // s5_part*u3_u3_m3_l2; used 2 times
+    let s5_part_u3_u3_m3_l2 = s5_part * u3_u3_m3_l2;
+    // Elimination, step by step.
+    // r13_by_q2 = m2*l1*(g*cos(q2) - l0*u1^2*(sin(q1)*sin(q2) + cos(q1)*cos(q2))) -
+    //   m3*(l2*l11_by_q2*(g*sin(q3) + l0*u1^2*(sin(q1)*cos(q3) - cos(q1)*sin(q3))) +
+    //   l1*(l0*u1^2*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) - g*cos(q2) + l2*(u3^2*(sin(q2)*sin(q3) +
+    //   cos(q2)*cos(q3)) + u2^2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + u2^2*l11_by_q2*(sin(q2)*cos(q3) -
     //   cos(q2)*sin(q3)))))
-    let r4_by_u1 = l0_u1 * l1_scaled * (m3.mul_add(s1_c2 - r4_by_u1_part, m2_r4_part_3));
+    let r13_by_q2 = (-l11_by_q2).mul_add(m3_l2_r6_part_4, g * c2_l1_m2_plus_m3)
+        - u1_sq_s9_part - l11_m3_l2 * s5_part_u2_sq - s5_part_u3_u3_m3_l2;
+    // s22_by_q2 = s5_by_q2*(l14*(s16/s15 + l21) - s5/s3 - l18) - s9_by_q2*(s16/s15 + l21) + s12_by_q2
+    let s22_by_q2 = (-(l21 * s9_by_q2)).mul_add(S::int(2), s12_by_q2)
+        + S::int(2) * s5_by_q2 * l21_by_q1_part;
     // Shared terms.
-    // r3_by_u1 + r1_by_u1*s5_part_2_s5_part_4; used 2 times
-    let r8_by_u1_part = r1_by_u1.mul_add(s5_part_2_s5_part_4, r3_by_u1);
+    // s9_by_q2*s15_inv - s5_by_q2*l14_s15_inv; used 2 times
+    let r23_by_q2_part = (-s5_by_q2).mul_add(l14_s15_inv, s9_by_q2 * s15_inv);
     // Elimination, step by step.
-    // r8_by_u1 = l1*r1_by_u1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) - s6*(l0*r1_by_u1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0
-    //   + m1 + m2 + m3*sin(q3)^2) + r3_by_u1)/s5 + r4_by_u1
-    let r8_by_u1 = (-s6_s5_inv)
-        .mul_add(r8_by_u1_part, (-r1_by_u1).mul_add(s5_part_4_s6_part_2, r4_by_u1));
+    // r23_by_q2 = r17*(l14*s5_by_q2 - s9_by_q2)/s15 - r6*s5_by_q2/s3 - l18*r6_by_q2 + l21*(l14*r6_by_q2 -
+    //   r10_by_q2) + r13_by_q2
+    let r23_by_q2 = (-l21).mul_add(r10_by_q2, r13_by_q2) - s5_by_q2 * r6_s3_inv
+        + r6_by_q2 * l21_by_q1_part - r17 * r23_by_q2_part;
     // Shared terms.
-    // r8_by_u1*u2_dot_part; used 4 times
-    let r8_by_u1_u2_dot_part = r8_by_u1 * u2_dot_part;
+    // u2'*s22_by_q2 - r23_by_q2; used 4 times
+    let u1_dot_by_q2_part = u2_dot.mul_add(s22_by_q2, -r23_by_q2);
     // Elimination, step by step.
-    // u1_dot_by_u1 = (l0*r1_by_u1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1
-    //   + m2 + m3*sin(q3)^2) + r3_by_u1 + s6*r8_by_u1/(s6^2/s5 - s7))/s5
-    let u1_dot_by_u1 = s5_inv * ((-s6).mul_add(r8_by_u1_u2_dot_part, r8_by_u1_part));
-    // u0_dot_by_u1 = (r1_by_u1 + l1*r8_by_u1*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
-    //   cos(q2)*sin(q3)))/(s7 - s6^2/s5) + l0*u1_dot_by_u1*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot_by_u1 = s5_part_4
-        * ((-s6_part_2)
-            .mul_add(r8_by_u1_u2_dot_part, u1_dot_by_u1.mul_add(s5_part_2, r1_by_u1)));
-    // u3_dot_by_u1 = (l1*r8_by_u1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/(s6^2/s5 - s7) +
-    //   l0*(2*u1*(sin(q1)*cos(q3) - cos(q1)*sin(q3)) - u1_dot_by_u1*(sin(q1)*sin(q3) + cos(q1)*cos(q3))) +
-    //   u0_dot_by_u1*cos(q3))/l2
-    let u3_dot_by_u1 = l2_inv
-        * ((-l1_s2_part_2)
-            .mul_add(
-                r8_by_u1_u2_dot_part,
-                l0
-                    .mul_add(
-                        (-u1_dot_by_u1).mul_add(s2_part, S::int(2) * u1 * s2_by_q1_part),
-                        u0_dot_by_u1 * c3,
-                    ),
-            ));
+    // u1_dot_by_q2 = (u2'*(l14*s5_by_q2 - s9_by_q2) - l14*r6_by_q2 + r10_by_q2 + s16*(r23*s22_by_q2/s22 -
+    //   r23_by_q2)/s22)/s15
+    let u1_dot_by_q2 = (-r6_by_q2).mul_add(l14_s15_inv, r10_by_q2 * s15_inv)
+        - u2_dot * r23_by_q2_part + l21_s22_inv * u1_dot_by_q2_part;
     // Shared terms.
-    // 2*l1_u2; used 2 times
-    let l1_u2_scaled = S::int(2) * l1_u2;
+    // u2'*s3_inv; used 2 times
+    let u2_dot_s3_inv = u2_dot * s3_inv;
     // Elimination, step by step.
-    // r1_by_u2 = -2*l1*u2*(m2*sin(q2) + m3*sin(q3)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
-    let r1_by_u2 = -s6_by_q2_part * l1_u2_scaled;
-    // r3_by_u2 = -2*l0*l1*u2*(m2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) +
-    //   m3*(cos(q3)*(sin(q1)*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + cos(q1)*(sin(q2)*cos(q3) -
-    //   cos(q2)*sin(q3))) - cos(q1)*sin(q2)))
-    let r3_by_u2 = -l0 * l1_u2_scaled
-        * (m3.mul_add(r4_by_u1_part - c1_s2_2, m2_r4_part_3));
-    // r4_by_u2 = 2*m3*l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3))*(l1*u2*cos(q2)*sin(q3) -
-    //   l1*u2*sin(q2)*cos(q3))
-    let r4_by_u2 = -S::int(2) * l1_u2 * s2_part_2_m3_l1 * s6_part;
+    // u0_dot_by_q2 = (r6_by_q2 - u2'*s5_by_q2 + s5*(r23*s22_by_q2/s22 - r23_by_q2)/s22 -
+    //   s4*u1_dot_by_q2)/s3
+    let u0_dot_by_q2 = (-l14).mul_add(u1_dot_by_q2, r6_by_q2 * s3_inv)
+        + l18_s22_inv * u1_dot_by_q2_part - s5_by_q2 * u2_dot_s3_inv;
     // Shared terms.
-    // r3_by_u2 + r1_by_u2*s5_part_2_s5_part_4; used 2 times
-    let r8_by_u2_part = r1_by_u2.mul_add(s5_part_2_s5_part_4, r3_by_u2);
+    // u2'*l11_by_q3; used 2 times
+    let u2_dot_l11_by_q3 = u2_dot * l11_by_q3;
     // Elimination, step by step.
-    // r8_by_u2 = l1*r1_by_u2*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) - s6*(l0*r1_by_u2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0
-    //   + m1 + m2 + m3*sin(q3)^2) + r3_by_u2)/s5 + r4_by_u2
-    let r8_by_u2 = (-s6_s5_inv)
-        .mul_add(r8_by_u2_part, (-r1_by_u2).mul_add(s5_part_4_s6_part_2, r4_by_u2));
+    // u3_dot_by_q2 = m3*l2*(l1*(sin(q2)*(u2'*cos(q3) + sin(q3)*(u2^2 + (r23*s22_by_q2/s22 -
+    //   r23_by_q2)/s22)) + cos(q2)*(cos(q3)*(u2^2 + (r23*s22_by_q2/s22 - r23_by_q2)/s22) - u2'*sin(q3))) -
+    //   l0*u1_dot_by_q2*(sin(q1)*sin(q3) + cos(q1)*cos(q3)) + u0_dot_by_q2*cos(q3))/d1
+    let u3_dot_by_q2 = (-l7).mul_add(u1_dot_by_q2, u0_dot_by_q2 * c3_d1_inv_m3_l2)
+        + l11 * u2_sq + l11_s22_inv * u1_dot_by_q2_part + u2_dot_l11_by_q3;
+    // l2__by_q3 = m3*l2*sin(q3)/d1
+    let l2__by_q3 = d1_inv_m3_l2 * s3_2;
+    // s3_by_q3 = m3*l2*(l2__by_q3*cos(q3) - l2_*sin(q3))
+    let s3_by_q3 = (-l2__m3_l2).mul_add(s3_2, l2__by_q3 * m3_l2 * c3);
+    // s4_by_q3 = -m3*l0*l2*(cos(q1)*(l2__by_q3*cos(q3) - l2_*sin(q3)) + sin(q1)*(l2_*cos(q3) +
+    //   l2__by_q3*sin(q3)))
+    let s4_by_q3 = (-l2__by_q3).mul_add(m3_l2_s4_part, -l2__m3_l2_r6_part);
+    // s5_by_q3 = -m3*l1*l2*(cos(q2)*(l2__by_q3*cos(q3) - l2_*sin(q3)) + sin(q2)*(l2_*cos(q3) +
+    //   l2__by_q3*sin(q3)))
+    let s5_by_q3 = (-l2__by_q3).mul_add(m3_l2_s5_part, -l2__m3_l2_r6_part_2);
     // Shared terms.
-    // r8_by_u2*u2_dot_part; used 4 times
-    let r8_by_u2_u2_dot_part = r8_by_u2 * u2_dot_part;
+    // s4_part_u1_sq + s5_part_u2_sq
+    let r6_by_q3_part = s4_part_u1_sq + s5_part_u2_sq;
+    // g*cos(q3) - r6_by_q3_part; used 4 times
+    let r6_by_q3_part_2 = g.mul_add(c3, -r6_by_q3_part);
     // Elimination, step by step.
-    // u1_dot_by_u2 = (l0*r1_by_u2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1
-    //   + m2 + m3*sin(q3)^2) + r3_by_u2 + s6*r8_by_u2/(s6^2/s5 - s7))/s5
-    let u1_dot_by_u2 = s5_inv * ((-s6).mul_add(r8_by_u2_u2_dot_part, r8_by_u2_part));
-    // u0_dot_by_u2 = (r1_by_u2 + l1*r8_by_u2*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
-    //   cos(q2)*sin(q3)))/(s7 - s6^2/s5) + l0*u1_dot_by_u2*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot_by_u2 = s5_part_4
-        * ((-s6_part_2)
-            .mul_add(r8_by_u2_u2_dot_part, u1_dot_by_u2.mul_add(s5_part_2, r1_by_u2)));
-    // u3_dot_by_u2 = (l1*(2*u2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) + r8_by_u2*(sin(q2)*sin(q3) +
-    //   cos(q2)*cos(q3))/(s6^2/s5 - s7)) - l0*u1_dot_by_u2*(sin(q1)*sin(q3) + cos(q1)*cos(q3)) +
-    //   u0_dot_by_u2*cos(q3))/l2
-    let u3_dot_by_u2 = l2_inv
-        * (l1
-            .mul_add(
-                (-s2_part_2).mul_add(r8_by_u2_u2_dot_part, S::int(2) * u2 * s6_part),
-                (-u1_dot_by_u2).mul_add(l0_s2_part, u0_dot_by_u2 * c3),
-            ));
+    // r6_by_q3 = -m3*l2*(cos(q3)*(u3^2 + l2_*(g - l0*u1^2*cos(q1) - l1*u2^2*cos(q2)) +
+    //   l2__by_q3*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2))) + sin(q3)*(l2__by_q3*(g - l0*u1^2*cos(q1) -
+    //   l1*u2^2*cos(q2)) - l2_*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2))))
+    let r6_by_q3 = (-l2__by_q3).mul_add(m3_l2_r6_part_4, -u3_u3_m3_l2 * c3)
+        - l2__m3_l2 * r6_by_q3_part_2;
+    // s8_by_q3 = -m3*l0*l2*(sin(q1)*(l7*cos(q3) + l7_by_q3*sin(q3)) + cos(q1)*(l7_by_q3*cos(q3) -
+    //   l7*sin(q3)))
+    let s8_by_q3 = (-l7_by_q3).mul_add(m3_l2_s4_part, -r6_part_l7_m3_l2);
+    // s9_by_q3 = -m3*l1*l2*(sin(q2)*(l7*cos(q3) + l7_by_q3*sin(q3)) + cos(q2)*(l7_by_q3*cos(q3) -
+    //   l7*sin(q3)))
+    let s9_by_q3 = (-l7_by_q3).mul_add(m3_l2_s5_part, -r6_part_2_l7_m3_l2);
+    // r10_by_q3 = m3*l2*(l0*(u3^2*(sin(q1)*sin(q3) + cos(q1)*cos(q3)) + u1^2*(cos(q1)*(l7*cos(q3) +
+    //   l7_by_q3*sin(q3)) + sin(q1)*(l7*sin(q3) - l7_by_q3*cos(q3)))) - g*(l7*cos(q3) + l7_by_q3*sin(q3)) +
+    //   l1*u2^2*(cos(q2)*(l7*cos(q3) + l7_by_q3*sin(q3)) + sin(q2)*(l7*sin(q3) - l7_by_q3*cos(q3))))
+    let r10_by_q3 = (-l7_by_q3).mul_add(m3_l2_r6_part_4, s4_part_u3_u3_m3_l2)
+        - l7_m3_l2 * r6_by_q3_part_2;
+    // s12_by_q3 = -m3*l1*l2*(sin(q2)*(l11*cos(q3) + l11_by_q3*sin(q3)) + cos(q2)*(l11_by_q3*cos(q3) -
+    //   l11*sin(q3)))
+    let s12_by_q3 = (-l11_by_q3).mul_add(m3_l2_s5_part, -r6_part_2_l11_m3_l2);
+    // r13_by_q3 = m3*l2*(l1*(u3^2*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) + u2^2*(cos(q2)*(l11*cos(q3) +
+    //   l11_by_q3*sin(q3)) + sin(q2)*(l11*sin(q3) - l11_by_q3*cos(q3)))) - g*(l11*cos(q3) +
+    //   l11_by_q3*sin(q3)) + l0*u1^2*(cos(q1)*(l11*cos(q3) + l11_by_q3*sin(q3)) + sin(q1)*(l11*sin(q3) -
+    //   l11_by_q3*cos(q3))))
+    let r13_by_q3 = (-l11_by_q3).mul_add(m3_l2_r6_part_4, s5_part_u3_u3_m3_l2)
+        - l11_m3_l2 * r6_by_q3_part_2;
     // Shared terms.
-    // 2*l2_u3; used 3 times
-    let l2_u3_scaled = S::int(2) * l2_u3;
+    // l14*s3_by_q3 - s4_by_q3; used 4 times
+    let s15_by_q3_part = l14.mul_add(s3_by_q3, -s4_by_q3);
     // Elimination, step by step.
-    // r1_by_u3 = -2*m3*l2*u3*sin(q3)
-    let r1_by_u3 = -m3_s3 * l2_u3_scaled;
-    // r3_by_u3 = 2*m3*l0*l2*u3*(cos(q1)*sin(q3) - sin(q1)*cos(q3))
-    let r3_by_u3 = -m3_l0_s2_by_q1_part * l2_u3_scaled;
-    // r4_by_u3 = 2*m3*l1*l2*u3*(cos(q2)*sin(q3) - sin(q2)*cos(q3))
-    let r4_by_u3 = -m3_l1_s6_part * l2_u3_scaled;
+    // s15_by_q3 = s4*(s4*s3_by_q3/s3 - s4_by_q3)/s3 - l14*s4_by_q3 + s8_by_q3
+    let s15_by_q3 = s8_by_q3 + l14 * (s15_by_q3_part - s4_by_q3);
+    // s16_by_q3 = s5*(s4*s3_by_q3/s3 - s4_by_q3)/s3 - l14*s5_by_q3 + s9_by_q3
+    let s16_by_q3 = (-l14).mul_add(s5_by_q3, s9_by_q3) + l18 * s15_by_q3_part;
+    // r17_by_q3 = r6*(s4*s3_by_q3/s3 - s4_by_q3)/s3 - l14*r6_by_q3 + r10_by_q3
+    let r17_by_q3 = (-l14).mul_add(r6_by_q3, r10_by_q3) + r6_s3_inv * s15_by_q3_part;
     // Shared terms.
-    // r3_by_u3 + r1_by_u3*s5_part_2_s5_part_4; used 2 times
-    let r8_by_u3_part = r1_by_u3.mul_add(s5_part_2_s5_part_4, r3_by_u3);
+    // l18*s3_by_q3; used 2 times
+    let l18_s3_by_q3 = l18 * s3_by_q3;
     // Elimination, step by step.
-    // r8_by_u3 = l1*r1_by_u3*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))/(m0 + m1 + m2 +
-    //   m3*sin(q3)^2) - s6*(l0*r1_by_u3*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0
-    //   + m1 + m2 + m3*sin(q3)^2) + r3_by_u3)/s5 + r4_by_u3
-    let r8_by_u3 = (-s6_s5_inv)
-        .mul_add(r8_by_u3_part, (-r1_by_u3).mul_add(s5_part_4_s6_part_2, r4_by_u3));
+    // s19_by_q3 = s5*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*s5_by_q3 + s12_by_q3
+    let s19_by_q3 = s12_by_q3 + l18 * ((-s5_by_q3).mul_add(S::int(2), l18_s3_by_q3));
+    // r20_by_q3 = r6*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*r6_by_q3 + r13_by_q3
+    let r20_by_q3 = r13_by_q3 - l18 * r6_by_q3 + r6_s3_inv * (l18_s3_by_q3 - s5_by_q3);
     // Shared terms.
-    // r8_by_u3*u2_dot_part; used 4 times
-    let r8_by_u3_u2_dot_part = r8_by_u3 * u2_dot_part;
+    // l21*s15_by_q3; used 2 times
+    let l21_s15_by_q3 = l21 * s15_by_q3;
     // Elimination, step by step.
-    // u1_dot_by_u3 = (l0*r1_by_u3*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) - m3*sin(q1)*sin(q3)*cos(q3))/(m0 + m1
-    //   + m2 + m3*sin(q3)^2) + r3_by_u3 + s6*r8_by_u3/(s6^2/s5 - s7))/s5
-    let u1_dot_by_u3 = s5_inv * ((-s6).mul_add(r8_by_u3_u2_dot_part, r8_by_u3_part));
-    // u0_dot_by_u3 = (r1_by_u3 + l1*r8_by_u3*(m2*cos(q2) - m3*sin(q3)*(sin(q2)*cos(q3) -
-    //   cos(q2)*sin(q3)))/(s7 - s6^2/s5) + l0*u1_dot_by_u3*(cos(q1)*(m1 + m2 + m3*sin(q3)^2) -
-    //   m3*sin(q1)*sin(q3)*cos(q3)))/(m0 + m1 + m2 + m3*sin(q3)^2)
-    let u0_dot_by_u3 = s5_part_4
-        * ((-s6_part_2)
-            .mul_add(r8_by_u3_u2_dot_part, u1_dot_by_u3.mul_add(s5_part_2, r1_by_u3)));
+    // s22_by_q3 = s16*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*s16_by_q3 + s19_by_q3
+    let s22_by_q3 = s19_by_q3 + l21 * ((-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3));
+    // r23_by_q3 = r17*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*r17_by_q3 + r20_by_q3
+    let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3
+        + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
     // Shared terms.
-    // l1*r8_by_u3_u2_dot_part; used 2 times
-    let u3_dot_by_u3_part = l1 * r8_by_u3_u2_dot_part;
+    // u2'*s22_by_q3 - r23_by_q3; used 4 times
+    let u1_dot_by_q3_part = u2_dot.mul_add(s22_by_q3, -r23_by_q3);
     // Elimination, step by step.
-    // u3_dot_by_u3 = -(sin(q3)*(l1*r8_by_u3*sin(q2)/(s7 - s6^2/s5) + l0*u1_dot_by_u3*sin(q1)) +
-    //   cos(q3)*(l1*r8_by_u3*cos(q2)/(s7 - s6^2/s5) + l0*u1_dot_by_u3*cos(q1) - u0_dot_by_u3))/l2
-    let u3_dot_by_u3 = -l2_inv
-        * (c3
-            .mul_add(
-                u3_dot_by_u3_part
-                    .mul_add(c2, u1_dot_by_u3.mul_add(l0_c1, -u0_dot_by_u3)),
-                s3 * (u3_dot_by_u3_part.mul_add(s2_2, u1_dot_by_u3 * l0_s1)),
-            ));
+    // u1_dot_by_q3 = s15_by_q3*(u2'*s16 - r17)/s15^2 + (r17_by_q3 - u2'*s16_by_q3 + s16*(r23*s22_by_q3/s22
+    //   - r23_by_q3)/s22)/s15
+    let u1_dot_by_q3 = s15_inv * ((-u1_dot).mul_add(s15_by_q3, r17_by_q3))
+        - s16_by_q3 * u2_dot_s15_inv + l21_s22_inv * u1_dot_by_q3_part;
+    // u0_dot_by_q3 = (s3_by_q3*(u1'*s4 - r6 + u2'*s5)/s3 - u1'*s4_by_q3 - u2'*s5_by_q3 + r6_by_q3 +
+    //   s5*(r23*s22_by_q3/s22 - r23_by_q3)/s22 - s4*u1_dot_by_q3)/s3
+    let u0_dot_by_q3 = s3_inv * ((-s3_by_q3).mul_add(u0_dot_part, r6_by_q3))
+        - l14 * u1_dot_by_q3 - s5_by_q3 * u2_dot_s3_inv + u1_dot_s3_inv * s15_by_q3_part
+        + l18_s22_inv * u1_dot_by_q3_part;
+    // u3_dot_by_q3 = m3*l2*(cos(q3)*(g - l1*(u2'*sin(q2) + cos(q2)*(u2^2 + (r23_by_q3 -
+    //   r23*s22_by_q3/s22)/s22)) - l0*(u1'*sin(q1) + cos(q1)*(u1^2 + u1_dot_by_q3)) + u0_dot_by_q3) -
+    //   sin(q3)*(u0' + l1*(sin(q2)*(u2^2 + (r23_by_q3 - r23*s22_by_q3/s22)/s22) - u2'*cos(q2)) +
+    //   l0*(sin(q1)*(u1^2 + u1_dot_by_q3) - u1'*cos(q1))))/d1
+    let u3_dot_by_q3 = (-u0_dot).mul_add(l2__by_q3, u0_dot_by_q3 * c3_d1_inv_m3_l2)
+        - l7 * u1_dot_by_q3 - u1_dot_l7_by_q3 - u2_dot_l11_by_q3
+        + d1_inv_m3_l2 * r6_by_q3_part_2 + l11_s22_inv * u1_dot_by_q3_part;
+    // Shared terms.
+    // 2*u1; used 4 times
+    let u1_scaled = S::int(2) * u1;
+    // Elimination, step by step.
+    // r6_by_u1 = 2*l0*u1*(m3*l2*l2_*cos(q1)*sin(q3) - sin(q1)*(m1 + m2 + m3*(1 + l2*l2_*cos(q3))))
+    let r6_by_u1 = -s4_by_q1 * u1_scaled;
+    // r10_by_u1 = 2*m3*l0*l2*u1*l7*(cos(q1)*sin(q3) - sin(q1)*cos(q3))
+    let r10_by_u1 = -r6_part_l7_m3_l2 * u1_scaled;
+    // r13_by_u1 = 2*l0*u1*(m2*l1*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + m3*(l1*(sin(q1)*cos(q2) -
+    //   cos(q1)*sin(q2)) + l2*l11*(cos(q1)*sin(q3) - sin(q1)*cos(q3))))
+    let r13_by_u1 = -u1_scaled * (r6_part.mul_add(l11_m3_l2, r10_part));
+    // Shared terms.
+    // s22_inv*l21_by_q1_part; used 3 times
+    let u2_dot_by_u1_part = s22_inv * l21_by_q1_part;
+    // Elimination, step by step.
+    // u2_dot_by_u1 = (l21*(l14*r6_by_u1 - r10_by_u1) - l18*r6_by_u1 + r13_by_u1)/s22
+    let u2_dot_by_u1 = (-r10_by_u1).mul_add(l21_s22_inv, r13_by_u1 * s22_inv)
+        + r6_by_u1 * u2_dot_by_u1_part;
+    // Shared terms.
+    // s3_inv + l14*l14_s15_inv; used 3 times
+    let u0_dot_by_u1_part = l14.mul_add(l14_s15_inv, s3_inv);
+    // Elimination, step by step.
+    // u0_dot_by_u1 = (r6_by_u1 - s5*u2_dot_by_u1 + s4*(l14*r6_by_u1 - r10_by_u1 +
+    //   s16*u2_dot_by_u1)/s15)/s3
+    let u0_dot_by_u1 = (-r10_by_u1).mul_add(l14_s15_inv, u2_dot_by_u1 * l21_by_q1_part)
+        + r6_by_u1 * u0_dot_by_u1_part;
+    // Shared terms.
+    // l7*l21 - l11; used 3 times
+    let l7_l21_minus_l11 = l7.mul_add(l21, -l11);
+    // r10_by_u1*s15_inv - r6_by_u1*l14_s15_inv; used 2 times
+    let u3_dot_by_u1_part = (-r6_by_u1).mul_add(l14_s15_inv, r10_by_u1 * s15_inv);
+    // Elimination, step by step.
+    // u3_dot_by_u1 = m3*l2*(u0_dot_by_u1*cos(q3) - l1*u2_dot_by_u1*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) -
+    //   l0*(2*u1*(cos(q1)*sin(q3) - sin(q1)*cos(q3)) + (sin(q1)*sin(q3)*(r10_by_u1 - l14*r6_by_u1 -
+    //   s16*u2_dot_by_u1) + cos(q1)*cos(q3)*(r10_by_u1 - l14*r6_by_u1 - s16*u2_dot_by_u1))/s15))/d1
+    let u3_dot_by_u1 = l7_by_q3.mul_add(u1_scaled, u0_dot_by_u1 * c3_d1_inv_m3_l2)
+        + u2_dot_by_u1 * l7_l21_minus_l11 - l7 * u3_dot_by_u1_part;
+    // Shared terms.
+    // 2*u2; used 4 times
+    let u2_scaled = S::int(2) * u2;
+    // Elimination, step by step.
+    // r6_by_u2 = -2*l1*u2*(m2*sin(q2) + m3*(sin(q2) + l2*l2_*(sin(q2)*cos(q3) - cos(q2)*sin(q3))))
+    let r6_by_u2 = -s5_by_q2 * u2_scaled;
+    // r10_by_u2 = -2*l1*u2*(m2*l0*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + m3*(l0*(sin(q1)*cos(q2) -
+    //   cos(q1)*sin(q2)) + l2*l7*(sin(q2)*cos(q3) - cos(q2)*sin(q3))))
+    let r10_by_u2 = -s9_by_q2 * u2_scaled;
+    // r13_by_u2 = 2*m3*l1*l2*u2*l11*(cos(q2)*sin(q3) - sin(q2)*cos(q3))
+    let r13_by_u2 = -r6_part_2_l11_m3_l2 * u2_scaled;
+    // u2_dot_by_u2 = (l21*(l14*r6_by_u2 - r10_by_u2) - l18*r6_by_u2 + r13_by_u2)/s22
+    let u2_dot_by_u2 = (-r10_by_u2).mul_add(l21_s22_inv, r13_by_u2 * s22_inv)
+        + r6_by_u2 * u2_dot_by_u1_part;
+    // u0_dot_by_u2 = (r6_by_u2 - s5*u2_dot_by_u2 + s4*(l14*r6_by_u2 - r10_by_u2 +
+    //   s16*u2_dot_by_u2)/s15)/s3
+    let u0_dot_by_u2 = (-r10_by_u2).mul_add(l14_s15_inv, u2_dot_by_u2 * l21_by_q1_part)
+        + r6_by_u2 * u0_dot_by_u1_part;
+    // Shared terms.
+    // r10_by_u2*s15_inv - r6_by_u2*l14_s15_inv; used 2 times
+    let u3_dot_by_u2_part = (-r6_by_u2).mul_add(l14_s15_inv, r10_by_u2 * s15_inv);
+    // Elimination, step by step.
+    // u3_dot_by_u2 = m3*l2*(u0_dot_by_u2*cos(q3) - l0*(sin(q1)*sin(q3)*(r10_by_u2 - l14*r6_by_u2 -
+    //   s16*u2_dot_by_u2) + cos(q1)*cos(q3)*(r10_by_u2 - l14*r6_by_u2 - s16*u2_dot_by_u2))/s15 -
+    //   l1*(u2_dot_by_u2*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) - 2*u2*(sin(q2)*cos(q3) - cos(q2)*sin(q3))))/d1
+    let u3_dot_by_u2 = u2_dot_by_u2
+        .mul_add(l7_l21_minus_l11, u0_dot_by_u2 * c3_d1_inv_m3_l2)
+        + l11_by_q3 * u2_scaled - l7 * u3_dot_by_u2_part;
+    // Shared terms.
+    // 2*u3_m3_l2; used 3 times
+    let u3_m3_l2_scaled = S::int(2) * u3_m3_l2;
+    // Elimination, step by step.
+    // r6_by_u3 = -2*m3*l2*u3*sin(q3)
+    let r6_by_u3 = -u3_m3_l2_scaled * s3_2;
+    // r10_by_u3 = 2*m3*l0*l2*u3*(cos(q1)*sin(q3) - sin(q1)*cos(q3))
+    let r10_by_u3 = -r6_part * u3_m3_l2_scaled;
+    // r13_by_u3 = 2*m3*l1*l2*u3*(cos(q2)*sin(q3) - sin(q2)*cos(q3))
+    let r13_by_u3 = -r6_part_2 * u3_m3_l2_scaled;
+    // u2_dot_by_u3 = (l21*(l14*r6_by_u3 - r10_by_u3) - l18*r6_by_u3 + r13_by_u3)/s22
+    let u2_dot_by_u3 = (-r10_by_u3).mul_add(l21_s22_inv, r13_by_u3 * s22_inv)
+        + r6_by_u3 * u2_dot_by_u1_part;
+    // u0_dot_by_u3 = (r6_by_u3 - s5*u2_dot_by_u3 + s4*(l14*r6_by_u3 - r10_by_u3 +
+    //   s16*u2_dot_by_u3)/s15)/s3
+    let u0_dot_by_u3 = (-r10_by_u3).mul_add(l14_s15_inv, u2_dot_by_u3 * l21_by_q1_part)
+        + r6_by_u3 * u0_dot_by_u1_part;
+    // Shared terms.
+    // r10_by_u3*s15_inv - r6_by_u3*l14_s15_inv; used 2 times
+    let u3_dot_by_u3_part = (-r6_by_u3).mul_add(l14_s15_inv, r10_by_u3 * s15_inv);
+    // Elimination, step by step.
+    // u3_dot_by_u3 = m3*l2*(u0_dot_by_u3*cos(q3) - l1*u2_dot_by_u3*(sin(q2)*sin(q3) + cos(q2)*cos(q3)) -
+    //   l0*(sin(q1)*sin(q3)*(r10_by_u3 - l14*r6_by_u3 - s16*u2_dot_by_u3) + cos(q1)*cos(q3)*(r10_by_u3 -
+    //   l14*r6_by_u3 - s16*u2_dot_by_u3))/s15)/d1
+    let u3_dot_by_u3 = u2_dot_by_u3
+        .mul_add(l7_l21_minus_l11, u0_dot_by_u3 * c3_d1_inv_m3_l2)
+        - l7 * u3_dot_by_u3_part;
     // Entries that are not zero.
     // d(q0')/d(u0) = 1
     let q0_dot_by_u0_value = S::int(1);
@@ -1392,12 +1041,18 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let q2_dot_by_u2_value = S::int(1);
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
-    // d(u2')/d(u1) = r8_by_u1/(s7 - s6^2/s5)
-    let u2_dot_by_u1_value = r8_by_u1_u2_dot_part;
-    // d(u2')/d(u2) = r8_by_u2/(s7 - s6^2/s5)
-    let u2_dot_by_u2_value = r8_by_u2_u2_dot_part;
-    // d(u2')/d(u3) = r8_by_u3/(s7 - s6^2/s5)
-    let u2_dot_by_u3_value = r8_by_u3_u2_dot_part;
+    // d(u1')/d(u1) = (r10_by_u1 - l14*r6_by_u1 - s16*u2_dot_by_u1)/s15
+    let u1_dot_by_u1_value = (-l21).mul_add(u2_dot_by_u1, u3_dot_by_u1_part);
+    // d(u1')/d(u2) = (r10_by_u2 - l14*r6_by_u2 - s16*u2_dot_by_u2)/s15
+    let u1_dot_by_u2_value = (-l21).mul_add(u2_dot_by_u2, u3_dot_by_u2_part);
+    // d(u1')/d(u3) = (r10_by_u3 - l14*r6_by_u3 - s16*u2_dot_by_u3)/s15
+    let u1_dot_by_u3_value = (-l21).mul_add(u2_dot_by_u3, u3_dot_by_u3_part);
+    // d(u2')/d(q1) = (r23_by_q1 - r23*s22_by_q1/s22)/s22
+    let u2_dot_by_q1_value = -s22_inv * u1_dot_by_q1_part;
+    // d(u2')/d(q2) = (r23_by_q2 - r23*s22_by_q2/s22)/s22
+    let u2_dot_by_q2_value = -s22_inv * u1_dot_by_q2_part;
+    // d(u2')/d(q3) = (r23_by_q3 - r23*s22_by_q3/s22)/s22
+    let u2_dot_by_q3_value = -s22_inv * u1_dot_by_q3_part;
     [
         [zero, zero, zero, zero, q0_dot_by_u0_value, zero, zero, zero],
         [zero, zero, zero, zero, zero, q1_dot_by_u1_value, zero, zero],
@@ -1419,19 +1074,19 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
             u1_dot_by_q2,
             u1_dot_by_q3,
             zero,
-            u1_dot_by_u1,
-            u1_dot_by_u2,
-            u1_dot_by_u3,
+            u1_dot_by_u1_value,
+            u1_dot_by_u2_value,
+            u1_dot_by_u3_value,
         ],
         [
             zero,
-            u2_dot_by_q1,
-            u2_dot_by_q2,
-            u2_dot_by_q3,
+            u2_dot_by_q1_value,
+            u2_dot_by_q2_value,
+            u2_dot_by_q3_value,
             zero,
-            u2_dot_by_u1_value,
-            u2_dot_by_u2_value,
-            u2_dot_by_u3_value,
+            u2_dot_by_u1,
+            u2_dot_by_u2,
+            u2_dot_by_u3,
         ],
         [
             zero,
@@ -1470,25 +1125,29 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 36 operations, 6 sines and cosines.
+/// 39 operations, 3 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, .. } = *p;
     let [_, q1, q2, q3] = *q;
     let [u0, u1, u2, u3] = *u;
     // Sines and cosines.
-    let (_, c3) = q3.sin_cos();
-    let (_, c1) = q1.sin_cos();
-    let (_, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
     // m2 + m3; used 2 times
     let m2_plus_m3 = m2 + m3;
-    // m1 + m2_plus_m3; used 2 times
+    // m1 + m2_plus_m3; used 3 times
     let energy_part = m1 + m2_plus_m3;
-    // l0*u1; used 4 times
+    // l0*u1; used 3 times
     let l0_u1 = l0 * u1;
-    // energy_part*l0_u1; used 2 times
-    let energy_part_l0_u1 = energy_part * l0_u1;
+    // l0_u1*cos(q1); used 2 times
+    let c1_l0_u1 = l0_u1 * c1;
+    // u0 - c1_l0_u1; used 2 times
+    let energy_part_2 = u0 - c1_l0_u1;
+    // l0_u1*sin(q1); used 2 times
+    let s1_l0_u1 = l0_u1 * s1;
     // l1*u2; used 3 times
     let l1_u2 = l1 * u2;
     // m2_plus_m3*l1_u2; used 2 times
@@ -1497,33 +1156,22 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     let l2_u3 = l2 * u3;
     // m3*l2_u3; used 2 times
     let m3_l2_u3 = m3 * l2_u3;
-    // Sines and cosines.
-    let (_, cos_q1_minus_q3) = (q1 - q3).sin_cos();
-    // Shared terms.
-    // u0*cos(q3) - l0_u1*cos(q1 - q3)
-    let energy_part_2 = (-l0_u1).mul_add(cos_q1_minus_q3, u0 * c3);
-    // u0^2*(m0 + energy_part) + l2_u3*m3_l2_u3
-    let energy_part_3 = l2_u3.mul_add(m3_l2_u3, u0 * u0 * (m0 + energy_part));
-    // l0_u1*energy_part_l0_u1 + l1_u2*m2_plus_m3_l1_u2
-    let energy_part_4 = l1_u2.mul_add(m2_plus_m3_l1_u2, l0_u1 * energy_part_l0_u1);
-    // energy_part_3 + energy_part_4
-    let energy_part_5 = energy_part_3 + energy_part_4;
-    // Sines and cosines.
-    let (_, cos_q1_minus_q2) = (q1 - q2).sin_cos();
-    let (_, cos_q2_minus_q3) = (q2 - q3).sin_cos();
+    // energy_part_2*cos(q3) - l1_u2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
+    let energy_part_3 = -l1_u2 * (c2.mul_add(c3, s2 * s3_2)) + energy_part_2 * c3;
+    // energy_part*l0_u1^2 + l2_u3*m3_l2_u3
+    let energy_part_4 = l2_u3.mul_add(m3_l2_u3, energy_part * l0_u1 * l0_u1);
+    // u0^2*(m0 + energy_part) + l1_u2*m2_plus_m3_l1_u2
+    let energy_part_5 = u0 * u0 * (m0 + energy_part) + l1_u2 * m2_plus_m3_l1_u2;
+    // energy_part_4 + energy_part_5
+    let energy_part_6 = energy_part_4 + energy_part_5;
     // Values.
     // T = u0^2*(m0 + m1 + m2 + m3)/2 + l0^2*u1^2*(m1 + m2 + m3)/2 - l0*u0*u1*cos(q1)*(m1 + m2 + m3) +
     //   l1^2*u2^2*(m2 + m3)/2 - l1*u0*u2*cos(q2)*(m2 + m3) + l0*l1*u1*u2*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2^2*u3^2/2 - m3*l2*u0*u3*cos(q3) + m3*l0*l2*u1*u3*cos(q1 - q3) + m3*l1*l2*u2*u3*cos(q2 - q3)
-    let energy = m3_l2_u3
-        .mul_add(
-            l1_u2.mul_add(cos_q2_minus_q3, -energy_part_2),
-            (-(u0 * energy_part_l0_u1))
-                .mul_add(
-                    c1,
-                    m2_plus_m3_l1_u2 * ((-u0).mul_add(c2, l0_u1 * cos_q1_minus_q2)),
-                ),
-        ) + S::ratio(1, 2) * energy_part_5;
+    let energy = m2_plus_m3_l1_u2 * ((-energy_part_2).mul_add(c2, s1_l0_u1 * s2))
+        - u0 * energy_part * c1_l0_u1
+        + m3_l2_u3 * (s1_l0_u1.mul_add(s3_2, -energy_part_3))
+        + S::ratio(1, 2) * energy_part_6;
     energy
 }
 
@@ -1546,7 +1194,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     // Values.
     // V = g*(m1*l0*cos(q1) + m2*(l0*cos(q1) + l1*cos(q2)) + m3*(l0*cos(q1) + l1*cos(q2) + l2*cos(q3)))
     let energy = g
-        * (m3.mul_add(l2.mul_add(c3, energy_part), m2.mul_add(energy_part, m1 * l0_c1)));
+        * (m1 * l0_c1 + m2 * energy_part + m3 * (l2.mul_add(c3, energy_part)));
     energy
 }
 

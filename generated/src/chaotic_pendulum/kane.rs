@@ -25,8 +25,8 @@ pub fn mass_matrix<S: Scalar>(
     let (_, cos_phi) = phi.sin_cos();
     // Entries that are not zero; upper triangle.
     // M11 = mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2
-    let m11 = (cos_phi * cos_phi)
-        .mul_add(IByy - IBxx, mB.mul_add(lB * lB, mA * lA * lA) + IAxx + IBxx);
+    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx
+        + cos_phi * cos_phi * (IByy - IBxx);
     // M22 = IBzz
     let m22 = IBzz;
     [[m11, zero], [zero, m22]]
@@ -48,8 +48,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let f1_part = omega * sin_phi * cos_phi * (IBxx - IByy);
     // Values.
     // f1 = 2*omega*alpha*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
-    let f1 = (-(S::int(2) * alpha))
-        .mul_add(f1_part, -g * sin_theta * (mB.mul_add(lB, mA * lA)));
+    let f1 = -g * sin_theta * (mB.mul_add(lB, mA * lA)) - S::int(2) * alpha * f1_part;
     // f2 = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
     let f2 = omega * f1_part;
     [f1, f2]
@@ -76,21 +75,10 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot = -((S::int(2) * alpha)
-        .mul_add(omega_dot_part, g * sin_theta * (ma_la + mb_lb)))
-        / (lB
-            .mul_add(
-                mb_lb,
-                lA
-                    .mul_add(
-                        ma_la,
-                        IByy
-                            .mul_add(
-                                cos_phi * cos_phi,
-                                IBxx.mul_add(sin_phi * sin_phi, IAxx),
-                            ),
-                    ),
-            ));
+    let omega_dot = -(g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * alpha * omega_dot_part)
+        / (lA.mul_add(ma_la, IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi)
+            + lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part / IBzz;
     [omega_dot, alpha_dot]
@@ -121,21 +109,10 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot = -((S::int(2) * alpha)
-        .mul_add(omega_dot_part, g * sin_theta * (ma_la + mb_lb)))
-        / (lB
-            .mul_add(
-                mb_lb,
-                lA
-                    .mul_add(
-                        ma_la,
-                        IByy
-                            .mul_add(
-                                cos_phi * cos_phi,
-                                IBxx.mul_add(sin_phi * sin_phi, IAxx),
-                            ),
-                    ),
-            ));
+    let omega_dot = -(g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * alpha * omega_dot_part)
+        / (lA.mul_add(ma_la, IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi)
+            + lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part / IBzz;
     // Values.
@@ -177,7 +154,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     // omega_dot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))
     let omega_dot_by_theta = -omega_dot_by_theta_part_4 * cos_theta
-        / (IBxx.mul_add(S::int(1) - cos_phi_sq, omega_dot_by_theta_part_3));
+        / (IBxx * (S::int(1) - cos_phi_sq) + omega_dot_by_theta_part_3);
     // Shared terms.
     // sin(phi)^2; used 2 times
     let sin_phi_sq = sin_phi * sin_phi;
@@ -204,15 +181,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     //   IByy*cos(phi)^2)^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
     let omega_dot_by_phi = -omega_dot_by_phi_part_2
-        * ((omega_dot_by_phi_part * sin_phi_cos_phi * ibyy_minus_ibxx)
-            .mul_add(
-                alpha
+        * (alpha * omega_dot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq)
+            + omega_dot_by_phi_part * sin_phi_cos_phi * ibyy_minus_ibxx
+                * (alpha
                     .mul_add(
                         omega_dot_by_phi_part_5,
                         omega_dot_by_theta_part_4 * sin_theta,
-                    ),
-                alpha * omega_dot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq),
-            ));
+                    )));
     // Shared terms.
     // 1/IBzz; used 2 times
     let ibzz_inv = S::int(1) / IBzz;
@@ -272,20 +247,9 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Shared terms.
     // omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2) + IBzz*alpha^2
-    let energy_part = IBzz
-        .mul_add(
-            alpha * alpha,
-            omega * omega
-                * (IByy
-                    .mul_add(
-                        cos_phi * cos_phi,
-                        IBxx
-                            .mul_add(
-                                sin_phi * sin_phi,
-                                mB.mul_add(lB * lB, mA * lA * lA) + IAxx,
-                            ),
-                    )),
-        );
+    let energy_part = omega * omega
+        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi) + IBzz * alpha * alpha;
     // Values.
     // T = omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*alpha^2/2
     let energy = S::ratio(1, 2) * energy_part;

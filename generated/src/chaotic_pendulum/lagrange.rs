@@ -25,8 +25,8 @@ pub fn mass_matrix<S: Scalar>(
     let (_, cos_phi) = phi.sin_cos();
     // Entries that are not zero; upper triangle.
     // M11 = mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2
-    let m11 = (cos_phi * cos_phi)
-        .mul_add(IByy - IBxx, mB.mul_add(lB * lB, mA * lA * lA) + IAxx + IBxx);
+    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx
+        + cos_phi * cos_phi * (IByy - IBxx);
     // M22 = IBzz
     let m22 = IBzz;
     [[m11, zero], [zero, m22]]
@@ -48,8 +48,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) -> [S; 
     let f1_part = theta_dot * sin_phi * cos_phi * (IBxx - IByy);
     // Values.
     // f1 = 2*theta'*phi'*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
-    let f1 = (-(S::int(2) * phi_dot))
-        .mul_add(f1_part, -g * sin_theta * (mB.mul_add(lB, mA * lA)));
+    let f1 = -g * sin_theta * (mB.mul_add(lB, mA * lA)) - S::int(2) * phi_dot * f1_part;
     // f2 = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)
     let f2 = theta_dot * f1_part;
     [f1, f2]
@@ -80,21 +79,10 @@ pub fn accelerations<S: Scalar>(
     // Elimination, step by step.
     // theta'' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot = -((S::int(2) * phi_dot)
-        .mul_add(theta_ddot_part, g * sin_theta * (ma_la + mb_lb)))
-        / (lB
-            .mul_add(
-                mb_lb,
-                lA
-                    .mul_add(
-                        ma_la,
-                        IByy
-                            .mul_add(
-                                cos_phi * cos_phi,
-                                IBxx.mul_add(sin_phi * sin_phi, IAxx),
-                            ),
-                    ),
-            ));
+    let theta_ddot = -(g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * phi_dot * theta_ddot_part)
+        / (lA.mul_add(ma_la, IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi)
+            + lB * mb_lb);
     // phi'' = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let phi_ddot = theta_dot * theta_ddot_part / IBzz;
     [theta_ddot, phi_ddot]
@@ -125,21 +113,10 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // theta'' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot = -((S::int(2) * phi_dot)
-        .mul_add(theta_ddot_part, g * sin_theta * (ma_la + mb_lb)))
-        / (lB
-            .mul_add(
-                mb_lb,
-                lA
-                    .mul_add(
-                        ma_la,
-                        IByy
-                            .mul_add(
-                                cos_phi * cos_phi,
-                                IBxx.mul_add(sin_phi * sin_phi, IAxx),
-                            ),
-                    ),
-            ));
+    let theta_ddot = -(g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * phi_dot * theta_ddot_part)
+        / (lA.mul_add(ma_la, IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi)
+            + lB * mb_lb);
     // phi'' = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let phi_ddot = theta_dot * theta_ddot_part / IBzz;
     // Values.
@@ -186,7 +163,7 @@ pub fn jacobian<S: Scalar>(
     // theta_ddot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))
     let theta_ddot_by_theta = -theta_ddot_by_theta_part_4 * cos_theta
-        / (IBxx.mul_add(S::int(1) - cos_phi_sq, theta_ddot_by_theta_part_3));
+        / (IBxx * (S::int(1) - cos_phi_sq) + theta_ddot_by_theta_part_3);
     // Shared terms.
     // sin(phi)^2; used 2 times
     let sin_phi_sq = sin_phi * sin_phi;
@@ -213,15 +190,13 @@ pub fn jacobian<S: Scalar>(
     //   + IByy*cos(phi)^2)^2 - 2*(theta'*phi'*sin(phi)^2*(IByy - IBxx) + theta'*phi'*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
     let theta_ddot_by_phi = -theta_ddot_by_phi_part_2
-        * ((theta_ddot_by_phi_part * ibyy_minus_ibxx * sin_phi_cos_phi)
-            .mul_add(
-                phi_dot
+        * (phi_dot * theta_ddot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq)
+            + theta_ddot_by_phi_part * ibyy_minus_ibxx * sin_phi_cos_phi
+                * (phi_dot
                     .mul_add(
                         theta_ddot_by_phi_part_5,
                         theta_ddot_by_theta_part_4 * sin_theta,
-                    ),
-                phi_dot * theta_ddot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq),
-            ));
+                    )));
     // Shared terms.
     // 1/IBzz; used 2 times
     let ibzz_inv = S::int(1) / IBzz;
@@ -286,20 +261,9 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) 
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Shared terms.
     // theta'^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2) + IBzz*phi'^2
-    let energy_part = IBzz
-        .mul_add(
-            phi_dot * phi_dot,
-            theta_dot * theta_dot
-                * (IByy
-                    .mul_add(
-                        cos_phi * cos_phi,
-                        IBxx
-                            .mul_add(
-                                sin_phi * sin_phi,
-                                mB.mul_add(lB * lB, mA * lA * lA) + IAxx,
-                            ),
-                    )),
-        );
+    let energy_part = theta_dot * theta_dot
+        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi) + IBzz * phi_dot * phi_dot;
     // Values.
     // T = theta'^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*phi'^2/2
     let energy = S::ratio(1, 2) * energy_part;

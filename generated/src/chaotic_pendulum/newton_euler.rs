@@ -177,13 +177,9 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot = ((S::int(2) * alpha)
-        .mul_add(omega_dot_part_2, g * sin_theta * (ma_la + mb_lb)))
-        / ((-lB)
-            .mul_add(
-                mb_lb,
-                (-lA).mul_add(ma_la, omega_dot_part.mul_add(cos_phi, -IAxx) - IBxx),
-            ));
+    let omega_dot = (g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * alpha * omega_dot_part_2)
+        / (omega_dot_part.mul_add(cos_phi, -IAxx) - IBxx - lA * ma_la - lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part_2 / IBzz;
     [omega_dot, alpha_dot]
@@ -216,13 +212,9 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot = ((S::int(2) * alpha)
-        .mul_add(omega_dot_part_2, g * sin_theta * (ma_la + mb_lb)))
-        / ((-lB)
-            .mul_add(
-                mb_lb,
-                (-lA).mul_add(ma_la, omega_dot_part.mul_add(cos_phi, -IAxx) - IBxx),
-            ));
+    let omega_dot = (g * sin_theta * (ma_la + mb_lb)
+        + S::int(2) * alpha * omega_dot_part_2)
+        / (omega_dot_part.mul_add(cos_phi, -IAxx) - IBxx - lA * ma_la - lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part_2 / IBzz;
     // Values.
@@ -256,8 +248,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let cos_phi_sq = cos_phi * cos_phi;
     // 1/(IAxx + IBxx + lA*ma_la + lB*mb_lb - ibxx_minus_ibyy*cos_phi_sq); used 3 times
     let omega_dot_by_theta_part = S::int(1)
-        / ((-ibxx_minus_ibyy)
-            .mul_add(cos_phi_sq, lB.mul_add(mb_lb, lA.mul_add(ma_la, IAxx + IBxx))));
+        / (lA.mul_add(ma_la, IAxx + IBxx) + lB * mb_lb - ibxx_minus_ibyy * cos_phi_sq);
     // g*omega_dot_by_theta_part*(ma_la + mb_lb); used 2 times
     let omega_dot_by_theta_part_2 = g * omega_dot_by_theta_part * (ma_la + mb_lb);
     // Elimination, step by step.
@@ -280,17 +271,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     //   + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_phi = omega_dot_by_phi_part_3
-        .mul_add(
-            (S::int(4) * omega * omega_dot_by_phi_part_4)
-                .mul_add(
-                    IBxx.mul_add((-IByy).mul_add(S::int(2), IBxx), IByy * IByy),
-                    omega_dot_by_theta_part_2 * ibxx_minus_ibyy_scaled * sin_theta,
-                ),
-            alpha * omega_dot_by_phi_part
-                * ((-omega_dot_by_phi_part_2)
-                    .mul_add(cos_phi, omega_dot_by_theta_part * sin_phi * sin_phi)),
-        );
+    let omega_dot_by_phi = alpha * omega_dot_by_phi_part
+        * ((-omega_dot_by_phi_part_2)
+            .mul_add(cos_phi, omega_dot_by_theta_part * sin_phi * sin_phi))
+        + omega_dot_by_phi_part_3
+            * (S::int(4) * omega * omega_dot_by_phi_part_4
+                * (IBxx * ((-IByy).mul_add(S::int(2), IBxx)) + IByy * IByy)
+                + omega_dot_by_theta_part_2 * ibxx_minus_ibyy_scaled * sin_theta);
     // Shared terms.
     // 1/IBzz; used 2 times
     let ibzz_inv = S::int(1) / IBzz;
@@ -349,20 +336,9 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Shared terms.
     // omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2) + IBzz*alpha^2
-    let energy_part = IBzz
-        .mul_add(
-            alpha * alpha,
-            omega * omega
-                * (IByy
-                    .mul_add(
-                        cos_phi * cos_phi,
-                        IBxx
-                            .mul_add(
-                                sin_phi * sin_phi,
-                                mB.mul_add(lB * lB, mA * lA * lA) + IAxx,
-                            ),
-                    )),
-        );
+    let energy_part = omega * omega
+        * (mA * lA * lA + mB * lB * lB + IAxx + IBxx * sin_phi * sin_phi
+            + IByy * cos_phi * cos_phi) + IBzz * alpha * alpha;
     // Values.
     // T = omega^2*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)/2 + IBzz*alpha^2/2
     let energy = S::ratio(1, 2) * energy_part;

@@ -45,7 +45,7 @@ pub fn mass_matrix<S: Scalar>(
     // M15 = -M*R*cos(q1)*cos(q2)
     let m15 = -c2_m_r * c1;
     // M22 = M*R^2*(1 + 4*tan(q2)^2)/4
-    let m22 = r_m_r.mul_add(c2_inv_s2 * c2_inv_s2, S::ratio(1, 4) * r_m_r);
+    let m22 = S::ratio(1, 4) * r_m_r + r_m_r * c2_inv_s2 * c2_inv_s2;
     // M24 = -M*R*cos(q1)*tan(q2)
     let m24 = -m_r_c2_inv_s2 * c1;
     // M25 = -M*R*sin(q1)*tan(q2)
@@ -89,7 +89,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     // u2*c2_inv; used 3 times
     let u2_c2_inv = u2 * c2_inv;
     // 2*u3 + 3*u2_c2_inv*sin(q2)
-    let f1_part = (S::int(3) * u2_c2_inv).mul_add(s2, S::int(2) * u3);
+    let f1_part = (u2_c2_inv * s2).mul_add(S::int(3), S::int(2) * u3);
     // f1_part/4; used 2 times
     let f1_part_scaled = S::ratio(1, 4) * f1_part;
     // c2_inv^2; used 2 times
@@ -133,18 +133,17 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     let u1_dot_part = (-u3).mul_add(S::int(2), u2_c2_inv * s2);
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = ((-u2)
-        .mul_add(u1_dot_part, S::int(4) * s2 * ((-u1_sq).mul_add(c2, g / R))))
-        / ((c2 * c2).mul_add(S::int(4), -S::int(5)));
+    let u1_dot = (S::int(4) * s2 * ((-u1_sq).mul_add(c2, g / R)) - u2 * u1_dot_part)
+        / (S::int(4) * c2 * c2 - S::int(5));
     // u2' = u1*(2*u3 - u2*tan(q2))
     let u2_dot = -u1 * u1_dot_part;
     // Shared terms.
     // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2)); used 2 times
-    let u5_dot_part = c2_inv.mul_add((-u2_dot).mul_add(s2, u1 * u2_c2_inv), u1 * u2);
+    let u5_dot_part = c2_inv * ((-u2_dot).mul_add(s2, u1 * u2_c2_inv)) + u1 * u2;
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2); used 2 times
-    let u5_dot_part_2 = s2.mul_add(u2_c2_inv.mul_add(u2_c2_inv, u1_sq), u1_dot * c2);
+    let u5_dot_part_2 = s2 * (u2_c2_inv.mul_add(u2_c2_inv, u1_sq)) + u1_dot * c2;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -186,18 +185,17 @@ pub fn derivative<S: Scalar>(
     let u1_dot_part = (-u3).mul_add(S::int(2), s2_u2_c2_inv);
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = ((-u2)
-        .mul_add(u1_dot_part, S::int(4) * s2 * ((-u1_sq).mul_add(c2, g / R))))
-        / ((c2 * c2).mul_add(S::int(4), -S::int(5)));
+    let u1_dot = (S::int(4) * s2 * ((-u1_sq).mul_add(c2, g / R)) - u2 * u1_dot_part)
+        / (S::int(4) * c2 * c2 - S::int(5));
     // u2' = u1*(2*u3 - u2*tan(q2))
     let u2_dot = -u1 * u1_dot_part;
     // Shared terms.
     // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2)); used 2 times
-    let u5_dot_part = c2_inv.mul_add((-u2_dot).mul_add(s2, u1 * u2_c2_inv), u1 * u2);
+    let u5_dot_part = c2_inv * ((-u2_dot).mul_add(s2, u1 * u2_c2_inv)) + u1 * u2;
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2); used 2 times
-    let u5_dot_part_2 = s2.mul_add(u2_c2_inv.mul_add(u2_c2_inv, u1_sq), u1_dot * c2);
+    let u5_dot_part_2 = s2 * (u2_c2_inv.mul_add(u2_c2_inv, u1_sq)) + u1_dot * c2;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -238,7 +236,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
     // 1/(4*cos(q2)^2 - 5); used 4 times
-    let u1_dot_part = S::int(1) / ((c2 * c2).mul_add(S::int(4), -S::int(5)));
+    let u1_dot_part = S::int(1) / (S::int(4) * c2 * c2 - S::int(5));
     // u2*u1_dot_part; used 4 times
     let u2_u1_dot_part = u2 * u1_dot_part;
     // 2*u3; used 3 times
@@ -263,11 +261,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u1_dot_part_3 = u1_sq.mul_add(c2_s2_u1_dot_part, -u1_dot_part_2);
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = (-u1_dot_part_3)
-        .mul_add(
-            S::int(4),
-            (-u2_c2_inv).mul_add(u2_s2_u1_dot_part, u2_u1_dot_part * u3_scaled),
-        );
+    let u1_dot = (-u2_c2_inv).mul_add(u2_s2_u1_dot_part, u2_u1_dot_part * u3_scaled)
+        - S::int(4) * u1_dot_part_3;
     // Shared terms.
     // 2*u1; used 4 times
     let u1_scaled = S::int(2) * u1;
@@ -308,24 +303,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // Elimination, step by step.
     // u1_dot_by_q2 = (5*R*u2^2 + 4*cos(q2)^2*(g*cos(q2)*(3 - 4*cos(q2)^2) + R*(u1^2*(6*cos(q2)^2 - 5) +
     //   u2*(u2*(2*cos(q2)^2 - 3) + 4*u3*sin(q2)*cos(q2)))))/(R*cos(q2)^2*(4*cos(q2)^2 - 5)^2)
-    let u1_dot_by_q2 = (u1_dot_part * u1_dot_part)
-        .mul_add(
-            (-u1_dot_by_q2_part).mul_add(S::int(4), S::int(5) * u2_c2_inv * u2_c2_inv),
-            (-(S::int(24) * s2_u1_dot_part * s2_u1_dot_part))
-                .mul_add(
-                    u1_sq,
-                    (-(u2_s2_u1_dot_part * u2_s2_u1_dot_part))
-                        .mul_add(
-                            S::int(8),
-                            (-(u2_u1_dot_part * u2_u1_dot_part))
-                                .mul_add(
-                                    S::int(4),
-                                    S::int(16) * c2_s2_u1_dot_part
-                                        * (u3.mul_add(u2_u1_dot_part, u1_dot_part_2)),
-                                ),
-                        ),
-                ),
-        );
+    let u1_dot_by_q2 = S::int(16) * c2_s2_u1_dot_part
+        * (u3.mul_add(u2_u1_dot_part, u1_dot_part_2))
+        - S::int(4) * u2_u1_dot_part * u2_u1_dot_part
+        - S::int(8) * u2_s2_u1_dot_part * u2_s2_u1_dot_part
+        - S::int(24) * s2_u1_dot_part * s2_u1_dot_part * u1_sq
+        + u1_dot_part * u1_dot_part
+            * ((-u1_dot_by_q2_part)
+                .mul_add(S::int(4), S::int(5) * u2_c2_inv * u2_c2_inv));
     // Shared terms.
     // c2_inv*u2_c2_inv; used 2 times
     let c2_inv_u2_c2_inv = c2_inv * u2_c2_inv;
@@ -336,18 +321,16 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // u1_scaled*s2_r_c2_inv; used 3 times
     let u5_dot_by_q2_part = u1_scaled * s2_r_c2_inv;
     // c2_inv*(u2_c2_inv*u5_dot_by_q2_part - u2'*r_c2_inv) - u2_dot_by_q2*s2_r_c2_inv; used 2 times
-    let u5_dot_by_q2_part_2 = (-u2_dot_by_q2)
-        .mul_add(
-            s2_r_c2_inv,
-            c2_inv * ((-u2_dot).mul_add(r_c2_inv, u2_c2_inv * u5_dot_by_q2_part)),
-        );
+    let u5_dot_by_q2_part_2 = c2_inv
+        * ((-u2_dot).mul_add(r_c2_inv, u2_c2_inv * u5_dot_by_q2_part))
+        - u2_dot_by_q2 * s2_r_c2_inv;
     // 2*u2_c2_inv; used 3 times
     let u2_c2_inv_scaled = S::int(2) * u2_c2_inv;
     // u1'*r_s2 - u2_c2_inv*r_c2_inv*u2_c2_inv_scaled
     let u5_dot_by_q2_part_3 = (-(u2_c2_inv * r_c2_inv))
         .mul_add(u2_c2_inv_scaled, u1_dot * r_s2);
     // u1_sq*r_c2 - u2^2*r_c2_inv
-    let u5_dot_by_q2_part_4 = (-(u2 * u2)).mul_add(r_c2_inv, u1_sq * r_c2);
+    let u5_dot_by_q2_part_4 = u1_sq.mul_add(r_c2, -u2 * u2 * r_c2_inv);
     // u1_dot_by_q2*r_c2 - u5_dot_by_q2_part_3
     let u5_dot_by_q2_part_5 = u1_dot_by_q2.mul_add(r_c2, -u5_dot_by_q2_part_3);
     // u5_dot_by_q2_part_4 + u5_dot_by_q2_part_5; used 2 times
@@ -557,24 +540,17 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     // tan(q2); used 2 times
     let c2_inv_s2 = t2;
     // 5*u1^2 + u2^2*(1 + 4*c2_inv_s2^2)
-    let energy_part = (u2 * u2)
-        .mul_add(
-            (c2_inv_s2 * c2_inv_s2).mul_add(S::int(4), S::int(1)),
-            S::int(5) * u1 * u1,
-        );
+    let energy_part = S::int(5) * u1 * u1
+        + u2 * u2 * (S::int(1) + S::int(4) * c2_inv_s2 * c2_inv_s2);
     // Values.
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
     //   M*R*u2*u5*sin(q1)*tan(q2)
-    let energy = m_r
-        .mul_add(
-            (-(u2 * c2_inv_s2))
-                .mul_add(
-                    u5.mul_add(s1, u4 * c1),
-                    u1 * c2 * ((-u5).mul_add(c1, u4 * s1)),
-                ),
-            S::ratio(1, 2) * M * (u5.mul_add(u5, u4 * u4)),
-        ) + S::ratio(1, 8) * R * m_r * ((u3 * u3).mul_add(S::int(2), energy_part));
+    let energy = S::ratio(1, 2) * M * (u5.mul_add(u5, u4 * u4))
+        + m_r
+            * (u1 * c2 * ((-u5).mul_add(c1, u4 * s1))
+                - u2 * c2_inv_s2 * (u5.mul_add(s1, u4 * c1)))
+        + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part);
     energy
 }
 

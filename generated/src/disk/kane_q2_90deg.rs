@@ -45,7 +45,7 @@ pub fn mass_matrix<S: Scalar>(
     // M15 = M*R*cos(q1)*sin(q2_minus_90deg)
     let m15 = c1_m_r * sin_q2_minus_90deg;
     // M22 = M*R^2*(1 + 4/tan(q2_minus_90deg)^2)/4
-    let m22 = r_m_r.mul_add(m22_part * m22_part, -S::ratio(3, 4) * r_m_r);
+    let m22 = r_m_r * m22_part * m22_part - S::ratio(3, 4) * r_m_r;
     // M24 = M*R*cos(q1)/tan(q2_minus_90deg)
     let m24 = c1_m_r * m24_part;
     // M25 = M*R*sin(q1)/tan(q2_minus_90deg)
@@ -138,25 +138,20 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (u2
-        .mul_add(
-            u1_dot_part_2,
-            S::int(4) * cos_q2_minus_90deg * (u1_sq.mul_add(sin_q2_minus_90deg, g / R)),
-        )) / ((sin_q2_minus_90deg * sin_q2_minus_90deg).mul_add(S::int(4), -S::int(5)));
+    let u1_dot = (S::int(4) * cos_q2_minus_90deg
+        * (u1_sq.mul_add(sin_q2_minus_90deg, g / R)) + u2 * u1_dot_part_2)
+        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
     let u2_dot = u1 * u1_dot_part_2;
     // Shared terms.
     // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
     let u5_dot_part = u1_dot_part
-        .mul_add(u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg), u1 * u2);
+        * (u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg)) + u1 * u2;
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
-    let u5_dot_part_2 = (-cos_q2_minus_90deg)
-        .mul_add(
-            u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq),
-            u1_dot * sin_q2_minus_90deg,
-        );
+    let u5_dot_part_2 = -cos_q2_minus_90deg
+        * (u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq)) + u1_dot * sin_q2_minus_90deg;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -201,25 +196,20 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = (u2
-        .mul_add(
-            u1_dot_part_3,
-            S::int(4) * cos_q2_minus_90deg * (u1_sq.mul_add(sin_q2_minus_90deg, g / R)),
-        )) / ((sin_q2_minus_90deg * sin_q2_minus_90deg).mul_add(S::int(4), -S::int(5)));
+    let u1_dot = (S::int(4) * cos_q2_minus_90deg
+        * (u1_sq.mul_add(sin_q2_minus_90deg, g / R)) + u2 * u1_dot_part_3)
+        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
     let u2_dot = u1 * u1_dot_part_3;
     // Shared terms.
     // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
     let u5_dot_part = u1_dot_part
-        .mul_add(u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg), u1 * u2);
+        * (u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg)) + u1 * u2;
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
-    let u5_dot_part_2 = (-cos_q2_minus_90deg)
-        .mul_add(
-            u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq),
-            u1_dot * sin_q2_minus_90deg,
-        );
+    let u5_dot_part_2 = -cos_q2_minus_90deg
+        * (u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq)) + u1_dot * sin_q2_minus_90deg;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -287,11 +277,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // Elimination, step by step.
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot = u1_dot_part_5
-        .mul_add(
-            u1_dot_part_2_scaled,
-            u1_dot_part_2.mul_add(u2_u2_u1_dot_part_3, u2_u1_dot_part * u3_scaled),
-        );
+    let u1_dot = u1_dot_part_2.mul_add(u2_u2_u1_dot_part_3, u2_u1_dot_part * u3_scaled)
+        + u1_dot_part_5 * u1_dot_part_2_scaled;
     // Shared terms.
     // 2*u1; used 4 times
     let u1_scaled = S::int(2) * u1;
@@ -342,20 +329,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   cos(q2_minus_90deg)*(16*u2*u3*sin(q2_minus_90deg)/(5 - 4*sin(q2_minus_90deg)^2) +
     //   cos(q2_minus_90deg)*(4*u1^2 - u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + 4*sin(q2_minus_90deg)*(g/R +
     //   u1^2*sin(q2_minus_90deg)))/(5 - 4*sin(q2_minus_90deg)^2))))/(5 - 4*sin(q2_minus_90deg)^2)
-    let u1_dot_by_q2_minus_90deg = (-(sin_q2_minus_90deg_scaled
-        .mul_add(u1_dot_part_5, u2_sq)))
-        .mul_add(
-            u1_dot_part_2.mul_add(u1_dot_part_2_scaled_2, u1_dot_part),
-            (-u1_dot_part_2)
-                .mul_add(
-                    u2_u1_dot_part_3
-                        .mul_add(
-                            u1_dot_by_q2_minus_90deg_part,
-                            S::int(16) * u3 * u2_u1_dot_part * sin_q2_minus_90deg,
-                        ),
-                    u1_dot_part_2_scaled * u1_u2_dot_part,
-                ),
-        );
+    let u1_dot_by_q2_minus_90deg = -u1_dot_part_2
+        * (u2_u1_dot_part_3
+            .mul_add(
+                u1_dot_by_q2_minus_90deg_part,
+                S::int(16) * u3 * u2_u1_dot_part * sin_q2_minus_90deg,
+            )) + u1_dot_part_2_scaled * u1_u2_dot_part
+        - (sin_q2_minus_90deg_scaled.mul_add(u1_dot_part_5, u2_sq))
+            * (u1_dot_part_2.mul_add(u1_dot_part_2_scaled_2, u1_dot_part));
     // Shared terms.
     // u1_dot_part_3*u2_u1_dot_part_3; used 2 times
     let u2_dot_by_q2_minus_90deg_part = u1_dot_part_3 * u2_u1_dot_part_3;
@@ -367,13 +348,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u5_dot_by_q2_minus_90deg_part = u1_scaled * u5_dot_by_q1_part;
     // u1_dot_part_3*(u2'*r_u1_dot_part_3 + u2_u1_dot_part_3*u5_dot_by_q2_minus_90deg_part) -
     //   u2_dot_by_q2_minus_90deg*u5_dot_by_q1_part; used 2 times
-    let u5_dot_by_q2_minus_90deg_part_2 = (-u2_dot_by_q2_minus_90deg)
-        .mul_add(
-            u5_dot_by_q1_part,
-            u1_dot_part_3
-                * (u2_u1_dot_part_3
-                    .mul_add(u5_dot_by_q2_minus_90deg_part, u2_dot * r_u1_dot_part_3)),
-        );
+    let u5_dot_by_q2_minus_90deg_part_2 = u1_dot_part_3
+        * (u2_u1_dot_part_3
+            .mul_add(u5_dot_by_q2_minus_90deg_part, u2_dot * r_u1_dot_part_3))
+        - u2_dot_by_q2_minus_90deg * u5_dot_by_q1_part;
     // 2*u2_u1_dot_part_3; used 3 times
     let u2_u1_dot_part_3_scaled = S::int(2) * u2_u1_dot_part_3;
     // R*cos(q2_minus_90deg); used 2 times
@@ -603,23 +581,16 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     // 1/sin(q2_minus_90deg); used 2 times
     let energy_part = S::int(1) / sin_q2_minus_90deg;
     // 5*u1^2 + u2^2*(4*energy_part^2 - 3)
-    let energy_part_2 = (u2 * u2)
-        .mul_add(
-            (energy_part * energy_part).mul_add(S::int(4), -S::int(3)),
-            S::int(5) * u1 * u1,
-        );
+    let energy_part_2 = S::int(5) * u1 * u1
+        + u2 * u2 * (S::int(4) * energy_part * energy_part - S::int(3));
     // Values.
     // T = M*(4*u4^2 + 4*u5^2 + R*(8*u1*sin(q2_minus_90deg)*(u5*cos(q1) - u4*sin(q1)) + 8*u2*(u4*cos(q1) +
     //   u5*sin(q1))/tan(q2_minus_90deg) + R*(5*u1^2 + 2*u3^2 + u2^2*(1 + 4/tan(q2_minus_90deg)^2))))/8
-    let energy = m_r
-        .mul_add(
-            (-(u1 * sin_q2_minus_90deg))
-                .mul_add(
-                    (-u5).mul_add(c1, u4 * s1),
-                    u2 * energy_part * cos_q2_minus_90deg * (u5.mul_add(s1, u4 * c1)),
-                ),
-            S::ratio(1, 2) * M * (u5.mul_add(u5, u4 * u4)),
-        ) + S::ratio(1, 8) * R * m_r * ((u3 * u3).mul_add(S::int(2), energy_part_2));
+    let energy = S::ratio(1, 2) * M * (u5.mul_add(u5, u4 * u4))
+        + m_r
+            * (u2 * energy_part * cos_q2_minus_90deg * (u5.mul_add(s1, u4 * c1))
+                - u1 * sin_q2_minus_90deg * ((-u5).mul_add(c1, u4 * s1)))
+        + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part_2);
     energy
 }
 

@@ -39,7 +39,7 @@ pub fn mass_matrix<S: Scalar>(
     let c2_m_r = m_r * c2;
     // Entries that are not zero; upper triangle.
     // M11 = M*R^2*(6 - 5*cos(q2)^2)/4
-    let m11 = (-r_m_r_scaled).mul_add(c2 * c2, S::ratio(3, 2) * r_m_r);
+    let m11 = S::ratio(3, 2) * r_m_r - r_m_r_scaled * c2 * c2;
     // M13 = M*R^2*sin(q2)/2
     let m13 = r_m_r_scaled_2 * s2;
     // M14 = -M*R*cos(q1)*sin(q2)
@@ -145,11 +145,9 @@ pub fn accelerations<S: Scalar>(
     let q1_dot_c2 = q1_dot * c2;
     // Elimination, step by step.
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = (q1_dot_c2
-        .mul_add(
-            q3_dot.mul_add(S::int(2), q1_dot * s2),
-            S::int(4) * s2 * ((-q2_dot_sq).mul_add(c2, g / R)),
-        )) / ((-(c2 * c2)).mul_add(S::int(4), S::int(5)));
+    let q2_ddot = (S::int(4) * s2 * ((-q2_dot_sq).mul_add(c2, g / R))
+        + q1_dot_c2 * (q3_dot.mul_add(S::int(2), q1_dot * s2)))
+        / (S::int(5) - S::int(4) * c2 * c2);
     // Shared terms.
     // q1''*sin(q2); used 2 times
     let s2_q1_ddot = q1_ddot * s2;
@@ -158,7 +156,7 @@ pub fn accelerations<S: Scalar>(
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // q2''*cos(q2) - sin(q2)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part_2 = (-s2).mul_add(q1_dot.mul_add(q1_dot, q2_dot_sq), q2_ddot * c2);
+    let q5_ddot_part_2 = -s2 * (q1_dot.mul_add(q1_dot, q2_dot_sq)) + q2_ddot * c2;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -201,11 +199,9 @@ pub fn derivative<S: Scalar>(
     let q1_dot_c2 = q1_dot * c2;
     // Elimination, step by step.
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = (q1_dot_c2
-        .mul_add(
-            q3_dot.mul_add(S::int(2), q1_dot * s2),
-            S::int(4) * s2 * ((-q2_dot_sq).mul_add(c2, g / R)),
-        )) / ((-(c2 * c2)).mul_add(S::int(4), S::int(5)));
+    let q2_ddot = (S::int(4) * s2 * ((-q2_dot_sq).mul_add(c2, g / R))
+        + q1_dot_c2 * (q3_dot.mul_add(S::int(2), q1_dot * s2)))
+        / (S::int(5) - S::int(4) * c2 * c2);
     // Shared terms.
     // q1''*sin(q2); used 2 times
     let s2_q1_ddot = q1_ddot * s2;
@@ -214,7 +210,7 @@ pub fn derivative<S: Scalar>(
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // q2''*cos(q2) - sin(q2)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part_2 = (-s2).mul_add(q1_dot.mul_add(q1_dot, q2_dot_sq), q2_ddot * c2);
+    let q5_ddot_part_2 = -s2 * (q1_dot.mul_add(q1_dot, q2_dot_sq)) + q2_ddot * c2;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -277,7 +273,7 @@ pub fn jacobian<S: Scalar>(
     // 4*q2_dot_sq - q1_dot_sq; used 2 times
     let q2_ddot_part = q2_dot_sq.mul_add(S::int(4), -q1_dot_sq);
     // 1/(4*cos(q2)^2 - 5); used 5 times
-    let q2_ddot_part_2 = S::int(1) / ((c2 * c2).mul_add(S::int(4), -S::int(5)));
+    let q2_ddot_part_2 = S::int(1) / (S::int(4) * c2 * c2 - S::int(5));
     // q2_ddot_part_2*sin(q2); used 4 times
     let s2_q2_ddot_part_2 = q2_ddot_part_2 * s2;
     // s2_q2_ddot_part_2*cos(q2); used 4 times
@@ -294,12 +290,9 @@ pub fn jacobian<S: Scalar>(
     let q2_ddot_part_3 = q1_dot_scaled * c2_q2_ddot_part_2;
     // Elimination, step by step.
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = (-q3_dot)
-        .mul_add(
-            q2_ddot_part_3,
-            (-r_inv_g)
-                .mul_add(s2_q2_ddot_part_2_scaled, q2_ddot_part * c2_s2_q2_ddot_part_2),
-        );
+    let q2_ddot = (-r_inv_g)
+        .mul_add(s2_q2_ddot_part_2_scaled, q2_ddot_part * c2_s2_q2_ddot_part_2)
+        - q3_dot * q2_ddot_part_3;
     // Shared terms.
     // R*cos(q2); used 2 times
     let r_c2 = R * c2;
@@ -320,23 +313,12 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q5_ddot_by_q1 = R*(cos(q2)*(2*q1'*q2'*cos(q1) + q2''*sin(q1)) - sin(q2)*(sin(q1)*(q1'^2 + q2'^2) -
     //   q1''*cos(q1)))
-    let q5_ddot_by_q1 = c1_r_c2
-        .mul_add(
-            q1_dot_q2_dot_scaled,
-            q1_ddot
-                .mul_add(
-                    c1_r_s2,
-                    (-q5_ddot_by_q1_part).mul_add(s1_r_s2, q2_ddot * s1_r_c2),
-                ),
-        );
+    let q5_ddot_by_q1 = (-q5_ddot_by_q1_part).mul_add(s1_r_s2, q2_ddot * s1_r_c2)
+        + q1_ddot * c1_r_s2 + c1_r_c2 * q1_dot_q2_dot_scaled;
     // q4_ddot_by_q1 = -R*(sin(q2)*(cos(q1)*(q1'^2 + q2'^2) + q1''*sin(q1)) + cos(q2)*(2*q1'*q2'*sin(q1) -
     //   q2''*cos(q1)))
-    let q4_ddot_by_q1 = (-s1_r_c2)
-        .mul_add(
-            q1_dot_q2_dot_scaled,
-            (-q5_ddot_by_q1_part)
-                .mul_add(c1_r_s2, (-q1_ddot).mul_add(s1_r_s2, q2_ddot * c1_r_c2)),
-        );
+    let q4_ddot_by_q1 = (-q1_ddot).mul_add(s1_r_s2, q2_ddot * c1_r_c2)
+        - q5_ddot_by_q1_part * c1_r_s2 - s1_r_c2 * q1_dot_q2_dot_scaled;
     // Shared terms.
     // q2_dot_scaled*c2_inv; used 2 times
     let q2_dot_scaled_c2_inv = q2_dot_scaled * c2_inv;
@@ -349,24 +331,14 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q2_ddot_by_q2 = (4*g*cos(q2)*(4*cos(q2)^2 - 3) + R*(4*q2'^2*(5 - 6*cos(q2)^2) +
     //   q1'*(q1'*(6*cos(q2)^2 - 5) - 2*q3'*sin(q2)*(5 + 4*cos(q2)^2))))/(R*(4*cos(q2)^2 - 5)^2)
-    let q2_ddot_by_q2 = (q1_dot * s2_q2_ddot_part_2 * q3_dot_scaled)
-        .mul_add(
-            (-q2_ddot_part_2).mul_add(S::int(9), s2_q2_ddot_part_2_scaled * s2),
-            (S::int(4) * r_inv_g)
-                .mul_add(
-                    (-c2_s2_q2_ddot_part_2)
-                        .mul_add(
-                            s2_q2_ddot_part_2_scaled,
-                            q2_ddot_part_2 * c2_q2_ddot_part_2,
-                        ),
-                    q2_ddot_part
-                        * ((-q2_ddot_part_2)
-                            .mul_add(
-                                q2_ddot_part_2,
-                                S::int(6) * s2_q2_ddot_part_2 * s2_q2_ddot_part_2,
-                            )),
-                ),
-        );
+    let q2_ddot_by_q2 = q2_ddot_part
+        * ((-q2_ddot_part_2)
+            .mul_add(q2_ddot_part_2, S::int(6) * s2_q2_ddot_part_2 * s2_q2_ddot_part_2))
+        + S::int(4) * r_inv_g
+            * ((-c2_s2_q2_ddot_part_2)
+                .mul_add(s2_q2_ddot_part_2_scaled, q2_ddot_part_2 * c2_q2_ddot_part_2))
+        + q1_dot * s2_q2_ddot_part_2 * q3_dot_scaled
+            * ((-q2_ddot_part_2).mul_add(S::int(9), s2_q2_ddot_part_2_scaled * s2));
     // Shared terms.
     // q1_dot_q2_dot_scaled - q1_ddot_by_q2; used 2 times
     let q5_ddot_by_q2_part = q1_dot_q2_dot_scaled - q1_ddot_by_q2;
@@ -375,64 +347,36 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q5_ddot_by_q2 = R*(sin(q2)*(q2''*cos(q1) + sin(q1)*(q1_ddot_by_q2 - 2*q1'*q2')) +
     //   cos(q2)*(q1''*sin(q1) + cos(q1)*(q1'^2 + q2'^2 - q2_ddot_by_q2)))
-    let q5_ddot_by_q2 = (-c1_r_c2)
-        .mul_add(
-            q5_ddot_by_q2_part_2,
-            (-s1_r_s2)
-                .mul_add(q5_ddot_by_q2_part, q2_ddot.mul_add(c1_r_s2, q1_ddot * s1_r_c2)),
-        );
+    let q5_ddot_by_q2 = q2_ddot.mul_add(c1_r_s2, q1_ddot * s1_r_c2)
+        - s1_r_s2 * q5_ddot_by_q2_part - c1_r_c2 * q5_ddot_by_q2_part_2;
     // q4_ddot_by_q2 = R*(cos(q2)*(q1''*cos(q1) + sin(q1)*(q2_ddot_by_q2 - q1'^2 - q2'^2)) -
     //   sin(q2)*(q2''*sin(q1) + cos(q1)*(2*q1'*q2' - q1_ddot_by_q2)))
-    let q4_ddot_by_q2 = s1_r_c2
-        .mul_add(
-            q5_ddot_by_q2_part_2,
-            (-c1_r_s2)
-                .mul_add(
-                    q5_ddot_by_q2_part,
-                    (-q2_ddot).mul_add(s1_r_s2, q1_ddot * c1_r_c2),
-                ),
-        );
+    let q4_ddot_by_q2 = (-q2_ddot).mul_add(s1_r_s2, q1_ddot * c1_r_c2)
+        - c1_r_s2 * q5_ddot_by_q2_part + s1_r_c2 * q5_ddot_by_q2_part_2;
     // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
-    let q3_ddot_by_q2 = (-q1_ddot)
-        .mul_add(c2, s2 * (q1_dot.mul_add(q2_dot, -q1_ddot_by_q2)));
+    let q3_ddot_by_q2 = s2 * (q1_dot.mul_add(q2_dot, -q1_ddot_by_q2)) - q1_ddot * c2;
     // q2_ddot_by_q1_dot = 2*cos(q2)*(q1'*sin(q2) + q3')/(5 - 4*cos(q2)^2)
     let q2_ddot_by_q1_dot = (-c2_q2_ddot_part_2)
         .mul_add(q3_dot_scaled, -c2_s2_q2_ddot_part_2 * q1_dot_scaled);
     // q5_ddot_by_q1_dot = R*(2*q1'*cos(q1)*sin(q2) + cos(q2)*(2*q2'*sin(q1) - q2_ddot_by_q1_dot*cos(q1)))
-    let q5_ddot_by_q1_dot = (-q2_ddot_by_q1_dot)
-        .mul_add(c1_r_c2, q1_dot_scaled.mul_add(c1_r_s2, q2_dot_scaled * s1_r_c2));
+    let q5_ddot_by_q1_dot = q1_dot_scaled.mul_add(c1_r_s2, q2_dot_scaled * s1_r_c2)
+        - q2_ddot_by_q1_dot * c1_r_c2;
     // q4_ddot_by_q1_dot = R*(cos(q2)*(2*q2'*cos(q1) + q2_ddot_by_q1_dot*sin(q1)) - 2*q1'*sin(q1)*sin(q2))
-    let q4_ddot_by_q1_dot = q2_dot_scaled
-        .mul_add(
-            c1_r_c2,
-            (-q1_dot_scaled).mul_add(s1_r_s2, q2_ddot_by_q1_dot * s1_r_c2),
-        );
+    let q4_ddot_by_q1_dot = (-q1_dot_scaled)
+        .mul_add(s1_r_s2, q2_ddot_by_q1_dot * s1_r_c2) + q2_dot_scaled * c1_r_c2;
     // q1_ddot_by_q2_dot = -2*q3'/cos(q2)
     let q1_ddot_by_q2_dot = -S::int(2) * q3_dot_c2_inv;
     // q2_ddot_by_q2_dot = 8*q2'*sin(q2)*cos(q2)/(4*cos(q2)^2 - 5)
     let q2_ddot_by_q2_dot = S::int(8) * q2_dot * c2_s2_q2_ddot_part_2;
     // q5_ddot_by_q2_dot = R*(sin(q2)*(2*q2'*cos(q1) + q1_ddot_by_q2_dot*sin(q1)) + cos(q2)*(2*q1'*sin(q1)
     //   - q2_ddot_by_q2_dot*cos(q1)))
-    let q5_ddot_by_q2_dot = (-q2_ddot_by_q2_dot)
-        .mul_add(
-            c1_r_c2,
-            q2_dot_scaled
-                .mul_add(
-                    c1_r_s2,
-                    q1_ddot_by_q2_dot.mul_add(s1_r_s2, q1_dot_scaled * s1_r_c2),
-                ),
-        );
+    let q5_ddot_by_q2_dot = q1_ddot_by_q2_dot.mul_add(s1_r_s2, q1_dot_scaled * s1_r_c2)
+        + q2_dot_scaled * c1_r_s2 - q2_ddot_by_q2_dot * c1_r_c2;
     // q4_ddot_by_q2_dot = R*(cos(q2)*(2*q1'*cos(q1) + q2_ddot_by_q2_dot*sin(q1)) - sin(q2)*(2*q2'*sin(q1)
     //   - q1_ddot_by_q2_dot*cos(q1)))
-    let q4_ddot_by_q2_dot = q1_dot_scaled
-        .mul_add(
-            c1_r_c2,
-            q1_ddot_by_q2_dot
-                .mul_add(
-                    c1_r_s2,
-                    (-q2_dot_scaled).mul_add(s1_r_s2, q2_ddot_by_q2_dot * s1_r_c2),
-                ),
-        );
+    let q4_ddot_by_q2_dot = (-q2_dot_scaled)
+        .mul_add(s1_r_s2, q2_ddot_by_q2_dot * s1_r_c2) + q1_ddot_by_q2_dot * c1_r_s2
+        + q1_dot_scaled * c1_r_c2;
     // q3_ddot_by_q2_dot = -q1'*cos(q2) - q1_ddot_by_q2_dot*sin(q2)
     let q3_ddot_by_q2_dot = (-q1_ddot_by_q2_dot).mul_add(s2, -q1_dot * c2);
     // q1_ddot_by_q3_dot = -2*q2'/cos(q2)
@@ -572,21 +516,17 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     // q2'^2 + q1_dot_s2^2
     let energy_part = q1_dot_s2.mul_add(q1_dot_s2, q2_dot * q2_dot);
     // q1'^2 + 2*q3'*(q3' + 2*q1_dot_s2)
-    let energy_part_2 = (S::int(2) * q3_dot)
-        .mul_add(q1_dot_s2.mul_add(S::int(2), q3_dot), q1_dot * q1_dot);
+    let energy_part_2 = S::int(2) * q3_dot * (q1_dot_s2.mul_add(S::int(2), q3_dot))
+        + q1_dot * q1_dot;
     // Values.
     // T = M*R^2*q1'^2*(6 - 5*cos(q2)^2)/8 + 5*M*R^2*q2'^2/8 + M*R^2*q3'^2/4 + M*R^2*q1'*q3'*sin(q2)/2 +
     //   M*q4'^2/2 - M*R*q1'*q4'*cos(q1)*sin(q2) - M*R*q2'*q4'*sin(q1)*cos(q2) + M*q5'^2/2 -
     //   M*R*q1'*q5'*sin(q1)*sin(q2) + M*R*q2'*q5'*cos(q1)*cos(q2)
-    let energy = (-m_r)
-        .mul_add(
-            q1_dot_s2
-                .mul_add(
-                    q5_dot.mul_add(s1, q4_dot * c1),
-                    q2_dot * c2 * ((-q5_dot).mul_add(c1, q4_dot * s1)),
-                ),
-            S::ratio(1, 2) * M * (q5_dot.mul_add(q5_dot, q4_dot * q4_dot)),
-        ) + S::ratio(1, 8) * R * m_r * (energy_part.mul_add(S::int(5), energy_part_2));
+    let energy = S::ratio(1, 2) * M * (q5_dot.mul_add(q5_dot, q4_dot * q4_dot))
+        - m_r
+            * (q2_dot * c2 * ((-q5_dot).mul_add(c1, q4_dot * s1))
+                + q1_dot_s2 * (q5_dot.mul_add(s1, q4_dot * c1)))
+        + S::ratio(1, 8) * R * m_r * (energy_part.mul_add(S::int(5), energy_part_2));
     energy
 }
 
@@ -656,7 +596,7 @@ pub fn generalized_speed_rates<S: Scalar>(
     // u2' = q1''*cos(q2) - q1'*q2'*sin(q2)
     let u2_dot_value = (-q1_dot_q2_dot).mul_add(s2, q1_ddot * c2);
     // u3' = q1'*q2'*cos(q2) + q1''*sin(q2) + q3''
-    let u3_dot_value = q1_dot_q2_dot.mul_add(c2, q1_ddot.mul_add(s2, q3_ddot));
+    let u3_dot_value = q1_ddot.mul_add(s2, q3_ddot) + q1_dot_q2_dot * c2;
     // u4' = q4''
     let u4_dot_value = q4_ddot;
     // u5' = q5''

@@ -39,8 +39,8 @@ pub fn mass_matrix<S: Scalar>(
     let m24_part = m_r * sin_q2_minus_90deg;
     // Entries that are not zero; upper triangle.
     // M11 = M*R^2*(6 - 5*sin(q2_minus_90deg)^2)/4
-    let m11 = (-r_m_r_scaled)
-        .mul_add(sin_q2_minus_90deg * sin_q2_minus_90deg, S::ratio(3, 2) * r_m_r);
+    let m11 = S::ratio(3, 2) * r_m_r
+        - r_m_r_scaled * sin_q2_minus_90deg * sin_q2_minus_90deg;
     // M13 = M*R^2*cos(q2_minus_90deg)/2
     let m13 = r_m_r_scaled_2 * cos_q2_minus_90deg;
     // M14 = -M*R*cos(q1)*cos(q2_minus_90deg)
@@ -145,23 +145,14 @@ pub fn accelerations<S: Scalar>(
     // Elimination, step by step.
     // q2'' = (4*g*cos(q2_minus_90deg) + R*sin(q2_minus_90deg)*(4*q2'^2*cos(q2_minus_90deg) - q1'*(2*q3' +
     //   q1'*cos(q2_minus_90deg))))/(R*(5 - 4*sin(q2_minus_90deg)^2))
-    let q2_ddot = ((-g)
-        .mul_add(
-            cos_q2_minus_90deg_scaled,
-            R * sin_q2_minus_90deg
-                * ((-q2_dot_sq)
-                    .mul_add(
-                        cos_q2_minus_90deg_scaled,
-                        q1_dot * (q1_dot.mul_add(cos_q2_minus_90deg, S::int(2) * q3_dot)),
-                    )),
-        ))
-        / (R
-            * ((sin_q2_minus_90deg * sin_q2_minus_90deg)
-                .mul_add(S::int(4), -S::int(5))));
+    let q2_ddot = (R * sin_q2_minus_90deg
+        * (q1_dot * (q1_dot.mul_add(cos_q2_minus_90deg, S::int(2) * q3_dot))
+            - q2_dot_sq * cos_q2_minus_90deg_scaled) - g * cos_q2_minus_90deg_scaled)
+        / (R * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5)));
     // Shared terms.
     // q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part = cos_q2_minus_90deg
-        .mul_add(q1_dot.mul_add(q1_dot, q2_dot_sq), q2_ddot * sin_q2_minus_90deg);
+    let q5_ddot_part = cos_q2_minus_90deg * (q1_dot.mul_add(q1_dot, q2_dot_sq))
+        + q2_ddot * sin_q2_minus_90deg;
     // q1''*cos(q2_minus_90deg); used 2 times
     let q5_ddot_part_2 = q1_ddot * cos_q2_minus_90deg;
     // q1'*sin(q2_minus_90deg); used 2 times
@@ -209,23 +200,14 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // q2'' = (4*g*cos(q2_minus_90deg) + R*sin(q2_minus_90deg)*(4*q2'^2*cos(q2_minus_90deg) - q1'*(2*q3' +
     //   q1'*cos(q2_minus_90deg))))/(R*(5 - 4*sin(q2_minus_90deg)^2))
-    let q2_ddot = ((-g)
-        .mul_add(
-            cos_q2_minus_90deg_scaled,
-            R * sin_q2_minus_90deg
-                * ((-q2_dot_sq)
-                    .mul_add(
-                        cos_q2_minus_90deg_scaled,
-                        q1_dot * (q1_dot.mul_add(cos_q2_minus_90deg, S::int(2) * q3_dot)),
-                    )),
-        ))
-        / (R
-            * ((sin_q2_minus_90deg * sin_q2_minus_90deg)
-                .mul_add(S::int(4), -S::int(5))));
+    let q2_ddot = (R * sin_q2_minus_90deg
+        * (q1_dot * (q1_dot.mul_add(cos_q2_minus_90deg, S::int(2) * q3_dot))
+            - q2_dot_sq * cos_q2_minus_90deg_scaled) - g * cos_q2_minus_90deg_scaled)
+        / (R * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5)));
     // Shared terms.
     // q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part = cos_q2_minus_90deg
-        .mul_add(q1_dot.mul_add(q1_dot, q2_dot_sq), q2_ddot * sin_q2_minus_90deg);
+    let q5_ddot_part = cos_q2_minus_90deg * (q1_dot.mul_add(q1_dot, q2_dot_sq))
+        + q2_ddot * sin_q2_minus_90deg;
     // q1''*cos(q2_minus_90deg); used 2 times
     let q5_ddot_part_2 = q1_ddot * cos_q2_minus_90deg;
     // q1'*sin(q2_minus_90deg); used 2 times
@@ -311,11 +293,8 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q2'' = (4*g*cos(q2_minus_90deg) + R*sin(q2_minus_90deg)*(4*q2'^2*cos(q2_minus_90deg) - q1'*(2*q3' +
     //   q1'*cos(q2_minus_90deg))))/(R*(5 - 4*sin(q2_minus_90deg)^2))
-    let q2_ddot = (-(q2_ddot_part_2 * r_inv_g))
-        .mul_add(
-            cos_q2_minus_90deg_scaled,
-            (-q2_ddot_part).mul_add(q2_ddot_part_4, q1_dot_scaled * q2_ddot_part_5),
-        );
+    let q2_ddot = (-q2_ddot_part).mul_add(q2_ddot_part_4, q1_dot_scaled * q2_ddot_part_5)
+        - q2_ddot_part_2 * r_inv_g * cos_q2_minus_90deg_scaled;
     // Shared terms.
     // R*sin(q2_minus_90deg); used 2 times
     let r_sin_q2_minus_90deg = R * sin_q2_minus_90deg;
@@ -336,31 +315,15 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q5_ddot_by_q1 = -R*(sin(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   cos(q1)*(2*q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)))
-    let q5_ddot_by_q1 = (-q5_ddot_by_q1_part_5)
-        .mul_add(
-            q1_dot_q2_dot_scaled,
-            (-q5_ddot_by_q1_part_2)
-                .mul_add(
-                    q5_ddot_by_q1_part_3,
-                    (-q2_ddot)
-                        .mul_add(q5_ddot_by_q1_part, q1_ddot * q5_ddot_by_q1_part_4),
-                ),
-        );
+    let q5_ddot_by_q1 = (-q2_ddot)
+        .mul_add(q5_ddot_by_q1_part, q1_ddot * q5_ddot_by_q1_part_4)
+        - q5_ddot_by_q1_part_2 * q5_ddot_by_q1_part_3
+        - q5_ddot_by_q1_part_5 * q1_dot_q2_dot_scaled;
     // q4_ddot_by_q1 = -R*(cos(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   sin(q1)*(q1''*cos(q2_minus_90deg) - 2*q1'*q2'*sin(q2_minus_90deg)))
-    let q4_ddot_by_q1 = (-q2_ddot)
-        .mul_add(
-            q5_ddot_by_q1_part_5,
-            (-q5_ddot_by_q1_part_2)
-                .mul_add(
-                    q5_ddot_by_q1_part_4,
-                    (-q1_ddot)
-                        .mul_add(
-                            q5_ddot_by_q1_part_3,
-                            q5_ddot_by_q1_part * q1_dot_q2_dot_scaled,
-                        ),
-                ),
-        );
+    let q4_ddot_by_q1 = (-q1_ddot)
+        .mul_add(q5_ddot_by_q1_part_3, q5_ddot_by_q1_part * q1_dot_q2_dot_scaled)
+        - q5_ddot_by_q1_part_2 * q5_ddot_by_q1_part_4 - q2_ddot * q5_ddot_by_q1_part_5;
     // q1_ddot_by_q3_dot = 2*q2'/sin(q2_minus_90deg)
     let q1_ddot_by_q3_dot = q2_dot_scaled * q1_ddot_part;
     // Shared terms.
@@ -389,24 +352,16 @@ pub fn jacobian<S: Scalar>(
     // q2_ddot_by_q2_minus_90deg = (R*(q1'*(q1' - 2*cos(q2_minus_90deg)*(3*q1'*cos(q2_minus_90deg) + q3'*(9
     //   - 4*cos(q2_minus_90deg)^2))) + 4*q2'^2*(6*cos(q2_minus_90deg)^2 - 1)) +
     //   4*g*sin(q2_minus_90deg)*(4*cos(q2_minus_90deg)^2 - 1))/(R*(1 + 4*cos(q2_minus_90deg)^2)^2)
-    let q2_ddot_by_q2_minus_90deg = (S::int(8) * q2_ddot_by_q2_minus_90deg_part_3
-        * q1_dot_q3_dot)
-        .mul_add(
-            cos_q2_minus_90deg,
-            (-(S::int(18) * q2_ddot_by_q2_minus_90deg_part
-                * q2_ddot_by_q2_minus_90deg_part_2))
-                .mul_add(
-                    q1_dot_q3_dot,
-                    (sin_q2_minus_90deg_scaled * r_inv_g)
-                        .mul_add(
-                            q2_ddot_by_q2_minus_90deg_part_3
-                                .mul_add(S::int(4), -q2_ddot_by_q2_minus_90deg_part_4),
-                            q2_ddot_part
-                                * (q2_ddot_by_q2_minus_90deg_part_3
-                                    .mul_add(S::int(6), -q2_ddot_by_q2_minus_90deg_part_4)),
-                        ),
-                ),
-        );
+    let q2_ddot_by_q2_minus_90deg = q2_ddot_part
+        * (q2_ddot_by_q2_minus_90deg_part_3
+            .mul_add(S::int(6), -q2_ddot_by_q2_minus_90deg_part_4))
+        + sin_q2_minus_90deg_scaled * r_inv_g
+            * (q2_ddot_by_q2_minus_90deg_part_3
+                .mul_add(S::int(4), -q2_ddot_by_q2_minus_90deg_part_4))
+        - S::int(18) * q2_ddot_by_q2_minus_90deg_part * q2_ddot_by_q2_minus_90deg_part_2
+            * q1_dot_q3_dot
+        + S::int(8) * q2_ddot_by_q2_minus_90deg_part_3 * q1_dot_q3_dot
+            * cos_q2_minus_90deg;
     // Shared terms.
     // q1_dot_q2_dot_scaled - q1_ddot_by_q2_minus_90deg; used 2 times
     let q5_ddot_by_q2_minus_90deg_part = q1_dot_q2_dot_scaled
@@ -418,90 +373,51 @@ pub fn jacobian<S: Scalar>(
     // q5_ddot_by_q2_minus_90deg = R*(cos(q1)*(q2''*cos(q2_minus_90deg) +
     //   sin(q2_minus_90deg)*(q2_ddot_by_q2_minus_90deg - q1'^2 - q2'^2)) - sin(q1)*(q1''*sin(q2_minus_90deg)
     //   + cos(q2_minus_90deg)*(2*q1'*q2' - q1_ddot_by_q2_minus_90deg)))
-    let q5_ddot_by_q2_minus_90deg = q5_ddot_by_q1_part_5
-        .mul_add(
-            q5_ddot_by_q2_minus_90deg_part_2,
-            (-q5_ddot_by_q1_part_3)
-                .mul_add(
-                    q5_ddot_by_q2_minus_90deg_part,
-                    (-q1_ddot)
-                        .mul_add(q5_ddot_by_q1_part, q2_ddot * q5_ddot_by_q1_part_4),
-                ),
-        );
+    let q5_ddot_by_q2_minus_90deg = (-q1_ddot)
+        .mul_add(q5_ddot_by_q1_part, q2_ddot * q5_ddot_by_q1_part_4)
+        - q5_ddot_by_q1_part_3 * q5_ddot_by_q2_minus_90deg_part
+        + q5_ddot_by_q1_part_5 * q5_ddot_by_q2_minus_90deg_part_2;
     // q4_ddot_by_q2_minus_90deg = -R*(cos(q1)*(q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(2*q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)) + sin(q1)*(q2''*cos(q2_minus_90deg) +
     //   sin(q2_minus_90deg)*(q2_ddot_by_q2_minus_90deg - q1'^2 - q2'^2)))
-    let q4_ddot_by_q2_minus_90deg = (-q5_ddot_by_q1_part)
-        .mul_add(
-            q5_ddot_by_q2_minus_90deg_part_2,
-            (-q5_ddot_by_q1_part_4)
-                .mul_add(
-                    q5_ddot_by_q2_minus_90deg_part,
-                    (-q1_ddot)
-                        .mul_add(q5_ddot_by_q1_part_5, -q2_ddot * q5_ddot_by_q1_part_3),
-                ),
-        );
+    let q4_ddot_by_q2_minus_90deg = (-q1_ddot)
+        .mul_add(q5_ddot_by_q1_part_5, -q2_ddot * q5_ddot_by_q1_part_3)
+        - q5_ddot_by_q1_part_4 * q5_ddot_by_q2_minus_90deg_part
+        - q5_ddot_by_q1_part * q5_ddot_by_q2_minus_90deg_part_2;
     // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)
     let q3_ddot_by_q2_minus_90deg = cos_q2_minus_90deg
-        .mul_add(
-            q1_dot.mul_add(q2_dot, -q1_ddot_by_q2_minus_90deg),
-            q1_ddot * sin_q2_minus_90deg,
-        );
+        * (q1_dot.mul_add(q2_dot, -q1_ddot_by_q2_minus_90deg))
+        + q1_ddot * sin_q2_minus_90deg;
     // q2_ddot_by_q1_dot = 2*sin(q2_minus_90deg)*(q3' + q1'*cos(q2_minus_90deg))/(4*sin(q2_minus_90deg)^2 -
     //   5)
     let q2_ddot_by_q1_dot = q2_ddot_part_5
         .mul_add(S::int(2), q2_ddot_part_4 * q1_dot_scaled);
     // q5_ddot_by_q1_dot = R*(cos(q1)*(2*q1'*cos(q2_minus_90deg) + q2_ddot_by_q1_dot*sin(q2_minus_90deg)) -
     //   2*q2'*sin(q1)*sin(q2_minus_90deg))
-    let q5_ddot_by_q1_dot = q2_ddot_by_q1_dot
-        .mul_add(
-            q5_ddot_by_q1_part_5,
-            (-q2_dot_scaled)
-                .mul_add(q5_ddot_by_q1_part, q1_dot_scaled * q5_ddot_by_q1_part_4),
-        );
+    let q5_ddot_by_q1_dot = (-q2_dot_scaled)
+        .mul_add(q5_ddot_by_q1_part, q1_dot_scaled * q5_ddot_by_q1_part_4)
+        + q2_ddot_by_q1_dot * q5_ddot_by_q1_part_5;
     // q4_ddot_by_q1_dot = -R*(2*q2'*cos(q1)*sin(q2_minus_90deg) + sin(q1)*(2*q1'*cos(q2_minus_90deg) +
     //   q2_ddot_by_q1_dot*sin(q2_minus_90deg)))
-    let q4_ddot_by_q1_dot = (-q2_dot_scaled)
-        .mul_add(
-            q5_ddot_by_q1_part_5,
-            (-q1_dot_scaled)
-                .mul_add(q5_ddot_by_q1_part_3, -q2_ddot_by_q1_dot * q5_ddot_by_q1_part),
-        );
+    let q4_ddot_by_q1_dot = (-q1_dot_scaled)
+        .mul_add(q5_ddot_by_q1_part_3, -q2_ddot_by_q1_dot * q5_ddot_by_q1_part)
+        - q2_dot_scaled * q5_ddot_by_q1_part_5;
     // q1_ddot_by_q2_dot = 2*q3'/sin(q2_minus_90deg)
     let q1_ddot_by_q2_dot = S::int(2) * q3_dot_q1_ddot_part;
     // q2_ddot_by_q2_dot = 8*q2'*sin(q2_minus_90deg)*cos(q2_minus_90deg)/(5 - 4*sin(q2_minus_90deg)^2)
     let q2_ddot_by_q2_dot = -S::int(8) * q2_dot * q2_ddot_part_4;
     // q5_ddot_by_q2_dot = R*(sin(q1)*(q1_ddot_by_q2_dot*cos(q2_minus_90deg) - 2*q1'*sin(q2_minus_90deg)) +
     //   cos(q1)*(2*q2'*cos(q2_minus_90deg) + q2_ddot_by_q2_dot*sin(q2_minus_90deg)))
-    let q5_ddot_by_q2_dot = q2_ddot_by_q2_dot
-        .mul_add(
-            q5_ddot_by_q1_part_5,
-            q2_dot_scaled
-                .mul_add(
-                    q5_ddot_by_q1_part_4,
-                    (-q1_dot_scaled)
-                        .mul_add(
-                            q5_ddot_by_q1_part,
-                            q1_ddot_by_q2_dot * q5_ddot_by_q1_part_3,
-                        ),
-                ),
-        );
+    let q5_ddot_by_q2_dot = (-q1_dot_scaled)
+        .mul_add(q5_ddot_by_q1_part, q1_ddot_by_q2_dot * q5_ddot_by_q1_part_3)
+        + q2_dot_scaled * q5_ddot_by_q1_part_4
+        + q2_ddot_by_q2_dot * q5_ddot_by_q1_part_5;
     // q4_ddot_by_q2_dot = -R*(cos(q1)*(2*q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg))
     //   + sin(q1)*(2*q2'*cos(q2_minus_90deg) + q2_ddot_by_q2_dot*sin(q2_minus_90deg)))
-    let q4_ddot_by_q2_dot = (-q1_dot_scaled)
-        .mul_add(
-            q5_ddot_by_q1_part_5,
-            (-q2_dot_scaled)
-                .mul_add(
-                    q5_ddot_by_q1_part_3,
-                    (-q2_ddot_by_q2_dot)
-                        .mul_add(
-                            q5_ddot_by_q1_part,
-                            q1_ddot_by_q2_dot * q5_ddot_by_q1_part_4,
-                        ),
-                ),
-        );
+    let q4_ddot_by_q2_dot = (-q2_ddot_by_q2_dot)
+        .mul_add(q5_ddot_by_q1_part, q1_ddot_by_q2_dot * q5_ddot_by_q1_part_4)
+        - q2_dot_scaled * q5_ddot_by_q1_part_3 - q1_dot_scaled * q5_ddot_by_q1_part_5;
     // q3_ddot_by_q2_dot = q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg)
     let q3_ddot_by_q2_dot = (-q1_ddot_by_q2_dot)
         .mul_add(cos_q2_minus_90deg, q1_dot * sin_q2_minus_90deg);
@@ -642,21 +558,17 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     // q2'^2 + energy_part^2
     let energy_part_2 = energy_part.mul_add(energy_part, q2_dot * q2_dot);
     // q1'^2 + 2*q3'*(q3' + 2*energy_part)
-    let energy_part_3 = (S::int(2) * q3_dot)
-        .mul_add(energy_part.mul_add(S::int(2), q3_dot), q1_dot * q1_dot);
+    let energy_part_3 = S::int(2) * q3_dot * (energy_part.mul_add(S::int(2), q3_dot))
+        + q1_dot * q1_dot;
     // Values.
     // T = M*(4*q4'^2 + 4*q5'^2 - R*(8*q2'*sin(q2_minus_90deg)*(q5'*cos(q1) - q4'*sin(q1)) +
     //   8*q1'*cos(q2_minus_90deg)*(q4'*cos(q1) + q5'*sin(q1)) + R*(q1'*(q1'*(5*sin(q2_minus_90deg)^2 - 6) -
     //   4*q3'*cos(q2_minus_90deg)) - 5*q2'^2 - 2*q3'^2)))/8
-    let energy = m_r
-        .mul_add(
-            (-energy_part)
-                .mul_add(
-                    q5_dot.mul_add(s1, q4_dot * c1),
-                    q2_dot * sin_q2_minus_90deg * ((-q5_dot).mul_add(c1, q4_dot * s1)),
-                ),
-            S::ratio(1, 2) * M * (q5_dot.mul_add(q5_dot, q4_dot * q4_dot)),
-        ) + S::ratio(1, 8) * R * m_r * (energy_part_2.mul_add(S::int(5), energy_part_3));
+    let energy = S::ratio(1, 2) * M * (q5_dot.mul_add(q5_dot, q4_dot * q4_dot))
+        + m_r
+            * (q2_dot * sin_q2_minus_90deg * ((-q5_dot).mul_add(c1, q4_dot * s1))
+                - energy_part * (q5_dot.mul_add(s1, q4_dot * c1)))
+        + S::ratio(1, 8) * R * m_r * (energy_part_2.mul_add(S::int(5), energy_part_3));
     energy
 }
 
@@ -727,8 +639,8 @@ pub fn generalized_speed_rates<S: Scalar>(
     let u2_dot_value = (-q1_dot_q2_dot)
         .mul_add(cos_q2_minus_90deg, -q1_ddot * sin_q2_minus_90deg);
     // u3' = q3'' - q1'*q2'*sin(q2_minus_90deg) + q1''*cos(q2_minus_90deg)
-    let u3_dot_value = (-q1_dot_q2_dot)
-        .mul_add(sin_q2_minus_90deg, q1_ddot.mul_add(cos_q2_minus_90deg, q3_ddot));
+    let u3_dot_value = q1_ddot.mul_add(cos_q2_minus_90deg, q3_ddot)
+        - q1_dot_q2_dot * sin_q2_minus_90deg;
     // u4' = q4''
     let u4_dot_value = q4_ddot;
     // u5' = q5''

@@ -34,7 +34,7 @@ pub fn mass_matrix<S: Scalar>(
     // M15 = -4*cos(q1)*cos(q2)
     let m15 = -S::int(4) * c1 * c2;
     // M22 = R*(1 + 4*tan(q2)^2)
-    let m22 = R * ((t2 * t2).mul_add(S::int(4), S::int(1)));
+    let m22 = R * (S::int(1) + S::int(4) * t2 * t2);
     // M24 = -4*cos(q1)*tan(q2)
     let m24 = -S::int(4) * c1 * t2;
     // M25 = -4*sin(q1)*tan(q2)
@@ -85,28 +85,18 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let f4_part_2 = S::int(1) + c2_inv2_s2_sq;
     // Values.
     // f1 = -4*g*sin(q2) - R*u2^2*tan(q2) - 3*R*u2*u3
-    let f1 = (-(S::int(3) * R * u2))
-        .mul_add(u3, (-(R * u2 * u2)).mul_add(t2, -S::int(4) * g * s2));
+    let f1 = (-(g * s2)).mul_add(S::int(4), -R * u2 * u2 * t2) - S::int(3) * R * u2 * u3;
     // f2 = 2*R*u1*u2*tan(q2)*(3 + 2*tan(q2)^2) + 3*R*u1*u3
-    let f2 = (S::int(3) * R * u1)
-        .mul_add(
-            u3,
-            S::int(2) * R * u1 * u2 * t2 * (c2_inv2_s2_sq.mul_add(S::int(2), S::int(3))),
-        );
+    let f2 = S::int(2) * R * u1 * u2 * t2 * (c2_inv2_s2_sq.mul_add(S::int(2), S::int(3)))
+        + S::int(3) * R * u1 * u3;
     // f4 = -R*u1^2*sin(q1)*sin(q2) - R*u2^2*sin(q1)*sin(q2)*(1 + tan(q2)^2) - R*u1*u2*cos(q1)*(2 +
     //   tan(q2)^2)
     let f4 = (-(R * u1 * u2 * c1))
-        .mul_add(
-            f4_part,
-            (-(R * u2 * u2 * s1 * s2)).mul_add(f4_part_2, -R * u1 * u1 * s1 * s2),
-        );
+        .mul_add(f4_part, -R * u1 * u1 * s1 * s2 - R * u2 * u2 * s1 * s2 * f4_part_2);
     // f5 = R*u1*u2*sin(q1)*(2 + tan(q2)^2) - R*u1^2*cos(q1)*sin(q2) - 2*R*u2*cos(q1)*sin(q2)*(1 +
     //   tan(q2)^2)
-    let f5 = (-(S::int(2) * R * u2 * c1 * s2))
-        .mul_add(
-            f4_part_2,
-            (-(R * u1 * u1 * c1)).mul_add(s2, R * u1 * u2 * s1 * f4_part),
-        );
+    let f5 = (R * u1 * u2 * s1).mul_add(f4_part, -R * u1 * u1 * c1 * s2)
+        - S::int(2) * R * u2 * c1 * s2 * f4_part_2;
     [f1, f2, zero, f4, f5]
 }
 
@@ -158,27 +148,12 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
     //   M*R*u2*u5*sin(q1)*tan(q2)
-    let energy = (-(M * R * u2 * u5 * s1))
-        .mul_add(
-            t2,
-            (-(M * R * u1 * u5 * c1))
-                .mul_add(
-                    c2,
-                    (-(M * R * u2 * u4 * c1))
-                        .mul_add(
-                            t2,
-                            (M * R * u1 * u4 * s1)
-                                .mul_add(
-                                    c2,
-                                    S::ratio(5, 8) * M * R * R * u1 * u1
-                                        + S::ratio(1, 8) * M * R * R * u2 * u2
-                                            * ((t2 * t2).mul_add(S::int(4), S::int(1)))
-                                        + S::ratio(1, 4) * M * R * R * u3 * u3
-                                        + S::ratio(1, 2) * M * u4 * u4,
-                                ),
-                        ) + S::ratio(1, 2) * M * u5 * u5,
-                ),
-        );
+    let energy = S::ratio(5, 8) * M * R * R * u1 * u1
+        + S::ratio(1, 8) * M * R * R * u2 * u2 * (S::int(1) + S::int(4) * t2 * t2)
+        + S::ratio(1, 4) * M * R * R * u3 * u3 + S::ratio(1, 2) * M * u4 * u4
+        + M * R * u1 * u4 * s1 * c2 - M * R * u2 * u4 * c1 * t2
+        + S::ratio(1, 2) * M * u5 * u5 - M * R * u1 * u5 * c1 * c2
+        - M * R * u2 * u5 * s1 * t2;
     energy
 }
 

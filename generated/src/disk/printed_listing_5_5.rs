@@ -25,7 +25,7 @@ pub fn mass_matrix<S: Scalar>(
     let (s1, c1) = q1.sin_cos();
     // Entries that are not zero.
     // M11 = R^2*(6 - 5*cos(q2)^2)/2
-    let m11 = S::ratio(1, 2) * R * R * ((-(c2 * c2)).mul_add(S::int(5), S::int(6)));
+    let m11 = S::ratio(1, 2) * R * R * (S::int(6) - S::int(5) * c2 * c2);
     // M13 = R*sin(q2)/2
     let m13 = S::ratio(1, 2) * R * s2;
     // M14 = -cos(q1)*sin(q2)
@@ -84,16 +84,16 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     // f3 = -q1'*q2'*cos(q2)
     let f3 = -q1_dot * q2_dot * c2;
     // f4 = R*q1'^2*sin(q1)*sin(q2) + R*q2'^2*sin(q1)*sin(q2) - 2*R*q1'*q2'*cos(q1)*cos(q2)
-    let f4 = (-(S::int(2) * R * q1_dot * q2_dot * c1))
+    let f4 = (-(R * q1_dot * q2_dot * c1 * c2))
         .mul_add(
-            c2,
-            (R * q2_dot * q2_dot * s1).mul_add(s2, R * q1_dot * q1_dot * s1 * s2),
+            S::int(2),
+            R * q1_dot * q1_dot * s1 * s2 + R * q2_dot * q2_dot * s1 * s2,
         );
     // f5 = -R*q1'^2*cos(q1)*cos(q2) - R*q2'^2*cos(q1)*sin(q2) - 2*R*q1'*q2'*sin(q1)*cos(q2)
-    let f5 = (-(S::int(2) * R * q1_dot * q2_dot * s1))
+    let f5 = (-(R * q1_dot * q2_dot * s1 * c2))
         .mul_add(
-            c2,
-            (-(R * q2_dot * q2_dot * c1)).mul_add(s2, -R * q1_dot * q1_dot * c1 * c2),
+            S::int(2),
+            -R * q1_dot * q1_dot * c1 * c2 - R * q2_dot * q2_dot * c1 * s2,
         );
     [f1, f2, f3, f4, f5]
 }
@@ -137,28 +137,14 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     // T = M*R^2*q1'^2*(6 - 5*cos(q2)^2)/8 + 5*M*R^2*q2'^2/8 + M*R^2*q3'^2/4 + M*R^2*q1'*q3'*sin(q2)/2 +
     //   M*q4'^2/2 - M*R*q1'*q4'*cos(q1)*sin(q2) - M*R*q2'*q4'*sin(q1)*cos(q2) + M*q5'^2/2 -
     //   M*R*q1'*q5'*sin(q1)*sin(q2) + M*R*q2'*q5'*cos(q1)*cos(q2)
-    let energy = (M * R * q2_dot * q5_dot * c1)
-        .mul_add(
-            c2,
-            (-(M * R * q1_dot * q5_dot * s1))
-                .mul_add(
-                    s2,
-                    (-(M * R * q2_dot * q4_dot * s1))
-                        .mul_add(
-                            c2,
-                            (-(M * R * q1_dot * q4_dot * c1))
-                                .mul_add(
-                                    s2,
-                                    S::ratio(1, 8) * M * R * R * q1_dot * q1_dot
-                                        * ((-(c2 * c2)).mul_add(S::int(5), S::int(6)))
-                                        + S::ratio(5, 8) * M * R * R * q2_dot * q2_dot
-                                        + S::ratio(1, 4) * M * R * R * q3_dot * q3_dot
-                                        + S::ratio(1, 2) * M * R * R * q1_dot * q3_dot * s2
-                                        + S::ratio(1, 2) * M * q4_dot * q4_dot,
-                                ),
-                        ) + S::ratio(1, 2) * M * q5_dot * q5_dot,
-                ),
-        );
+    let energy = S::ratio(1, 8) * M * R * R * q1_dot * q1_dot
+        * (S::int(6) - S::int(5) * c2 * c2)
+        + S::ratio(5, 8) * M * R * R * q2_dot * q2_dot
+        + S::ratio(1, 4) * M * R * R * q3_dot * q3_dot
+        + S::ratio(1, 2) * M * R * R * q1_dot * q3_dot * s2
+        + S::ratio(1, 2) * M * q4_dot * q4_dot - M * R * q1_dot * q4_dot * c1 * s2
+        - M * R * q2_dot * q4_dot * s1 * c2 + S::ratio(1, 2) * M * q5_dot * q5_dot
+        - M * R * q1_dot * q5_dot * s1 * s2 + M * R * q2_dot * q5_dot * c1 * c2;
     energy
 }
 

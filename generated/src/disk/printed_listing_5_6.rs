@@ -59,106 +59,36 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     // f1 = (4*R*u1^2*sin(q2)*cos(q2) - 4*g*sin(q2)^3 - 4*g*sin(q2)*cos(q2)^2 + 2*R*u2^2*sin(q2)*cos(q2) +
     //   2*R*u2^2*sin(q2)^2*tan(q2) - 3*R*u2*u3*sin(q2)^2 - 3*R*u2*u3*cos(q2)^2)/(R*(5*sin(q2)^2 +
     //   cos(q2)^2))
-    let f1 = ((-(S::int(3) * R * u2 * u3))
-        .mul_add(
-            c2 * c2,
-            (-(S::int(3) * R * u2 * u3))
-                .mul_add(
-                    s2 * s2,
-                    (S::int(2) * R * u2 * u2 * s2 * s2)
-                        .mul_add(
-                            t2,
-                            (S::int(2) * R * u2 * u2 * s2)
-                                .mul_add(
-                                    c2,
-                                    (-(S::int(4) * g * s2))
-                                        .mul_add(
-                                            c2 * c2,
-                                            (-(S::int(4) * g))
-                                                .mul_add(s2 * s2 * s2, S::int(4) * R * u1 * u1 * s2 * c2),
-                                        ),
-                                ),
-                        ),
-                ),
-        )) / (R * f1_part);
+    let f1 = (S::int(4) * R * u1 * u1 * s2 * c2 - S::int(4) * g * s2 * s2 * s2
+        - S::int(4) * g * s2 * c2 * c2 + S::int(2) * R * u2 * u2 * s2 * c2
+        + S::int(2) * R * u2 * u2 * s2 * s2 * t2 - S::int(3) * R * u2 * u3 * s2 * s2
+        - S::int(3) * R * u2 * u3 * c2 * c2) / (R * f1_part);
     // f2 = 3*u1*u3 - 2*u1*u2*tan(q2)
-    let f2 = (-(S::int(2) * u1 * u2)).mul_add(t2, S::int(3) * u1 * u3);
+    let f2 = (-(u1 * u2 * t2)).mul_add(S::int(2), S::int(3) * u1 * u3);
     // f4 = (4*g*sin(q1)*sin(q2)*cos(q2) - 5*R*u1^2*sin(q1)*sin(q2) - 3*R*u2^2*sin(q1)*sin(q2) -
     //   5*R*u2^2*sin(q1)*sin(q2)*tan(q2)^2 - 13*R*u1*u2*cos(q1)*sin(q2)^2 - 2*R*u1*u2*cos(q1)*cos(q2)^2 -
     //   15*R*u1*u2*cos(q1)*sin(q2)^2*tan(q2)^2 + 3*R*u1*u3*cos(q1)*sin(q2)*cos(q2) +
     //   15*R*u1*u3*cos(q1)*sin(q2)^2*tan(q2) + 3*R*u2*u3*sin(q1)*cos(q2))/(5*sin(q2)^2 + cos(q2)^2)
-    let f4 = ((S::int(3) * R * u2 * u3 * s1)
-        .mul_add(
-            c2,
-            (S::int(15) * R * u1 * u3 * c1 * s2 * s2)
-                .mul_add(
-                    t2,
-                    (S::int(3) * R * u1 * u3 * c1 * s2)
-                        .mul_add(
-                            c2,
-                            (-(S::int(15) * R * u1 * u2 * c1 * s2 * s2))
-                                .mul_add(
-                                    t2 * t2,
-                                    (-(S::int(2) * R * u1 * u2 * c1))
-                                        .mul_add(
-                                            c2 * c2,
-                                            (-(S::int(13) * R * u1 * u2 * c1))
-                                                .mul_add(
-                                                    s2 * s2,
-                                                    (-(S::int(5) * R * u2 * u2 * s1 * s2))
-                                                        .mul_add(
-                                                            t2 * t2,
-                                                            (-(S::int(3) * R * u2 * u2 * s1))
-                                                                .mul_add(
-                                                                    s2,
-                                                                    (-(S::int(5) * R * u1 * u1 * s1))
-                                                                        .mul_add(s2, S::int(4) * g * s1 * s2 * c2),
-                                                                ),
-                                                        ),
-                                                ),
-                                        ),
-                                ),
-                        ),
-                ),
-        )) / f1_part;
+    let f4 = ((g * s1 * s2 * c2).mul_add(S::int(4), -S::int(5) * R * u1 * u1 * s1 * s2)
+        - S::int(3) * R * u2 * u2 * s1 * s2 - S::int(5) * R * u2 * u2 * s1 * s2 * t2 * t2
+        - S::int(13) * R * u1 * u2 * c1 * s2 * s2
+        - S::int(2) * R * u1 * u2 * c1 * c2 * c2
+        - S::int(15) * R * u1 * u2 * c1 * s2 * s2 * t2 * t2
+        + S::int(3) * R * u1 * u3 * c1 * s2 * c2
+        + S::int(15) * R * u1 * u3 * c1 * s2 * s2 * t2
+        + S::int(3) * R * u2 * u3 * s1 * c2) / f1_part;
     // f5 = (5*R*u1^2*cos(q1)*sin(q2) - 4*g*cos(q1)*sin(q2)*cos(q2) + 3*R*u2^2*cos(q1)*sin(q2) +
     //   5*R*u2^2*cos(q1)*sin(q2)*tan(q2)^2 - 13*R*u1*u2*sin(q1)*sin(q2)^2 - 2*R*u1*u2*sin(q1)*cos(q2)^2 -
     //   15*R*u1*u2*sin(q1)*sin(q2)^2*tan(q2)^2 + 3*R*u1*u3*sin(q1)*sin(q2)*cos(q2) +
     //   15*R*u1*u3*sin(q1)*sin(q2)^2*tan(q2) - 3*R*u2*u3*cos(q1)*cos(q2))/(5*sin(q2)^2 + cos(q2)^2)
-    let f5 = ((-(S::int(3) * R * u2 * u3 * c1))
-        .mul_add(
-            c2,
-            (S::int(15) * R * u1 * u3 * s1 * s2 * s2)
-                .mul_add(
-                    t2,
-                    (S::int(3) * R * u1 * u3 * s1 * s2)
-                        .mul_add(
-                            c2,
-                            (-(S::int(15) * R * u1 * u2 * s1 * s2 * s2))
-                                .mul_add(
-                                    t2 * t2,
-                                    (-(S::int(2) * R * u1 * u2 * s1))
-                                        .mul_add(
-                                            c2 * c2,
-                                            (-(S::int(13) * R * u1 * u2 * s1))
-                                                .mul_add(
-                                                    s2 * s2,
-                                                    (S::int(5) * R * u2 * u2 * c1 * s2)
-                                                        .mul_add(
-                                                            t2 * t2,
-                                                            (S::int(3) * R * u2 * u2 * c1)
-                                                                .mul_add(
-                                                                    s2,
-                                                                    (-(S::int(4) * g * c1 * s2))
-                                                                        .mul_add(c2, S::int(5) * R * u1 * u1 * c1 * s2),
-                                                                ),
-                                                        ),
-                                                ),
-                                        ),
-                                ),
-                        ),
-                ),
-        )) / f1_part;
+    let f5 = ((-(g * c1 * s2 * c2)).mul_add(S::int(4), S::int(5) * R * u1 * u1 * c1 * s2)
+        + S::int(3) * R * u2 * u2 * c1 * s2 + S::int(5) * R * u2 * u2 * c1 * s2 * t2 * t2
+        - S::int(13) * R * u1 * u2 * s1 * s2 * s2
+        - S::int(2) * R * u1 * u2 * s1 * c2 * c2
+        - S::int(15) * R * u1 * u2 * s1 * s2 * s2 * t2 * t2
+        + S::int(3) * R * u1 * u3 * s1 * s2 * c2
+        + S::int(15) * R * u1 * u3 * s1 * s2 * s2 * t2
+        - S::int(3) * R * u2 * u3 * c1 * c2) / f1_part;
     [f1, f2, zero, f4, f5]
 }
 
@@ -210,27 +140,12 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
     //   M*R*u2*u5*sin(q1)*tan(q2)
-    let energy = (-(M * R * u2 * u5 * s1))
-        .mul_add(
-            t2,
-            (-(M * R * u1 * u5 * c1))
-                .mul_add(
-                    c2,
-                    (-(M * R * u2 * u4 * c1))
-                        .mul_add(
-                            t2,
-                            (M * R * u1 * u4 * s1)
-                                .mul_add(
-                                    c2,
-                                    S::ratio(5, 8) * M * R * R * u1 * u1
-                                        + S::ratio(1, 8) * M * R * R * u2 * u2
-                                            * ((t2 * t2).mul_add(S::int(4), S::int(1)))
-                                        + S::ratio(1, 4) * M * R * R * u3 * u3
-                                        + S::ratio(1, 2) * M * u4 * u4,
-                                ),
-                        ) + S::ratio(1, 2) * M * u5 * u5,
-                ),
-        );
+    let energy = S::ratio(5, 8) * M * R * R * u1 * u1
+        + S::ratio(1, 8) * M * R * R * u2 * u2 * (S::int(1) + S::int(4) * t2 * t2)
+        + S::ratio(1, 4) * M * R * R * u3 * u3 + S::ratio(1, 2) * M * u4 * u4
+        + M * R * u1 * u4 * s1 * c2 - M * R * u2 * u4 * c1 * t2
+        + S::ratio(1, 2) * M * u5 * u5 - M * R * u1 * u5 * c1 * c2
+        - M * R * u2 * u5 * s1 * t2;
     energy
 }
 

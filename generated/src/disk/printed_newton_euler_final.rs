@@ -83,17 +83,14 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     // f1 = -M*R*u1*u2*(2 + tan(q2)^2)
     let f1 = -M * R * u1 * u2 * (t2.mul_add(t2, S::int(2)));
     // f2 = M*R*u1^2 - M*g*cos(q2) + M*R*u2^2*tan(q2)^2
-    let f2 = (M * R * u2 * u2).mul_add(t2 * t2, (-(M * g)).mul_add(c2, M * R * u1 * u1));
+    let f2 = (-(M * g)).mul_add(c2, M * R * u1 * u1) + M * R * u2 * u2 * t2 * t2;
     // f3 = -M*g*sin(q2) - M*R*u2^2*tan(q2)
-    let f3 = (-(M * R * u2 * u2)).mul_add(t2, -M * g * s2);
+    let f3 = (-(M * g)).mul_add(s2, -M * R * u2 * u2 * t2);
     // f4 = M*R^2*u2^2*tan(q2) - 2*M*R^2*u2*u3 + M*R^2*u2*(u2*tan(q2) - u3)
-    let f4 = (M * R * R * u2)
-        .mul_add(
-            u2.mul_add(t2, -u3),
-            (-(S::int(2) * M * R * R * u2)).mul_add(u3, M * R * R * u2 * u2 * t2),
-        );
+    let f4 = M * R * R * u2 * u2 * t2 - S::int(2) * M * R * R * u2 * u3
+        + M * R * R * u2 * (u2.mul_add(t2, -u3));
     // f5 = 3*u1*u3 - 2*u1*u2*tan(q2)
-    let f5 = (-(S::int(2) * u1 * u2)).mul_add(t2, S::int(3) * u1 * u3);
+    let f5 = (-(u1 * u2 * t2)).mul_add(S::int(2), S::int(3) * u1 * u3);
     [f1, f2, f3, f4, f5, zero]
 }
 
@@ -145,27 +142,12 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
     //   M*R*u2*u5*sin(q1)*tan(q2)
-    let energy = (-(M * R * u2 * u5 * s1))
-        .mul_add(
-            t2,
-            (-(M * R * u1 * u5 * c1))
-                .mul_add(
-                    c2,
-                    (-(M * R * u2 * u4 * c1))
-                        .mul_add(
-                            t2,
-                            (M * R * u1 * u4 * s1)
-                                .mul_add(
-                                    c2,
-                                    S::ratio(5, 8) * M * R * R * u1 * u1
-                                        + S::ratio(1, 8) * M * R * R * u2 * u2
-                                            * ((t2 * t2).mul_add(S::int(4), S::int(1)))
-                                        + S::ratio(1, 4) * M * R * R * u3 * u3
-                                        + S::ratio(1, 2) * M * u4 * u4,
-                                ),
-                        ) + S::ratio(1, 2) * M * u5 * u5,
-                ),
-        );
+    let energy = S::ratio(5, 8) * M * R * R * u1 * u1
+        + S::ratio(1, 8) * M * R * R * u2 * u2 * (S::int(1) + S::int(4) * t2 * t2)
+        + S::ratio(1, 4) * M * R * R * u3 * u3 + S::ratio(1, 2) * M * u4 * u4
+        + M * R * u1 * u4 * s1 * c2 - M * R * u2 * u4 * c1 * t2
+        + S::ratio(1, 2) * M * u5 * u5 - M * R * u1 * u5 * c1 * c2
+        - M * R * u2 * u5 * s1 * t2;
     energy
 }
 

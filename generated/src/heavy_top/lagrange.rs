@@ -60,10 +60,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     let m_l_g = m * l * g;
     // Values.
     // f1 = cos(q2)*(m*l*g*sin(q1) - q2'*(I3*(2*q1'*sin(q2) + q3') - 2*I1*q1'*sin(q2)))
-    let f1 = (-(S::int(2) * q2_dot))
-        .mul_add(f1_part, c2 * ((-q3_dot).mul_add(i3_q2_dot, m_l_g * s1)));
+    let f1 = c2 * ((-q3_dot).mul_add(i3_q2_dot, m_l_g * s1))
+        - S::int(2) * q2_dot * f1_part;
     // f2 = m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2))
-    let f2 = (m_l_g * c1).mul_add(s2, q1_dot.mul_add(f1_part, I3 * q3_dot * q1_dot_c2));
+    let f2 = q1_dot.mul_add(f1_part, I3 * q3_dot * q1_dot_c2) + m_l_g * c1 * s2;
     // f3 = -I3*q1'*q2'*cos(q2)
     let f3 = -q1_dot_c2 * i3_q2_dot;
     [f1, f2, f3]
@@ -98,8 +98,8 @@ pub fn accelerations<S: Scalar>(
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
     let q1_ddot = i1_inv
-        * ((-q2_dot)
-            .mul_add((-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part), m_l_g * s1)) / c2;
+        * (-q2_dot * ((-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part)) + m_l_g * s1)
+        / c2;
     // Shared terms.
     // q1'*cos(q2); used 2 times
     let q1_dot_c2 = q1_dot * c2;
@@ -107,8 +107,7 @@ pub fn accelerations<S: Scalar>(
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
     let q3_ddot = (-q2_dot).mul_add(q1_dot_c2, -q1_ddot * s2);
     // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
-    let q2_ddot = i1_inv
-        * (q1_dot_c2.mul_add(q1_ddot_part - i1_q1_dot_s2, m_l_g * c1 * s2));
+    let q2_ddot = i1_inv * (q1_dot_c2 * (q1_ddot_part - i1_q1_dot_s2) + m_l_g * c1 * s2);
     [q1_ddot, q2_ddot, q3_ddot]
 }
 
@@ -141,8 +140,8 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
     let q1_ddot = i1_inv
-        * ((-q2_dot)
-            .mul_add((-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part), m_l_g * s1)) / c2;
+        * (-q2_dot * ((-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part)) + m_l_g * s1)
+        / c2;
     // Shared terms.
     // q1'*cos(q2); used 2 times
     let q1_dot_c2 = q1_dot * c2;
@@ -150,8 +149,7 @@ pub fn derivative<S: Scalar>(
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
     let q3_ddot = (-q2_dot).mul_add(q1_dot_c2, -q1_ddot * s2);
     // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
-    let q2_ddot = i1_inv
-        * (q1_dot_c2.mul_add(q1_ddot_part - i1_q1_dot_s2, m_l_g * c1 * s2));
+    let q2_ddot = i1_inv * (q1_dot_c2 * (q1_ddot_part - i1_q1_dot_s2) + m_l_g * c1 * s2);
     // Values.
     // q1' = q1'
     let q1_dot_value = q1_dot;
@@ -218,14 +216,10 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q1_ddot_by_q2 = (2*q1'*q2' + (m*l*g*sin(q1)*sin(q2) - I3*q2'*(q1' + q3'*sin(q2)))/I1)/cos(q2)^2
     let q1_ddot_by_q2 = c2_inv
-        * (q2_dot_c2_inv
-            .mul_add(
-                (-q3_dot_i3_i1_inv).mul_add(s2, q1_dot * q1_ddot_by_q2_part),
-                c2_inv_m_l_g_i1_inv * s2_s1,
-            ));
+        * (q2_dot_c2_inv * ((-q3_dot_i3_i1_inv).mul_add(s2, q1_dot * q1_ddot_by_q2_part))
+            + c2_inv_m_l_g_i1_inv * s2_s1);
     // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
-    let q3_ddot_by_q2 = (-q1_ddot_by_q2)
-        .mul_add(s2, (-q1_ddot).mul_add(c2, q2_dot * q1_dot_s2));
+    let q3_ddot_by_q2 = (-q1_ddot).mul_add(c2, q2_dot * q1_dot_s2) - q1_ddot_by_q2 * s2;
     // Shared terms.
     // i3_i1_inv*q1_dot_s2_scaled + q1_ddot_part; used 2 times
     let q2_ddot_by_q2_part = i3_i1_inv.mul_add(q1_dot_s2_scaled, q1_ddot_part);
@@ -234,11 +228,8 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q2_ddot_by_q2 = m*l*g*cos(q1)*cos(q2)/I1 - q1'*(q1'*(cos(q2)^2 - sin(q2)^2 + I3*(sin(q2)^2 -
     //   cos(q2)^2)/I1) + I3*q3'*sin(q2)/I1)
-    let q2_ddot_by_q2 = i3_i1_inv
-        .mul_add(
-            q1_dot_sq,
-            (-q1_dot_s2).mul_add(q2_ddot_by_q2_part, m_l_g_i1_inv * c1 * c2) - q1_dot_sq,
-        );
+    let q2_ddot_by_q2 = (-q1_dot_s2).mul_add(q2_ddot_by_q2_part, m_l_g_i1_inv * c1 * c2)
+        - q1_dot_sq + i3_i1_inv * q1_dot_sq;
     // q1_ddot_by_q1_dot = q2'*tan(q2)*(2 - I3/I1)
     let q1_ddot_by_q1_dot = q2_dot_c2_inv * q1_ddot_by_q2_part * s2;
     // q3_ddot_by_q1_dot = -q2'*cos(q2) - q1_ddot_by_q1_dot*sin(q2)
@@ -326,8 +317,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) 
     // I3*q3'; used 2 times
     let i3_q3_dot = I3 * q3_dot;
     // q1'^2*(I3 + cos(q2)^2*(I1 - I3)) + I1*q2'^2
-    let energy_part = I1
-        .mul_add(q2_dot * q2_dot, q1_dot * q1_dot * ((c2 * c2).mul_add(I1 - I3, I3)));
+    let energy_part = q1_dot * q1_dot * (I3 + c2 * c2 * (I1 - I3))
+        + I1 * q2_dot * q2_dot;
     // q3'*i3_q3_dot + energy_part
     let energy_part_2 = q3_dot.mul_add(i3_q3_dot, energy_part);
     // Values.
@@ -399,7 +390,7 @@ pub fn generalized_speed_rates<S: Scalar>(
     // u2' = q2''
     let u2_dot_value = q2_ddot;
     // u3' = q1'*q2'*cos(q2) + q1''*sin(q2) + q3''
-    let u3_dot_value = q1_dot_q2_dot.mul_add(c2, q1_ddot.mul_add(s2, q3_ddot));
+    let u3_dot_value = q1_ddot.mul_add(s2, q3_ddot) + q1_dot_q2_dot * c2;
     [u1_dot_value, u2_dot_value, u3_dot_value]
 }
 

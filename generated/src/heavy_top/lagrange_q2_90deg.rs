@@ -62,18 +62,12 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     // Values.
     // f1 = -sin(q2_minus_90deg)*(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   2*q1'*cos(q2_minus_90deg))))
-    let f1 = sin_q2_minus_90deg
-        .mul_add(
-            (-m_l_g).mul_add(s1, q3_dot * i3_q2_dot),
-            S::int(2) * q2_dot * f1_part_2,
-        );
+    let f1 = sin_q2_minus_90deg * ((-m_l_g).mul_add(s1, q3_dot * i3_q2_dot))
+        + S::int(2) * q2_dot * f1_part_2;
     // f2 = m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
     //   I3*(q3' + q1'*cos(q2_minus_90deg)))
-    let f2 = (-q1_dot)
-        .mul_add(
-            f1_part_2,
-            (-(I3 * q3_dot)).mul_add(f1_part, m_l_g * c1 * cos_q2_minus_90deg),
-        );
+    let f2 = (-(I3 * q3_dot)).mul_add(f1_part, m_l_g * c1 * cos_q2_minus_90deg)
+        - q1_dot * f1_part_2;
     // f3 = I3*q1'*q2'*sin(q2_minus_90deg)
     let f3 = f1_part * i3_q2_dot;
     [f1, f2, f3]
@@ -109,11 +103,8 @@ pub fn accelerations<S: Scalar>(
     // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
     let q1_ddot = i1_inv
-        * ((-m_l_g)
-            .mul_add(
-                s1,
-                q2_dot * ((-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2)),
-            )) / sin_q2_minus_90deg;
+        * (q2_dot * ((-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2)) - m_l_g * s1)
+        / sin_q2_minus_90deg;
     // Shared terms.
     // q1'*sin(q2_minus_90deg); used 2 times
     let q3_ddot_part = q1_dot * sin_q2_minus_90deg;
@@ -123,8 +114,8 @@ pub fn accelerations<S: Scalar>(
     // q2'' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
     //   I3*(q3' + q1'*cos(q2_minus_90deg))))/I1
     let q2_ddot = i1_inv
-        * ((-q3_ddot_part)
-            .mul_add(q1_ddot_part_2 - i1_q1_ddot_part, m_l_g * c1 * cos_q2_minus_90deg));
+        * (-q3_ddot_part * (q1_ddot_part_2 - i1_q1_ddot_part)
+            + m_l_g * c1 * cos_q2_minus_90deg);
     [q1_ddot, q2_ddot, q3_ddot]
 }
 
@@ -158,11 +149,8 @@ pub fn derivative<S: Scalar>(
     // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
     let q1_ddot = i1_inv
-        * ((-m_l_g)
-            .mul_add(
-                s1,
-                q2_dot * ((-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2)),
-            )) / sin_q2_minus_90deg;
+        * (q2_dot * ((-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2)) - m_l_g * s1)
+        / sin_q2_minus_90deg;
     // Shared terms.
     // q1'*sin(q2_minus_90deg); used 2 times
     let q3_ddot_part = q1_dot * sin_q2_minus_90deg;
@@ -172,8 +160,8 @@ pub fn derivative<S: Scalar>(
     // q2'' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
     //   I3*(q3' + q1'*cos(q2_minus_90deg))))/I1
     let q2_ddot = i1_inv
-        * ((-q3_ddot_part)
-            .mul_add(q1_ddot_part_2 - i1_q1_ddot_part, m_l_g * c1 * cos_q2_minus_90deg));
+        * (-q3_ddot_part * (q1_ddot_part_2 - i1_q1_ddot_part)
+            + m_l_g * c1 * cos_q2_minus_90deg);
     // Values.
     // q1' = q1'
     let q1_dot_value = q1_dot;
@@ -245,22 +233,14 @@ pub fn jacobian<S: Scalar>(
     //   q3'*cos(q2_minus_90deg)))/I1)/sin(q2_minus_90deg)^2
     let q1_ddot_by_q2_minus_90deg = q1_ddot_part
         * (q2_dot_q1_ddot_part
-            .mul_add(
-                (-q3_dot_i3_i1_inv)
-                    .mul_add(
-                        cos_q2_minus_90deg,
-                        q1_dot * q1_ddot_by_q2_minus_90deg_part,
-                    ),
-                q1_ddot_part_5 * cos_q2_minus_90deg,
-            ));
+            * ((-q3_dot_i3_i1_inv)
+                .mul_add(cos_q2_minus_90deg, q1_dot * q1_ddot_by_q2_minus_90deg_part))
+            + q1_ddot_part_5 * cos_q2_minus_90deg);
     // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)
-    let q3_ddot_by_q2_minus_90deg = q2_dot
-        .mul_add(
-            q1_ddot_part_2,
-            (-q1_ddot_by_q2_minus_90deg)
-                .mul_add(cos_q2_minus_90deg, q1_ddot * sin_q2_minus_90deg),
-        );
+    let q3_ddot_by_q2_minus_90deg = (-q1_ddot_by_q2_minus_90deg)
+        .mul_add(cos_q2_minus_90deg, q1_ddot * sin_q2_minus_90deg)
+        + q2_dot * q1_ddot_part_2;
     // Shared terms.
     // i3_i1_inv*q1_ddot_part_2_scaled + q1_ddot_part_3; used 2 times
     let q2_ddot_by_q2_minus_90deg_part = i3_i1_inv
@@ -271,11 +251,9 @@ pub fn jacobian<S: Scalar>(
     // q2_ddot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 -
     //   q1'*(I3*q3'*cos(q2_minus_90deg)/I1 + q1'*(sin(q2_minus_90deg)^2 - cos(q2_minus_90deg)^2 +
     //   I3*(cos(q2_minus_90deg)^2 - sin(q2_minus_90deg)^2)/I1))
-    let q2_ddot_by_q2_minus_90deg = (-q1_ddot_part_2)
-        .mul_add(
-            q2_ddot_by_q2_minus_90deg_part,
-            (-c1_m_l_g_i1_inv).mul_add(sin_q2_minus_90deg, i3_i1_inv * q1_dot_sq),
-        ) - q1_dot_sq;
+    let q2_ddot_by_q2_minus_90deg = (-c1_m_l_g_i1_inv)
+        .mul_add(sin_q2_minus_90deg, i3_i1_inv * q1_dot_sq)
+        - q1_ddot_part_2 * q2_ddot_by_q2_minus_90deg_part - q1_dot_sq;
     // q1_ddot_by_q1_dot = q2'*(I3/I1 - 2)/tan(q2_minus_90deg)
     let q1_ddot_by_q1_dot = -q2_dot_q1_ddot_part * q1_ddot_by_q2_minus_90deg_part
         * cos_q2_minus_90deg;
@@ -377,13 +355,9 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) 
     // q1'*sin(q2_minus_90deg)
     let energy_part_2 = q1_dot * sin_q2_minus_90deg;
     // I3*(q3'^2 + energy_part*(2*q3' + energy_part)) + I1*(q2'^2 + energy_part_2^2)
-    let energy_part_3 = I1
-        .mul_add(
-            energy_part_2.mul_add(energy_part_2, q2_dot * q2_dot),
-            I3
-                * (energy_part
-                    .mul_add(q3_dot.mul_add(S::int(2), energy_part), q3_dot * q3_dot)),
-        );
+    let energy_part_3 = I3
+        * (energy_part * (q3_dot.mul_add(S::int(2), energy_part)) + q3_dot * q3_dot)
+        + I1 * (energy_part_2.mul_add(energy_part_2, q2_dot * q2_dot));
     // Values.
     // T = I3*(q3'^2 + q1'*cos(q2_minus_90deg)*(2*q3' + q1'*cos(q2_minus_90deg)))/2 + I1*(q2'^2 +
     //   q1'^2*sin(q2_minus_90deg)^2)/2
@@ -455,8 +429,8 @@ pub fn generalized_speed_rates<S: Scalar>(
     // u2' = q2''
     let u2_dot_value = q2_ddot;
     // u3' = q3'' - q1'*q2'*sin(q2_minus_90deg) + q1''*cos(q2_minus_90deg)
-    let u3_dot_value = (-q1_dot_q2_dot)
-        .mul_add(sin_q2_minus_90deg, q1_ddot.mul_add(cos_q2_minus_90deg, q3_ddot));
+    let u3_dot_value = q1_ddot.mul_add(cos_q2_minus_90deg, q3_ddot)
+        - q1_dot_q2_dot * sin_q2_minus_90deg;
     [u1_dot_value, u2_dot_value, u3_dot_value]
 }
 

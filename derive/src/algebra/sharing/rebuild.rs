@@ -1,7 +1,7 @@
 //! Sums of monomials back to terms of the store, each after what it needs.
 
-use super::Shared;
 use super::network::{Atom, Network, Term, Value, is_unit};
+use super::{Shared, is_shared_symbol};
 use crate::algebra::elimination::Definition;
 use crate::algebra::{Arena, Expr, Rational};
 use rustc_hash::FxHashSet;
@@ -17,8 +17,12 @@ pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Shared {
         named: 0,
         steps: Vec::new(),
     };
+    // What sharing put among the steps is computed if something needs it.
     for step in &network.steps {
-        builder.define(*step);
+        let symbol = network.atoms[*step as usize].symbol;
+        if symbol.is_none_or(|symbol| !is_shared_symbol(builder.arena, symbol)) {
+            builder.define(*step);
+        }
     }
     let values = network.values.iter().map(|value| builder.define(*value)).collect();
     Shared { steps: builder.steps, values }
