@@ -306,15 +306,36 @@ impl Arena {
     /// Everything that `roots` are built from, themselves included, operands first.
     #[must_use]
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
-        let mut seen = FxHashSet::default();
-        let mut stack: Vec<Expr> = roots.to_vec();
-        while let Some(e) = stack.pop() {
-            if seen.insert(e) {
-                stack.extend(self.operands(e));
+        self.reachable_until(roots, |_| false)
+    }
+
+    /// The same, but nothing for which `known` holds, nor what only such terms are built from.
+    pub(super) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
+        // A bit for each handle up to the largest root: operands have smaller ones.
+        let words = roots.iter().map(|e| e.index() / 64 + 1).max().unwrap_or(0);
+        let mut seen = vec![0_u64; words];
+        let mut stack: Vec<Expr> = Vec::new();
+        let (mut all, mut sorted) = (Vec::new(), true);
+        let mut visit = |e: Expr, stack: &mut Vec<Expr>| {
+            let (word, bit) = (e.index() / 64, 1 << (e.index() % 64));
+            if seen[word] & bit == 0 && !known(e) {
+                seen[word] |= bit;
+                sorted &= all.last().is_none_or(|last| *last < e);
+                all.push(e);
+                stack.push(e);
+            }
+        };
+        for root in roots {
+            visit(*root, &mut stack);
+            while let Some(e) = stack.pop() {
+                for operand in self.operands(e) {
+                    visit(operand, &mut stack);
+                }
             }
         }
-        let mut all: Vec<Expr> = seen.into_iter().collect();
-        all.sort_unstable();
+        if !sorted {
+            in_order(&mut all, &seen);
+        }
         all
     }
 
@@ -322,5 +343,20 @@ impl Arena {
     #[must_use]
     pub fn mentions(&self, e: Expr, symbol: Expr) -> bool {
         self.reachable(&[e]).binary_search(&symbol).is_ok()
+    }
+}
+
+/// Sorts the handles whose bits are set in `seen`: few by comparison, many by reading the bits.
+fn in_order(all: &mut Vec<Expr>, seen: &[u64]) {
+    if all.len() < seen.len() / 4 {
+        return all.sort_unstable();
+    }
+    all.clear();
+    for (at, word) in (0_u32..).zip(seen) {
+        let mut left = *word;
+        while left != 0 {
+            all.push(Expr(64 * at + left.trailing_zeros()));
+            left &= left - 1;
+        }
     }
 }

@@ -3,6 +3,7 @@
 
 use super::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
+use std::rc::Rc;
 
 /// Rebuilds `e` with mapped operands; `None` if a divisor became the literal 0.
 fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Expr> {
@@ -58,14 +59,12 @@ impl Substitution {
         if let Some(&done) = self.map.get(&e) {
             return done;
         }
-        for part in arena.reachable(&[e]) {
-            if !self.map.contains_key(&part) {
-                let new = rebuild(arena, part, &self.map);
-                if new.is_none() {
-                    self.undefined = self.undefined.or(Some(part));
-                }
-                self.map.insert(part, new.unwrap_or(part));
+        for part in arena.reachable_until(&[e], |part| self.map.contains_key(&part)) {
+            let new = rebuild(arena, part, &self.map);
+            if new.is_none() {
+                self.undefined = self.undefined.or(Some(part));
             }
+            self.map.insert(part, new.unwrap_or(part));
         }
         self.map[&e]
     }
@@ -103,16 +102,17 @@ impl Differential {
         if let Some(&done) = self.map.get(&e) {
             return done;
         }
-        for part in arena.reachable(&[e]) {
-            if !self.map.contains_key(&part) {
-                let derivative = self.one(arena, part);
-                self.map.insert(part, derivative);
-            }
+        for part in arena.reachable_until(&[e], |part| self.map.contains_key(&part)) {
+            let derivative = self.one(arena, part);
+            self.map.insert(part, derivative);
         }
         self.map[&e]
     }
 
     fn one(&self, arena: &mut Arena, e: Expr) -> Expr {
+        if arena.operands(e).all(|operand| self.map[&operand] == Expr::ZERO) {
+            return Expr::ZERO;
+        }
         match arena.node(e).clone() {
             Node::Number(_) | Node::Symbol(_) | Node::Pi => Expr::ZERO,
             Node::Sum(_, terms) => {
@@ -143,6 +143,78 @@ impl Differential {
                 arena.mul(outer, inner)
             }
         }
+    }
+}
+
+/// (which variable, ∂e/∂that) for each variable on which e depends by form, in order.
+pub type Slopes = Rc<[(usize, Expr)]>;
+
+/// The derivatives along several variables at once, those that are 0 by form left out.
+///
+/// One pass where [`Differential::partial`] needs one for each variable; reuse one value for many expressions.
+pub struct Gradient {
+    map: FxHashMap<Expr, Slopes>,
+    nothing: Slopes,
+}
+
+impl Gradient {
+    /// Along these variables, numbered as they stand.
+    #[must_use]
+    pub fn new(variables: &[Expr]) -> Self {
+        let nothing: Slopes = Rc::new([]);
+        let map = variables.iter().enumerate().map(|(at, x)| (*x, Rc::new([(at, Expr::ONE)]) as Slopes)).collect();
+        Self { map, nothing }
+    }
+
+    /// The derivatives of `e`.
+    pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Slopes {
+        if let Some(done) = self.map.get(&e) {
+            return done.clone();
+        }
+        for part in arena.reachable_until(&[e], |part| self.map.contains_key(&part)) {
+            let slopes = self.one(arena, part);
+            self.map.insert(part, slopes);
+        }
+        self.map[&e].clone()
+    }
+
+    fn one(&self, arena: &mut Arena, e: Expr) -> Slopes {
+        if arena.operands(e).all(|operand| self.map[&operand].is_empty()) {
+            return self.nothing.clone();
+        }
+        // (variable, term, factor), to be added up variable by variable.
+        let mut shares: Vec<(usize, Expr, Rational)> = Vec::new();
+        match arena.node(e).clone() {
+            Node::Number(_) | Node::Symbol(_) | Node::Pi => {}
+            Node::Sum(_, terms) => {
+                for (term, k) in &terms {
+                    shares.extend(self.map[term].iter().map(|(at, slope)| (*at, *slope, k.clone())));
+                }
+            }
+            Node::Product(factors) => {
+                for (place, (base, n)) in factors.iter().enumerate() {
+                    for &(at, slope) in self.map[base].iter() {
+                        let mut term: Vec<(Expr, i32)> = factors.to_vec();
+                        term[place].1 -= 1;
+                        term.push((slope, 1));
+                        let term = arena.try_product(&term).expect("bases are not zero, exponents hardly grow");
+                        shares.push((at, term, Rational::integer(i64::from(*n))));
+                    }
+                }
+            }
+            Node::Apply(f, argument) => {
+                let outer = derivative_of(arena, f, argument, e);
+                for (at, inner) in self.map[&argument].iter() {
+                    shares.push((*at, arena.mul(outer, *inner), Rational::ONE));
+                }
+            }
+        }
+        shares.sort_by_key(|(at, ..)| *at);
+        let sums = shares.chunk_by(|a, b| a.0 == b.0).map(|group| {
+            let terms: Vec<(Expr, Rational)> = group.iter().map(|(_, term, k)| (*term, k.clone())).collect();
+            (group[0].0, arena.linear_combination(&terms))
+        });
+        sums.filter(|(_, slope)| *slope != Expr::ZERO).collect()
     }
 }
 

@@ -22,43 +22,76 @@ impl Generator {
 /// Arithmetic modulo a prime between 2^60 and 2^61 that is 23 modulo 24: then −1 is no square, so that of
 /// two roots exactly one is a square, and 2 and 3 are squares, so that multiples of π/12 have values.
 #[derive(Clone, Copy)]
-pub struct Field(pub u64);
+pub struct Field {
+    /// The prime.
+    pub prime: u64,
+    /// ⌊2^122 / prime⌋: a product is reduced by multiplications with it, since divisions of double words are slow.
+    reciprocal: u64,
+}
 
 impl Field {
+    /// Arithmetic modulo `prime`, which lies between 2^60 and 2^61.
+    fn modulo(prime: u64) -> Self {
+        debug_assert_eq!(prime >> 60, 1, "a prime of 61 bits");
+        Self { prime, reciprocal: u64::try_from((1 << 122) / u128::from(prime)).expect("at most 2^62") }
+    }
     /// A random prime field.
     pub fn random(generator: &mut Generator) -> Self {
         loop {
             let candidate = (1 << 60) | (generator.next() >> 4);
             let candidate = candidate - candidate % 24 + 23;
-            if candidate < 1 << 61 && is_prime(candidate) {
-                return Self(candidate);
+            if candidate < 1 << 61 && Self::modulo(candidate).is_prime() {
+                return Self::modulo(candidate);
             }
         }
     }
 
     /// a + b.
     pub fn add(self, a: u64, b: u64) -> u64 {
-        (a + b) % self.0
+        let sum = a + b;
+        if sum >= self.prime { sum - self.prime } else { sum }
     }
 
     /// a − b.
     pub fn sub(self, a: u64, b: u64) -> u64 {
-        (a + self.0 - b) % self.0
+        if a >= b { a - b } else { a + self.prime - b }
     }
 
     /// a b.
     pub fn mul(self, a: u64, b: u64) -> u64 {
-        mul_mod(a, b, self.0)
+        // Barrett's reduction: the quotient is at most two too small, for a product below 2^122.
+        let product = u128::from(a) * u128::from(b);
+        let quotient = ((product >> 60) * u128::from(self.reciprocal)) >> 62;
+        let rest = product - quotient * u128::from(self.prime);
+        let mut rest = u64::try_from(rest).expect("below three primes of 61 bits");
+        while rest >= self.prime {
+            rest -= self.prime;
+        }
+        rest
     }
 
     /// a to the power n.
-    pub fn pow(self, a: u64, n: u64) -> u64 {
-        pow_mod(a, n, self.0)
+    pub fn pow(self, a: u64, mut n: u64) -> u64 {
+        let (mut result, mut power) = (1, a);
+        while n > 0 {
+            if n & 1 == 1 {
+                result = self.mul(result, power);
+            }
+            n >>= 1;
+            if n > 0 {
+                power = self.mul(power, power);
+            }
+        }
+        result
     }
 
     /// 1/a; `None` for 0.
     pub fn inverse(self, a: u64) -> Option<u64> {
-        (a != 0).then(|| self.pow(a, self.0 - 2))
+        match a {
+            0 => None,
+            1 => Some(1),
+            _ => Some(self.pow(a, self.prime - 2)),
+        }
     }
 
     /// a to any power; `None` for a negative power of 0.
@@ -69,48 +102,67 @@ impl Field {
 
     /// The square root that is itself a square; `None` for a non-residue.
     pub fn root(self, a: u64) -> Option<u64> {
-        let root = self.pow(a, self.0.div_ceil(4));
+        let root = self.pow(a, self.prime.div_ceil(4));
         (self.mul(root, root) == a).then_some(root)
     }
 
     /// The residue of a number; `None` if the prime divides its denominator.
     pub fn rational(self, value: &Rational) -> Option<u64> {
-        let residue = |n: &BigInt| n.mod_floor(&BigInt::from(self.0)).to_u64();
+        if let Some((n, d)) = value.small() {
+            let above = n.unsigned_abs() % self.prime;
+            let above = if n < 0 { self.sub(0, above) } else { above };
+            return Some(self.mul(above, self.inverse(d.unsigned_abs() % self.prime)?));
+        }
+        let residue = |n: &BigInt| n.mod_floor(&BigInt::from(self.prime)).to_u64();
         let big = value.to_big();
         Some(self.mul(residue(big.numer())?, self.inverse(residue(big.denom())?)?))
     }
-}
 
-fn mul_mod(a: u64, b: u64, p: u64) -> u64 {
-    u64::try_from(u128::from(a) * u128::from(b) % u128::from(p)).expect("below p")
-}
-
-fn pow_mod(mut a: u64, mut n: u64, p: u64) -> u64 {
-    let mut result = 1;
-    a %= p;
-    while n > 0 {
-        if n & 1 == 1 {
-            result = mul_mod(result, a, p);
+    /// Whether the modulus is a prime, by Miller and Rabin with the seven bases that decide every 64-bit number (Sinclair 2011).
+    fn is_prime(self) -> bool {
+        let n = self.prime;
+        let small = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53];
+        if small.iter().any(|b| n.is_multiple_of(*b)) {
+            return false;
         }
-        a = mul_mod(a, a, p);
-        n >>= 1;
+        let twos = (n - 1).trailing_zeros();
+        [2, 325, 9375, 28178, 450_775, 9_780_504, 1_795_265_022].iter().all(|&base| {
+            let mut x = self.pow(base, (n - 1) >> twos);
+            (x == 1 || x == n - 1)
+                || (1..twos).any(|_| {
+                    x = self.mul(x, x);
+                    x == n - 1
+                })
+        })
     }
-    result
 }
 
-/// Miller–Rabin with the twelve bases that decide every 64-bit number (Sorenson and Webster 2015).
-fn is_prime(n: u64) -> bool {
-    let bases = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
-    if bases.iter().any(|b| n.is_multiple_of(*b)) {
-        return bases.contains(&n);
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_are_those_of_division_by_double_words() {
+        let mut generator = Generator(7);
+        for _ in 0..200 {
+            let f = Field::random(&mut generator);
+            let p = u128::from(f.prime);
+            let mut pairs: Vec<(u64, u64)> =
+                (0..50).map(|_| (generator.next() % f.prime, generator.next() % f.prime)).collect();
+            pairs.extend([(f.prime - 1, f.prime - 1), (0, f.prime - 1), (1, f.prime - 1), (2, f.prime - 1)]);
+            for (a, b) in pairs {
+                assert_eq!(u128::from(f.mul(a, b)), u128::from(a) * u128::from(b) % p, "{a} {b} modulo {p}");
+                assert_eq!(u128::from(f.add(a, b)), (u128::from(a) + u128::from(b)) % p);
+                assert_eq!(f.add(f.sub(a, b), b), a);
+            }
+        }
     }
-    let twos = (n - 1).trailing_zeros();
-    bases.iter().all(|&base| {
-        let mut x = pow_mod(base, (n - 1) >> twos, n);
-        (x == 1 || x == n - 1)
-            || (1..twos).any(|_| {
-                x = mul_mod(x, x, n);
-                x == n - 1
-            })
-    })
+
+    #[test]
+    fn composites_are_no_primes() {
+        // 2^61 − 1 is prime; its neighbour and the product of two primes near 2^30.4 are not.
+        assert!(Field::modulo((1 << 61) - 1).is_prime());
+        assert!(!Field::modulo((1 << 61) - 3).is_prime());
+        assert!(!Field::modulo(1_400_000_023 * 1_400_000_101).is_prime());
+    }
 }

@@ -16,6 +16,7 @@ pub mod linear;
 pub mod modular;
 pub mod normal;
 pub mod parse;
+mod points;
 pub mod polynomial;
 pub mod print;
 pub mod range;

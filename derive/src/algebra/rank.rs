@@ -4,7 +4,7 @@
 //! eliminated symbolically.
 
 use super::field::Field;
-use super::modular::residues;
+use super::points::residues;
 use super::{Arena, Expr};
 use rustc_hash::FxHashMap;
 

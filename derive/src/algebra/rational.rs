@@ -102,6 +102,11 @@ impl Rational {
     }
 
     fn from_wide(n: i128, d: i128) -> Self {
+        if let (Ok(n), Ok(d)) = (i64::try_from(n), i64::try_from(d))
+            && let Some(reduced) = Self::reduced(n, d)
+        {
+            return reduced;
+        }
         let g = n.gcd(&d);
         let sign = if d < 0 { -1 } else { 1 };
         let (n, d) = (sign * (n / g), sign * (d / g));
@@ -109,6 +114,16 @@ impl Rational {
             (Ok(n), Ok(d)) => Self(Repr::Small(n, d)),
             _ => Self(Repr::Big(Box::new(BigRational::new_raw(n.into(), d.into())))),
         }
+    }
+
+    /// n/d in words; `None` where a sign does not fit, or for 0/0.
+    fn reduced(n: i64, d: i64) -> Option<Self> {
+        if d == 1 {
+            return Some(Self(Repr::Small(n, 1)));
+        }
+        let g = i64::try_from(n.unsigned_abs().gcd(&d.unsigned_abs())).ok().filter(|g| *g > 0)?;
+        let (n, d) = (n / g, d / g);
+        Some(if d < 0 { Self(Repr::Small(n.checked_neg()?, d.checked_neg()?)) } else { Self(Repr::Small(n, d)) })
     }
 
     /// Whether this is 0.
@@ -144,6 +159,11 @@ impl Rational {
     /// Sum.
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
+        if let (Repr::Small(a, 1), Repr::Small(c, 1)) = (&self.0, &other.0)
+            && let Some(sum) = a.checked_add(*c)
+        {
+            return Self(Repr::Small(sum, 1));
+        }
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
             let (a, b, c, d) = (i128::from(*a), i128::from(*b), i128::from(*c), i128::from(*d));
             if let Some(n) = (a * d).checked_add(c * b) {
@@ -156,6 +176,11 @@ impl Rational {
     /// Product.
     #[must_use]
     pub fn mul(&self, other: &Self) -> Self {
+        if let (Repr::Small(a, 1), Repr::Small(c, 1)) = (&self.0, &other.0)
+            && let Some(product) = a.checked_mul(*c)
+        {
+            return Self(Repr::Small(product, 1));
+        }
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
             return Self::from_wide(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d));
         }
@@ -182,6 +207,12 @@ impl Rational {
     /// than about [`Self::MAX_BITS`] bits. 0⁰ is 1.
     #[must_use]
     pub fn pow(&self, n: i32) -> Option<Self> {
+        match n {
+            1 => return Some(self.clone()),
+            -1 => return self.recip(),
+            _ if n > 0 && self.is_one() => return Some(Self::ONE),
+            _ => {}
+        }
         let bits = self.to_big().numer().bits().max(self.to_big().denom().bits());
         if n.unsigned_abs() > 1 && bits > 1 && bits.saturating_mul(u64::from(n.unsigned_abs())) > Self::MAX_BITS {
             return None;
@@ -202,6 +233,13 @@ impl Rational {
         if self.is_zero() || other.is_zero() {
             let value = self.add(other);
             return if value.is_negative() { value.neg() } else { value };
+        }
+        if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
+            // Both are reduced, and a prime in a numerator and in a denominator would divide one of the numbers alone.
+            let numerator = i64::try_from(a.unsigned_abs().gcd(&c.unsigned_abs()));
+            if let (Ok(numerator), Some(denominator)) = (numerator, (b / b.gcd(d)).checked_mul(*d)) {
+                return Self(Repr::Small(numerator, denominator));
+            }
         }
         let (a, b) = (self.to_big(), other.to_big());
         Self::from_big(BigRational::new(a.numer().gcd(b.numer()), a.denom().lcm(b.denom())))
