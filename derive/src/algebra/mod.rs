@@ -1,6 +1,7 @@
 //! Exact computer algebra. It knows no mechanics.
 
 pub mod arena;
+mod atoms;
 pub mod blocks;
 mod bound;
 pub mod calculus;

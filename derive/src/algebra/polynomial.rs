@@ -124,6 +124,12 @@ impl Polynomial {
         Some(result)
     }
 
+    /// Whether an atom stands with an exponent of 2 or more.
+    #[must_use]
+    pub fn has_square(&self, atom: Expr) -> bool {
+        self.terms.keys().flatten().any(|(e, n)| *e == atom && *n >= 2)
+    }
+
     /// Whether one of these atoms stands with a negative exponent.
     #[must_use]
     pub fn divides_by(&self, a: Expr, b: Expr) -> bool {

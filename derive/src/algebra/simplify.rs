@@ -6,6 +6,7 @@
 //! never longer. What would expand beyond [`Simplifier::LIMIT`] terms, or has more than
 //! [`Simplifier::PARTS`] to begin with, is returned as it was.
 
+use super::atoms::{SumAtoms, atom, differ_beside_angles, is_circular, is_plain_product};
 use super::elementary::angle_atoms;
 use super::normal::Normalizer;
 use super::polynomial::{Monomial, Polynomial, monomial_expr};
@@ -34,6 +35,9 @@ impl Simplifier {
         if let Some(&done) = self.memo.get(&e) {
             return done;
         }
+        if is_plain_product(arena, e) {
+            return e;
+        }
         let result = self.shortest(arena, e);
         self.memo.insert(e, result);
         self.memo.insert(result, result);
@@ -41,20 +45,21 @@ impl Simplifier {
     }
 
     fn shortest(&mut self, arena: &mut Arena, e: Expr) -> Expr {
-        let Some(expanded) = self.polynomial(arena, e) else { return e };
+        let Some(expanded) = self.expanded(arena, e) else { return e };
         let reduced = reduce(arena, &expanded);
         if reduced.terms.is_empty() {
             return Expr::ZERO;
         }
         let fraction = if divides_by_sums(arena, &reduced) {
             as_fraction(arena, e, Self::FRACTION_BUDGET)
-        } else if mixes_angles(arena, &reduced) {
+        } else if mixes_angles(arena, &reduced) && !differ_beside_angles(arena, &reduced) {
             as_fraction(arena, e, Self::ANGLE_BUDGET)
         } else {
             None
         };
         let mut best = (cost(arena, e), e);
-        for polynomial in [&reduced, &expanded] {
+        let both = [&reduced, &expanded];
+        for polynomial in &both[..if reduced == expanded { 1 } else { 2 }] {
             for candidate in [factor(arena, &polynomial.terms), common_factor_only(arena, polynomial)] {
                 let candidate = (cost(arena, candidate), candidate);
                 if candidate.0 < best.0 {
@@ -68,17 +73,31 @@ impl Simplifier {
         }
     }
 
-    /// `e` as a Laurent polynomial in symbols, function values and inverse sums; `None` beyond the limit.
-    pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
+    /// The polynomial of `e` in which sums of symbols stay together where no term is lost by that.
+    fn expanded(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
         let parts = arena.reachable(&[e]);
         if parts.len() > Self::PARTS {
             return None;
         }
+        let sums = SumAtoms::new(arena, &parts);
+        if !sums.is_empty()
+            && let Some(polynomial) = self.polynomial(arena, &parts, &sums)
+            && sums.stay_apart(arena, &polynomial)
+        {
+            return Some(polynomial);
+        }
+        self.polynomial(arena, &parts, &SumAtoms::default())
+    }
+
+    /// The last of `parts`, which are all that it is built from, as a Laurent polynomial in symbols, function values, inverse
+    /// sums and the sums taken for atoms; `None` beyond the limit.
+    fn polynomial(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<Polynomial> {
         let mut forms: FxHashMap<Expr, Polynomial> = FxHashMap::default();
-        for part in parts {
+        for &part in parts {
             let form = match arena.node(part).clone() {
+                _ if sums.contains(part) => atom(part),
                 Node::Number(value) => Polynomial::constant(&value),
-                Node::Symbol(_) | Node::Pi => Polynomial::monomial(vec![(part, 1)], &Rational::ONE),
+                Node::Symbol(_) | Node::Pi => atom(part),
                 Node::Sum(constant, terms) => {
                     let mut sum = Polynomial::constant(&constant);
                     for (term, k) in &terms {
@@ -109,7 +128,7 @@ impl Simplifier {
             }
             forms.insert(part, form);
         }
-        forms.remove(&e)
+        forms.remove(parts.last()?)
     }
 
     fn shorten(&mut self, arena: &mut Arena, polynomial: &Polynomial) -> Expr {
@@ -187,18 +206,24 @@ fn as_monomials(arena: &Arena, e: Expr) -> Polynomial {
 /// zero by sin² + cos² = 1 reduces to no terms.
 fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
     let mut best = polynomial.clone();
+    if !polynomial.terms.keys().flatten().any(|(e, n)| *n >= 2 && is_circular(arena, *e)) {
+        return best;
+    }
     let mut canonical = polynomial.clone();
     for angle in polynomial.angles(arena) {
         let (sine, cosine) = (arena.apply(Function::Sin, angle), arena.apply(Function::Cos, angle));
         for (from, to) in [(sine, cosine), (cosine, sine)] {
-            if let Some(traded) = best.pythagoras(from, to, Simplifier::LIMIT)
+            if best.has_square(from)
+                && let Some(traded) = best.pythagoras(from, to, Simplifier::LIMIT)
                 && size(arena, &traded) < size(arena, &best)
                 && (traded.terms.len() < best.terms.len() || !best.divides_by(from, to))
             {
                 best = traded;
             }
         }
-        if let Some(traded) = canonical.pythagoras(sine, cosine, Simplifier::LIMIT) {
+        if canonical.has_square(sine)
+            && let Some(traded) = canonical.pythagoras(sine, cosine, Simplifier::LIMIT)
+        {
             canonical = traded;
         }
     }
@@ -207,9 +232,8 @@ fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
 
 /// Terms, then sines and cosines: what trading squares should lessen.
 fn size(arena: &Arena, polynomial: &Polynomial) -> (usize, usize) {
-    let is_circular = |e: &Expr| matches!(arena.node(*e), Node::Apply(Function::Sin | Function::Cos, _));
     let circular: std::collections::BTreeSet<Expr> =
-        polynomial.terms.keys().flatten().map(|(e, _)| *e).filter(is_circular).collect();
+        polynomial.terms.keys().flatten().map(|(e, _)| *e).filter(|e| is_circular(arena, *e)).collect();
     (polynomial.terms.len(), circular.len())
 }
 
