@@ -4,6 +4,10 @@
 
 #![allow(missing_docs, reason = "`criterion_group!` makes a public function")]
 
+#[path = "../derive/tests/common/chain.rs"]
+mod chain;
+
+use chain::chain;
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -31,6 +35,20 @@ fn formulations(c: &mut Criterion) {
         group.bench_function(formulation.name(), |b| {
             b.iter(|| derive(black_box(&model), formulation).unwrap_or_else(|e| panic!("{e}")));
         });
+    }
+}
+
+/// Shows how derivation grows with the length of a chain, method by method, to M and f with all checks. For 20 links the aim
+/// is 12 ms by one of them.
+fn chains(c: &mut Criterion) {
+    let mut group = c.benchmark_group("derive a chain on a cart");
+    for links in [5, 10, 20] {
+        let model = chain(links);
+        for formulation in Formulation::ALL {
+            group.bench_function(format!("{links} links, {}", formulation.name()), |b| {
+                b.iter(|| derive(black_box(&model), formulation).unwrap_or_else(|e| panic!("{e}")));
+            });
+        }
     }
 }
 
@@ -76,6 +94,6 @@ criterion_group! {
         .sample_size(20)
         .warm_up_time(Duration::from_secs(1))
         .measurement_time(Duration::from_secs(5));
-    targets = formulations, proofs, course_report_judged
+    targets = formulations, chains, proofs, course_report_judged
 }
 criterion_main!(benches);

@@ -19,7 +19,7 @@ mod typeset;
 use crate::study::Study;
 use html::{anchor, escape};
 use std::fmt::Write;
-use tripos_derive::mechanics::Derivation;
+use tripos_derive::mechanics::DerivationInSteps;
 use tripos_derive::{Formulation, Model};
 
 /// What the page shows.
@@ -27,7 +27,7 @@ pub struct Page<'a> {
     /// The mechanism.
     pub model: &'a Model,
     /// Its equations of motion by each formulation, or why there are none.
-    pub derivations: Vec<(Formulation, Result<Derivation, String>)>,
+    pub derivations: Vec<(Formulation, Result<DerivationInSteps, String>)>,
     /// What is proved of them, and the report beside the model, judged.
     pub study: &'a Study,
     /// The simulations.

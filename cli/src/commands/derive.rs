@@ -10,7 +10,7 @@ use tripos_derive::algebra::elimination::{Definition, Elimination};
 use tripos_derive::algebra::print::{latex, latex_name, mathml, mathml_name, text, whole_text};
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Derivation, accelerations};
+use tripos_derive::mechanics::{DerivationInSteps, accelerations, derive_in_steps};
 use tripos_derive::{Formulation, Model};
 
 /// Derives and prints.
@@ -33,14 +33,14 @@ pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Fail
 
 /// The formulation asked for, or all that the model supports; those it does not are named on
 /// standard error.
-fn derivations(model: &Model, by: Option<&str>) -> Result<Vec<Derivation>, Failure> {
+fn derivations(model: &Model, by: Option<&str>) -> Result<Vec<DerivationInSteps>, Failure> {
     if let Some(name) = by {
-        let derivation = tripos_derive::derive(model, formulation(name)?).map_err(|error| model.diagnose(&error))?;
+        let derivation = derive_in_steps(model, formulation(name)?).map_err(|error| model.diagnose(&error))?;
         return Ok(vec![derivation]);
     }
     let mut list = Vec::new();
     for f in Formulation::ALL {
-        match tripos_derive::derive(model, f) {
+        match derive_in_steps(model, f) {
             Ok(derivation) => list.push(derivation),
             Err(error) if error.is_unsupported() => say(&format!("not shown: {error}")),
             Err(error) => return Err(model.diagnose(&error).into()),
@@ -50,17 +50,17 @@ fn derivations(model: &Model, by: Option<&str>) -> Result<Vec<Derivation>, Failu
 }
 
 /// The accelerations, solved for; nothing where they are not determined.
-fn solved(derivation: &mut Derivation) -> Option<Elimination> {
+fn solved(derivation: &mut DerivationInSteps) -> Option<Elimination> {
     accelerations(&mut derivation.arena, &mut Simplifier::default(), &derivation.equations).ok()
 }
 
-fn as_text(model: &Model, derivations: &mut [Derivation]) -> String {
+fn as_text(model: &Model, derivations: &mut [DerivationInSteps]) -> String {
     let mut out = format!("{}\n{}\n", model.title, model.count());
     for derivation in derivations {
         let solved = solved(derivation);
-        let Derivation { arena, equations: e } = &*derivation;
+        let DerivationInSteps { arena, equations: e, steps } = &*derivation;
         let _ = writeln!(out, "\n{}\n{}", e.formulation.title(), "=".repeat(e.formulation.title().chars().count()));
-        for step in &e.steps {
+        for step in steps {
             let _ = writeln!(out, "\n{}", step.title);
             for (name, value) in &step.lines {
                 let _ = writeln!(out, "  {name} = {}", text(arena, *value));
@@ -102,9 +102,9 @@ fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
     terms.join(" + ").replace("+ -", "- ")
 }
 
-fn as_latex(derivations: &[Derivation]) -> String {
+fn as_latex(derivations: &[DerivationInSteps]) -> String {
     let mut out = String::new();
-    for Derivation { arena, equations: e } in derivations {
+    for DerivationInSteps { arena, equations: e, .. } in derivations {
         let rows: Vec<String> =
             e.matrix.iter().map(|row| row.iter().map(|x| latex(arena, *x)).collect::<Vec<_>>().join(" & ")).collect();
         let column = |list: Vec<String>| format!("\\begin{{bmatrix}}\n{}\n\\end{{bmatrix}}", list.join(" \\\\\n"));
@@ -116,9 +116,9 @@ fn as_latex(derivations: &[Derivation]) -> String {
     out
 }
 
-fn as_mathml(derivations: &[Derivation]) -> String {
+fn as_mathml(derivations: &[DerivationInSteps]) -> String {
     let mut out = String::new();
-    for Derivation { arena, equations: e } in derivations {
+    for DerivationInSteps { arena, equations: e, .. } in derivations {
         for (row, right) in e.matrix.iter().zip(&e.forcing) {
             let mut terms = Vec::new();
             for (entry, unknown) in row.iter().zip(&e.unknowns) {
@@ -138,13 +138,12 @@ fn as_mathml(derivations: &[Derivation]) -> String {
     out
 }
 
-fn as_json(derivation: &mut Derivation) -> Value {
+fn as_json(derivation: &mut DerivationInSteps) -> Value {
     let solved = solved(derivation).unwrap_or_default();
-    let Derivation { arena, equations: e } = &*derivation;
+    let DerivationInSteps { arena, equations: e, steps } = &*derivation;
     let line = |step: &Definition| json!({ "name": arena.symbol_name(step.symbol).unwrap_or_default(), "value": whole_text(arena, step.value) });
     let texts = |list: &[Expr]| list.iter().map(|x| whole_text(arena, *x)).collect::<Vec<_>>();
-    let steps: Vec<Value> = e
-        .steps
+    let steps: Vec<Value> = steps
         .iter()
         .map(|step| {
             let lines: Vec<Value> = step

@@ -15,7 +15,7 @@ use indicatif::ProgressBar;
 use measured::Measured;
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::mechanics::Derivation;
+use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
 use tripos_derive::scene::{FigureKind, Scene, Solve, load, model_path};
 use tripos_derive::{Formulation, Model, derive};
 
@@ -116,13 +116,13 @@ fn same_file(a: &Path, b: &Path) -> bool {
     }
 }
 
-type Derivations = Vec<(Formulation, Result<Derivation, String>)>;
+type Derivations = Vec<(Formulation, Result<DerivationInSteps, String>)>;
 
 fn derivations(model: &Model, bar: &ProgressBar) -> Result<Derivations, Failure> {
     let mut list = Vec::new();
     for f in Formulation::ALL {
         bar.set_message(format!("deriving by {}", f.name()));
-        match derive(model, f) {
+        match derive_in_steps(model, f) {
             Ok(derivation) => list.push((f, Ok(derivation))),
             Err(error) if error.is_unsupported() => list.push((f, Err(error.to_string()))),
             Err(error) => return Err(model.diagnose(&error).into()),

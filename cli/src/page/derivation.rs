@@ -5,7 +5,7 @@ use super::math::{formula, inline, length, lines, matrix, row_name, step_name, s
 use std::fmt::Write;
 use tripos_derive::algebra::print::latex;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Derivation, Equations, Step};
+use tripos_derive::mechanics::{DerivationInSteps, Equations, Step};
 use tripos_derive::{Formulation, Model};
 
 /// A step of more lines than this is folded.
@@ -23,15 +23,14 @@ const TOO_LONG: usize = 60_000;
 pub fn section(
     model: &Model,
     formulation: Formulation,
-    result: &Result<Derivation, String>,
+    result: &Result<DerivationInSteps, String>,
     shown: &mut Vec<String>,
 ) -> String {
     let (name, title) = (formulation.name(), escape(formulation.title()));
     let content = match result {
         Ok(derivation) => {
-            let equations = &derivation.equations;
             let steps: String =
-                equations.steps.iter().map(|step| show_step(model, &derivation.arena, step, shown)).collect();
+                derivation.steps.iter().map(|step| show_step(model, &derivation.arena, step, shown)).collect();
             format!("<h3>Derivation</h3>\n{steps}<h3>Equations of motion</h3>\n{}", show_equations(model, derivation))
         }
         Err(reason) => format!("<p class=\"missing\"><strong>Not derived.</strong> {}.</p>\n", escape(reason)),
@@ -89,8 +88,8 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
     }
 }
 
-fn show_equations(model: &Model, derivation: &Derivation) -> String {
-    let Derivation { arena, equations } = derivation;
+fn show_equations(model: &Model, derivation: &DerivationInSteps) -> String {
+    let DerivationInSteps { arena, equations, .. } = derivation;
     let mut out = String::new();
     let (system, named) = system(arena, equations);
     let math = format!("<math display=\"block\"><mrow>{system}</mrow></math>\n");

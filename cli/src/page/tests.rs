@@ -3,8 +3,8 @@
 use super::*;
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
-use tripos_derive::derive;
 use tripos_derive::diagnostic::Source;
+use tripos_derive::mechanics::derive_in_steps;
 
 const PENDULUM: &str = r#"
 name = "A <b>bob</b> & \"string\""
@@ -122,7 +122,8 @@ fn page() -> String {
 }
 
 fn page_of(model: &Model) -> String {
-    let derivations = Formulation::ALL.map(|f| (f, derive(model, f).map_err(|error| error.to_string()))).to_vec();
+    let derivations =
+        Formulation::ALL.map(|f| (f, derive_in_steps(model, f).map_err(|error| error.to_string()))).to_vec();
     let (study, broken) = Study::new(model).unwrap();
     assert!(broken.is_none(), "{}", broken.unwrap());
     let command = "tripos report <x>".to_owned();

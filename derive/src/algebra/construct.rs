@@ -84,6 +84,12 @@ impl Arena {
     pub fn split_content(&mut self, e: Expr) -> (Rational, Expr) {
         let content = match self.node(e) {
             Node::Number(value) => return (value.clone(), Expr::ONE),
+            // Most sums have integer coefficients, and 1 among them.
+            Node::Sum(constant, terms)
+                if terms[0].1.is_one() && constant.is_integer() && terms.iter().all(|(_, k)| k.is_integer()) =>
+            {
+                return (Rational::ONE, e);
+            }
             Node::Sum(constant, terms) => {
                 let all = terms.iter().fold(constant.clone(), |g, (_, k)| g.common_content(k));
                 let all = if all.is_negative() { all.neg() } else { all };
@@ -189,7 +195,8 @@ impl Arena {
     /// # Panics
     /// As [`Self::mul`].
     pub fn product(&mut self, factors: &[Expr]) -> Expr {
-        factors.iter().fold(Expr::ONE, |product, &factor| self.mul(product, factor))
+        let powers: Vec<(Expr, i32)> = factors.iter().map(|e| (*e, 1)).collect();
+        self.try_product(&powers).expect("exponents far below the limit")
     }
 
     /// a / b, or `None` if b is the literal 0. Whether b is zero *by meaning* is the caller's question.

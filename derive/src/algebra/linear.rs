@@ -1,9 +1,9 @@
 //! Linearity: coefficients of given symbols, and exact solution of linear systems.
 
-use super::calculus::{Differential, Substitution};
+use super::calculus::{Differential, Gradient, Substitution};
 use super::modular::{ZeroTest, zero_test};
 use super::simplify::Simplifier;
-use super::{Arena, Expr};
+use super::{Arena, Expr, Function, Node};
 
 /// An expression that is not linear in the stated symbols.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -17,6 +17,7 @@ pub struct NotLinear {
 /// Extracts linear coefficients of many expressions in the same symbols.
 pub struct LinearForm {
     symbols: Vec<Expr>,
+    gradient: Gradient,
     partials: Vec<Differential>,
     at_zero: Substitution,
 }
@@ -28,6 +29,7 @@ impl LinearForm {
         let zeros: Vec<_> = symbols.iter().map(|s| (*s, Expr::ZERO)).collect();
         Self {
             symbols: symbols.to_vec(),
+            gradient: Gradient::new(symbols),
             partials: symbols.iter().map(|s| Differential::partial(*s)).collect(),
             at_zero: Substitution::new(&zeros),
         }
@@ -42,6 +44,30 @@ impl LinearForm {
         if !self.symbols.iter().any(|s| parts.binary_search(s).is_ok()) {
             return Ok((vec![Expr::ZERO; self.symbols.len()], e));
         }
+        if let Some(form) = self.linear_by_form(arena, e, &parts) {
+            return Ok(form);
+        }
+        self.linear_by_meaning(arena, e)
+    }
+
+    /// Where no slope mentions a symbol, the expression is linear and nothing is left to prove. Signs are the exception: they
+    /// jump, and have no slope.
+    fn linear_by_form(&mut self, arena: &mut Arena, e: Expr, parts: &[Expr]) -> Option<(Vec<Expr>, Expr)> {
+        if parts.iter().any(|part| matches!(arena.node(*part), Node::Apply(Function::Sign, _))) {
+            return None;
+        }
+        let mut coefficients = vec![Expr::ZERO; self.symbols.len()];
+        let slopes = self.gradient.apply(arena, e);
+        for (at, slope) in slopes.iter() {
+            coefficients[*at] = *slope;
+        }
+        let rest = self.at_zero.apply(arena, e);
+        let left = arena.reachable(&[&coefficients[..], &[rest]].concat());
+        let mentioned = self.symbols.iter().any(|s| left.binary_search(s).is_ok());
+        (!mentioned).then_some((coefficients, rest))
+    }
+
+    fn linear_by_meaning(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
         let mut coefficients = Vec::with_capacity(self.symbols.len());
         for at in 0..self.symbols.len() {
             let slope = self.partials[at].apply(arena, e);

@@ -178,21 +178,21 @@ pub(super) fn values_at(
     Some(values)
 }
 
-/// The residues of terms at random points, each modulo another prime: `count` of them, fewer where there are no values.
-pub(super) fn residues(arena: &Arena, terms: &[Expr], count: usize) -> Vec<(Field, FxHashMap<Expr, u64>)> {
+/// The residues of terms at random points, each modulo another prime: at most `count` of them, fewer where there are no
+/// values; computed as they are asked for.
+pub(super) fn residues<'a>(
+    arena: &'a Arena,
+    terms: &[Expr],
+    count: usize,
+) -> impl Iterator<Item = (Field, FxHashMap<Expr, u64>)> + use<'a> {
     let parts = arena.reachable(terms);
     let denominators = angle_denominators(arena, &parts);
     let mut generator = seeded(arena, &parts);
-    let mut found = Vec::new();
-    for _ in 0..100 * count {
+    let points = (0..100 * count).filter_map(move |_| {
         let point = Point { field: Field::random(&mut generator), seed: generator.next() };
-        let Some(values) = values_at(arena, &parts, &denominators, &point) else { continue };
-        found.push((point.field, values));
-        if found.len() == count {
-            break;
-        }
-    }
-    found
+        values_at(arena, &parts, &denominators, &point).map(|values| (point.field, values))
+    });
+    points.take(count)
 }
 
 /// A generator seeded with the terms, by the names of their symbols and not by their handles.

@@ -23,11 +23,16 @@ pub struct Rank {
 /// zero: the largest of several points is returned. `None` if no point could be evaluated.
 #[must_use]
 pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
-    let ranks = in_fields(arena, matrix).into_iter().map(|(field, rows)| {
+    let mut best: Option<Rank> = None;
+    for (field, rows) in in_fields(arena, matrix) {
         let (basis, dependent) = eliminate(field, rows);
-        Rank { rank: basis.len(), dependent }
-    });
-    ranks.max()
+        best = best.max(Some(Rank { rank: basis.len(), dependent }));
+        // No point can show more than independent rows.
+        if dependent.is_none() {
+            break;
+        }
+    }
+    best
 }
 
 /// Independent rows of a matrix, as many as there are, the first that will do; with the column of each row's pivot.
@@ -50,12 +55,14 @@ pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize
     echelon(arena, matrix).map(|(rows, _)| rows)
 }
 
-/// A matrix at four random points, each modulo another prime.
-#[must_use]
-pub(crate) fn in_fields(arena: &Arena, matrix: &[Vec<Expr>]) -> Vec<(Field, Vec<Vec<u64>>)> {
+/// A matrix at four random points, each modulo another prime; computed as they are asked for.
+pub(crate) fn in_fields<'a>(
+    arena: &'a Arena,
+    matrix: &'a [Vec<Expr>],
+) -> impl Iterator<Item = (Field, Vec<Vec<u64>>)> + 'a {
     let rows =
         |values: &FxHashMap<Expr, u64>| matrix.iter().map(|row| row.iter().map(|e| values[e]).collect()).collect();
-    residues(arena, &matrix.concat(), 4).into_iter().map(|(field, values)| (field, rows(&values))).collect()
+    residues(arena, &matrix.concat(), 4).map(move |(field, values)| (field, rows(&values)))
 }
 
 /// (row, pivot column, reduced row)

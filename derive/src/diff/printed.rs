@@ -39,7 +39,6 @@ pub fn printed_equations(model: &Model, derivations: &mut Derivations, report: &
             symmetric: false,
             projection: Vec::new(),
             coordinate_rates: motion.coordinate_rates,
-            steps: Vec::new(),
             ..derived.clone()
         });
     }

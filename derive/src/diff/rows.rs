@@ -101,7 +101,7 @@ fn best_factor(arena: &mut Arena, printed: &Row, derived: &[Row], index: usize) 
     let own = index.min(derived.len() - 1);
     let mut all = derived.to_vec();
     all.push(printed.clone());
-    let points = in_fields(arena, &all);
+    let points: Vec<_> = in_fields(arena, &all).collect();
     let order = std::iter::once(own).chain((0..derived.len()).filter(|at| *at != own));
     let mut best = (own, None, 0);
     for at in order {

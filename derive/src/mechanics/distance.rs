@@ -69,7 +69,7 @@ pub fn in_distance(model: &Model, derivation: Derivation, distance: Distance) ->
     Derivation { arena, equations }
 }
 
-/// Every expression of the equations; the steps of the derivation stay as they are.
+/// Every expression of the equations.
 fn visit(e: &mut Equations, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
     let vectors = [
         &mut e.forcing,

@@ -2,10 +2,10 @@
 
 use super::vector::{Components, Frames, Vector, apply_tensor};
 use super::{DeriveError, Equations};
-use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
-use crate::algebra::{Arena, Expr, Rational};
+use crate::algebra::{Arena, Expr};
 use crate::model::{Body, Model, Place, ReactionKind};
 
 /// Positions and velocities in q and q̇, and the tools to go on from there.
@@ -29,6 +29,16 @@ pub struct Velocities {
     pub angular: Vec<Vector>,
     /// v of each point in the inertial frame.
     pub linear: Vec<Vector>,
+}
+
+/// A force or a torque and the velocity of what it acts on: F_r = Σ ∂velocity/∂u_r · scale load.
+pub struct Load {
+    /// Of the point, or of the body for a torque.
+    pub velocity: Vector,
+    /// The mass for a weight, else 1. It is kept apart so that equal products of vectors are seen to be equal.
+    pub scale: Expr,
+    /// The force or the torque; for a weight, the acceleration of free fall.
+    pub load: Vector,
 }
 
 impl Kinematics {
@@ -92,91 +102,20 @@ impl Kinematics {
         Some(omega.map(|e| self.simplifier.simplify(&mut self.arena, e)))
     }
 
-    /// T = Σ ½ m v·v + ½ ω·I·ω, written as a quadratic form in the motion variables.
-    pub fn kinetic_energy(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Expr {
-        let mut terms = Vec::new();
-        for body in &model.bodies {
-            let v = &velocities.linear[body.centre];
-            let square = self.frames.dot(&mut self.arena, v, v);
-            terms.push(self.arena.mul(body.mass, square));
-            if let Some(omega) = self.angular_velocity_in(body, velocities) {
-                let h = self.angular_momentum(body, velocities);
-                if let Some((frame, _)) = h.parts.first() {
-                    let omega = Vector::in_frame(*frame, omega);
-                    terms.push(self.frames.dot(&mut self.arena, &omega, &h));
-                }
-            }
-        }
-        let twice = self.arena.sum(&terms);
-        let half = Rational::fraction(1, 2).expect("not zero");
-        let energy = self.arena.scale(twice, &half);
-        self.quadratic_form(energy, variables)
+    /// The weights of all bodies.
+    pub fn weights(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
+        let Some(gravity) = &model.gravity else { return Vec::new() };
+        let weight = |centre: usize, mass: Expr| Load {
+            velocity: velocities.linear[centre].clone(),
+            scale: mass,
+            load: Vector::in_frame(gravity.frame, gravity.acceleration),
+        };
+        model.bodies.iter().map(|body| weight(body.centre, body.mass)).collect()
     }
 
-    /// Σ c_ij v_i v_j with short coefficients, as a person writes an energy; a rest that is not
-    /// quadratic, from speeds that are not homogeneous in the rates, stays as it is.
-    fn quadratic_form(&mut self, e: Expr, variables: &[Expr]) -> Expr {
-        let Self { arena, simplifier, .. } = self;
-        let mut partials: Vec<Differential> = variables.iter().map(|v| Differential::partial(*v)).collect();
-        let mut terms = Vec::new();
-        for i in 0..variables.len() {
-            let slope = partials[i].apply(arena, e);
-            for j in i..variables.len() {
-                let second = partials[j].apply(arena, slope);
-                let coefficient = simplifier.simplify(arena, second);
-                let product = arena.product(&[coefficient, variables[i], variables[j]]);
-                let share = if i == j { Rational::fraction(1, 2) } else { Rational::fraction(1, 1) };
-                terms.push(arena.scale(product, &share.expect("not zero")));
-            }
-        }
-        let form = arena.sum(&terms);
-        let rest = arena.sub(e, form);
-        if zero_test(arena, rest) == ZeroTest::Zero { form } else { simplifier.simplify(arena, e) }
-    }
-
-    /// V = −Σ m g·p, zero where the model puts its zero.
-    ///
-    /// # Errors
-    /// [`DeriveError::NoZeroOfPotential`] if V has no value there.
-    pub fn potential_energy(&mut self, model: &Model) -> Result<Expr, DeriveError> {
-        let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
-        let g = Vector::in_frame(gravity.frame, gravity.acceleration);
-        let mut terms = Vec::new();
-        for body in &model.bodies {
-            let height = self.frames.dot(&mut self.arena, &g, &self.positions[body.centre]);
-            let term = self.arena.mul(body.mass, height);
-            terms.push(self.arena.neg(term));
-        }
-        let energy = self.arena.sum(&terms);
-        if gravity.zero_at.is_empty() {
-            return Ok(self.simplifier.simplify(&mut self.arena, energy));
-        }
-        let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
-        for (symbol, value) in &gravity.zero_at {
-            values.retain(|(s, _)| s != symbol);
-            values.push((*symbol, *value));
-        }
-        let mut to_zero = Substitution::new(&values);
-        let at_zero = to_zero.apply(&mut self.arena, energy);
-        if let Some(term) = to_zero.undefined {
-            return Err(DeriveError::NoZeroOfPotential { term: crate::algebra::print::text(&self.arena, term) });
-        }
-        let difference = self.arena.sub(energy, at_zero);
-        Ok(self.simplifier.simplify(&mut self.arena, difference))
-    }
-
-    /// The applied loads as pairs (velocity of what they act on, load): F_r = Σ ∂velocity/∂u_r · load.
-    ///
-    /// With `gravity`, weights are among them.
-    pub fn loads(&mut self, model: &Model, velocities: &Velocities, gravity: bool) -> Vec<(Vector, Vector)> {
+    /// The applied loads other than weights.
+    pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
         let mut loads = Vec::new();
-        if let (true, Some(gravity)) = (gravity, &model.gravity) {
-            for body in &model.bodies {
-                let g = Vector::in_frame(gravity.frame, gravity.acceleration);
-                let weight = g.scale(&mut self.arena, body.mass);
-                loads.push((velocities.linear[body.centre].clone(), weight));
-            }
-        }
         for force in &model.forces {
             let vector = Vector::in_frame(force.frame, force.vector);
             loads.push((self.place_velocity(model, velocities, force.on), vector.clone()));
@@ -192,10 +131,11 @@ impl Kinematics {
                 loads.push((velocities.angular[frame].clone(), vector.neg(&mut self.arena)));
             }
         }
-        loads
+        loads.into_iter().map(|(velocity, load)| Load { velocity, scale: Expr::ONE, load }).collect()
     }
 
     fn check_inertias(&mut self, model: &Model) -> Result<(), DeriveError> {
+        let mut along_coordinates = Gradient::new(&model.q());
         for body in &model.bodies {
             let Some((frame, inertia)) = &body.rigid else { continue };
             if *frame == inertia.frame {
@@ -208,9 +148,8 @@ impl Kinematics {
                 for other in r.iter().take(i + 1) {
                     let products: Vec<_> = other.iter().zip(&column).map(|(a, b)| self.arena.mul(*a, *b)).collect();
                     let entry = self.arena.sum(&products);
-                    for c in &model.coordinates {
-                        let slope = Differential::partial(c.symbol).apply(&mut self.arena, entry);
-                        if zero_test(&self.arena, slope) != ZeroTest::Zero {
+                    for (_, slope) in along_coordinates.apply(&mut self.arena, entry).iter() {
+                        if zero_test(&self.arena, *slope) != ZeroTest::Zero {
                             return Err(DeriveError::InertiaNotConstant {
                                 body: body.name.clone(),
                                 frame: model.frames[inertia.frame].name.clone(),
@@ -227,6 +166,7 @@ impl Kinematics {
     /// A reaction of an ideal constraint does no work in any permitted motion.
     fn check_reactions(&mut self, model: &Model) -> Result<(), DeriveError> {
         let velocities = self.in_rates.clone();
+        let mut along_rates = Gradient::new(&model.q_dot());
         for reaction in &model.reactions {
             let direction = Vector::in_frame(reaction.frame, reaction.direction);
             let square = self.frames.dot(&mut self.arena, &direction, &direction);
@@ -250,13 +190,12 @@ impl Kinematics {
                 }
             };
             let power = self.frames.dot(&mut self.arena, &direction, &velocity);
-            for c in &model.coordinates {
-                let slope = Differential::partial(c.rate).apply(&mut self.arena, power);
-                if zero_test(&self.arena, slope) != ZeroTest::Zero {
+            for (at, slope) in along_rates.apply(&mut self.arena, power).iter() {
+                if zero_test(&self.arena, *slope) != ZeroTest::Zero {
                     return Err(DeriveError::ReactionWorks {
                         reaction: reaction.name.clone(),
-                        coordinate: c.name.clone(),
-                        rate: crate::algebra::print::text(&self.arena, slope),
+                        coordinate: model.coordinates[*at].name.clone(),
+                        rate: crate::algebra::print::text(&self.arena, *slope),
                     });
                 }
             }
@@ -306,6 +245,13 @@ pub fn motion_rates(model: &Model) -> Differential {
     let mut rates: Vec<_> = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
     rates.extend(model.speeds.iter().map(|s| (s.symbol, s.rate)));
     Differential::along(&rates)
+}
+
+/// The same for u̇ = 0: what is left of a rate when its terms in u̇ are taken away.
+#[must_use]
+pub fn motion_rates_without_acceleration(model: &Model) -> Differential {
+    let rates = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied());
+    Differential::along(&rates.collect::<Vec<_>>())
 }
 
 fn angular_velocities(arena: &mut Arena, model: &Model, rates: &mut Differential) -> Vec<Vector> {

@@ -1,58 +1,45 @@
 //! Lagrange's equations: d/dt(∂T/∂q̇_i) − ∂T/∂q_i + ∂V/∂q_i = Q_i.
 
-use super::kinematics::{Kinematics, speeds_to_rates};
+use super::kinematics::{Kinematics, Load, speeds_to_rates};
+use super::vector::Dots;
 use super::{DeriveError, Equations, Formulation, Step};
-use crate::algebra::Expr;
-use crate::algebra::calculus::Differential;
-use crate::algebra::linear::LinearForm;
+use crate::algebra::calculus::{Differential, Gradient};
+use crate::algebra::{Expr, Rational};
 use crate::model::Model;
 
 /// E(q) q̈ = A(q, q̇).
 ///
 /// # Errors
-/// [`DeriveError::NoInertia`] if a coordinate moves no mass.
+/// [`DeriveError::NoZeroOfPotential`]; a coordinate that moves no mass is found by the rank of the matrix.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, DeriveError> {
     let velocities = kinematics.in_rates.clone();
-    let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());
+    // Velocities are homogeneous in q̇, so T = ½ Σ E_ij q̇_i q̇_j.
+    let matrix = kinematics.kinetic_form(model, &velocities, &model.q_dot());
+    let t = kinematics.energy_with_form(model, &velocities, &model.q_dot(), &matrix);
     let v = kinematics.potential_energy(model)?;
-    let q_forces = generalized_forces(model, kinematics);
-    let arena = &mut kinematics.arena;
+    let mut sums = velocity_terms(model, kinematics, &matrix);
+    let q_forces = forces_as_they_come(model, kinematics);
+    let Kinematics { arena, .. } = kinematics;
+    for (sum, force) in sums.iter_mut().zip(q_forces) {
+        sum.push((force, Rational::ONE));
+    }
+    // −∂V/∂q.
+    for (i, slope) in Gradient::new(&model.q()).apply(arena, v).iter() {
+        sums[*i].push((*slope, Rational::MINUS_ONE));
+    }
+    let forcing = sums.iter().map(|terms| arena.linear_combination(terms)).collect();
     let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
     rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
     let mut d_dt = Differential::along(&rates);
-    let unknowns: Vec<Expr> = model.coordinates.iter().map(|c| c.second_rate).collect();
-    let mut form = LinearForm::new(&unknowns);
-    let (mut matrix, mut forcing) = (Vec::new(), Vec::new());
-    for (c, force) in model.coordinates.iter().zip(&q_forces) {
-        let momentum = Differential::partial(c.rate).apply(arena, t);
-        let momentum_rate = d_dt.apply(arena, momentum);
-        let mut by_position = Differential::partial(c.symbol);
-        let (dt_dq, dv_dq) = (by_position.apply(arena, t), by_position.apply(arena, v));
-        let (row, rest) = form.coefficients(arena, momentum_rate).map_err(|_| DeriveError::NotLinear)?;
-        if row.iter().all(|e| *e == Expr::ZERO) {
-            return Err(DeriveError::NoInertia { speed: format!("{}'", c.name) });
-        }
-        matrix.push(row);
-        // E q̈ = Q + ∂T/∂q − ∂V/∂q − (terms of d/dt ∂T/∂q̇ without q̈).
-        let gain = arena.add(*force, dt_dq);
-        let loss = arena.add(dv_dq, rest);
-        forcing.push(arena.sub(gain, loss));
-    }
     let speeds: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
     let speed_rates = speeds.iter().map(|e| d_dt.apply(arena, *e)).collect();
-    let lines = model.coordinates.iter().zip(&q_forces).map(|(c, f)| (format!("Q[{}]", c.name), *f));
-    let steps = vec![
-        super::kinematic_step(model),
-        Step { title: "Energies".to_owned(), lines: vec![("T".to_owned(), t), ("V".to_owned(), v)] },
-        Step { title: "Generalized forces other than gravity".to_owned(), lines: lines.collect() },
-    ];
     let mut equations = Equations {
         name: Formulation::Lagrange.name().to_owned(),
         title: Formulation::Lagrange.title().to_owned(),
         formulation: Formulation::Lagrange,
         coordinates: model.q(),
         variables: model.q_dot(),
-        unknowns,
+        unknowns: model.coordinates.iter().map(|c| c.second_rate).collect(),
         rows: model.coordinates.iter().map(|c| c.name.clone()).collect(),
         matrix,
         forcing,
@@ -65,25 +52,73 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         kinetic_energy: t,
         potential_energy: v,
         divisors: model.kinematic_equations.divisors.clone(),
-        steps,
     };
     kinematics.simplify_equations(&mut equations);
     Ok(equations)
 }
 
-/// Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of everything but gravity, which is in V.
-pub fn generalized_forces(model: &Model, kinematics: &mut Kinematics) -> Vec<Expr> {
-    let velocities = kinematics.in_rates.clone();
-    let mut to_rates = speeds_to_rates(model);
-    let mut forces = vec![Expr::ZERO; model.coordinates.len()];
-    for (velocity, load) in kinematics.loads(model, &velocities, false) {
-        let load = load.substitute(&mut kinematics.arena, &mut to_rates);
-        for (sum, c) in forces.iter_mut().zip(&model.coordinates) {
-            let arena = &mut kinematics.arena;
-            let partial = velocity.differentiate(arena, &mut Differential::partial(c.rate));
-            let power = kinematics.frames.dot(arena, &partial, &load);
-            *sum = arena.add(*sum, power);
+/// ∂T/∂q_i − (d/dt ∂T/∂q̇_i without its terms in q̈), row by row, as terms to be added up.
+///
+/// With T = ½ Σ E_ab q̇_a q̇_b the row i reads  ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each slope of each entry above the
+/// diagonal is taken once and put where it belongs: an entry depends on few coordinates, so that the work grows with the number
+/// of entries.
+fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]) -> Vec<Vec<(Expr, Rational)>> {
+    let arena = &mut kinematics.arena;
+    let rates = model.q_dot();
+    let mut along_coordinates = Gradient::new(&model.q());
+    let half = Rational::fraction(1, 2).expect("not zero");
+    let mut rows = vec![Vec::new(); rates.len()];
+    for a in 0..rates.len() {
+        for b in a..rates.len() {
+            for &(k, slope) in along_coordinates.apply(arena, form[a][b]).iter() {
+                let square = arena.product(&[slope, rates[a], rates[b]]);
+                // E_ab and E_ba, or one entry of the diagonal.
+                rows[k].push((square, if a == b { half.clone() } else { Rational::ONE }));
+                let along_b = arena.product(&[slope, rates[b], rates[k]]);
+                rows[a].push((along_b, Rational::MINUS_ONE));
+                if a != b {
+                    let along_a = arena.product(&[slope, rates[a], rates[k]]);
+                    rows[b].push((along_a, Rational::MINUS_ONE));
+                }
+            }
         }
     }
+    rows
+}
+
+/// The energies and generalized forces, to be shown.
+///
+/// # Errors
+/// [`DeriveError::NoZeroOfPotential`].
+pub(super) fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+    let velocities = kinematics.in_rates.clone();
+    let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());
+    let v = kinematics.potential_energy(model)?;
+    let forces = generalized_forces(model, kinematics);
+    let lines = model.coordinates.iter().zip(&forces).map(|(c, f)| (format!("Q[{}]", c.name), *f));
+    Ok(vec![
+        super::kinematic_step(model),
+        Step { title: "Energies".to_owned(), lines: vec![("T".to_owned(), t), ("V".to_owned(), v)] },
+        Step { title: "Generalized forces other than gravity".to_owned(), lines: lines.collect() },
+    ])
+}
+
+/// Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of everything but gravity, which is in V.
+pub fn generalized_forces(model: &Model, kinematics: &mut Kinematics) -> Vec<Expr> {
+    let forces = forces_as_they_come(model, kinematics);
     forces.into_iter().map(|e| kinematics.simplifier.simplify(&mut kinematics.arena, e)).collect()
+}
+
+fn forces_as_they_come(model: &Model, kinematics: &mut Kinematics) -> Vec<Expr> {
+    let velocities = kinematics.in_rates.clone();
+    let mut to_rates = speeds_to_rates(model);
+    let mut gradient = Gradient::new(&model.q_dot());
+    let mut forces: Vec<Dots> = model.coordinates.iter().map(|_| Dots::default()).collect();
+    for Load { velocity, scale, load } in kinematics.loads(model, &velocities) {
+        let load = load.substitute(&mut kinematics.arena, &mut to_rates);
+        for (i, partial) in velocity.slopes(&mut kinematics.arena, &mut gradient) {
+            forces[i].add(scale, &partial, &load);
+        }
+    }
+    forces.iter().map(|dots| dots.sum(&mut kinematics.arena, &mut kinematics.frames)).collect()
 }

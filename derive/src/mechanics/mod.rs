@@ -2,6 +2,7 @@
 
 mod accelerations;
 mod distance;
+mod energy;
 mod kane;
 mod kinematics;
 mod lagrange;
@@ -11,7 +12,8 @@ mod vector;
 
 pub use accelerations::{Jacobian, accelerations, jacobian};
 pub use distance::{Distance, distances, in_distance};
-pub use kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds, speeds_to_rates};
+pub use energy::Momentum;
+pub use kinematics::{Kinematics, Load, Velocities, motion_rates, rates_to_speeds, speeds_to_rates};
 pub use lagrange::generalized_forces;
 pub use newton_euler::{Balance, balances, partial_velocities};
 pub use quantities::{Energy, Owner, Quantities, Quantity, QuantityError, QuantityKind, Row, VectorName};
@@ -107,8 +109,6 @@ pub struct Equations {
     pub potential_energy: Expr,
     /// Expressions in q that the kinematic equations divide by.
     pub divisors: Vec<Expr>,
-    /// The derivation, step by step.
-    pub steps: Vec<Step>,
 }
 
 /// Why a formulation cannot be derived.
@@ -276,6 +276,17 @@ pub struct Derivation {
     pub equations: Equations,
 }
 
+/// One formulation of a model as a textbook shows it, with the store of its terms.
+#[derive(Clone)]
+pub struct DerivationInSteps {
+    /// The terms of `equations` and `steps`.
+    pub arena: Arena,
+    /// The equations.
+    pub equations: Equations,
+    /// What they come from, in order.
+    pub steps: Vec<Step>,
+}
+
 /// All formulations of a model over one store of terms, so that they can be compared.
 pub struct Derivations {
     /// The kinematics that they share, with the store of all terms.
@@ -300,6 +311,21 @@ pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, Der
     let mut kinematics = Kinematics::new(model)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;
     Ok(Derivation { arena: kinematics.arena, equations })
+}
+
+/// Derives the equations of motion of a model, and shows what they come from, step by step.
+///
+/// # Errors
+/// As [`derive`].
+pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<DerivationInSteps, DeriveError> {
+    let mut kinematics = Kinematics::new(model)?;
+    let equations = derive_with(model, &mut kinematics, formulation)?;
+    let steps = match formulation {
+        Formulation::Kane => kane::steps(model, &mut kinematics),
+        Formulation::Lagrange => lagrange::steps(model, &mut kinematics)?,
+        Formulation::NewtonEuler => newton_euler::steps(model, &mut kinematics),
+    };
+    Ok(DerivationInSteps { arena: kinematics.arena, equations, steps })
 }
 
 /// Derives the equations of motion of a model by every method.

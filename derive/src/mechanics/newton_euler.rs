@@ -7,7 +7,7 @@ use super::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
 use super::vector::Vector;
 use super::{DeriveError, Equations, Formulation, Step};
 use crate::algebra::Expr;
-use crate::algebra::calculus::Differential;
+use crate::algebra::calculus::Gradient;
 use crate::algebra::linear::LinearForm;
 use crate::model::{Body, Model, Place, ReactionKind};
 
@@ -65,9 +65,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),
         potential_energy: kinematics.potential_energy(model)?,
         divisors: model.kinematic_equations.divisors.clone(),
-        steps: Vec::new(),
     };
-    equations.steps = steps(model, kinematics, &velocities);
     kinematics.simplify_equations(&mut equations);
     Ok(equations)
 }
@@ -127,22 +125,19 @@ pub fn partial_velocities(
     rows: &[Balance],
     variables: &[Expr],
 ) -> Vec<Vec<Expr>> {
-    let mut result = Vec::new();
-    for variable in variables {
-        let mut partial = Differential::partial(*variable);
-        let mut entries = Vec::new();
-        for row in rows {
-            let body = &model.bodies[row.body];
-            let velocity = match &body.rigid {
-                Some((frame, _)) if row.moments => &velocities.angular[*frame],
-                _ => &velocities.linear[body.centre],
-            };
-            let Kinematics { arena, frames, simplifier, .. } = kinematics;
-            let slope = velocity.differentiate(arena, &mut partial);
-            let component = frames.express(arena, &slope, row.frame)[row.axis];
-            entries.push(simplifier.simplify(arena, component));
+    let mut gradient = Gradient::new(variables);
+    let mut result = vec![vec![Expr::ZERO; rows.len()]; variables.len()];
+    for (place, row) in rows.iter().enumerate() {
+        let body = &model.bodies[row.body];
+        let velocity = match &body.rigid {
+            Some((frame, _)) if row.moments => &velocities.angular[*frame],
+            _ => &velocities.linear[body.centre],
+        };
+        let Kinematics { arena, frames, simplifier, .. } = kinematics;
+        for (at, slope) in velocity.slopes(arena, &mut gradient) {
+            let component = frames.component(arena, &slope, row.frame, row.axis);
+            result[at][place] = simplifier.simplify(arena, component);
         }
-        result.push(entries);
     }
     result
 }
@@ -220,7 +215,9 @@ pub(super) fn torques_on(model: &Model, kinematics: &mut Kinematics, body: usize
     loads.into_iter().filter(|(on, _)| *on == Some(body)).map(|(_, v)| v).collect()
 }
 
-fn steps(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Step> {
+/// Accelerations, to be shown.
+pub(super) fn steps(model: &Model, kinematics: &mut Kinematics) -> Vec<Step> {
+    let velocities = kinematics.in_speeds(model);
     let mut steps = vec![super::kinematic_step(model)];
     let mut rates = motion_rates(model);
     for body in &model.bodies {
@@ -231,7 +228,7 @@ fn steps(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
         let a = frames.express(arena, &a, frame).map(|e| simplifier.simplify(arena, e));
         let mut lines: Vec<_> = a.iter().enumerate().map(|(i, e)| (format!("{name} [{}]", i + 1), *e)).collect();
         if let Some((own, _)) = &body.rigid {
-            let omega = kinematics.angular_velocity_in(body, velocities).unwrap_or([Expr::ZERO; 3]);
+            let omega = kinematics.angular_velocity_in(body, &velocities).unwrap_or([Expr::ZERO; 3]);
             let name = format!("alpha({}) @ {}", model.frames[*own].name, model.frames[frame].name);
             let Kinematics { arena, frames, simplifier, .. } = kinematics;
             let omega = Vector::in_frame(frame, omega);

@@ -4,20 +4,24 @@
 //! product, through the one rotation that lies between them. Turns about a common axis add their
 //! angles first, so a planar chain has cosines of sums, not sums of products.
 
-use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 use crate::model::Frame;
 use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
 
 /// Components in one frame.
 pub type Components = [Expr; 3];
+
+/// What a vector has in one frame: (frame, components).
+pub type Part = (usize, Components);
 
 /// A vector: components by frame, frames ascending, no frame with all components zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Vector {
     /// (frame, components)
-    pub parts: Vec<(usize, Components)>,
+    pub parts: Vec<Part>,
 }
 
 const NOTHING: Components = [Expr::ZERO; 3];
@@ -88,6 +92,27 @@ impl Vector {
         self.map(|e| along.apply(arena, e))
     }
 
+    /// The derivatives of the vector along each variable on which it depends by form, (which, derivative), in order; basis
+    /// vectors are held fixed. Of a velocity, along the motion variables, these are the partial velocities.
+    #[must_use]
+    pub fn slopes(&self, arena: &mut Arena, gradient: &mut Gradient) -> Vec<(usize, Self)> {
+        let mut by_variable: BTreeMap<usize, Self> = BTreeMap::new();
+        for (frame, components) in &self.parts {
+            for (axis, component) in components.iter().enumerate() {
+                for (at, slope) in gradient.apply(arena, *component).iter() {
+                    let slopes = by_variable.entry(*at).or_default();
+                    if slopes.parts.last().is_none_or(|(last, _)| last != frame) {
+                        slopes.parts.push((*frame, NOTHING));
+                    }
+                    if let Some((_, part)) = slopes.parts.last_mut() {
+                        part[axis] = *slope;
+                    }
+                }
+            }
+        }
+        by_variable.into_iter().collect()
+    }
+
     /// Every component simplified.
     #[must_use]
     pub fn simplify(&self, arena: &mut Arena, simplifier: &mut Simplifier) -> Self {
@@ -97,21 +122,22 @@ impl Vector {
 
 /// Frames as a tree, with the rotations between them.
 pub struct Frames {
-    frames: Vec<Frame>,
+    tree: Vec<Frame>,
     rotations: FxHashMap<(usize, usize), [[Expr; 3]; 3]>,
+    dots: FxHashMap<(Part, Part), Expr>,
 }
 
 impl Frames {
     /// The frames of a model.
     #[must_use]
     pub fn new(frames: &[Frame]) -> Self {
-        Self { frames: frames.to_vec(), rotations: FxHashMap::default() }
+        Self { tree: frames.to_vec(), rotations: FxHashMap::default(), dots: FxHashMap::default() }
     }
 
     /// From `frame` up to the inertial frame, itself first.
     fn ancestors(&self, frame: usize) -> Vec<usize> {
         let mut path = vec![frame];
-        while let Some((parent, _, _)) = self.frames[path[path.len() - 1]].rotation {
+        while let Some((parent, _, _)) = self.tree[path[path.len() - 1]].rotation {
             path.push(parent);
         }
         path
@@ -136,12 +162,12 @@ impl Frames {
             _ => turns.push((axis, angle)),
         };
         for frame in &up[..up.len() - shared] {
-            let (_, axis, angle) = self.frames[*frame].rotation.expect("not the inertial frame");
+            let (_, axis, angle) = self.tree[*frame].rotation.expect("not the inertial frame");
             let back = arena.neg(angle);
             push(arena, axis, back);
         }
         for frame in down[..down.len() - shared].iter().rev() {
-            let (_, axis, angle) = self.frames[*frame].rotation.expect("not the inertial frame");
+            let (_, axis, angle) = self.tree[*frame].rotation.expect("not the inertial frame");
             push(arena, axis, angle);
         }
         turns
@@ -176,19 +202,46 @@ impl Frames {
         sums.map(|terms| arena.sum(&terms))
     }
 
+    /// One component of a vector in one frame.
+    pub fn component(&mut self, arena: &mut Arena, v: &Vector, frame: usize, axis: usize) -> Expr {
+        let mut products = Vec::new();
+        for (from, components) in &v.parts {
+            let row = self.rotation(arena, *from, frame)[axis];
+            products.push(row_times(arena, &row, components));
+        }
+        arena.sum(&products)
+    }
+
     /// a · b.
     pub fn dot(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Expr {
         let mut terms = Vec::new();
-        for (f, x) in &a.parts {
-            for (g, y) in &b.parts {
-                let y = self.express(arena, &Vector::in_frame(*g, *y), *f);
-                for (x, y) in x.iter().zip(&y) {
-                    let product = arena.mul(*x, *y);
-                    terms.push(product);
-                }
+        for x in &a.parts {
+            for y in &b.parts {
+                terms.push(self.dot_of_parts(arena, *x, *y));
             }
         }
         arena.sum(&terms)
+    }
+
+    /// a · b of what two vectors have in one frame each, remembered: bodies of a chain share their velocities' parts.
+    fn dot_of_parts(&mut self, arena: &mut Arena, a: Part, b: Part) -> Expr {
+        // In one order: half the rotations, and equal products are equal terms.
+        let (a, b) = if b.0 < a.0 { (b, a) } else { (a, b) };
+        if let Some(known) = self.dots.get(&(a, b)) {
+            return *known;
+        }
+        let rotation = (a.0 != b.0).then(|| self.rotation(arena, b.0, a.0));
+        let mut products = Vec::with_capacity(3);
+        for (axis, x) in a.1.into_iter().enumerate().filter(|(_, x)| *x != Expr::ZERO) {
+            let y = match rotation {
+                Some(rows) => row_times(arena, &rows[axis], &b.1),
+                None => b.1[axis],
+            };
+            products.push(arena.mul(x, y));
+        }
+        let product = arena.sum(&products);
+        self.dots.insert((a, b), product);
+        product
     }
 
     /// a × b, each part of b in its own frame.
@@ -219,6 +272,45 @@ impl Frames {
     }
 }
 
+/// Σ weight · (a · b), to be written down once all are known.
+///
+/// Equal pairs of parts are put together first: where a chain's bodies move alike, their masses add up to one factor of one
+/// dot product, Σ m_k (a · b) = (Σ m_k) (a · b), and a sum over n bodies takes n terms rather than n².
+#[derive(Default)]
+pub struct Dots {
+    places: FxHashMap<(Part, Part), usize>,
+    /// In the order of first use, each with its weights.
+    list: Vec<((Part, Part), Vec<Expr>)>,
+}
+
+impl Dots {
+    /// Adds weight · (a · b).
+    pub fn add(&mut self, weight: Expr, a: &Vector, b: &Vector) {
+        for x in &a.parts {
+            for y in &b.parts {
+                let place = *self.places.entry((*x, *y)).or_insert(self.list.len());
+                match self.list.get_mut(place) {
+                    Some((_, weights)) => weights.push(weight),
+                    None => self.list.push(((*x, *y), vec![weight])),
+                }
+            }
+        }
+    }
+
+    /// The sum.
+    pub fn sum(&self, arena: &mut Arena, frames: &mut Frames) -> Expr {
+        let mut terms = Vec::with_capacity(self.list.len());
+        for ((a, b), weights) in &self.list {
+            let product = frames.dot_of_parts(arena, *a, *b);
+            if product != Expr::ZERO {
+                let weight = arena.sum(weights);
+                terms.push(arena.mul(weight, product));
+            }
+        }
+        arena.sum(&terms)
+    }
+}
+
 /// a × b in common components.
 pub fn cross_components(arena: &mut Arena, a: &Components, b: &Components) -> Components {
     [(1, 2), (2, 0), (0, 1)].map(|(j, k)| {
@@ -229,10 +321,13 @@ pub fn cross_components(arena: &mut Arena, a: &Components, b: &Components) -> Co
 
 /// A · v.
 pub fn apply_tensor(arena: &mut Arena, tensor: &[[Expr; 3]; 3], v: &Components) -> Components {
-    tensor.map(|row| {
-        let products: Vec<Expr> = row.iter().zip(v).map(|(a, b)| arena.mul(*a, *b)).collect();
-        arena.sum(&products)
-    })
+    tensor.map(|row| row_times(arena, &row, v))
+}
+
+/// Σ row_i v_i.
+fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
+    let products = [0, 1, 2].map(|i| arena.mul(row[i], v[i]));
+    arena.sum(&products)
 }
 
 /// (simple rotation about `axis`) · matrix: the frame is turned, so components turn back.
