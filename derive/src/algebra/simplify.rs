@@ -73,7 +73,16 @@ impl Simplifier {
         }
     }
 
-    /// The polynomial of `e` in which sums of symbols stay together where no term is lost by that.
+    /// `e` as a Laurent polynomial in symbols, function values and inverse sums; `None` beyond the limit.
+    pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
+        let parts = arena.reachable(&[e]);
+        if parts.len() > Self::PARTS {
+            return None;
+        }
+        self.polynomial_over(arena, &parts, &SumAtoms::default())
+    }
+
+    /// The same, but sums of symbols stay together where no term is lost by that.
     fn expanded(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
         let parts = arena.reachable(&[e]);
         if parts.len() > Self::PARTS {
@@ -81,17 +90,17 @@ impl Simplifier {
         }
         let sums = SumAtoms::new(arena, &parts);
         if !sums.is_empty()
-            && let Some(polynomial) = self.polynomial(arena, &parts, &sums)
+            && let Some(polynomial) = self.polynomial_over(arena, &parts, &sums)
             && sums.stay_apart(arena, &polynomial)
         {
             return Some(polynomial);
         }
-        self.polynomial(arena, &parts, &SumAtoms::default())
+        self.polynomial_over(arena, &parts, &SumAtoms::default())
     }
 
     /// The last of `parts`, which are all that it is built from, as a Laurent polynomial in symbols, function values, inverse
     /// sums and the sums taken for atoms; `None` beyond the limit.
-    fn polynomial(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<Polynomial> {
+    fn polynomial_over(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<Polynomial> {
         let mut forms: FxHashMap<Expr, Polynomial> = FxHashMap::default();
         for &part in parts {
             let form = match arena.node(part).clone() {
