@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
 use tripos_derive::scene::{FigureKind, Scene, Solve, load, model_path};
-use tripos_derive::{Formulation, Model, derive};
+use tripos_derive::{Formulation, Model};
 
 /// Steps after which a run of printed equations is given up: such equations may creep to a place that they never reach.
 const MOST_PRINTED_STEPS: u64 = 10_000;
