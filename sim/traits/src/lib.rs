@@ -2,19 +2,29 @@
 //!
 //! Two traits: [`Scalar`], the arithmetic a generated function body needs, so that one text serves
 //! `f64`, `f32` and every wider or narrower type; and [`System`], one formulation of one model as
-//! mass matrix, forcing and kinematic equations. And one wider number, [`DoubleDouble`], of 32 digits.
+//! mass matrix, forcing and kinematic equations. And two more scalars: [`DoubleDouble`], a number of 32 digits, and
+//! [`Lanes`], several doubles side by side.
+//!
+//! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have; without
+//! it the crate needs no standard library, and lanes give the same numbers more slowly.
 //!
 //! Absent on purpose: names, units and files. They belong to the model, not to its numbers.
 #![no_std]
 
-// A fused product and sum is an instruction, but only the standard library has a name for it.
-#[cfg(target_feature = "fma")]
+// Only the standard library asks a processor what it can, and has a name for a fused product and sum.
+#[cfg(feature = "std")]
+#[macro_use]
 extern crate std;
 
+mod circular;
+mod dispatch;
 mod double_double;
+mod lanes;
 mod scalar;
 mod system;
 
+pub use dispatch::lane_width;
 pub use double_double::DoubleDouble;
+pub use lanes::Lanes;
 pub use scalar::{Real, Scalar};
-pub use system::{CompiledModel, CompiledSystem, System};
+pub use system::{CompiledModel, CompiledSystem, Derivative, InLanes, Lengths, Rates, System};

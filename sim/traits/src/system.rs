@@ -1,6 +1,6 @@
 //! One formulation of one model, as numbers.
 
-use crate::{DoubleDouble, Scalar};
+use crate::{DoubleDouble, Lanes, Scalar};
 
 /// Equations of motion  A(q, v) x = b(q, v),  q̇ = k(q, v).
 ///
@@ -86,4 +86,59 @@ pub struct CompiledSystem {
     pub double: &'static (dyn System<f64> + Sync),
     /// In twice that precision, for reference runs.
     pub extended: &'static (dyn System<DoubleDouble> + Sync),
+}
+
+/// The derivative of the state alone, as [`Derivative`] takes it from a [`System`].
+///
+/// What batches are integrated with. A program that runs a model in lanes need not compile all of [`System`] for them, which
+/// takes an optimizing compiler far longer than for single numbers.
+pub trait Rates<S: Scalar> {
+    /// How many parameters, coordinates and speeds there are.
+    fn lengths(&self) -> Lengths;
+    /// As [`System::derivative`].
+    fn rates(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]);
+}
+
+/// How long the arguments of [`Rates::rates`] are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lengths {
+    /// Of `p`.
+    pub parameters: usize,
+    /// Of `q` and `q_dot`.
+    pub coordinates: usize,
+    /// Of `v` and `v_dot`.
+    pub speeds: usize,
+}
+
+/// The derivative of a [`System`] whose [`System::has_accelerations`] holds.
+#[derive(Clone, Copy, Debug)]
+pub struct Derivative<E>(
+    /// The equations.
+    pub E,
+);
+
+impl<S: Scalar, E: System<S>> Rates<S> for Derivative<E> {
+    fn lengths(&self) -> Lengths {
+        Lengths { parameters: self.0.parameters(), coordinates: self.0.coordinates(), speeds: self.0.speeds() }
+    }
+    fn rates(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        self.0.derivative(p, q, v, q_dot, v_dot);
+    }
+}
+
+/// Equations in both widths of lanes: [`crate::lane_width`] says which one a processor computes best in.
+#[derive(Clone, Copy)]
+pub struct InLanes<'a> {
+    /// Four states at once.
+    pub four: &'a (dyn Rates<Lanes<4>> + Sync),
+    /// Eight states at once.
+    pub eight: &'a (dyn Rates<Lanes<8>> + Sync),
+}
+
+impl<'a> InLanes<'a> {
+    /// Equations that are written for every scalar.
+    #[must_use]
+    pub const fn of<E: Rates<Lanes<4>> + Rates<Lanes<8>> + Sync>(equations: &'a E) -> Self {
+        Self { four: equations, eight: equations }
+    }
 }

@@ -1,0 +1,96 @@
+//! Which vector instructions the processor has, and running code that is compiled for them.
+
+#![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
+
+/// How many [`crate::Lanes`] this processor computes best in: 8 where it has registers of 512 bits, else 4. Results do not
+/// depend on it.
+#[must_use]
+pub fn lane_width() -> usize {
+    if matches!(level(), Level::Avx512) { 8 } else { 4 }
+}
+
+/// The instructions that code is compiled for a second time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(not(all(feature = "std", target_arch = "x86_64")), allow(dead_code, reason = "nothing is looked for there"))]
+enum Level {
+    /// Those that the whole program is compiled for.
+    Baseline,
+    /// Registers of 256 bits, fused products.
+    Avx2,
+    /// Registers of 512 bits.
+    Avx512,
+}
+
+/// `work`, compiled for the best instructions that this processor has for `N` lanes.
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[inline(always)]
+#[allow(unsafe_code, reason = "the calls are safe where the instructions exist, which the level says")]
+pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
+    match level() {
+        // SAFETY: `level` has found the features of `avx512`.
+        Level::Avx512 if N > 4 => unsafe { avx512(work) },
+        // SAFETY: `level` has found the features of `avx2`; they are among those of `avx512`.
+        Level::Avx2 | Level::Avx512 => unsafe { avx2(work) },
+        Level::Baseline => work(),
+    }
+}
+
+/// `work` itself: there is nothing to choose from.
+#[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+#[inline(always)]
+pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
+    work()
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
+fn avx512<R>(work: impl FnOnce() -> R) -> R {
+    work()
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx2,fma")]
+fn avx2<R>(work: impl FnOnce() -> R) -> R {
+    work()
+}
+
+/// What the processor has, asked once.
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[inline]
+fn level() -> Level {
+    use core::sync::atomic::{AtomicU8, Ordering::Relaxed};
+    static KNOWN: AtomicU8 = AtomicU8::new(UNKNOWN);
+    const UNKNOWN: u8 = 3;
+    #[cold]
+    fn ask() -> u8 {
+        let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+        let avx512 = avx2
+            && is_x86_feature_detected!("avx512f")
+            && is_x86_feature_detected!("avx512dq")
+            && is_x86_feature_detected!("avx512vl");
+        let found = if avx512 {
+            Level::Avx512
+        } else if avx2 {
+            Level::Avx2
+        } else {
+            Level::Baseline
+        };
+        KNOWN.store(found as u8, Relaxed);
+        found as u8
+    }
+    // Threads that ask at the same time find the same.
+    let known = match KNOWN.load(Relaxed) {
+        UNKNOWN => ask(),
+        known => known,
+    };
+    match known {
+        2 => Level::Avx512,
+        1 => Level::Avx2,
+        _ => Level::Baseline,
+    }
+}
+
+#[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+fn level() -> Level {
+    Level::Baseline
+}

@@ -1,0 +1,197 @@
+//! Several doubles side by side, as the vector registers of a processor hold them.
+//!
+//! Invariant: a lane has the same bits whatever stands in the others, how many there are, and on whichever processor. So
+//! products are fused everywhere or nowhere: [`Scalar::mul_add`] always, `*` followed by `+` never.
+//!
+//! Written as loops over arrays, which the compiler turns into vector instructions inside [`Scalar::dispatch`]; outside it
+//! they are those of the processor that is compiled for, and a fused product is a call where that has none. Absent on
+//! purpose: comparison. Lanes differ, so what depends on one is for the caller to decide lane by lane.
+
+#![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
+
+use crate::circular::{self, MulAdd};
+use crate::dispatch;
+use crate::scalar::Scalar;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `N` numbers, on which every operation acts lane by lane; 4 and 8 fill a register.
+///
+/// ```
+/// use tripos_traits::{Lanes, Scalar};
+///
+/// let angles = Lanes([0.0, 0.5, 1.0, 1.5]);
+/// let (sine, cosine) = Lanes::<4>::dispatch(|| angles.sin_cos());
+/// let one = sine.mul_add(sine, cosine * cosine);
+/// assert!(one.0.iter().all(|one| (one - 1.0).abs() < 1e-15));
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub struct Lanes<const N: usize>(
+    /// The numbers.
+    pub [f64; N],
+);
+
+/// x·a + b, rounded once on every processor.
+struct Fused;
+
+impl MulAdd for Fused {
+    #[inline(always)]
+    fn mul_add(x: f64, a: f64, b: f64) -> f64 {
+        #[cfg(feature = "std")]
+        return f64::mul_add(x, a, b);
+        #[cfg(not(feature = "std"))]
+        return libm::fma(x, a, b);
+    }
+}
+
+/// √x, correctly rounded.
+#[inline(always)]
+fn sqrt(x: f64) -> f64 {
+    #[cfg(feature = "std")]
+    return x.sqrt();
+    #[cfg(not(feature = "std"))]
+    return libm::sqrt(x);
+}
+
+/// Does something in each lane. Counting by hand gives the compiler half as much to simplify as an iterator, and generated
+/// code has thousands of these loops.
+macro_rules! each_lane {
+    ($l:ident, $n:expr, $do:expr) => {
+        let mut $l = 0;
+        while $l < $n {
+            $do;
+            $l += 1;
+        }
+    };
+}
+
+impl<const N: usize> Lanes<N> {
+    /// The function of each lane.
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> Self {
+        let mut out = self;
+        each_lane!(l, N, out.0[l] = f(self.0[l]));
+        out
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $function:ident, $operator:tt) => {
+        impl<const N: usize> $trait for Lanes<N> {
+            type Output = Self;
+            #[inline(always)]
+            fn $function(self, other: Self) -> Self {
+                let mut out = self;
+                each_lane!(l, N, out.0[l] = self.0[l] $operator other.0[l]);
+                out
+            }
+        }
+    };
+}
+
+operator!(Add, add, +);
+operator!(Sub, sub, -);
+operator!(Mul, mul, *);
+operator!(Div, div, /);
+
+impl<const N: usize> Neg for Lanes<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.each(|x| -x)
+    }
+}
+
+/// Sines and cosines again, with those of arguments that [`circular::near`] cannot take put right.
+#[cold]
+#[inline(never)]
+fn with_far_lanes<const N: usize>(x: [f64; N], (sine, cosine): (Lanes<N>, Lanes<N>)) -> (Lanes<N>, Lanes<N>) {
+    let (mut sine, mut cosine) = (sine, cosine);
+    for ((x, s), c) in x.iter().zip(&mut sine.0).zip(&mut cosine.0) {
+        if !is_near(*x) {
+            (*s, *c) = circular::far(*x);
+        }
+    }
+    (sine, cosine)
+}
+
+#[inline(always)]
+fn is_near(x: f64) -> bool {
+    x.abs() <= circular::FAST
+}
+
+impl<const N: usize> Scalar for Lanes<N> {
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Self([x; N])
+    }
+    fn decimal(text: &str) -> Self {
+        Self([f64::decimal(text); N])
+    }
+    #[inline(always)]
+    fn pi() -> Self {
+        Self([f64::pi(); N])
+    }
+    #[inline(always)]
+    fn ratio(numerator: i64, denominator: i64) -> Self {
+        Self([f64::ratio(numerator, denominator); N])
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (mut sine, mut cosine, mut all_near) = (self, self, true);
+        each_lane!(l, N, {
+            (sine.0[l], cosine.0[l]) = circular::near::<Fused>(self.0[l]);
+            all_near &= is_near(self.0[l]);
+        });
+        if all_near { (sine, cosine) } else { with_far_lanes(self.0, (sine, cosine)) }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.each(sqrt)
+    }
+    fn asin(self) -> Self {
+        self.each(Scalar::asin)
+    }
+    fn acos(self) -> Self {
+        self.each(Scalar::acos)
+    }
+    fn atan(self) -> Self {
+        self.each(Scalar::atan)
+    }
+    fn exp(self) -> Self {
+        self.each(Scalar::exp)
+    }
+    fn ln(self) -> Self {
+        self.each(Scalar::ln)
+    }
+    fn sinh(self) -> Self {
+        self.each(Scalar::sinh)
+    }
+    fn cosh(self) -> Self {
+        self.each(Scalar::cosh)
+    }
+    fn tanh(self) -> Self {
+        self.each(Scalar::tanh)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.each(f64::abs)
+    }
+    #[inline(always)]
+    fn sign(self) -> Self {
+        self.each(Scalar::sign)
+    }
+    /// Rounded once, on every processor; in a call where the code that runs was not compiled for one that can.
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        let mut out = self;
+        each_lane!(l, N, out.0[l] = Fused::mul_add(self.0[l], a.0[l], b.0[l]));
+        out
+    }
+    /// Inside, with AVX-512 or with AVX2 and fused products where the processor has them. They reach only what is inlined
+    /// into `work`, and `work` itself: write `#[inline(always)] ||` before its body where that is long.
+    #[inline(always)]
+    fn dispatch<R>(work: impl FnOnce() -> R) -> R {
+        dispatch::run::<N, R>(work)
+    }
+}
