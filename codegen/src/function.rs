@@ -11,6 +11,9 @@ use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Formulation, Model};
 
+/// The functions that runs spend their time in: `System` calls them through `Scalar::dispatch`.
+const DISPATCHED: [&str; 2] = ["accelerations", "derivative"];
+
 /// The arguments a generated function reads.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Arguments {
@@ -162,11 +165,14 @@ impl Writer<'_> {
         let (signature, unpack) = self.arguments(arguments, &program.inputs);
         let function = format_ident!("{name}");
         let (about, cost_line) = (format!(" {about}"), format!(" {cost}."));
+        // What `System` dispatches is compiled again for the instructions of the processor, which reach only inlined code.
+        let inline = if DISPATCHED.contains(&name) { quote!(#[inline(always)]) } else { TokenStream::new() };
         let tokens = quote! {
             #[doc = #about]
             #[doc = ""]
             #[doc = #cost_line]
             #[must_use]
+            #inline
             pub fn #function<S: Scalar>(#signature) -> #kind {
                 #unpack
                 #zero

@@ -6,11 +6,19 @@ use proc_macro2::Literal;
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 
-/// Emits `mod.rs` for equations of these names; `origin` is the sentence of its header that says where it comes from.
-pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equations: &[String]) -> String {
+/// Equations that a model's module lists.
+pub struct Entry {
+    /// Their name, such as `kane` or `printed:ID`.
+    pub name: String,
+    /// Whether their accelerations were solved for.
+    pub solved: bool,
+}
+
+/// Emits `mod.rs` for these equations; `origin` is the sentence of its header that says where it comes from.
+pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equations: &[Entry]) -> String {
     let header = vec![format!("{}.", model.title), String::new(), origin.to_owned(), format!("{}.", model.count())];
-    let modules = equations.iter().map(|name| {
-        let name = format_ident!("{}", module_name(name));
+    let modules = equations.iter().map(|entry| {
+        let name = format_ident!("{}", module_name(&entry.name));
         quote!(#[rustfmt::skip] pub mod #name;)
     });
     let count = model.parameters.len();
@@ -32,9 +40,14 @@ pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equati
     let (parameter_type, parameters) = list_of(model.parameters.iter().map(|p| p.name.as_str()).collect());
     let (coordinate_type, coordinates) = list_of(model.coordinates.iter().map(|c| c.name.as_str()).collect());
     let (speed_type, speeds) = list_of(model.speeds.iter().map(|s| s.name.as_str()).collect());
-    let systems = equations.iter().map(|name| {
+    let any_solved = equations.iter().any(|entry| entry.solved);
+    let in_lanes = if any_solved { quote!(Derivative, InLanes,) } else { quote!() };
+    let systems = equations.iter().map(|entry| {
+        let name = &entry.name;
         let (module, unit) = (format_ident!("{}", module_name(name)), format_ident!("{}", type_name(name)));
-        quote!(CompiledSystem { name: #name, double: &#module::#unit, extended: &#module::#unit })
+        let system = quote!(&#module::#unit);
+        let lanes = if entry.solved { quote!(Some(InLanes::of(&Derivative(#module::#unit)))) } else { quote!(None) };
+        quote!(CompiledSystem { name: #name, double: #system, extended: #system, lanes: #lanes })
     });
     let hash = model.text_hash();
     let unused = if count == 0 { quote!(_p) } else { quote!(p) };
@@ -47,7 +60,7 @@ pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equati
     let items = quote! {
         #(#modules)*
 
-        use tripos_traits::{CompiledModel, CompiledSystem, Scalar};
+        use tripos_traits::{CompiledModel, CompiledSystem, #in_lanes Scalar};
 
         #[doc = " The parameters, in the order of the model file."]
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,6 +75,7 @@ pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equati
             #[doc = " # Panics"]
             #[doc = " If `p` has fewer values than there are parameters."]
             #[must_use]
+            #[inline(always)]
             pub fn from_slice(#unused: &[S]) -> Self {
                 Self { #(#from,)* #phantom_value }
             }

@@ -49,12 +49,14 @@ pub fn system(model: &Model, e: &Equations, eliminated: bool) -> TokenStream {
         quote! {
             fn has_accelerations(&self) -> bool { true }
             fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(&accelerations(#state));
+                S::dispatch(#[inline(always)] || out.copy_from_slice(&accelerations(#state)));
             }
             fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-                let (of_q, of_v) = derivative(#state);
-                q_dot.copy_from_slice(&of_q);
-                v_dot.copy_from_slice(&of_v);
+                S::dispatch(#[inline(always)] || {
+                    let (of_q, of_v) = derivative(#state);
+                    q_dot.copy_from_slice(&of_q);
+                    v_dot.copy_from_slice(&of_v);
+                });
             }
             fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
                 out.copy_from_slice(jacobian(#state).as_flattened());
@@ -93,6 +95,7 @@ pub fn system(model: &Model, e: &Equations, eliminated: bool) -> TokenStream {
             }
         }
 
+        #[inline(always)]
         fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
             slice.try_into().expect("a slice of the length that System states")
         }

@@ -2,6 +2,7 @@
 
 use crate::formulation::Solved;
 use crate::identifiers::module_name;
+use crate::module::Entry;
 use crate::origin::Origin;
 use crate::tokens::format;
 use crate::{formulation, module};
@@ -98,7 +99,7 @@ pub(crate) fn module_files(
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
     let report = if formulations.is_none() { report_beside(path, &mut with_report)? } else { None };
-    let (mut files, mut names, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut files, mut entries, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     for &f in formulations.unwrap_or(&Formulation::ALL) {
         // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
         match derive(&model, f) {
@@ -109,7 +110,7 @@ pub(crate) fn module_files(
                     let solved = Solved::new(&mut arena, &equations).ok();
                     let text = formulation::file(&model, &origin.of_model(), &arena, &equations, solved.as_ref());
                     files.push((format!("{}.rs", module_name(&equations.name)), text));
-                    names.push(equations.name);
+                    entries.push(Entry { name: equations.name, solved: solved.is_some() });
                 }
             }
             Err(error) if error.is_unsupported() => left_out.push((f, error)),
@@ -127,11 +128,11 @@ pub(crate) fn module_files(
             }
             let arena = &derivations.kinematics.arena;
             files.push((file, formulation::file(&with_report, &origin.of_report(), arena, &equations, None)));
-            names.push(equations.name);
+            entries.push(Entry { name: equations.name, solved: false });
         }
     }
     let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();
-    files.push(("mod.rs".to_owned(), module::file(&model, module, &origin.of_model(), &report_hash, &names)));
+    files.push(("mod.rs".to_owned(), module::file(&model, module, &origin.of_model(), &report_hash, &entries)));
     Ok(ModuleFiles { files, left_out })
 }
 

@@ -86,6 +86,8 @@ pub struct CompiledSystem {
     pub double: &'static (dyn System<f64> + Sync),
     /// In twice that precision, for reference runs.
     pub extended: &'static (dyn System<DoubleDouble> + Sync),
+    /// The derivative of several states at once; `None` for equations whose accelerations were not solved for.
+    pub lanes: Option<InLanes<'static>>,
 }
 
 /// The derivative of the state alone, as [`Derivative`] takes it from a [`System`].
