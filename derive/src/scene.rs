@@ -1,6 +1,8 @@
 //! Scenes: what to run, from where, how accurately, what to look at. States: one instant of it.
 
+mod axis;
 mod extended;
+mod family;
 mod integration;
 mod ladder;
 mod values;
@@ -14,7 +16,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use values::{Number, Start, Values, doubles};
 
+pub use axis::{Grid, MOST_POINTS};
 pub use extended::Extended;
+pub use family::Family;
 pub use integration::{AbsoluteTolerance, Integration, METHODS, Solve};
 pub use ladder::Ladder;
 
@@ -162,42 +166,38 @@ pub fn model_path(source: &Source) -> Result<PathBuf, Diagnostics> {
 pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let (reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
-    let mut values = Values { reader, model };
+    let mut values = Values::new(reader, model);
     values.reader.allow(table, "a scene file", &KEYS);
-    let parameters = values.parameters(table);
-    let start = values.section(table, "start");
-    let Start { q, u, exact } = match (start, &parameters) {
-        (None, _) => {
-            let help = "add [start] with every coordinate and every speed or every q'";
-            values.reader.errors.push(Diagnostic::of_file("the scene has no `start`", help));
-            Start::default()
-        }
-        (Some(start), Some(parameters)) => values.state(start, parameters).unwrap_or_default(),
-        (Some(_), None) => Start::default(),
-    };
-    let p = parameters.clone().unwrap_or_default();
-    let span = values.span(table, &p);
-    let integration = values.integration(table, &p);
-    let ladder = values.ladder(table, &p, &exact);
+    let numbers = values.scene_numbers(table);
+    let ladder = values.ladder(table, &numbers.p, &numbers.start.exact);
     let events = values.events(table);
     let figures = values.figures(table);
     let title = values.text(table, "title").unwrap_or_default();
     let about = values.text(table, "about").unwrap_or_default();
     values.reader.finish()?;
+    let Start { q, u, exact } = numbers.start;
     Ok(Scene {
         source: source.clone(),
         title,
         about,
-        parameters: doubles(&p),
+        parameters: doubles(&numbers.p),
         q,
         u,
         exact,
-        span: span.expect("reported if missing"),
-        integration,
+        span: numbers.span.expect("reported if missing"),
+        integration: numbers.integration,
         ladder,
         events,
         figures,
     })
+}
+
+/// What a scene says in numbers, and what may follow from its parameters.
+struct Numbers {
+    p: Vec<Number>,
+    start: Start,
+    span: Option<(f64, f64)>,
+    integration: Integration,
 }
 
 /// One instant: parameters, coordinates and generalized speeds.
@@ -218,7 +218,7 @@ pub struct State {
 pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnostics> {
     let (reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
-    let mut values = Values { reader, model };
+    let mut values = Values::new(reader, model);
     values.reader.allow(table, "a state file", &["parameters", "state"]);
     let parameters = values.parameters(table);
     let state = values.section(table, "state");
@@ -233,6 +233,23 @@ pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnosti
 }
 
 impl<'a> Values<'a, '_> {
+    fn scene_numbers(&mut self, table: &'a DeTable<'a>) -> Numbers {
+        let parameters = self.parameters(table);
+        let start = match (self.section(table, "start"), &parameters) {
+            (None, _) => {
+                let help = "add [start] with every coordinate and every speed or every q'";
+                self.reader.errors.push(Diagnostic::of_file("the scene has no `start`", help));
+                None
+            }
+            (Some(start), Some(parameters)) => self.state(start, parameters),
+            (Some(_), None) => None,
+        };
+        let p = parameters.unwrap_or_default();
+        let span = self.span(table, &p);
+        let integration = self.integration(table, &p);
+        Numbers { p, start: start.unwrap_or_default(), span, integration }
+    }
+
     fn span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(f64, f64)> {
         let Some(value) = self.reader.get(table, "span") else {
             let help = "add span = [0, 1], in seconds";

@@ -1,13 +1,16 @@
-//! Numbers in scene and state files: exact formulas in parameters, evaluated once.
+//! Numbers in scene and state files: exact formulas in parameters, parsed once, evaluated for each reading.
+//!
+//! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier readings.
 
 use super::extended::{Extended, exact_value};
 use super::{Exact, Motion};
 use crate::algebra::evaluate::Tape;
 use crate::algebra::parse::parse;
 use crate::algebra::{Expr, Rational};
-use crate::diagnostic::nearest;
+use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::Model;
 use crate::read::{Located, Reader};
+use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 
 /// A number of a file.
@@ -17,17 +20,57 @@ pub struct Number {
     pub double: f64,
     /// As it is, where that is known: not for function values such as √2.
     pub exact: Option<Rational>,
+    /// To 32 digits, where they are known.
+    extended: Extended,
 }
 
 impl Number {
-    fn exact(value: Rational) -> Self {
-        Self { double: value.to_f64(), exact: Some(value) }
+    /// Known exactly.
+    pub fn exact(value: Rational) -> Self {
+        Self { double: value.to_f64(), extended: Extended::of(&value), exact: Some(value) }
+    }
+
+    /// Of which no more than the double is known.
+    pub fn rounded(double: f64) -> Self {
+        Self { double, exact: None, extended: double.into() }
     }
 
     /// To 32 digits, where they are known.
     pub fn extended(&self) -> Extended {
-        self.exact.as_ref().map_or(self.double.into(), Extended::of)
+        self.extended
     }
+}
+
+/// A number of a scene that may be given instead of what its file says, by its place in the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A parameter.
+    Parameter(usize),
+    /// A coordinate at the start.
+    Coordinate(usize),
+    /// The rate of a coordinate at the start.
+    Rate(usize),
+    /// A generalized speed at the start.
+    Speed(usize),
+}
+
+/// What does not change from one reading of a file to the next: its formulas, parsed.
+#[derive(Default)]
+pub struct Terms {
+    /// By their places in the file.
+    formulas: FxHashMap<usize, Term>,
+    /// The generalized speeds as functions of parameters, q and q̇.
+    speeds: Option<Tape>,
+}
+
+/// A formula of a file.
+struct Term {
+    expression: Expr,
+    tape: Tape,
+    /// Whether it mentions a parameter.
+    varies: bool,
+    /// Its value, once it was evaluated, if it mentions no parameter.
+    constant: Option<Number>,
 }
 
 /// Rounded to doubles.
@@ -54,10 +97,21 @@ pub struct Start {
 pub struct Values<'a, 'm> {
     pub reader: Reader<'a>,
     pub model: &'m mut Model,
+    /// Formulas that were met before, in this file.
+    pub terms: Terms,
+    /// Numbers that stand in the stead of the file's.
+    pub given: &'m [(Place, Number)],
 }
 
 /// How far a stated constrained variable may be from where its constraint puts it.
 const RESIDUAL: f64 = 1e-9;
+
+impl<'a, 'm> Values<'a, 'm> {
+    /// Of a file that is read once, as it is.
+    pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
+        Self { reader, model, terms: Terms::default(), given: &[] }
+    }
+}
 
 impl<'a> Values<'a, '_> {
     /// A table under a key, if there is one.
@@ -68,8 +122,7 @@ impl<'a> Values<'a, '_> {
 
     /// Values of all parameters: those stated, the model's defaults for the rest.
     pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Option<Vec<Number>> {
-        let mut values: Vec<Option<Number>> =
-            self.model.parameters.iter().map(|p| p.value.clone().map(Number::exact)).collect();
+        let mut values: Vec<Option<Number>> = vec![None; self.model.parameters.len()];
         let section = self.section(table, "parameters");
         for (name, value) in section.map_or(Vec::new(), |s| self.reader.entries(s)) {
             let Some(at) = self.model.parameters.iter().position(|p| p.name == name.text) else {
@@ -79,21 +132,36 @@ impl<'a> Values<'a, '_> {
             };
             let Some(formula) = self.reader.formula(value, "a parameter's value") else { continue };
             let Some(number) = self.constant(&formula) else { continue };
-            let parameter = &self.model.parameters[at];
-            if parameter.positive && number.double <= 0.0 {
-                let message = format!("`{}` is stated to be positive but is {}", parameter.name, number.double);
+            if let Some(message) = self.not_positive(at, &number) {
                 self.reader.error(formula.span, message, "give a value above zero");
             }
             values[at] = Some(number);
         }
-        for (parameter, value) in self.model.parameters.iter().zip(&values) {
+        for (place, number) in self.given {
+            let Place::Parameter(at) = *place else { continue };
+            if let Some(message) = self.not_positive(at, number) {
+                self.reader.errors.push(Diagnostic::of_file(message, "give a value above zero"));
+            }
+            values[at] = Some(number.clone());
+        }
+        for (parameter, value) in self.model.parameters.iter().zip(&mut values) {
+            if value.is_none() {
+                *value = parameter.value.clone().map(Number::exact);
+            }
             if value.is_none() {
                 let message = format!("the parameter `{}` has no value", parameter.name);
                 let help = "give it in [parameters], or a default in the model file";
-                self.reader.errors.push(crate::diagnostic::Diagnostic::of_file(message, help));
+                self.reader.errors.push(Diagnostic::of_file(message, help));
             }
         }
         values.into_iter().collect()
+    }
+
+    /// What is wrong with the value of a parameter that is stated to be positive.
+    fn not_positive(&self, at: usize, number: &Number) -> Option<String> {
+        let parameter = &self.model.parameters[at];
+        (parameter.positive && number.double <= 0.0)
+            .then(|| format!("`{}` is stated to be positive but is {}", parameter.name, number.double))
     }
 
     /// Every coordinate, and every speed or every q′: as (q, u).
@@ -127,6 +195,14 @@ impl<'a> Values<'a, '_> {
         if self.reader.errors.len() > before {
             return None;
         }
+        for (place, number) in self.given {
+            match *place {
+                Place::Parameter(_) => {}
+                Place::Coordinate(at) => q[at] = Some(number.clone()),
+                Place::Rate(at) => rates[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
+                Place::Speed(at) => u[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
+            }
+        }
         self.complete(table, &q, &rates, &u)?;
         let exact_q: Vec<Number> = q.into_iter().flatten().collect();
         let (p, q) = (doubles(parameters), doubles(&exact_q));
@@ -138,7 +214,7 @@ impl<'a> Values<'a, '_> {
         let u = if by_rates { self.speeds_from_rates(&p, &q, &doubles(&rates)) } else { doubles(&exact_u) };
         if let Some(at) = u.iter().position(|x| !x.is_finite()) {
             let message = format!("the speed `{}` is not finite at this state", self.model.speeds[at].name);
-            self.reader.errors.push(crate::diagnostic::Diagnostic::of_file(message, "choose another state"));
+            self.reader.errors.push(Diagnostic::of_file(message, "choose another state"));
             return None;
         }
         let motion = if by_rates { Motion::Rates(extended(&rates)) } else { Motion::Speeds(extended(&exact_u)) };
@@ -199,14 +275,17 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    fn speeds_from_rates(&self, parameters: &[f64], q: &[f64], rates: &[f64]) -> Vec<f64> {
-        let inputs = [parameters, q, rates].concat();
-        let symbols = [self.model.p(), self.model.q(), self.model.q_dot()].concat();
-        let definitions: Vec<Expr> = self.model.speeds.iter().map(|s| s.definition).collect();
-        match Tape::new(&self.model.arena, &symbols, &definitions) {
-            Ok(tape) => tape.evaluate(&inputs),
-            Err(unknown) => unreachable!("speeds are defined by coordinates and rates, not by {}", unknown.0),
-        }
+    fn speeds_from_rates(&mut self, parameters: &[f64], q: &[f64], rates: &[f64]) -> Vec<f64> {
+        let model = &self.model;
+        let tape = self.terms.speeds.get_or_insert_with(|| {
+            let symbols = [model.p(), model.q(), model.q_dot()].concat();
+            let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
+            match Tape::new(&model.arena, &symbols, &definitions) {
+                Ok(tape) => tape,
+                Err(unknown) => unreachable!("speeds are defined by coordinates and rates, not by {}", unknown.0),
+            }
+        });
+        tape.evaluate(&[parameters, q, rates].concat())
     }
 
     /// A formula of numbers, `deg` and `pi`.
@@ -220,9 +299,45 @@ impl<'a> Values<'a, '_> {
     }
 
     fn evaluate(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
+        let place = formula.span.start;
+        if !self.terms.formulas.contains_key(&place) {
+            let term = self.term(formula, parameters.len(), what)?;
+            self.terms.formulas.insert(place, term);
+        }
+        let term = self.terms.formulas.get(&place)?;
+        if let Some(number) = &term.constant {
+            return Some(number.clone());
+        }
+        let value = term.tape.evaluate(&doubles(parameters))[0];
+        if !value.is_finite() {
+            self.reader.error(
+                formula.span.clone(),
+                format!("{what} is {value}, not a finite number"),
+                "give a finite number",
+            );
+            return None;
+        }
+        let symbols = self.model.parameters.iter().map(|p| p.symbol);
+        let pairs = symbols.zip(parameters).filter_map(|(s, p)| Some((s, p.exact.clone()?)));
+        let exact = exact_value(&self.model.arena, term.expression, &pairs.collect::<Vec<_>>());
+        let number = exact.map_or_else(|| Number::rounded(value), Number::exact);
+        if !term.varies {
+            self.terms.formulas.entry(place).and_modify(|term| term.constant = Some(number.clone()));
+        }
+        Some(number)
+    }
+
+    /// Whether a formula that was evaluated mentions a parameter.
+    pub fn mentions(&self, formula: &Located, parameter: usize) -> bool {
+        let term = self.terms.formulas.get(&formula.span.start);
+        term.is_some_and(|t| self.model.arena.mentions(t.expression, self.model.parameters[parameter].symbol))
+    }
+
+    /// A formula in the first `known` parameters, parsed.
+    fn term(&mut self, formula: &Located, known: usize, what: &str) -> Option<Term> {
         let model = &mut *self.model;
         let known: Vec<(String, Expr)> =
-            model.parameters.iter().take(parameters.len()).map(|p| (p.name.clone(), p.symbol)).collect();
+            model.parameters.iter().take(known).map(|p| (p.name.clone(), p.symbol)).collect();
         let result = parse(&mut model.arena, &formula.text, &mut |arena, name| {
             if name == "deg" {
                 let pi = arena.pi();
@@ -234,7 +349,7 @@ impl<'a> Values<'a, '_> {
             let names = known.iter().map(|(n, _)| n.as_str()).chain(["deg", "pi"]);
             Err((format!("`{name}` cannot stand in {what}"), Some(nearest(name, names))))
         });
-        let e = match result {
+        let expression = match result {
             Ok(e) => e,
             Err(error) => {
                 self.reader.error(formula.part(error.span), error.message, error.help.unwrap_or_default());
@@ -242,18 +357,9 @@ impl<'a> Values<'a, '_> {
             }
         };
         let symbols: Vec<Expr> = known.iter().map(|(_, e)| *e).collect();
-        let value = Tape::new(&model.arena, &symbols, &[e]).ok()?.evaluate(&doubles(parameters))[0];
-        if !value.is_finite() {
-            self.reader.error(
-                formula.span.clone(),
-                format!("{what} is {value}, not a finite number"),
-                "give a finite number",
-            );
-            return None;
-        }
-        let pairs = symbols.iter().zip(parameters).filter_map(|(s, p)| Some((*s, p.exact.clone()?)));
-        let exact = exact_value(&model.arena, e, &pairs.collect::<Vec<_>>());
-        Some(exact.map_or(Number { double: value, exact: None }, Number::exact))
+        let tape = Tape::new(&model.arena, &symbols, &[expression]).ok()?;
+        let varies = symbols.iter().any(|symbol| model.arena.mentions(expression, *symbol));
+        Some(Term { expression, tape, varies, constant: None })
     }
 
     /// A formula in everything that has a value during a run.
