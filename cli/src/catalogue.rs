@@ -12,6 +12,7 @@ use tripos_derive::{Equations, Formulation, Model, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
 
 /// Equations ready to run.
+#[derive(Clone)]
 pub enum Code {
     /// Generated Rust, compiled in.
     Compiled(&'static CompiledSystem),
@@ -121,6 +122,12 @@ pub fn by(model: &Model, name: &str) -> Result<By, Failure> {
         };
         Failure::Request(format!("there are no printed equations `{name}`"), help)
     })
+}
+
+/// What `--by` means, or the first formulation that the model supports if it is not given.
+pub fn by_or_first(model: &Model, name: Option<&str>) -> Result<By, Failure> {
+    let first = || Formulation::ALL.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
+    name.map_or_else(|| Ok(By::from(first())), |name| by(model, name))
 }
 
 /// The printed equations of the report beside a model, in the order of the report.

@@ -9,7 +9,8 @@ use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
 use tripos_derive::mechanics::Derivation;
 use tripos_traits::System;
 
-/// One formulation, interpreted.
+/// One formulation, interpreted. Its working space makes it a thread's own; another thread takes a copy.
+#[derive(Clone)]
 pub struct Interpreted {
     sizes: [usize; 4],
     /// Parameters, coordinates and motion variables: what most tapes read.

@@ -5,6 +5,7 @@ mod chart;
 mod commands;
 mod failure;
 mod figures;
+mod how;
 mod interpreted;
 mod invariants;
 mod page;
@@ -134,11 +135,24 @@ enum Command {
     },
 }
 
-/// What `simulate` may change of a scene.
+/// A run of a scene.
 #[derive(clap::Args)]
 struct Simulate {
     /// A scene file
     scene: PathBuf,
+    #[command(flatten)]
+    how: How,
+    /// Write the samples to this file
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What the command line may change of the way a scene is run.
+#[derive(clap::Args)]
+struct How {
     /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model; the first
     /// formulation that the model supports if not given
     #[arg(long)]
@@ -162,12 +176,6 @@ struct Simulate {
     /// The last instant, s; before the first, the run goes backward
     #[arg(long, allow_negative_numbers = true)]
     until: Option<f64>,
-    /// Write the samples to this file
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// How to write mathematics.

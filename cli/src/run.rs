@@ -55,10 +55,13 @@ pub fn state_names(model: &Model) -> Vec<String> {
 /// [`Failure`] if the formulation is not to be had, or the scene asks for what it cannot give.
 pub fn run(model: &Model, scene: &Scene, by: &By) -> Result<Run, Failure> {
     let code = code(model, by, scene.integration.distance)?;
-    // Of a large model the proof may take longer than the run: there energy alone is watched.
+    run_code(model, scene, by, &code, proved(model).as_ref())
+}
+
+/// What is conserved; nothing of a large model, of which the proof may take longer than the run: there energy alone is watched.
+pub fn proved(model: &Model) -> Option<Watch> {
     let small = model.coordinates.len() <= MOST_PROVED;
-    let watch = if small { Watch::of_model(model).ok() } else { None };
-    run_code(model, scene, by, &code, watch.as_ref())
+    if small { Watch::of_model(model).ok() } else { None }
 }
 
 /// Coordinates up to which a run proves what is conserved before it watches it.
@@ -72,7 +75,7 @@ pub fn run_code(model: &Model, scene: &Scene, by: &By, code: &Code, watch: Optio
     let problem = Problem::new(model, scene, by, code, None)?;
     let balance = Balance::new(model, scene, by)?;
     let y0 = problem.start()?;
-    let mut events = events(&problem, &balance)?;
+    let mut events = events(&problem, &balance);
     let solution = problem.integrate(&y0, &options(scene)?, &mut events).map_err(|error| refused(scene, &error))?;
     drop(events);
     finish(&problem, solution, watch)
@@ -83,11 +86,19 @@ pub fn refused(scene: &Scene, error: &SimError) -> Failure {
     Failure::Request(error.to_string(), format!("check {}", scene.source.path.display()))
 }
 
-/// How a scene is integrated.
+/// How a scene is integrated, and at which instants it is sampled.
 ///
 /// # Errors
 /// [`Failure::Request`] if there is no such method.
 pub fn options(scene: &Scene) -> Result<Options, Failure> {
+    Ok(Options { output: output(scene), ..options_of_ends(scene)? })
+}
+
+/// How a scene is integrated where only the ends of its runs are kept: the same steps.
+///
+/// # Errors
+/// [`Failure::Request`] if there is no such method.
+pub fn options_of_ends(scene: &Scene) -> Result<Options, Failure> {
     let how = &scene.integration;
     Ok(Options {
         method: method(&how.method)?,
@@ -98,7 +109,7 @@ pub fn options(scene: &Scene) -> Result<Options, Failure> {
         },
         step: how.step,
         step_limit: how.step_limit,
-        output: output(scene),
+        output: Output::Ends,
         ..Options::default()
     })
 }
@@ -165,43 +176,68 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
     })
 }
 
-/// The force balance that gives reactions, whichever formulation runs: needed only if a watched
-/// expression mentions one.
+/// What is watched in the runs of a scene, compiled once: expressions, and the force balance that gives reactions, whichever
+/// formulation runs, if one of them mentions a reaction.
+#[derive(Clone)]
 pub struct Balance {
     code: Option<Code>,
+    /// The domain's conditions, then the scene's events.
+    watched: Vec<Watched>,
+}
+
+/// An expression in parameters, q, q̇, u and reactions.
+#[derive(Clone)]
+struct Watched {
+    tape: Tape,
+    needs_reactions: bool,
 }
 
 impl Balance {
     /// For what is watched in a scene.
     ///
     /// # Errors
-    /// [`Failure::Request`] if a reaction is watched that cannot be had.
+    /// [`Failure::Request`] if a reaction is watched that cannot be had, or what has no value during a run.
     pub fn new(model: &Model, scene: &Scene, by: &By) -> Result<Self, Failure> {
         let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
         let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
+        let (mut balance, mut list) = (None, Vec::new());
         for (name, e) in watched {
-            let Some(reaction) = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol)) else { continue };
-            return match code(model, &Formulation::NewtonEuler.into(), None) {
-                Ok(code) => Ok(Self { code: Some(code) }),
-                Err(error) => Err(Failure::Request(
-                    format!(
-                        "`{name}` needs the reaction `{}`, which only newton-euler gives, also in a run by {}:\n{error}",
-                        reaction.name, by.name
-                    ),
-                    "name the missing reactions, or state the condition without a reaction".to_owned(),
-                )),
-            };
+            let reaction = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol));
+            if let (Some(reaction), None) = (reaction, &balance) {
+                balance = Some(code(model, &Formulation::NewtonEuler.into(), None).map_err(|error| {
+                    Failure::Request(
+                        format!(
+                            "`{name}` needs the reaction `{}`, which only newton-euler gives, also in a run by {}:\n{error}",
+                            reaction.name, by.name
+                        ),
+                        "name the missing reactions, or state the condition without a reaction".to_owned(),
+                    )
+                })?);
+            }
+            list.push(Watched { tape: tape(model, e)?, needs_reactions: reaction.is_some() });
         }
-        Ok(Self { code: None })
+        Ok(Self { code: balance, watched: list })
     }
 }
 
-/// The domain's conditions and the scene's events as functions of the integrated state.
-pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Result<Vec<Event<'a>>, Failure> {
+/// A watched expression, compiled.
+fn tape(model: &Model, e: Expr) -> Result<Tape, Failure> {
+    let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
+    let inputs = [model.p(), model.q(), model.q_dot(), model.u(), reactions].concat();
+    Tape::new(&model.arena, &inputs, &[e]).map_err(|unknown| {
+        let what = format!("a watched expression mentions `{}`, which has no value during a run", unknown.0);
+        Failure::Request(what, "use parameters, coordinates, q', speeds and reactions".to_owned())
+    })
+}
+
+/// The domain's conditions and the scene's events as functions of the integrated state; the scene must have those that
+/// `balance` was made for.
+pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'a>> {
     let Problem { model, scene, .. } = *problem;
+    let mut watched = balance.watched.iter();
     let mut events = Vec::new();
-    for condition in &model.domain {
-        let function = watch(problem, balance, condition.positive)?;
+    for (condition, watched) in model.domain.iter().zip(&mut watched) {
+        let function = watch(problem, balance, watched);
         let name = format!("{} ({})", condition.name, condition.text);
         if scene.integration.domain_stops {
             events.push(Event::domain(name, function));
@@ -209,8 +245,8 @@ pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Result<Vec<
             events.push(Event::recorded(name, Direction::Falling, function));
         }
     }
-    for event in &scene.events {
-        let function = watch(problem, balance, event.function)?;
+    for (event, watched) in scene.events.iter().zip(watched) {
+        let function = watch(problem, balance, watched);
         let direction = match event.crossing {
             Crossing::Rising => Direction::Rising,
             Crossing::Falling => Direction::Falling,
@@ -219,31 +255,25 @@ pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Result<Vec<
         let effect = if event.terminal { Effect::Terminal } else { Effect::Record };
         events.push(Event { name: event.name.clone(), function: Box::new(function), direction, effect });
     }
-    Ok(events)
+    events
 }
 
-/// An expression in parameters, q, q̇, u and reactions as a function of (t, y).
+/// A watched expression as a function of (t, y).
 fn watch<'a>(
     problem: &'a Problem<'_>,
     balance: &'a Balance,
-    e: Expr,
-) -> Result<impl FnMut(f64, &[f64]) -> f64 + 'a, Failure> {
-    let (model, system) = (problem.model, problem.system());
-    let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
-    let inputs = [model.p(), model.q(), model.q_dot(), model.u(), reactions.clone()].concat();
-    let tape = Tape::new(&model.arena, &inputs, &[e]).map_err(|unknown| {
-        let what = format!("a watched expression mentions `{}`, which has no value during a run", unknown.0);
-        Failure::Request(what, "use parameters, coordinates, q', speeds and reactions".to_owned())
-    })?;
+    watched: &'a Watched,
+) -> impl FnMut(f64, &[f64]) -> f64 + 'a {
+    let system = problem.system();
     let p = problem.scene.parameters.clone();
     let (n, m) = (system.coordinates(), system.speeds());
-    let needs_reactions = reactions.iter().any(|r| model.arena.mentions(e, *r));
+    let reactions = problem.model.reactions.len();
     let mut dynamics = match &balance.code {
-        Some(code) if needs_reactions => Dynamics::new(code.system(), &p).ok(),
+        Some(code) if watched.needs_reactions => Dynamics::new(code.system(), &p).ok(),
         _ => None,
     };
     let (mut q_dot, mut u, mut scratch) = (vec![0.0; n], vec![0.0; m], Vec::new());
-    Ok(move |_t: f64, y: &[f64]| {
+    move |_t: f64, y: &[f64]| {
         let (variables, v) = y.split_at(n);
         system.coordinate_rates(&p, variables, v, &mut q_dot);
         system.generalized_speeds(&p, variables, v, &mut u);
@@ -255,10 +285,10 @@ fn watch<'a>(
                 Ok(x) => values.extend_from_slice(&x[m..]),
                 Err(_) => return f64::NAN,
             },
-            None => values.extend(reactions.iter().map(|_| f64::NAN)),
+            None => values.resize(values.len() + reactions, f64::NAN),
         }
         let mut out = [0.0];
-        tape.evaluate_into(&values, &mut scratch, &mut out);
+        watched.tape.evaluate_into(&values, &mut scratch, &mut out);
         out[0]
-    })
+    }
 }

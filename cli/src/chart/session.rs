@@ -58,7 +58,7 @@ fn leaves(model: &Model, scene: &Scene, by: &By) -> Result<Option<f64>, Failure>
     let code = code(model, by, scene.integration.distance)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let balance = Balance::new(model, scene, by)?;
-    let mut events = events(&problem, &balance)?;
+    let mut events = events(&problem, &balance);
     let how = Options { method: Method::Ode45, output: Output::Ends, rtol: 1e-9, step: None, ..options(scene)? };
     let solution = problem.integrate(&problem.start()?, &how, &mut events).map_err(|error| refused(scene, &error))?;
     let code = solution.stop.code();

@@ -1,26 +1,21 @@
 //! `tripos simulate`: one run of a scene.
 
 use crate::Simulate;
-use crate::catalogue::{By, by, read_model, short_name};
+use crate::catalogue::{by_or_first, read_model, short_name};
 use crate::failure::{Failure, print, say, status, warn};
-use crate::run::{Run, how, method, run, state_names};
+use crate::run::{Run, how, run, state_names};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
+use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{AbsoluteTolerance, Scene, Solve, load, model_path};
-use tripos_derive::{Formulation, Model, derive};
+use tripos_derive::scene::{Scene, load, model_path};
 
 /// Runs the scene and prints how it ended.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let (model, mut scene) = read_scene(&request.scene)?;
-    change(&mut scene, request)?;
-    let by = match &request.by {
-        Some(name) => by(&model, name)?,
-        None => {
-            By::from(Formulation::ALL.into_iter().find(|f| derive(&model, *f).is_ok()).unwrap_or(Formulation::Kane))
-        }
-    };
+    request.how.change(&mut scene)?;
+    let by = by_or_first(&model, request.how.by.as_deref())?;
     let run = run(&model, &scene, &by)?;
     for warning in &run.warnings {
         warn(warning);
@@ -46,56 +41,6 @@ pub fn read_scene(path: &Path) -> Result<(Model, Scene), Failure> {
     let mut model = read_model(&model_path(&source)?)?;
     let scene = load(&source, &mut model)?;
     Ok((model, scene))
-}
-
-/// Puts the options of the command line in place of the scene's values.
-fn change(scene: &mut Scene, request: &Simulate) -> Result<(), Failure> {
-    if let Some(name) = &request.method {
-        method(name)?.name().clone_into(&mut scene.integration.method);
-    }
-    if let Some(name) = &request.solve {
-        scene.integration.solve = Some(solve(name)?);
-    }
-    if let Some(step) = request.step {
-        if !(step.is_finite() && step > 0.0) {
-            let help = "give the length of a step in seconds, above zero";
-            return Err(Failure::Request(format!("--step is {step}"), help.to_owned()));
-        }
-        scene.integration.step = Some(step);
-    }
-    let tolerances = [("--rtol", request.rtol), ("--atol", request.atol)];
-    for (option, value) in tolerances {
-        if let Some(value) = value {
-            if !value.is_finite() || value < 0.0 {
-                let help = "give a finite number, zero or above";
-                return Err(Failure::Request(format!("{option} is {value}"), help.to_owned()));
-            }
-            match option {
-                "--rtol" => scene.integration.rtol = value,
-                _ => scene.integration.atol = AbsoluteTolerance::Uniform(value),
-            }
-        }
-    }
-    if scene.integration.rtol == 0.0 && scene.integration.smallest_atol() == 0.0 {
-        let help = "give at least one tolerance above zero";
-        return Err(Failure::Request("rtol and atol are both zero".to_owned(), help.to_owned()));
-    }
-    if let Some(until) = request.until {
-        if !until.is_finite() || until - scene.span.0 == 0.0 {
-            let help = format!("the run starts at {}: give another instant", scene.span.0);
-            return Err(Failure::Request(format!("--until is {until}"), help));
-        }
-        scene.span.1 = until;
-    }
-    Ok(())
-}
-
-/// How accelerations are found, by this name.
-fn solve(name: &str) -> Result<Solve, Failure> {
-    Solve::ALL.into_iter().find(|solve| solve.name() == name).ok_or_else(|| {
-        let help = tripos_derive::diagnostic::nearest(name, Solve::ALL.map(Solve::name));
-        Failure::Request(format!("accelerations are not found by `{name}`"), help)
-    })
 }
 
 fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {

@@ -31,7 +31,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
                 ..options(study.scene)?
             };
             let y0 = problem.start()?;
-            let mut watched = events(&problem, &balance)?;
+            let mut watched = events(&problem, &balance);
             let run = problem.integrate(&y0, &tight, &mut watched).map_err(|e| refused(study.scene, &e))?;
             drop(watched);
             let row = |quantity, value, remark: String| Row {
