@@ -15,6 +15,7 @@ mod reference;
 mod run;
 mod stability;
 mod study;
+mod sweep;
 mod trust;
 
 use clap::{Parser, Subcommand, ValueEnum};
@@ -108,6 +109,20 @@ enum Command {
     },
     /// Run a scene
     Simulate(Simulate),
+    /// Run a scene from many starts or with many parameters, on all cores
+    ///
+    /// For example, the disk from a thousand leans, and the second hundredth of half a million runs between the Moon's
+    /// gravity and the Earth's:
+    ///
+    ///   tripos sweep models/disk/scenes/report-10s.toml --over q2=0.01:1.5:1000 --out leans.csv
+    ///
+    ///   tripos sweep models/disk/scenes/report-10s.toml --over g=1.62:9.81:500 --over 'q2=1*deg:80*deg:1000' \
+    ///       --shard 2/100 --out part-002.csv
+    ///
+    /// Exit status: 0 if every point has an answer, 3 if one could not start or go on; its row says why. docs/sweep.md
+    /// describes the table.
+    #[command(verbatim_doc_comment)]
+    Sweep(Sweep),
     /// Find where runs of a scene give way: passages, conditioning, domain, growth of errors, drifts
     Stability {
         /// A scene file
@@ -146,6 +161,36 @@ struct Simulate {
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
     /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs of a scene from many starts or with many parameters.
+#[derive(clap::Args)]
+struct Sweep {
+    /// A scene file
+    scene: PathBuf,
+    /// Values of a parameter or of a number of the start: NAME=FROM:TO:COUNT (evenly spaced, both ends included),
+    /// NAME=FROM:TO:COUNT:log, or NAME=a,b,c, each as a scene would state it; of several, every combination, the last
+    /// varying fastest
+    #[arg(long, required = true, value_name = "NAME=VALUES")]
+    over: Vec<String>,
+    #[command(flatten)]
+    how: How,
+    /// Run the i-th of n parts of the points; the files of all parts, one after another with one header, are the file of
+    /// the whole sweep
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    shard: String,
+    /// Threads; all that the machine has if not given. The results do not depend on them
+    #[arg(long)]
+    threads: Option<usize>,
+    /// Write a row for each point to this file
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// Replace the file if it is there
+    #[arg(long)]
+    overwrite: bool,
+    /// Print a summary as JSON
     #[arg(long)]
     json: bool,
 }
@@ -204,6 +249,7 @@ fn main() -> ExitCode {
         Command::Stability { scene, quick, out } => commands::stability::stability(&scene, quick, &out),
         Command::Chart { scene, quick, printed, out } => commands::chart::chart(&scene, quick, printed, &out),
         Command::Simulate(request) => commands::simulate::simulate(&request),
+        Command::Sweep(request) => commands::sweep::sweep(&request),
     };
     match result {
         Ok(status) => ExitCode::from(status),

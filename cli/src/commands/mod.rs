@@ -10,3 +10,4 @@ pub mod regenerate;
 pub mod report;
 pub mod simulate;
 pub mod stability;
+pub mod sweep;

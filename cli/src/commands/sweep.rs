@@ -1,0 +1,124 @@
+//! `tripos sweep`: runs of a scene from many starts or with many parameters.
+
+use super::simulate::read_scene;
+use crate::Sweep as Request;
+use crate::catalogue::{by_or_first, short_name};
+use crate::failure::{Failure, print, say, status};
+use crate::run::how;
+use crate::sweep::{Columns, Row, Shard, Sweep, Table, Tally, in_order};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+use std::num::NonZero;
+use std::ops::Range;
+use std::time::{Duration, Instant};
+use tripos_derive::scene::Grid;
+
+/// More threads than this are a slip of the pen.
+const MOST_THREADS: usize = 4096;
+
+/// Runs the points of a shard, writes a row for each, and says how they ended.
+pub fn sweep(request: &Request) -> Result<u8, Failure> {
+    let (mut model, mut scene) = read_scene(&request.scene)?;
+    let grid = Grid::read(&request.over, &scene, &mut model).map_err(Failure::Inputs)?;
+    let shard = Shard::read(&request.shard)?;
+    let threads = threads(request.threads)?;
+    request.how.change(&mut scene)?;
+    let by = by_or_first(&model, request.how.by.as_deref())?;
+    let sweep = Sweep::new(&model, &scene, &grid, &by, &request.how)?;
+    let mut table = Table::create(&request.out, request.overwrite)?;
+    let points = shard.points(grid.count());
+    let begun = Instant::now();
+    let tally = run(&sweep, points.clone(), threads, &mut table)?;
+    table.finish()?;
+    let seconds = begun.elapsed();
+    let count = points.end - points.start;
+    if request.json {
+        let summary = json!({
+            "model": short_name(&model),
+            "formulation": by.name,
+            "method": scene.integration.method,
+            "solve": sweep.solve.name(),
+            "compiled": sweep.code == "compiled",
+            "over": grid.names(),
+            "points": grid.count(),
+            "shard": { "part": shard.part, "of": shard.of, "first": points.start, "rows": count },
+            "stops": tally.json(),
+            "failed": tally.failed(),
+            "threads": threads,
+            "seconds": seconds.as_secs_f64(),
+            "out": request.out.display().to_string(),
+        });
+        print(&format!("{summary:#}\n"))?;
+    } else {
+        say(&format!(
+            "{}, {}, {} code, accelerations {}, {}",
+            model.title,
+            by.title,
+            sweep.code,
+            sweep.solve.name(),
+            how(&scene)
+        ));
+        say(&format!("{}\n{}{}", extent(shard, &points, &grid, threads, seconds), tally.text(), request.out.display()));
+    }
+    Ok(if tally.failed() > 0 { status::STOPPED } else { 0 })
+}
+
+/// How many points, which of them, and how long they took.
+fn extent(shard: Shard, points: &Range<u64>, grid: &Grid, threads: usize, seconds: Duration) -> String {
+    let count = points.end - points.start;
+    let of = if shard.of == 1 {
+        String::new()
+    } else {
+        format!(" (part {} of {}, from point {}) of {}", shard.part, shard.of, points.start, grid.count())
+    };
+    let each = seconds.as_secs_f64() / count.max(1) as f64;
+    format!("{count} points{of} in {:.1} s, {:.3} ms each, by {threads} threads", seconds.as_secs_f64(), each * 1e3)
+}
+
+/// Runs points and adds their rows to the table.
+fn run(sweep: &Sweep<'_>, points: Range<u64>, threads: usize, table: &mut Table) -> Result<Tally, Failure> {
+    let columns = Columns::new(sweep);
+    table.add(&columns.header())?;
+    let count = points.end - points.start;
+    let threads = threads.min(usize::try_from(count).unwrap_or(usize::MAX)).max(1);
+    let workers = (0..threads).map(|_| sweep.worker()).collect::<Result<Vec<_>, Failure>>()?;
+    let bar = progress(count);
+    let done = || bar.inc(1);
+    let mut tally = Tally::default();
+    let outcome = in_order(
+        points,
+        workers,
+        &sweep.stop,
+        &|worker, block| {
+            let rows = worker.run_block(block, &done);
+            let lines = columns.lines(&rows);
+            (rows, lines)
+        },
+        |(rows, lines): (Vec<Row>, Vec<u8>)| {
+            for row in &rows {
+                tally.add(row);
+            }
+            table.add(&lines)
+        },
+    );
+    bar.finish_and_clear();
+    outcome.map(|()| tally)
+}
+
+/// As many threads as were asked for, or as the machine has cores.
+fn threads(asked: Option<usize>) -> Result<usize, Failure> {
+    match asked {
+        None => Ok(std::thread::available_parallelism().map_or(1, NonZero::get).min(MOST_THREADS)),
+        Some(n) if (1..=MOST_THREADS).contains(&n) => Ok(n),
+        Some(n) => {
+            let help = format!("give a number from 1 to {MOST_THREADS}, or leave it out");
+            Err(Failure::Request(format!("--threads is {n}"), help))
+        }
+    }
+}
+
+/// A bar with a count and the time left.
+fn progress(points: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} points, {eta} left");
+    ProgressBar::new(points).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

@@ -1,0 +1,171 @@
+//! Blocks of points, each run by one thread.
+
+use super::row::{Ended, Row};
+use crate::How;
+use crate::catalogue::{By, Code, code};
+use crate::failure::{Failure, warn};
+use crate::invariants::Watch;
+use crate::problem::Problem;
+use crate::run::{Balance, events, options_of_ends, proved, refused};
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use tripos_derive::Model;
+use tripos_derive::scene::{Family, Grid, Scene, Solve};
+use tripos_sim::{Options, SimError, Solution, Warning};
+
+/// What all points of a sweep share.
+pub struct Sweep<'a> {
+    pub model: &'a Model,
+    /// The scene as its file says it, with the options of the command line.
+    pub scene: &'a Scene,
+    pub grid: &'a Grid,
+    pub by: &'a By,
+    pub how: &'a How,
+    /// What is conserved, if that is known.
+    pub watch: Option<Watch>,
+    /// How accelerations are found.
+    pub solve: Solve,
+    /// The equations that run: `compiled` or `interpreted`.
+    pub code: &'static str,
+    /// The equations and what is watched. Interpreted ones have working space, so that every thread takes a copy.
+    originals: Mutex<(Code, Balance)>,
+    /// Set when no more rows are wanted.
+    pub stop: AtomicBool,
+}
+
+impl<'a> Sweep<'a> {
+    /// Of a scene that `how` has changed, over a grid that was read for it.
+    ///
+    /// # Errors
+    /// [`Failure`] if no point could be run by these equations with this method.
+    pub fn new(model: &'a Model, scene: &'a Scene, grid: &'a Grid, by: &'a By, how: &'a How) -> Result<Self, Failure> {
+        let code = code(model, by, scene.integration.distance)?;
+        let balance = Balance::new(model, scene, by)?;
+        let solve = {
+            let problem = Problem::new(model, scene, by, &code, None)?;
+            try_one_step(&problem)?;
+            problem.solve
+        };
+        let (name, watch) = (code.name(), proved(model));
+        let (originals, stop) = (Mutex::new((code, balance)), AtomicBool::new(false));
+        Ok(Self { model, scene, grid, by, how, watch, solve, code: name, originals, stop })
+    }
+
+    /// Where nothing but gravity works, total energy is constant.
+    fn conserves_energy(&self) -> bool {
+        self.model.forces.is_empty() && self.model.torques.is_empty()
+    }
+
+    /// What is constant in each motion: the names of the first integrals that were proved; of a large model energy alone.
+    pub fn conserved(&self) -> Vec<&str> {
+        match &self.watch {
+            // "momentum p_q4 = ∂L/∂q4'; linear momentum along a1" is known well enough by its first words.
+            Some(watch) => {
+                let names = watch.integrals.iter();
+                names.map(|(name, _)| name.split([';', '=']).next().unwrap_or_default().trim()).collect()
+            }
+            None if self.conserves_energy() => vec!["energy T + V"],
+            None => Vec::new(),
+        }
+    }
+
+    /// What a thread needs of its own.
+    ///
+    /// # Errors
+    /// [`Failure`] if the scene's text cannot be read again.
+    pub fn worker(&'a self) -> Result<Worker<'a>, Failure> {
+        let family = Family::new(self.scene, self.model, self.grid)?;
+        let (code, balance) = self.originals.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        Ok(Worker { sweep: self, family, code, balance })
+    }
+}
+
+/// Refuses a method that no point could be run by; warns of what would be said of every run.
+fn try_one_step(problem: &Problem<'_>) -> Result<(), Failure> {
+    // The file's own start may be one that cannot be run: the points are others.
+    let Ok(y0) = problem.start() else { return Ok(()) };
+    let options = Options { step_limit: 1, ..options_of_ends(problem.scene)? };
+    match problem.integrate(&y0, &options, &mut []) {
+        Err(error @ (SimError::NoStep { .. } | SimError::NoJacobian { .. })) => Err(refused(problem.scene, &error)),
+        Err(_) => Ok(()),
+        Ok(solution) => {
+            let raised = solution.warnings.iter().filter(|w| matches!(w, Warning::RtolRaised { .. }));
+            raised.for_each(|warning| warn(&warning.to_string()));
+            Ok(())
+        }
+    }
+}
+
+/// Runs points, one thread's share of them.
+pub struct Worker<'a> {
+    sweep: &'a Sweep<'a>,
+    family: Family<'a>,
+    code: Code,
+    balance: Balance,
+}
+
+impl Worker<'_> {
+    /// A row for each point of a block, in order; fewer if the sweep was stopped. `done` is called after each point.
+    ///
+    /// A run may share its work with the others of its block, as lanes do, if it shares no result with them.
+    pub fn run_block(&mut self, points: Range<u64>, done: &(impl Fn() + ?Sized)) -> Vec<Row> {
+        let mut rows = Vec::new();
+        for point in points {
+            if self.sweep.stop.load(Ordering::Relaxed) {
+                break;
+            }
+            let (values, scene) = self.family.point(point);
+            let outcome = scene.map_err(Failure::from).and_then(|scene| self.run(scene));
+            rows.push(Row { point, values, outcome: outcome.map_err(|failure| reason(&failure)) });
+            done();
+        }
+        rows
+    }
+
+    /// One run, of the scene at a point.
+    fn run(&self, mut scene: Scene) -> Result<Ended, Failure> {
+        let Sweep { model, by, how, .. } = *self.sweep;
+        how.change(&mut scene)?;
+        let problem = Problem::new(model, &scene, by, &self.code, Some(self.sweep.solve))?;
+        let y0 = problem.start()?;
+        let mut events = events(&problem, &self.balance);
+        let solution = problem.integrate(&y0, &options_of_ends(&scene)?, &mut events);
+        drop(events);
+        let solution = solution.map_err(|error| refused(&scene, &error))?;
+        Ok(self.ended(&problem, &solution))
+    }
+
+    fn ended(&self, problem: &Problem<'_>, solution: &Solution) -> Ended {
+        let changes = match &self.sweep.watch {
+            Some(watch) => watch.changes(problem, solution),
+            None if self.sweep.conserves_energy() => {
+                vec![problem.dynamics().map_or(f64::NAN, |dynamics| dynamics.energy_drift(solution))]
+            }
+            None => Vec::new(),
+        };
+        Ended {
+            t_end: solution.t_end,
+            stop: solution.stop.code(),
+            failure: solution.stop.is_failure().then(|| solution.stop.to_string()),
+            state: problem.state(&solution.y_end),
+            steps: solution.steps,
+            rejected: solution.rejected,
+            evaluations: solution.evaluations,
+            changes,
+        }
+    }
+}
+
+/// Why a point has no run, in one line.
+fn reason(failure: &Failure) -> String {
+    match failure {
+        Failure::Input(diagnostics) => {
+            let messages: Vec<&str> = diagnostics.list.iter().map(|d| d.message.as_str()).collect();
+            messages.join("; ")
+        }
+        Failure::Request(what, _) => what.clone(),
+        Failure::Stopped(why) => why.clone(),
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,205 @@
+//! Work on many threads whose results are taken in order.
+//!
+//! Invariant: results are taken one by one in the order of their blocks, and no block is begun that is more than a fixed number
+//! ahead of the first that is not taken, so that what waits is bounded. Where blocks are cut depends on the clock; that may
+//! show in no result.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// The longest block.
+const LONGEST: u64 = 1024;
+/// Points of a block before the first results are in, when nothing is known of how long they take.
+const FIRST: u64 = 1;
+/// What a block should take at most, so that rows appear and are not lost when a sweep is interrupted.
+const LASTING: Duration = Duration::from_secs(1);
+/// Blocks on their way for each thread.
+const AHEAD: usize = 4;
+
+/// Does `work` on blocks of a range, one worker on a thread, and hands the results to `take` in order. An error of `take`
+/// sets `stop`, which `work` should look at, and ends it all.
+///
+/// # Errors
+/// That of `take`.
+///
+/// # Panics
+/// If `work` does.
+pub fn in_order<W: Send, T: Send, E>(
+    all: Range<u64>,
+    workers: Vec<W>,
+    stop: &AtomicBool,
+    work: &(impl Fn(&mut W, Range<u64>) -> T + Sync),
+    mut take: impl FnMut(T) -> Result<(), E>,
+) -> Result<(), E> {
+    let threads = workers.len();
+    let mut cutter = Cutter { rest: all, threads: threads as u64, begun: Instant::now(), done: 0 };
+    let (give, tickets) = channel::<(usize, Range<u64>)>();
+    let tickets = Mutex::new(tickets);
+    let (send, results) = channel();
+    std::thread::scope(|scope| {
+        for mut worker in workers {
+            let (tickets, send) = (&tickets, send.clone());
+            scope.spawn(move || {
+                loop {
+                    // The lock is held while waiting: whoever waits for it has nothing to do either.
+                    let ticket = tickets.lock().unwrap_or_else(PoisonError::into_inner).recv();
+                    let Ok((number, block)) = ticket else { return };
+                    let points = block.end - block.start;
+                    let lost = Lost(&send);
+                    let result = work(&mut worker, block);
+                    if lost.0.send(Some((number, points, result))).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(send);
+        let (mut given, mut next, mut waiting) = (0, 0, BTreeMap::new());
+        let outcome = loop {
+            while given - next < AHEAD * threads
+                && let Some(block) = cutter.cut()
+            {
+                // Workers listen until this end is dropped.
+                let _ = give.send((given, block));
+                given += 1;
+            }
+            if next == given {
+                break Ok(());
+            }
+            // Without a result a worker has panicked, and so will the scope.
+            let Ok(Some((number, points, result))) = results.recv() else {
+                stop.store(true, Ordering::Relaxed);
+                break Ok(());
+            };
+            cutter.done += points;
+            waiting.insert(number, result);
+            let mut taken = Ok(());
+            while taken.is_ok()
+                && let Some(result) = waiting.remove(&next)
+            {
+                next += 1;
+                taken = take(result);
+            }
+            if let Err(error) = taken {
+                stop.store(true, Ordering::Relaxed);
+                break Err(error);
+            }
+        };
+        // Nothing more is given: the workers end.
+        drop(give);
+        outcome
+    })
+}
+
+/// Says on a worker's behalf that it panicked: the others would wait for ever.
+struct Lost<'s, T>(&'s Sender<Option<T>>);
+
+impl<T> Drop for Lost<'_, T> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            let _ = self.0.send(None);
+        }
+    }
+}
+
+/// Cuts what is left into blocks.
+struct Cutter {
+    rest: Range<u64>,
+    threads: u64,
+    begun: Instant,
+    /// Points of which the results are in.
+    done: u64,
+}
+
+impl Cutter {
+    /// The next block: shorter towards the end, so that no thread works on alone for long.
+    fn cut(&mut self) -> Option<Range<u64>> {
+        let left = self.rest.end - self.rest.start;
+        if left == 0 {
+            return None;
+        }
+        let lasting = if self.done == 0 {
+            FIRST
+        } else {
+            let each = self.begun.elapsed().as_secs_f64() * self.threads as f64 / self.done as f64;
+            let points = (LASTING.as_secs_f64() / each).min(LONGEST as f64);
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and the longest")]
+            let points = points as u64;
+            points
+        };
+        let fair = left.div_ceil(AHEAD as u64 * self.threads);
+        let start = self.rest.start;
+        self.rest.start += fair.min(lasting).clamp(1, LONGEST);
+        Some(start..self.rest.start)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(threads: usize, count: u64, work: impl Fn(u64) + Sync) -> Vec<u64> {
+        let mut list = Vec::new();
+        let work = |(): &mut (), block: Range<u64>| block.inspect(|at| work(*at)).collect::<Vec<u64>>();
+        let take = |mut block: Vec<u64>| {
+            list.append(&mut block);
+            Ok::<(), ()>(())
+        };
+        in_order(5..5 + count, vec![(); threads], &AtomicBool::new(false), &work, take).unwrap();
+        list
+    }
+
+    #[test]
+    fn every_result_is_taken_once_and_in_order() {
+        for threads in [1, 2, 7] {
+            for count in [0, 1, 2, 1000, 100_000] {
+                assert_eq!(run(threads, count, |_| ()), (5..5 + count).collect::<Vec<u64>>(), "{threads}, {count}");
+            }
+        }
+        // Some points take long: those after them wait, and are not lost.
+        let uneven = |at: u64| {
+            if at.is_multiple_of(97) {
+                std::thread::sleep(Duration::from_millis(3));
+            }
+        };
+        assert_eq!(run(4, 2000, uneven), (5..2005).collect::<Vec<u64>>());
+    }
+
+    /// Goal: what waits is bounded. Method: while the first point lasts, count how far the others get.
+    #[test]
+    fn no_thread_runs_far_ahead() {
+        let (threads, first_done, furthest) = (4, AtomicBool::new(false), Mutex::new(0));
+        run(threads, 1_000_000, |at| {
+            if at == 5 {
+                std::thread::sleep(Duration::from_millis(200));
+                first_done.store(true, Ordering::SeqCst);
+            } else if !first_done.load(Ordering::SeqCst) {
+                let mut furthest = furthest.lock().unwrap();
+                *furthest = at.max(*furthest);
+            }
+        });
+        let bound = 5 + AHEAD as u64 * threads as u64 * LONGEST;
+        assert!(*furthest.lock().unwrap() < bound);
+    }
+
+    #[test]
+    fn an_error_of_the_taker_ends_it_all() {
+        let stop = AtomicBool::new(false);
+        let work = |(): &mut (), block: Range<u64>| block.end;
+        let take = |end: u64| if end > 50 { Err(end) } else { Ok(()) };
+        let error = in_order(0..MANY, vec![(); 3], &stop, &work, take).unwrap_err();
+        assert!(error > 50 && error < MANY && stop.load(Ordering::Relaxed));
+    }
+
+    const MANY: u64 = 1 << 60;
+
+    #[test]
+    #[should_panic(expected = "a scoped thread panicked")]
+    fn a_panic_is_passed_on_and_hangs_nothing() {
+        run(3, 1000, |at| assert!(at != 500, "on purpose"));
+    }
+}

@@ -1,0 +1,168 @@
+//! Rows of the table of a sweep.
+//!
+//! Invariant: a number is written as the shortest text that reads back to the same double.
+
+use super::block::Sweep;
+use crate::run::state_names;
+
+/// What became of one point.
+pub struct Row {
+    /// Its index in the whole sweep, from 0.
+    pub point: u64,
+    /// The values of what is swept.
+    pub values: Vec<f64>,
+    /// How its run ended, or why there was none.
+    pub outcome: Result<Ended, String>,
+}
+
+/// How a run ended.
+pub struct Ended {
+    /// When, s.
+    pub t_end: f64,
+    /// The code of [`tripos_sim::Stop`].
+    pub stop: String,
+    /// Why the run could not go on, if it could not.
+    pub failure: Option<String>,
+    /// Coordinates, then generalized speeds.
+    pub state: Vec<f64>,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Evaluations of the equations.
+    pub evaluations: u64,
+    /// By how much each first integral differs at the end from its start.
+    pub changes: Vec<f64>,
+}
+
+/// What the column `stop` says of a point without a run.
+pub const NO_START: &str = "no-start";
+
+impl Row {
+    /// The code of how it ended.
+    pub fn stop(&self) -> &str {
+        self.outcome.as_ref().map_or(NO_START, |ended| &ended.stop)
+    }
+
+    /// Why it has no answer, if it has none.
+    pub fn failure(&self) -> Option<&str> {
+        match &self.outcome {
+            Ok(ended) => ended.failure.as_deref(),
+            Err(reason) => Some(reason),
+        }
+    }
+}
+
+/// The columns of the table.
+pub struct Columns {
+    names: Vec<String>,
+    states: usize,
+    changes: usize,
+}
+
+impl Columns {
+    /// For a sweep: `index`, `over:NAME` for each name, `t_end`, `stop`, the state at the end, `steps`, `rejected`,
+    /// `evaluations`, the change of each first integral, `reason`.
+    pub fn new(sweep: &Sweep<'_>) -> Self {
+        let states = state_names(sweep.model);
+        let changes: Vec<String> = sweep.conserved().iter().map(|name| format!("change of {name}")).collect();
+        let fixed = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
+        let swept = sweep.grid.names().into_iter().map(|name| format!("over:{name}")).collect();
+        let counts = [states.len(), changes.len()];
+        let names = [
+            fixed(&["index"]),
+            swept,
+            fixed(&["t_end", "stop"]),
+            states,
+            fixed(&["steps", "rejected", "evaluations"]),
+            changes,
+            fixed(&["reason"]),
+        ];
+        Self { names: names.concat(), states: counts[0], changes: counts[1] }
+    }
+
+    /// The first line.
+    pub fn header(&self) -> Vec<u8> {
+        lines([self.names.clone()].into_iter())
+    }
+
+    /// The lines of some rows.
+    pub fn lines(&self, rows: &[Row]) -> Vec<u8> {
+        lines(rows.iter().map(|row| self.fields(row)))
+    }
+
+    fn fields(&self, row: &Row) -> Vec<String> {
+        let numbers = |list: &[f64]| list.iter().map(|x| shortest(*x)).collect::<Vec<String>>();
+        let nothing = |count: usize| vec![String::new(); count];
+        let mut fields = vec![row.point.to_string()];
+        fields.extend(numbers(&row.values));
+        match &row.outcome {
+            Ok(ended) => {
+                fields.extend([shortest(ended.t_end), ended.stop.clone()]);
+                fields.extend(numbers(&ended.state));
+                fields.extend([ended.steps, ended.rejected, ended.evaluations].map(|n| n.to_string()));
+                fields.extend(numbers(&ended.changes));
+            }
+            Err(_) => {
+                fields.extend([String::new(), NO_START.to_owned()]);
+                fields.extend(nothing(self.states + 3 + self.changes));
+            }
+        }
+        fields.push(row.failure().unwrap_or_default().to_owned());
+        fields
+    }
+}
+
+/// Records as lines of CSV.
+fn lines(records: impl Iterator<Item = Vec<String>>) -> Vec<u8> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for record in records {
+        writer.write_record(record).expect("memory takes every record, and all have one length");
+    }
+    writer.into_inner().expect("memory takes everything")
+}
+
+/// The shortest decimal text that reads back to this double: `0.01`, `1e-3`, `NaN`.
+pub fn shortest(x: f64) -> String {
+    // No text with an exponent is shorter.
+    if x.is_finite() && x.abs() >= 0.01 && x.fract().abs() > 0.0 {
+        return x.to_string();
+    }
+    let (plain, scientific) = (x.to_string(), format!("{x:e}"));
+    if scientific.len() < plain.len() { scientific } else { plain }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shortest;
+
+    #[test]
+    fn numbers_are_short_and_read_back() {
+        for (x, text) in [
+            (0.1, "0.1"),
+            (0.01, "0.01"),
+            (1e-3, "1e-3"),
+            (0.0012, "0.0012"),
+            (1e-7, "1e-7"),
+            (1e5, "1e5"),
+            (0.0, "0"),
+            (1e300, "1e300"),
+            (1500.0, "1500"),
+            (-0.0, "-0"),
+            (5e-324, "5e-324"),
+            (0.1 + 0.2, "0.30000000000000004"),
+            (f64::MAX, "1.7976931348623157e308"),
+            (f64::NAN, "NaN"),
+            (f64::NEG_INFINITY, "-inf"),
+        ] {
+            assert_eq!(shortest(x), text);
+            let back: f64 = text.parse().unwrap();
+            assert!(back.to_bits() == x.to_bits() || x.is_nan());
+        }
+        for k in 0..100_000_u64 {
+            let x = f64::from_bits(k.wrapping_mul(0x9E37_79B9_7F4A_7C15));
+            let text = shortest(x);
+            assert!(text.len() <= x.to_string().len().min(format!("{x:e}").len()), "{text}");
+        }
+    }
+}
