@@ -35,6 +35,12 @@ pub fn mass_matrix<S: Scalar>(
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
     // m3*l2; used 4 times
     let m3_l2 = m3 * l2;
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // Entries that are not zero; upper triangle.
     // M11 = m0 + m1 + m2 + m3
     let m11 = m0 + m11_part;
@@ -47,13 +53,13 @@ pub fn mass_matrix<S: Scalar>(
     // M22 = l0^2*(m1 + m2 + m3)
     let m22 = l0 * l0_m11_part;
     // M23 = l0*l1*cos(q1 - q2)*(m2 + m3)
-    let m23 = l0 * l1_m2_plus_m3 * (c1.mul_add(c2, s1 * s2));
+    let m23 = l0 * cos_q1_minus_q2 * l1_m2_plus_m3;
     // M24 = m3*l0*l2*cos(q1 - q3)
-    let m24 = l0 * m3_l2 * (c1.mul_add(c3, s1 * s3_2));
+    let m24 = l0 * cos_q1_minus_q3 * m3_l2;
     // M33 = l1^2*(m2 + m3)
     let m33 = l1 * l1_m2_plus_m3;
     // M34 = m3*l1*l2*cos(q2 - q3)
-    let m34 = l1 * m3_l2 * (c2.mul_add(c3, s2 * s3_2));
+    let m34 = l1 * cos_q2_minus_q3 * m3_l2;
     // M44 = m3*l2^2
     let m44 = l2 * m3_l2;
     [
@@ -74,8 +80,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let [_, u1, u2, u3] = *u;
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
-    let (s2, c2) = q2.sin_cos();
     let (s3_2, c3) = q3.sin_cos();
+    let (s2, c2) = q2.sin_cos();
     // Shared terms.
     // m3*l2; used 2 times
     let m3_l2 = m3 * l2;
@@ -83,39 +89,35 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let u3_sq_m3_l2 = u3 * u3 * m3_l2;
     // l0*u1^2; used 3 times
     let l0_u1_sq = l0 * u1 * u1;
-    // m2 + m3; used 2 times
+    // m2 + m3; used 3 times
     let m2_plus_m3 = m2 + m3;
     // sin(q1)*(m1 + m2_plus_m3); used 2 times
     let f1_part = s1 * (m1 + m2_plus_m3);
-    // u2^2; used 3 times
-    let u2_sq = u2 * u2;
-    // l1*m2_plus_m3; used 2 times
-    let l1_m2_plus_m3 = l1 * m2_plus_m3;
-    // l1_m2_plus_m3*sin(q2); used 2 times
-    let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
-    // l1_m2_plus_m3*(sin(q1)*cos(q2) - cos(q1)*sin(q2)); used 2 times
-    let f2_part = l1_m2_plus_m3 * ((-c1).mul_add(s2, s1 * c2));
+    // l1*u2^2; used 2 times
+    let l1_u2_sq = l1 * u2 * u2;
+    // m2_plus_m3*l1_u2_sq; used 2 times
+    let m2_plus_m3_l1_u2_sq = m2_plus_m3 * l1_u2_sq;
     // sin(q1)*cos(q3) - cos(q1)*sin(q3); used 2 times
-    let f2_part_2 = (-c1).mul_add(s3_2, s1 * c3);
-    // g*f1_part - u3_sq_m3_l2*f2_part_2
-    let f2_part_3 = (-u3_sq_m3_l2).mul_add(f2_part_2, g * f1_part);
-    // l1*(sin(q2)*cos(q3) - cos(q2)*sin(q3)); used 2 times
-    let f3_part = l1 * ((-c2).mul_add(s3_2, s2 * c3));
-    // g*sin(q3) + l0_u1_sq*f2_part_2
-    let f4_part = l0_u1_sq.mul_add(f2_part_2, g * s3_2);
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2); used 2 times
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3); used 2 times
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
     // Values.
-    // f1 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
-    //   l1*u2^2*sin(q2) + l2*u3^2*sin(q3))
+    // f1 = F - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - m3*l2*u3^2*sin(q3)
     let f1 = (-u3_sq_m3_l2).mul_add(s3_2, F) - l0_u1_sq * f1_part
-        - u2_sq * s2_l1_m2_plus_m3;
-    // f2 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 - q2)
-    //   - l2*u3^2*sin(q1 - q3)))
-    let f2 = l0 * ((-u2_sq).mul_add(f2_part, f2_part_3));
-    // f3 = l1*(m2*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
-    //   l2*u3^2*sin(q2 - q3)))
-    let f3 = l0_u1_sq.mul_add(f2_part, g * s2_l1_m2_plus_m3) - u3_sq_m3_l2 * f3_part;
+        - m2_plus_m3_l1_u2_sq * s2;
+    // f2 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3) - m3*l2*u3^2*sin(q1 - q3))
+    let f2 = l0
+        * ((-sin_q1_minus_q3).mul_add(u3_sq_m3_l2, g * f1_part)
+            - sin_q1_minus_q2 * m2_plus_m3_l1_u2_sq);
+    // f3 = l1*((m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - m3*l2*u3^2*sin(q2 - q3))
+    let f3 = l1
+        * (m2_plus_m3 * (sin_q1_minus_q2.mul_add(l0_u1_sq, g * s2))
+            - sin_q2_minus_q3 * u3_sq_m3_l2);
     // f4 = m3*l2*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))
-    let f4 = m3_l2 * (u2_sq.mul_add(f3_part, f4_part));
+    let f4 = m3_l2
+        * (sin_q1_minus_q3.mul_add(l0_u1_sq, g * s3_2) + sin_q2_minus_q3 * l1_u2_sq);
     [f1, f2, f3, f4]
 }
 
@@ -123,27 +125,16 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
 ///
 /// 126 operations, 3 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
     let [_, q1, q2, q3] = *q;
     let [_, u1, u2, u3] = *u;
     // Sines and cosines.
+    let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
-    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
-    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
-    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
-    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
-    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
-    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
-    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
-    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
-    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
-    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
-    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
-    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
-    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // m3*l2; used 6 times
     let m3_l2 = m3 * l2;
     // Elimination, step by step.
@@ -166,6 +157,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
     let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
     // l0*cos(q1 - q3); used 3 times
     let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
     // l0*s3_part; used 3 times
@@ -176,18 +169,24 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // Shared terms.
     // l1*m2_plus_m3; used 4 times
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // l1*cos(q2 - q3); used 4 times
     let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
     // Elimination, step by step.
-    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + m3*l2*l2_*cos(q2 - q3))
     let s5 = (-l2__m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
     // Shared terms.
     // u1^2; used 3 times
     let u1_sq = u1 * u1;
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
     // l0*sin(q1 - q3); used 2 times
     let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
     // u2^2; used 3 times
     let u2_sq = u2 * u2;
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
     // l1*sin(q2 - q3); used 2 times
     let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
     // u1_sq*l0_sin_q1_minus_q3 + u2_sq*l1_sin_q2_minus_q3
@@ -201,8 +200,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // l0_s3_part*sin(q1); used 2 times
     let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r6 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
-    //   l1*u2^2*sin(q2) + l2*(u3^2*sin(q3) + l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))))
+    // r6 = F - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - m3*l2*(u3^2*sin(q3) +
+    //   l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r6 = (-l2__m3_l2).mul_add(r6_part_2, F) - u3_sq_m3_l2 * s3_2
         - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_s3_part;
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
@@ -214,17 +213,21 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*cos(q1 - q3))
     let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
     // l0*l1_m2_plus_m3; used 2 times
     let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // Elimination, step by step.
-    // s9 = l0*l1*cos(q1 - q2)*(m2 + m3) - m3*l1*l2*l7*cos(q2 - q3)
+    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - m3*l2*l7*cos(q2 - q3))
     let s9 = (-l1_cos_q2_minus_q3).mul_add(l7_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
     // Shared terms.
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
     // sin(q1 - q2)*l0_l1_m2_plus_m3; used 2 times
     let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 -
-    //   q2) - l2*sin(q1 - q3)*(u3^2 + u1^2*l7))) - m3*l2*l7*(g*sin(q3) + l1*u2^2*sin(q2 - q3))
+    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3)) - m3*l2*(l0*u3^2*sin(q1 - q3) +
+    //   l7*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_sq_m3_l2, g * s1_l0_s3_part)
         - r6_part_2 * l7_m3_l2 - u2_sq * r10_part;
     // l11 = m3*l1*l2*cos(q2 - q3)/d1
@@ -233,10 +236,10 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // l11*m3_l2; used 2 times
     let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*cos(q2 - q3)))
+    // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*cos(q2 - q3))
     let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
-    // r13 = m2*l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
-    //   l2*sin(q2 - q3)*(u3^2 + u2^2*l11)) - l2*l11*(g*sin(q3) + l0*u1^2*sin(q1 - q3)))
+    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - m3*l2*(l1*u3^2*sin(q2 - q3) + l11*(g*sin(q3)
+    //   + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_sq_m3_l2, g * s2_l1_m2_plus_m3)
         + u1_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
@@ -284,6 +287,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
 ///
 /// 126 operations, 3 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 4],
@@ -293,22 +297,10 @@ pub fn derivative<S: Scalar>(
     let [_, q1, q2, q3] = *q;
     let [u0, u1, u2, u3] = *u;
     // Sines and cosines.
+    let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
-    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
-    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
-    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
-    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
-    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
-    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
-    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
-    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
-    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
-    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
-    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
-    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
-    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // m3*l2; used 6 times
     let m3_l2 = m3 * l2;
     // Elimination, step by step.
@@ -331,6 +323,8 @@ pub fn derivative<S: Scalar>(
     // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
     let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
     // l0*cos(q1 - q3); used 3 times
     let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
     // l0*s3_part; used 3 times
@@ -341,18 +335,24 @@ pub fn derivative<S: Scalar>(
     // Shared terms.
     // l1*m2_plus_m3; used 4 times
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // l1*cos(q2 - q3); used 4 times
     let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
     // Elimination, step by step.
-    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + m3*l2*l2_*cos(q2 - q3))
     let s5 = (-l2__m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
     // Shared terms.
     // u1^2; used 3 times
     let u1_sq = u1 * u1;
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
     // l0*sin(q1 - q3); used 2 times
     let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
     // u2^2; used 3 times
     let u2_sq = u2 * u2;
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
     // l1*sin(q2 - q3); used 2 times
     let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
     // u1_sq*l0_sin_q1_minus_q3 + u2_sq*l1_sin_q2_minus_q3
@@ -366,8 +366,8 @@ pub fn derivative<S: Scalar>(
     // l0_s3_part*sin(q1); used 2 times
     let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r6 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
-    //   l1*u2^2*sin(q2) + l2*(u3^2*sin(q3) + l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))))
+    // r6 = F - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - m3*l2*(u3^2*sin(q3) +
+    //   l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r6 = (-l2__m3_l2).mul_add(r6_part_2, F) - u3_sq_m3_l2 * s3_2
         - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_s3_part;
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
@@ -379,17 +379,21 @@ pub fn derivative<S: Scalar>(
     // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*cos(q1 - q3))
     let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
     // l0*l1_m2_plus_m3; used 2 times
     let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // Elimination, step by step.
-    // s9 = l0*l1*cos(q1 - q2)*(m2 + m3) - m3*l1*l2*l7*cos(q2 - q3)
+    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - m3*l2*l7*cos(q2 - q3))
     let s9 = (-l1_cos_q2_minus_q3).mul_add(l7_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
     // Shared terms.
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
     // sin(q1 - q2)*l0_l1_m2_plus_m3; used 2 times
     let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 -
-    //   q2) - l2*sin(q1 - q3)*(u3^2 + u1^2*l7))) - m3*l2*l7*(g*sin(q3) + l1*u2^2*sin(q2 - q3))
+    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3)) - m3*l2*(l0*u3^2*sin(q1 - q3) +
+    //   l7*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_sq_m3_l2, g * s1_l0_s3_part)
         - r6_part_2 * l7_m3_l2 - u2_sq * r10_part;
     // l11 = m3*l1*l2*cos(q2 - q3)/d1
@@ -398,10 +402,10 @@ pub fn derivative<S: Scalar>(
     // l11*m3_l2; used 2 times
     let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*cos(q2 - q3)))
+    // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*cos(q2 - q3))
     let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
-    // r13 = m2*l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
-    //   l2*sin(q2 - q3)*(u3^2 + u2^2*l11)) - l2*l11*(g*sin(q3) + l0*u1^2*sin(q1 - q3)))
+    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - m3*l2*(l1*u3^2*sin(q2 - q3) + l11*(g*sin(q3)
+    //   + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_sq_m3_l2, g * s2_l1_m2_plus_m3)
         + u1_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
@@ -467,22 +471,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let [_, u1, u2, u3] = *u;
     let zero = S::int(0);
     // Sines and cosines.
+    let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
-    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
-    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
-    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
-    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
-    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
-    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
-    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
-    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
-    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
-    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
-    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
-    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
-    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // m3*l2; used 10 times
     let m3_l2 = m3 * l2;
     // Elimination, step by step.
@@ -507,6 +499,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
     let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
     // l0*cos(q1 - q3); used 6 times
     let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
     // l0*s3_part; used 3 times
@@ -519,6 +513,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*cos(q1 - q3))
     let s4 = -s4_part;
     // Shared terms.
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // l1*cos(q2 - q3); used 7 times
     let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
     // l1*m2_plus_m3; used 4 times
@@ -528,13 +524,17 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l2__m3_l2*l1_cos_q2_minus_q3 + c2_l1_m2_plus_m3; used 2 times
     let s5_part = l2__m3_l2.mul_add(l1_cos_q2_minus_q3, c2_l1_m2_plus_m3);
     // Elimination, step by step.
-    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + m3*l2*l2_*cos(q2 - q3))
     let s5 = -s5_part;
     // Shared terms.
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
     // l0*sin(q1 - q3); used 7 times
     let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
     // u1^2; used 7 times
     let u1_sq = u1 * u1;
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
     // l1*sin(q2 - q3); used 7 times
     let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
     // u2^2; used 8 times
@@ -552,8 +552,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l0_s3_part*sin(q1); used 3 times
     let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r6 = F - m1*l0*u1^2*sin(q1) - m2*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2)) - m3*(l0*u1^2*sin(q1) +
-    //   l1*u2^2*sin(q2) + l2*(u3^2*sin(q3) + l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))))
+    // r6 = F - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - m3*l2*(u3^2*sin(q3) +
+    //   l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r6 = (-l2__m3_l2).mul_add(r6_part_2, F) - u3_u3_m3_l2 * s3_2
         - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_s3_part;
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
@@ -565,6 +565,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*cos(q1 - q3))
     let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
     // l0*l1_m2_plus_m3; used 2 times
     let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // cos(q1 - q2)*l0_l1_m2_plus_m3; used 3 times
@@ -572,14 +574,16 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l1_cos_q2_minus_q3*l7_m3_l2 - s9_part; used 2 times
     let s9_part_2 = l1_cos_q2_minus_q3.mul_add(l7_m3_l2, -s9_part);
     // Elimination, step by step.
-    // s9 = l0*l1*cos(q1 - q2)*(m2 + m3) - m3*l1*l2*l7*cos(q2 - q3)
+    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - m3*l2*l7*cos(q2 - q3))
     let s9 = -s9_part_2;
     // Shared terms.
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
     // sin(q1 - q2)*l0_l1_m2_plus_m3; used 5 times
     let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*sin(q1 - q2)) + m3*(g*sin(q1) - l1*u2^2*sin(q1 -
-    //   q2) - l2*sin(q1 - q3)*(u3^2 + u1^2*l7))) - m3*l2*l7*(g*sin(q3) + l1*u2^2*sin(q2 - q3))
+    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3)) - m3*l2*(l0*u3^2*sin(q1 - q3) +
+    //   l7*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_u3_m3_l2, g * s1_l0_s3_part)
         - r6_part_2 * l7_m3_l2 - u2_sq * r10_part;
     // l11 = m3*l1*l2*cos(q2 - q3)/d1
@@ -588,10 +592,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l11*m3_l2; used 7 times
     let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*cos(q2 - q3)))
+    // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*cos(q2 - q3))
     let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
-    // r13 = m2*l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) + m3*(l1*(g*sin(q2) + l0*u1^2*sin(q1 - q2) -
-    //   l2*sin(q2 - q3)*(u3^2 + u2^2*l11)) - l2*l11*(g*sin(q3) + l0*u1^2*sin(q1 - q3)))
+    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - m3*l2*(l1*u3^2*sin(q2 - q3) + l11*(g*sin(q3)
+    //   + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_u3_m3_l2, g * s2_l1_m2_plus_m3)
         + u1_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
@@ -666,7 +670,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // m3_l2*l1_cos_q2_minus_q3; used 5 times
     let s9_by_q1_part = m3_l2 * l1_cos_q2_minus_q3;
     // Elimination, step by step.
-    // s9_by_q1 = -l0*l1*sin(q1 - q2)*(m2 + m3) - m3*l1*l2*l7_by_q1*cos(q2 - q3)
+    // s9_by_q1 = -l1*(l0*sin(q1 - q2)*(m2 + m3) + m3*l2*l7_by_q1*cos(q2 - q3))
     let s9_by_q1 = (-l7_by_q1).mul_add(s9_by_q1_part, -r10_part);
     // Shared terms.
     // m3_l2*r6_part_2; used 5 times
@@ -676,16 +680,16 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l0_cos_q1_minus_q3*u3_u3_m3_l2; used 2 times
     let r10_by_q1_part_2 = l0_cos_q1_minus_q3 * u3_u3_m3_l2;
     // Elimination, step by step.
-    // r10_by_q1 = l0*(m1*g*cos(q1) + m2*(g*cos(q1) - l1*u2^2*cos(q1 - q2)) + m3*(g*cos(q1) -
-    //   l1*u2^2*cos(q1 - q2) - l2*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) + l7_by_q1*sin(q1 - q3))))) -
-    //   m3*l2*l7_by_q1*(g*sin(q3) + l1*u2^2*sin(q2 - q3))
+    // r10_by_q1 = l0*(g*cos(q1)*(m1 + m2 + m3) - l1*u2^2*cos(q1 - q2)*(m2 + m3)) -
+    //   m3*l2*(l7_by_q1*(g*sin(q3) + l1*u2^2*sin(q2 - q3)) + l0*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) +
+    //   l7_by_q1*sin(q1 - q3))))
     let r10_by_q1 = (-u2_sq).mul_add(s9_part, g * c1_l0_s3_part)
         - l7_by_q1 * m3_l2_r6_part_2 - l7_m3_l2 * r10_by_q1_part - r10_by_q1_part_2;
     // Shared terms.
     // u1_sq*s9_part; used 2 times
     let u1_sq_s9_part = u1_sq * s9_part;
     // Elimination, step by step.
-    // r13_by_q1 = l0*u1^2*(m2*l1*cos(q1 - q2) + m3*(l1*cos(q1 - q2) - l2*l11*cos(q1 - q3)))
+    // r13_by_q1 = l0*u1^2*(l1*cos(q1 - q2)*(m2 + m3) - m3*l2*l11*cos(q1 - q3))
     let r13_by_q1 = (-l11_m3_l2).mul_add(r10_by_q1_part, u1_sq_s9_part);
     // Shared terms.
     // l14*s15_inv; used 11 times
@@ -746,17 +750,17 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l2__m3_l2*l1_sin_q2_minus_q3; used 2 times
     let s5_by_q2_part = l2__m3_l2 * l1_sin_q2_minus_q3;
     // Elimination, step by step.
-    // s5_by_q2 = l1*(m2*sin(q2) + m3*(sin(q2) + l2*l2_*sin(q2 - q3)))
+    // s5_by_q2 = l1*(sin(q2)*(m2 + m3) + m3*l2*l2_*sin(q2 - q3))
     let s5_by_q2 = s2_l1_m2_plus_m3 + s5_by_q2_part;
-    // r6_by_q2 = -l1*u2^2*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    // r6_by_q2 = -l1*u2^2*(cos(q2)*(m2 + m3) + m3*l2*l2_*cos(q2 - q3))
     let r6_by_q2 = -s5_part * u2_sq;
     // Shared terms.
     // l1_sin_q2_minus_q3*l7_m3_l2; used 2 times
     let s9_by_q2_part = l1_sin_q2_minus_q3 * l7_m3_l2;
     // Elimination, step by step.
-    // s9_by_q2 = l0*l1*sin(q1 - q2)*(m2 + m3) + m3*l1*l2*l7*sin(q2 - q3)
+    // s9_by_q2 = l1*(l0*sin(q1 - q2)*(m2 + m3) + m3*l2*l7*sin(q2 - q3))
     let s9_by_q2 = r10_part + s9_by_q2_part;
-    // r10_by_q2 = l1*u2^2*(m2*l0*cos(q1 - q2) + m3*(l0*cos(q1 - q2) - l2*l7*cos(q2 - q3)))
+    // r10_by_q2 = l1*u2^2*(l0*cos(q1 - q2)*(m2 + m3) - m3*l2*l7*cos(q2 - q3))
     let r10_by_q2 = -u2_sq * s9_part_2;
     // l11_by_q3 = m3*l1*l2*sin(q2 - q3)/d1
     let l11_by_q3 = d1_inv_m3_l2 * l1_sin_q2_minus_q3;
@@ -774,9 +778,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l1_cos_q2_minus_q3*u3_u3_m3_l2; used 2 times
     let r13_by_q2_part_2 = l1_cos_q2_minus_q3 * u3_u3_m3_l2;
     // Elimination, step by step.
-    // r13_by_q2 = m2*l1*(g*cos(q2) - l0*u1^2*cos(q1 - q2)) - m3*(l2*l11_by_q2*(g*sin(q3) + l0*u1^2*sin(q1
-    //   - q3)) + l1*(l0*u1^2*cos(q1 - q2) - g*cos(q2) + l2*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) +
-    //   l11_by_q2*sin(q2 - q3)))))
+    // r13_by_q2 = l1*(m2 + m3)*(g*cos(q2) - l0*u1^2*cos(q1 - q2)) - m3*l2*(l11_by_q2*(g*sin(q3) +
+    //   l0*u1^2*sin(q1 - q3)) + l1*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) + l11_by_q2*sin(q2 - q3))))
     let r13_by_q2 = (-l11_by_q2).mul_add(m3_l2_r6_part_2, g * c2_l1_m2_plus_m3)
         - u1_sq_s9_part - l11_m3_l2 * r13_by_q2_part - r13_by_q2_part_2;
     // s22_by_q2 = s5_by_q2*(l14*(s16/s15 + l21) - s5/s3 - l18) - s9_by_q2*(s16/s15 + l21) + s12_by_q2
@@ -828,7 +831,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // g*cos(q3) - r6_by_q3_part; used 4 times
     let r6_by_q3_part_2 = g.mul_add(c3, -r6_by_q3_part);
     // Elimination, step by step.
-    // r6_by_q3 = -m3*l2*(u3^2*cos(q3) + l2_*(g*cos(q3) - l0*u1^2*cos(q1 - q3) - l1*u2^2*cos(q2 - q3)) +
+    // r6_by_q3 = m3*l2*(l2_*(l0*u1^2*cos(q1 - q3) - g*cos(q3) + l1*u2^2*cos(q2 - q3)) - u3^2*cos(q3) -
     //   l2__by_q3*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r6_by_q3 = (-l2__by_q3).mul_add(m3_l2_r6_part_2, -u3_u3_m3_l2 * c3)
         - l2__m3_l2 * r6_by_q3_part_2;
@@ -836,14 +839,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let s8_by_q3 = (-l7_by_q3).mul_add(s8_by_q1_part, -s8_by_q1_part_2);
     // s9_by_q3 = -m3*l1*l2*(l7*sin(q2 - q3) + l7_by_q3*cos(q2 - q3))
     let s9_by_q3 = (-l7_by_q3).mul_add(s9_by_q1_part, -s9_by_q2_part);
-    // r10_by_q3 = m3*l2*(l0*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) - l7_by_q3*sin(q1 - q3))) -
-    //   g*(l7*cos(q3) + l7_by_q3*sin(q3)) - l1*u2^2*(l7_by_q3*sin(q2 - q3) - l7*cos(q2 - q3)))
+    // r10_by_q3 = m3*l2*(l0*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) - l7_by_q3*sin(q1 - q3))) +
+    //   l1*u2^2*(l7*cos(q2 - q3) - l7_by_q3*sin(q2 - q3)) - g*(l7*cos(q3) + l7_by_q3*sin(q3)))
     let r10_by_q3 = (-l7_by_q3).mul_add(m3_l2_r6_part_2, r10_by_q1_part_2)
         - l7_m3_l2 * r6_by_q3_part_2;
     // s12_by_q3 = -m3*l1*l2*(l11*sin(q2 - q3) + l11_by_q3*cos(q2 - q3))
     let s12_by_q3 = (-l11_by_q3).mul_add(s9_by_q1_part, -s12_by_q2_part);
-    // r13_by_q3 = m3*l2*(l1*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) - l11_by_q3*sin(q2 - q3))) -
-    //   g*(l11*cos(q3) + l11_by_q3*sin(q3)) - l0*u1^2*(l11_by_q3*sin(q1 - q3) - l11*cos(q1 - q3)))
+    // r13_by_q3 = m3*l2*(l1*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) - l11_by_q3*sin(q2 - q3))) +
+    //   l0*u1^2*(l11*cos(q1 - q3) - l11_by_q3*sin(q1 - q3)) - g*(l11*cos(q3) + l11_by_q3*sin(q3)))
     let r13_by_q3 = (-l11_by_q3).mul_add(m3_l2_r6_part_2, r13_by_q2_part_2)
         - l11_m3_l2 * r6_by_q3_part_2;
     // Shared terms.
@@ -900,7 +903,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let r6_by_u1 = -s4_by_q1 * u1_scaled;
     // r10_by_u1 = -2*m3*l0*l2*u1*l7*sin(q1 - q3)
     let r10_by_u1 = -s8_by_q1_part_2 * u1_scaled;
-    // r13_by_u1 = 2*l0*u1*(m2*l1*sin(q1 - q2) + m3*(l1*sin(q1 - q2) - l2*l11*sin(q1 - q3)))
+    // r13_by_u1 = 2*l0*u1*(l1*sin(q1 - q2)*(m2 + m3) - m3*l2*l11*sin(q1 - q3))
     let r13_by_u1 = u1_scaled * ((-l0_sin_q1_minus_q3).mul_add(l11_m3_l2, r10_part));
     // Shared terms.
     // s22_inv*l21_by_q1_part; used 3 times
@@ -931,9 +934,9 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // 2*u2; used 4 times
     let u2_scaled = S::int(2) * u2;
     // Elimination, step by step.
-    // r6_by_u2 = -2*l1*u2*(m2*sin(q2) + m3*(sin(q2) + l2*l2_*sin(q2 - q3)))
+    // r6_by_u2 = -2*l1*u2*(sin(q2)*(m2 + m3) + m3*l2*l2_*sin(q2 - q3))
     let r6_by_u2 = -s5_by_q2 * u2_scaled;
-    // r10_by_u2 = -2*l1*u2*(m2*l0*sin(q1 - q2) + m3*(l0*sin(q1 - q2) + l2*l7*sin(q2 - q3)))
+    // r10_by_u2 = -2*l1*u2*(l0*sin(q1 - q2)*(m2 + m3) + m3*l2*l7*sin(q2 - q3))
     let r10_by_u2 = -s9_by_q2 * u2_scaled;
     // r13_by_u2 = -2*m3*l1*l2*u2*l11*sin(q2 - q3)
     let r13_by_u2 = -s12_by_q2_part * u2_scaled;
@@ -1134,14 +1137,11 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     let (_, c2) = q2.sin_cos();
     let (_, c3) = q3.sin_cos();
     // Shared terms.
-    // l0*cos(q1); used 2 times
-    let l0_c1 = l0 * c1;
-    // l1*cos(q2) + l0_c1; used 2 times
-    let energy_part = l1.mul_add(c2, l0_c1);
+    // m2 + m3; used 2 times
+    let m2_plus_m3 = m2 + m3;
     // Values.
-    // V = g*(m1*l0*cos(q1) + m2*(l0*cos(q1) + l1*cos(q2)) + m3*(l0*cos(q1) + l1*cos(q2) + l2*cos(q3)))
-    let energy = g
-        * (m1 * l0_c1 + m2 * energy_part + m3 * (l2.mul_add(c3, energy_part)));
+    // V = g*(l0*cos(q1)*(m1 + m2 + m3) + l1*cos(q2)*(m2 + m3) + m3*l2*cos(q3))
+    let energy = g * (m3 * l2 * c3 + l1 * m2_plus_m3 * c2 + l0 * c1 * (m1 + m2_plus_m3));
     energy
 }
 
@@ -1182,14 +1182,29 @@ impl<S: Scalar> System<S> for Kane {
         true
     }
     fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
-        q_dot.copy_from_slice(&of_q);
-        v_dot.copy_from_slice(&of_v);
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
@@ -1220,6 +1235,7 @@ impl<S: Scalar> System<S> for Kane {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }

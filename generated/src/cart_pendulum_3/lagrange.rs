@@ -35,6 +35,12 @@ pub fn mass_matrix<S: Scalar>(
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
     // m3*l2; used 4 times
     let m3_l2 = m3 * l2;
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // Entries that are not zero; upper triangle.
     // M11 = m0 + m1 + m2 + m3
     let m11 = m0 + m11_part;
@@ -47,13 +53,13 @@ pub fn mass_matrix<S: Scalar>(
     // M22 = l0^2*(m1 + m2 + m3)
     let m22 = l0 * l0_m11_part;
     // M23 = l0*l1*cos(q1 - q2)*(m2 + m3)
-    let m23 = l0 * l1_m2_plus_m3 * (c1.mul_add(c2, s1 * s2));
+    let m23 = l0 * cos_q1_minus_q2 * l1_m2_plus_m3;
     // M24 = m3*l0*l2*cos(q1 - q3)
-    let m24 = l0 * m3_l2 * (c1.mul_add(c3, s1 * s3_2));
+    let m24 = l0 * cos_q1_minus_q3 * m3_l2;
     // M33 = l1^2*(m2 + m3)
     let m33 = l1 * l1_m2_plus_m3;
     // M34 = m3*l1*l2*cos(q2 - q3)
-    let m34 = l1 * m3_l2 * (c2.mul_add(c3, s2 * s3_2));
+    let m34 = l1 * cos_q2_minus_q3 * m3_l2;
     // M44 = m3*l2^2
     let m44 = l2 * m3_l2;
     [
@@ -74,8 +80,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
     let [_, q1_dot, q2_dot, q3_dot] = *q_dot;
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
-    let (s2, c2) = q2.sin_cos();
     let (s3_2, c3) = q3.sin_cos();
+    let (s2, c2) = q2.sin_cos();
     // Shared terms.
     // m3*l2; used 2 times
     let m3_l2 = m3 * l2;
@@ -83,39 +89,36 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
     let q3_dot_sq_m3_l2 = q3_dot * q3_dot * m3_l2;
     // l0*q1'^2; used 3 times
     let l0_q1_dot_sq = l0 * q1_dot * q1_dot;
-    // m2 + m3; used 2 times
+    // m2 + m3; used 3 times
     let m2_plus_m3 = m2 + m3;
     // sin(q1)*(m1 + m2_plus_m3); used 2 times
     let f1_part = s1 * (m1 + m2_plus_m3);
-    // q2'^2; used 3 times
-    let q2_dot_sq = q2_dot * q2_dot;
-    // l1*m2_plus_m3; used 2 times
-    let l1_m2_plus_m3 = l1 * m2_plus_m3;
-    // l1_m2_plus_m3*sin(q2); used 2 times
-    let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
-    // l1_m2_plus_m3*(sin(q1)*cos(q2) - cos(q1)*sin(q2)); used 2 times
-    let f2_part = l1_m2_plus_m3 * ((-c1).mul_add(s2, s1 * c2));
-    // cos(q1)*sin(q3) - sin(q1)*cos(q3); used 2 times
-    let f2_part_2 = (-s1).mul_add(c3, c1 * s3_2);
-    // g*f1_part + q3_dot_sq_m3_l2*f2_part_2
-    let f2_part_3 = q3_dot_sq_m3_l2.mul_add(f2_part_2, g * f1_part);
-    // l1*(cos(q2)*sin(q3) - sin(q2)*cos(q3)); used 2 times
-    let f3_part = l1 * ((-s2).mul_add(c3, c2 * s3_2));
-    // g*sin(q3) - l0_q1_dot_sq*f2_part_2
-    let f4_part = (-l0_q1_dot_sq).mul_add(f2_part_2, g * s3_2);
+    // l1*q2'^2; used 2 times
+    let l1_q2_dot_sq = l1 * q2_dot * q2_dot;
+    // m2_plus_m3*l1_q2_dot_sq; used 2 times
+    let f1_part_2 = m2_plus_m3 * l1_q2_dot_sq;
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3); used 2 times
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2); used 2 times
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3); used 2 times
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
     // Values.
     // f1 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*q3'^2*sin(q3)
     let f1 = (-q3_dot_sq_m3_l2).mul_add(s3_2, F) - l0_q1_dot_sq * f1_part
-        - q2_dot_sq * s2_l1_m2_plus_m3;
-    // f2 = l0*(m1*g*sin(q1) - m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*q2'^2*sin(q1 - q2) -
-    //   g*sin(q1) + l2*q3'^2*sin(q1 - q3)))
-    let f2 = l0 * ((-q2_dot_sq).mul_add(f2_part, f2_part_3));
-    // f3 = l1*(m2*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) -
-    //   l2*q3'^2*sin(q2 - q3)))
-    let f3 = l0_q1_dot_sq.mul_add(f2_part, g * s2_l1_m2_plus_m3)
-        + q3_dot_sq_m3_l2 * f3_part;
+        - f1_part_2 * s2;
+    // f2 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q1 - q2)*(m2 + m3) - m3*l2*q3'^2*sin(q1 - q3))
+    let f2 = l0
+        * ((-sin_q1_minus_q3).mul_add(q3_dot_sq_m3_l2, g * f1_part)
+            - sin_q1_minus_q2 * f1_part_2);
+    // f3 = l1*((m2 + m3)*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) - m3*l2*q3'^2*sin(q2 - q3))
+    let f3 = l1
+        * (m2_plus_m3 * (sin_q1_minus_q2.mul_add(l0_q1_dot_sq, g * s2))
+            - sin_q2_minus_q3 * q3_dot_sq_m3_l2);
     // f4 = m3*l2*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3))
-    let f4 = m3_l2 * ((-q2_dot_sq).mul_add(f3_part, f4_part));
+    let f4 = m3_l2
+        * (sin_q1_minus_q3.mul_add(l0_q1_dot_sq, g * s3_2)
+            + sin_q2_minus_q3 * l1_q2_dot_sq);
     [f1, f2, f3, f4]
 }
 
@@ -123,6 +126,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
 ///
 /// 126 operations, 3 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn accelerations<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 4],
@@ -132,22 +136,10 @@ pub fn accelerations<S: Scalar>(
     let [_, q1, q2, q3] = *q;
     let [_, q1_dot, q2_dot, q3_dot] = *q_dot;
     // Sines and cosines.
+    let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
-    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
-    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
-    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
-    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
-    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
-    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
-    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
-    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
-    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
-    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
-    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
-    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
-    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // m3*l2; used 6 times
     let m3_l2 = m3 * l2;
     // Elimination, step by step.
@@ -170,6 +162,8 @@ pub fn accelerations<S: Scalar>(
     // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
     let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
     // l0*cos(q1 - q3); used 3 times
     let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
     // l0*s3_part; used 3 times
@@ -180,18 +174,24 @@ pub fn accelerations<S: Scalar>(
     // Shared terms.
     // l1*m2_plus_m3; used 4 times
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // l1*cos(q2 - q3); used 4 times
     let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
     // Elimination, step by step.
-    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + m3*l2*l2_*cos(q2 - q3))
     let s5 = (-l2__m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
     // Shared terms.
     // q1'^2; used 3 times
     let q1_dot_sq = q1_dot * q1_dot;
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
     // l0*sin(q1 - q3); used 2 times
     let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
     // q2'^2; used 3 times
     let q2_dot_sq = q2_dot * q2_dot;
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
     // l1*sin(q2 - q3); used 2 times
     let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
     // q1_dot_sq*l0_sin_q1_minus_q3 + q2_dot_sq*l1_sin_q2_minus_q3
@@ -205,8 +205,8 @@ pub fn accelerations<S: Scalar>(
     // l0_s3_part*sin(q1); used 2 times
     let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r6 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*q3'^2*sin(q3) -
-    //   m3*l2*l2_*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3))
+    // r6 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*(q3'^2*sin(q3) +
+    //   l2_*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)))
     let r6 = (-l2__m3_l2).mul_add(r6_part_2, F) - q3_dot_sq_m3_l2 * s3_2
         - q2_dot_sq * s2_l1_m2_plus_m3 - q1_dot_sq * s1_l0_s3_part;
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
@@ -218,17 +218,21 @@ pub fn accelerations<S: Scalar>(
     // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*cos(q1 - q3))
     let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
     // l0*l1_m2_plus_m3; used 2 times
     let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // Elimination, step by step.
-    // s9 = l0*l1*cos(q1 - q2)*(m2 + m3) - m3*l1*l2*l7*cos(q2 - q3)
+    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - m3*l2*l7*cos(q2 - q3))
     let s9 = (-l1_cos_q2_minus_q3).mul_add(l7_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
     // Shared terms.
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
     // sin(q1 - q2)*l0_l1_m2_plus_m3; used 2 times
     let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // r10 = l0*(m1*g*sin(q1) - m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*q2'^2*sin(q1 - q2) -
-    //   g*sin(q1) + l2*sin(q1 - q3)*(q3'^2 + q1'^2*l7))) - m3*l2*l7*(g*sin(q3) + l1*q2'^2*sin(q2 - q3))
+    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q1 - q2)*(m2 + m3)) - m3*l2*(l0*q3'^2*sin(q1 - q3)
+    //   + l7*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)))
     let r10 = (-l0_sin_q1_minus_q3).mul_add(q3_dot_sq_m3_l2, g * s1_l0_s3_part)
         - r6_part_2 * l7_m3_l2 - q2_dot_sq * r10_part;
     // l11 = m3*l1*l2*cos(q2 - q3)/d1
@@ -237,10 +241,10 @@ pub fn accelerations<S: Scalar>(
     // l11*m3_l2; used 2 times
     let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*cos(q2 - q3)))
+    // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*cos(q2 - q3))
     let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
-    // r13 = m2*l1*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(l1*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) -
-    //   l2*sin(q2 - q3)*(q3'^2 + q2'^2*l11)) - l2*l11*(g*sin(q3) + l0*q1'^2*sin(q1 - q3)))
+    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) - m3*l2*(l1*q3'^2*sin(q2 - q3) +
+    //   l11*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)))
     let r13 = (-l1_sin_q2_minus_q3).mul_add(q3_dot_sq_m3_l2, g * s2_l1_m2_plus_m3)
         + q1_dot_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
@@ -288,6 +292,7 @@ pub fn accelerations<S: Scalar>(
 ///
 /// 126 operations, 3 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 4],
@@ -297,22 +302,10 @@ pub fn derivative<S: Scalar>(
     let [_, q1, q2, q3] = *q;
     let [q0_dot, q1_dot, q2_dot, q3_dot] = *q_dot;
     // Sines and cosines.
+    let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
-    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
-    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
-    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
-    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
-    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
-    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
-    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
-    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
-    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
-    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
-    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
-    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
-    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // m3*l2; used 6 times
     let m3_l2 = m3 * l2;
     // Elimination, step by step.
@@ -335,6 +328,8 @@ pub fn derivative<S: Scalar>(
     // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
     let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
     // l0*cos(q1 - q3); used 3 times
     let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
     // l0*s3_part; used 3 times
@@ -345,18 +340,24 @@ pub fn derivative<S: Scalar>(
     // Shared terms.
     // l1*m2_plus_m3; used 4 times
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // l1*cos(q2 - q3); used 4 times
     let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
     // Elimination, step by step.
-    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + m3*l2*l2_*cos(q2 - q3))
     let s5 = (-l2__m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
     // Shared terms.
     // q1'^2; used 3 times
     let q1_dot_sq = q1_dot * q1_dot;
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
     // l0*sin(q1 - q3); used 2 times
     let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
     // q2'^2; used 3 times
     let q2_dot_sq = q2_dot * q2_dot;
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
     // l1*sin(q2 - q3); used 2 times
     let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
     // q1_dot_sq*l0_sin_q1_minus_q3 + q2_dot_sq*l1_sin_q2_minus_q3
@@ -370,8 +371,8 @@ pub fn derivative<S: Scalar>(
     // l0_s3_part*sin(q1); used 2 times
     let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r6 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*q3'^2*sin(q3) -
-    //   m3*l2*l2_*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3))
+    // r6 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*(q3'^2*sin(q3) +
+    //   l2_*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)))
     let r6 = (-l2__m3_l2).mul_add(r6_part_2, F) - q3_dot_sq_m3_l2 * s3_2
         - q2_dot_sq * s2_l1_m2_plus_m3 - q1_dot_sq * s1_l0_s3_part;
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
@@ -383,17 +384,21 @@ pub fn derivative<S: Scalar>(
     // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*cos(q1 - q3))
     let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
     // l0*l1_m2_plus_m3; used 2 times
     let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // Elimination, step by step.
-    // s9 = l0*l1*cos(q1 - q2)*(m2 + m3) - m3*l1*l2*l7*cos(q2 - q3)
+    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - m3*l2*l7*cos(q2 - q3))
     let s9 = (-l1_cos_q2_minus_q3).mul_add(l7_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
     // Shared terms.
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
     // sin(q1 - q2)*l0_l1_m2_plus_m3; used 2 times
     let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // r10 = l0*(m1*g*sin(q1) - m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*q2'^2*sin(q1 - q2) -
-    //   g*sin(q1) + l2*sin(q1 - q3)*(q3'^2 + q1'^2*l7))) - m3*l2*l7*(g*sin(q3) + l1*q2'^2*sin(q2 - q3))
+    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q1 - q2)*(m2 + m3)) - m3*l2*(l0*q3'^2*sin(q1 - q3)
+    //   + l7*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)))
     let r10 = (-l0_sin_q1_minus_q3).mul_add(q3_dot_sq_m3_l2, g * s1_l0_s3_part)
         - r6_part_2 * l7_m3_l2 - q2_dot_sq * r10_part;
     // l11 = m3*l1*l2*cos(q2 - q3)/d1
@@ -402,10 +407,10 @@ pub fn derivative<S: Scalar>(
     // l11*m3_l2; used 2 times
     let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*cos(q2 - q3)))
+    // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*cos(q2 - q3))
     let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
-    // r13 = m2*l1*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(l1*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) -
-    //   l2*sin(q2 - q3)*(q3'^2 + q2'^2*l11)) - l2*l11*(g*sin(q3) + l0*q1'^2*sin(q1 - q3)))
+    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) - m3*l2*(l1*q3'^2*sin(q2 - q3) +
+    //   l11*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)))
     let r13 = (-l1_sin_q2_minus_q3).mul_add(q3_dot_sq_m3_l2, g * s2_l1_m2_plus_m3)
         + q1_dot_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
@@ -475,22 +480,10 @@ pub fn jacobian<S: Scalar>(
     let [_, q1_dot, q2_dot, q3_dot] = *q_dot;
     let zero = S::int(0);
     // Sines and cosines.
+    let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
-    let (s3_2, c3) = q3.sin_cos();
     // Shared terms.
-    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
-    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
-    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
-    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
-    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
-    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
-    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
-    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
-    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
-    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
-    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
-    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // m3*l2; used 10 times
     let m3_l2 = m3 * l2;
     // Elimination, step by step.
@@ -515,6 +508,8 @@ pub fn jacobian<S: Scalar>(
     // s3 = m0 + m1 + m2 + m3 + m3*l2*l2_*cos(q3)
     let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
+    // sin(q1)*sin(q3) + cos(q1)*cos(q3)
+    let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
     // l0*cos(q1 - q3); used 6 times
     let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
     // l0*s3_part; used 3 times
@@ -527,6 +522,8 @@ pub fn jacobian<S: Scalar>(
     // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*cos(q1 - q3))
     let s4 = -s4_part;
     // Shared terms.
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3)
+    let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
     // l1*cos(q2 - q3); used 7 times
     let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
     // l1*m2_plus_m3; used 4 times
@@ -536,13 +533,17 @@ pub fn jacobian<S: Scalar>(
     // l2__m3_l2*l1_cos_q2_minus_q3 + c2_l1_m2_plus_m3; used 2 times
     let s5_part = l2__m3_l2.mul_add(l1_cos_q2_minus_q3, c2_l1_m2_plus_m3);
     // Elimination, step by step.
-    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + m3*l2*l2_*cos(q2 - q3))
     let s5 = -s5_part;
     // Shared terms.
+    // sin(q1)*cos(q3) - cos(q1)*sin(q3)
+    let sin_q1_minus_q3 = (-c1).mul_add(s3_2, s1 * c3);
     // l0*sin(q1 - q3); used 7 times
     let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
     // q1'^2; used 7 times
     let q1_dot_sq = q1_dot * q1_dot;
+    // sin(q2)*cos(q3) - cos(q2)*sin(q3)
+    let sin_q2_minus_q3 = (-c2).mul_add(s3_2, s2 * c3);
     // l1*sin(q2 - q3); used 7 times
     let l1_sin_q2_minus_q3 = l1 * sin_q2_minus_q3;
     // q2'^2; used 8 times
@@ -560,8 +561,8 @@ pub fn jacobian<S: Scalar>(
     // l0_s3_part*sin(q1); used 3 times
     let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r6 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*q3'^2*sin(q3) -
-    //   m3*l2*l2_*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3))
+    // r6 = F - l0*q1'^2*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q2)*(m2 + m3) - m3*l2*(q3'^2*sin(q3) +
+    //   l2_*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)))
     let r6 = (-l2__m3_l2).mul_add(r6_part_2, F) - q3_dot_q3_dot_m3_l2 * s3_2
         - q2_dot_sq * s2_l1_m2_plus_m3 - q1_dot_sq * s1_l0_s3_part;
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
@@ -573,6 +574,8 @@ pub fn jacobian<S: Scalar>(
     // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*cos(q1 - q3))
     let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
+    // sin(q1)*sin(q2) + cos(q1)*cos(q2)
+    let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
     // l0*l1_m2_plus_m3; used 2 times
     let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // cos(q1 - q2)*l0_l1_m2_plus_m3; used 3 times
@@ -580,14 +583,16 @@ pub fn jacobian<S: Scalar>(
     // l1_cos_q2_minus_q3*l7_m3_l2 - s9_part; used 2 times
     let s9_part_2 = l1_cos_q2_minus_q3.mul_add(l7_m3_l2, -s9_part);
     // Elimination, step by step.
-    // s9 = l0*l1*cos(q1 - q2)*(m2 + m3) - m3*l1*l2*l7*cos(q2 - q3)
+    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - m3*l2*l7*cos(q2 - q3))
     let s9 = -s9_part_2;
     // Shared terms.
+    // sin(q1)*cos(q2) - cos(q1)*sin(q2)
+    let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
     // sin(q1 - q2)*l0_l1_m2_plus_m3; used 5 times
     let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // r10 = l0*(m1*g*sin(q1) - m2*(l1*q2'^2*sin(q1 - q2) - g*sin(q1)) - m3*(l1*q2'^2*sin(q1 - q2) -
-    //   g*sin(q1) + l2*sin(q1 - q3)*(q3'^2 + q1'^2*l7))) - m3*l2*l7*(g*sin(q3) + l1*q2'^2*sin(q2 - q3))
+    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*q2'^2*sin(q1 - q2)*(m2 + m3)) - m3*l2*(l0*q3'^2*sin(q1 - q3)
+    //   + l7*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)))
     let r10 = (-l0_sin_q1_minus_q3).mul_add(q3_dot_q3_dot_m3_l2, g * s1_l0_s3_part)
         - r6_part_2 * l7_m3_l2 - q2_dot_sq * r10_part;
     // l11 = m3*l1*l2*cos(q2 - q3)/d1
@@ -596,10 +601,10 @@ pub fn jacobian<S: Scalar>(
     // l11*m3_l2; used 7 times
     let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*cos(q2 - q3)))
+    // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*cos(q2 - q3))
     let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
-    // r13 = m2*l1*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) + m3*(l1*(g*sin(q2) + l0*q1'^2*sin(q1 - q2) -
-    //   l2*sin(q2 - q3)*(q3'^2 + q2'^2*l11)) - l2*l11*(g*sin(q3) + l0*q1'^2*sin(q1 - q3)))
+    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) - m3*l2*(l1*q3'^2*sin(q2 - q3) +
+    //   l11*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3)))
     let r13 = (-l1_sin_q2_minus_q3).mul_add(q3_dot_q3_dot_m3_l2, g * s2_l1_m2_plus_m3)
         + q1_dot_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
@@ -674,7 +679,7 @@ pub fn jacobian<S: Scalar>(
     // m3_l2*l1_cos_q2_minus_q3; used 5 times
     let s9_by_q1_part = m3_l2 * l1_cos_q2_minus_q3;
     // Elimination, step by step.
-    // s9_by_q1 = -l0*l1*sin(q1 - q2)*(m2 + m3) - m3*l1*l2*l7_by_q1*cos(q2 - q3)
+    // s9_by_q1 = -l1*(l0*sin(q1 - q2)*(m2 + m3) + m3*l2*l7_by_q1*cos(q2 - q3))
     let s9_by_q1 = (-l7_by_q1).mul_add(s9_by_q1_part, -r10_part);
     // Shared terms.
     // m3_l2*r6_part_2; used 5 times
@@ -684,16 +689,16 @@ pub fn jacobian<S: Scalar>(
     // l0_cos_q1_minus_q3*q3_dot_q3_dot_m3_l2; used 2 times
     let r10_by_q1_part_2 = l0_cos_q1_minus_q3 * q3_dot_q3_dot_m3_l2;
     // Elimination, step by step.
-    // r10_by_q1 = l0*(m1*g*cos(q1) - m2*(l1*q2'^2*cos(q1 - q2) - g*cos(q1)) - m3*(l1*q2'^2*cos(q1 - q2) -
-    //   g*cos(q1) + l2*(q3'^2*cos(q1 - q3) + q1'^2*(l7*cos(q1 - q3) + l7_by_q1*sin(q1 - q3))))) -
-    //   m3*l2*l7_by_q1*(g*sin(q3) + l1*q2'^2*sin(q2 - q3))
+    // r10_by_q1 = l0*(g*cos(q1)*(m1 + m2 + m3) - l1*q2'^2*cos(q1 - q2)*(m2 + m3)) -
+    //   m3*l2*(l7_by_q1*(g*sin(q3) + l1*q2'^2*sin(q2 - q3)) + l0*(q3'^2*cos(q1 - q3) + q1'^2*(l7*cos(q1 -
+    //   q3) + l7_by_q1*sin(q1 - q3))))
     let r10_by_q1 = (-q2_dot_sq).mul_add(s9_part, g * c1_l0_s3_part)
         - l7_by_q1 * m3_l2_r6_part_2 - l7_m3_l2 * r10_by_q1_part - r10_by_q1_part_2;
     // Shared terms.
     // q1_dot_sq*s9_part; used 2 times
     let q1_dot_sq_s9_part = q1_dot_sq * s9_part;
     // Elimination, step by step.
-    // r13_by_q1 = l0*q1'^2*(m2*l1*cos(q1 - q2) + m3*(l1*cos(q1 - q2) - l2*l11*cos(q1 - q3)))
+    // r13_by_q1 = l0*q1'^2*(l1*cos(q1 - q2)*(m2 + m3) - m3*l2*l11*cos(q1 - q3))
     let r13_by_q1 = (-l11_m3_l2).mul_add(r10_by_q1_part, q1_dot_sq_s9_part);
     // Shared terms.
     // l14*s15_inv; used 11 times
@@ -755,17 +760,17 @@ pub fn jacobian<S: Scalar>(
     // l2__m3_l2*l1_sin_q2_minus_q3; used 2 times
     let s5_by_q2_part = l2__m3_l2 * l1_sin_q2_minus_q3;
     // Elimination, step by step.
-    // s5_by_q2 = l1*(m2*sin(q2) + m3*(sin(q2) + l2*l2_*sin(q2 - q3)))
+    // s5_by_q2 = l1*(sin(q2)*(m2 + m3) + m3*l2*l2_*sin(q2 - q3))
     let s5_by_q2 = s2_l1_m2_plus_m3 + s5_by_q2_part;
-    // r6_by_q2 = -l1*q2'^2*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*cos(q2 - q3)))
+    // r6_by_q2 = -l1*q2'^2*(cos(q2)*(m2 + m3) + m3*l2*l2_*cos(q2 - q3))
     let r6_by_q2 = -s5_part * q2_dot_sq;
     // Shared terms.
     // l1_sin_q2_minus_q3*l7_m3_l2; used 2 times
     let s9_by_q2_part = l1_sin_q2_minus_q3 * l7_m3_l2;
     // Elimination, step by step.
-    // s9_by_q2 = l0*l1*sin(q1 - q2)*(m2 + m3) + m3*l1*l2*l7*sin(q2 - q3)
+    // s9_by_q2 = l1*(l0*sin(q1 - q2)*(m2 + m3) + m3*l2*l7*sin(q2 - q3))
     let s9_by_q2 = r10_part + s9_by_q2_part;
-    // r10_by_q2 = l1*q2'^2*(m2*l0*cos(q1 - q2) + m3*(l0*cos(q1 - q2) - l2*l7*cos(q2 - q3)))
+    // r10_by_q2 = l1*q2'^2*(l0*cos(q1 - q2)*(m2 + m3) - m3*l2*l7*cos(q2 - q3))
     let r10_by_q2 = -q2_dot_sq * s9_part_2;
     // l11_by_q3 = m3*l1*l2*sin(q2 - q3)/d1
     let l11_by_q3 = d1_inv_m3_l2 * l1_sin_q2_minus_q3;
@@ -783,9 +788,9 @@ pub fn jacobian<S: Scalar>(
     // l1_cos_q2_minus_q3*q3_dot_q3_dot_m3_l2; used 2 times
     let r13_by_q2_part_2 = l1_cos_q2_minus_q3 * q3_dot_q3_dot_m3_l2;
     // Elimination, step by step.
-    // r13_by_q2 = m2*l1*(g*cos(q2) - l0*q1'^2*cos(q1 - q2)) - m3*(l2*l11_by_q2*(g*sin(q3) +
-    //   l0*q1'^2*sin(q1 - q3)) + l1*(l0*q1'^2*cos(q1 - q2) - g*cos(q2) + l2*(q3'^2*cos(q2 - q3) +
-    //   q2'^2*(l11*cos(q2 - q3) + l11_by_q2*sin(q2 - q3)))))
+    // r13_by_q2 = l1*(m2 + m3)*(g*cos(q2) - l0*q1'^2*cos(q1 - q2)) - m3*l2*(l11_by_q2*(g*sin(q3) +
+    //   l0*q1'^2*sin(q1 - q3)) + l1*(q3'^2*cos(q2 - q3) + q2'^2*(l11*cos(q2 - q3) + l11_by_q2*sin(q2 -
+    //   q3))))
     let r13_by_q2 = (-l11_by_q2).mul_add(m3_l2_r6_part_2, g * c2_l1_m2_plus_m3)
         - q1_dot_sq_s9_part - l11_m3_l2 * r13_by_q2_part - r13_by_q2_part_2;
     // s22_by_q2 = s5_by_q2*(l14*(s16/s15 + l21) - s5/s3 - l18) - s9_by_q2*(s16/s15 + l21) + s12_by_q2
@@ -845,14 +850,14 @@ pub fn jacobian<S: Scalar>(
     let s8_by_q3 = (-l7_by_q3).mul_add(s8_by_q1_part, -s8_by_q1_part_2);
     // s9_by_q3 = -m3*l1*l2*(l7*sin(q2 - q3) + l7_by_q3*cos(q2 - q3))
     let s9_by_q3 = (-l7_by_q3).mul_add(s9_by_q1_part, -s9_by_q2_part);
-    // r10_by_q3 = m3*l2*(l0*(q3'^2*cos(q1 - q3) + q1'^2*(l7*cos(q1 - q3) - l7_by_q3*sin(q1 - q3))) -
-    //   g*(l7*cos(q3) + l7_by_q3*sin(q3)) - l1*q2'^2*(l7_by_q3*sin(q2 - q3) - l7*cos(q2 - q3)))
+    // r10_by_q3 = m3*l2*(l0*(q3'^2*cos(q1 - q3) + q1'^2*(l7*cos(q1 - q3) - l7_by_q3*sin(q1 - q3))) +
+    //   l1*q2'^2*(l7*cos(q2 - q3) - l7_by_q3*sin(q2 - q3)) - g*(l7*cos(q3) + l7_by_q3*sin(q3)))
     let r10_by_q3 = (-l7_by_q3).mul_add(m3_l2_r6_part_2, r10_by_q1_part_2)
         - l7_m3_l2 * r6_by_q3_part_2;
     // s12_by_q3 = -m3*l1*l2*(l11*sin(q2 - q3) + l11_by_q3*cos(q2 - q3))
     let s12_by_q3 = (-l11_by_q3).mul_add(s9_by_q1_part, -s12_by_q2_part);
-    // r13_by_q3 = m3*l2*(l1*(q3'^2*cos(q2 - q3) + q2'^2*(l11*cos(q2 - q3) - l11_by_q3*sin(q2 - q3))) -
-    //   g*(l11*cos(q3) + l11_by_q3*sin(q3)) - l0*q1'^2*(l11_by_q3*sin(q1 - q3) - l11*cos(q1 - q3)))
+    // r13_by_q3 = m3*l2*(l1*(q3'^2*cos(q2 - q3) + q2'^2*(l11*cos(q2 - q3) - l11_by_q3*sin(q2 - q3))) +
+    //   l0*q1'^2*(l11*cos(q1 - q3) - l11_by_q3*sin(q1 - q3)) - g*(l11*cos(q3) + l11_by_q3*sin(q3)))
     let r13_by_q3 = (-l11_by_q3).mul_add(m3_l2_r6_part_2, r13_by_q2_part_2)
         - l11_m3_l2 * r6_by_q3_part_2;
     // Shared terms.
@@ -909,7 +914,7 @@ pub fn jacobian<S: Scalar>(
     let r6_by_q1_dot = -s4_by_q1 * q1_dot_scaled;
     // r10_by_q1_dot = -2*m3*l0*l2*q1'*l7*sin(q1 - q3)
     let r10_by_q1_dot = -s8_by_q1_part_2 * q1_dot_scaled;
-    // r13_by_q1_dot = 2*l0*q1'*(m2*l1*sin(q1 - q2) + m3*(l1*sin(q1 - q2) - l2*l11*sin(q1 - q3)))
+    // r13_by_q1_dot = 2*l0*q1'*(l1*sin(q1 - q2)*(m2 + m3) - m3*l2*l11*sin(q1 - q3))
     let r13_by_q1_dot = q1_dot_scaled
         * ((-l0_sin_q1_minus_q3).mul_add(l11_m3_l2, r10_part));
     // Shared terms.
@@ -945,9 +950,9 @@ pub fn jacobian<S: Scalar>(
     // 2*q2'; used 4 times
     let q2_dot_scaled = S::int(2) * q2_dot;
     // Elimination, step by step.
-    // r6_by_q2_dot = -2*l1*q2'*(m2*sin(q2) + m3*(sin(q2) + l2*l2_*sin(q2 - q3)))
+    // r6_by_q2_dot = -2*l1*q2'*(sin(q2)*(m2 + m3) + m3*l2*l2_*sin(q2 - q3))
     let r6_by_q2_dot = -s5_by_q2 * q2_dot_scaled;
-    // r10_by_q2_dot = -2*l1*q2'*(m2*l0*sin(q1 - q2) + m3*(l0*sin(q1 - q2) + l2*l7*sin(q2 - q3)))
+    // r10_by_q2_dot = -2*l1*q2'*(l0*sin(q1 - q2)*(m2 + m3) + m3*l2*l7*sin(q2 - q3))
     let r10_by_q2_dot = -s9_by_q2 * q2_dot_scaled;
     // r13_by_q2_dot = -2*m3*l1*l2*q2'*l11*sin(q2 - q3)
     let r13_by_q2_dot = -s12_by_q2_part * q2_dot_scaled;
@@ -1161,14 +1166,11 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     let (_, c2) = q2.sin_cos();
     let (_, c3) = q3.sin_cos();
     // Shared terms.
-    // l0*cos(q1); used 2 times
-    let l0_c1 = l0 * c1;
-    // l1*cos(q2) + l0_c1; used 2 times
-    let energy_part = l1.mul_add(c2, l0_c1);
+    // m2 + m3; used 2 times
+    let m2_plus_m3 = m2 + m3;
     // Values.
-    // V = g*(m1*l0*cos(q1) + m2*(l0*cos(q1) + l1*cos(q2)) + m3*(l0*cos(q1) + l1*cos(q2) + l2*cos(q3)))
-    let energy = g
-        * (m1 * l0_c1 + m2 * energy_part + m3 * (l2.mul_add(c3, energy_part)));
+    // V = g*(l0*cos(q1)*(m1 + m2 + m3) + l1*cos(q2)*(m2 + m3) + m3*l2*cos(q3))
+    let energy = g * (m3 * l2 * c3 + l1 * m2_plus_m3 * c2 + l0 * c1 * (m1 + m2_plus_m3));
     energy
 }
 
@@ -1276,14 +1278,29 @@ impl<S: Scalar> System<S> for Lagrange {
         true
     }
     fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
-        q_dot.copy_from_slice(&of_q);
-        v_dot.copy_from_slice(&of_v);
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
@@ -1325,6 +1342,7 @@ impl<S: Scalar> System<S> for Lagrange {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }

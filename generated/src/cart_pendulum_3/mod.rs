@@ -9,7 +9,7 @@ pub mod kane;
 pub mod lagrange;
 #[rustfmt::skip]
 pub mod newton_euler;
-use tripos_traits::{CompiledModel, CompiledSystem, Scalar};
+use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +40,7 @@ impl<S: Scalar> Parameters<S> {
     /// # Panics
     /// If `p` has fewer values than there are parameters.
     #[must_use]
+    #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
             m0: p[0],
@@ -74,16 +75,19 @@ pub const MODEL: CompiledModel = CompiledModel {
             name: "kane",
             double: &kane::Kane,
             extended: &kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(kane::Kane))),
         },
         CompiledSystem {
             name: "lagrange",
             double: &lagrange::Lagrange,
             extended: &lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "newton-euler",
             double: &newton_euler::NewtonEuler,
             extended: &newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
         },
     ],
 };

@@ -158,6 +158,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
 ///
 /// 135 operations, 3 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
     let [_, q1, q2, q3] = *q;
@@ -194,7 +195,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 3 times
     let s4_part = l0 * (c1.mul_add(c3, s1 * s3_2));
     // Elimination, step by step.
-    // s4 = -l0*cos(q1)*(m1 + m2 + m3) - m3*l0*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3))
+    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3)))
     let s4 = (-l2__m3_l2).mul_add(s4_part, -s3_part * l0_c1);
     // Shared terms.
     // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 2 times
@@ -208,7 +209,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // l1_m2_plus_m3*cos(q2); used 2 times
     let c2_l1_m2_plus_m3 = l1_m2_plus_m3 * c2;
     // Elimination, step by step.
-    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + m3*l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
     let s5 = (-l2_).mul_add(s5_part_l1_m3_l2, -c2_l1_m2_plus_m3);
     // Shared terms.
     // l0*sin(q1); used 4 times
@@ -243,7 +244,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // l7*m3_l2; used 2 times
     let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // s8 = l0*(l0*(m1 + m2) + m3*(l0 - l2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3))))
+    // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3)))
     let s8 = (-s4_part).mul_add(l7_m3_l2, l0 * l0 * s3_part);
     // Shared terms.
     // l1_m2_plus_m3*sin(q2); used 2 times
@@ -265,7 +266,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
         + r6_part_3 * l7_m3_l2 + u2_sq * r10_part;
     // l11 = m3*l1*l2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/d1
     let l11 = l1 * d1_inv_m3_l2 * s5_part;
-    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
     let s12 = (-l11).mul_add(s5_part_l1_m3_l2, l1 * l1_m2_plus_m3);
     // r13 = m2*l1*(g*sin(q2) + l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) + m3*(l1*(g*sin(q2) +
     //   l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
@@ -307,8 +308,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let u1_dot = (-u2_dot).mul_add(l21, r17 * s15_inv);
     // u0' = (r6 - u1'*s4 - u2'*s5)/s3
     let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
-    // u3' = m3*l2*(cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))) +
-    //   sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))))/d1
+    // u3' = m3*l2*(sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))) +
+    //   cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))))/d1
     let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, -r6_part_3)) - u1_dot * l7
         - u2_dot * l11;
     [u0_dot, u1_dot, u2_dot, u3_dot]
@@ -318,6 +319,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
 ///
 /// 135 operations, 3 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 4],
@@ -358,7 +360,7 @@ pub fn derivative<S: Scalar>(
     // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 3 times
     let s4_part = l0 * (c1.mul_add(c3, s1 * s3_2));
     // Elimination, step by step.
-    // s4 = -l0*cos(q1)*(m1 + m2 + m3) - m3*l0*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3))
+    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3)))
     let s4 = (-l2__m3_l2).mul_add(s4_part, -s3_part * l0_c1);
     // Shared terms.
     // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 2 times
@@ -372,7 +374,7 @@ pub fn derivative<S: Scalar>(
     // l1_m2_plus_m3*cos(q2); used 2 times
     let c2_l1_m2_plus_m3 = l1_m2_plus_m3 * c2;
     // Elimination, step by step.
-    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + m3*l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
     let s5 = (-l2_).mul_add(s5_part_l1_m3_l2, -c2_l1_m2_plus_m3);
     // Shared terms.
     // l0*sin(q1); used 4 times
@@ -407,7 +409,7 @@ pub fn derivative<S: Scalar>(
     // l7*m3_l2; used 2 times
     let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // s8 = l0*(l0*(m1 + m2) + m3*(l0 - l2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3))))
+    // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3)))
     let s8 = (-s4_part).mul_add(l7_m3_l2, l0 * l0 * s3_part);
     // Shared terms.
     // l1_m2_plus_m3*sin(q2); used 2 times
@@ -429,7 +431,7 @@ pub fn derivative<S: Scalar>(
         + r6_part_3 * l7_m3_l2 + u2_sq * r10_part;
     // l11 = m3*l1*l2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/d1
     let l11 = l1 * d1_inv_m3_l2 * s5_part;
-    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
     let s12 = (-l11).mul_add(s5_part_l1_m3_l2, l1 * l1_m2_plus_m3);
     // r13 = m2*l1*(g*sin(q2) + l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) + m3*(l1*(g*sin(q2) +
     //   l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
@@ -471,8 +473,8 @@ pub fn derivative<S: Scalar>(
     let u1_dot = (-u2_dot).mul_add(l21, r17 * s15_inv);
     // u0' = (r6 - u1'*s4 - u2'*s5)/s3
     let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
-    // u3' = m3*l2*(cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))) +
-    //   sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))))/d1
+    // u3' = m3*l2*(sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))) +
+    //   cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))))/d1
     let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, -r6_part_3)) - u1_dot * l7
         - u2_dot * l11;
     // Values.
@@ -537,7 +539,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l2__m3_l2*s4_part + c1_l0_s3_part; used 2 times
     let s4_part_2 = l2__m3_l2.mul_add(s4_part, c1_l0_s3_part);
     // Elimination, step by step.
-    // s4 = -l0*cos(q1)*(m1 + m2 + m3) - m3*l0*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3))
+    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3)))
     let s4 = -s4_part_2;
     // Shared terms.
     // l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3)); used 7 times
@@ -549,7 +551,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l2__m3_l2*s5_part + c2_l1_m2_plus_m3; used 2 times
     let s5_part_2 = l2__m3_l2.mul_add(s5_part, c2_l1_m2_plus_m3);
     // Elimination, step by step.
-    // s5 = -l1*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + m3*l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
     let s5 = -s5_part_2;
     // Shared terms.
     // l0*(sin(q1)*cos(q3) - cos(q1)*sin(q3)); used 7 times
@@ -584,7 +586,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l7*m3_l2; used 7 times
     let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // s8 = l0*(l0*(m1 + m2) + m3*(l0 - l2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3))))
+    // s8 = l0*(l0*(m1 + m2 + m3) - m3*l2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3)))
     let s8 = (-s4_part).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
     // l0*l1_m2_plus_m3; used 2 times
@@ -613,7 +615,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l11*m3_l2; used 7 times
     let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s12 = l1*(m2*l1 + m3*(l1 - l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
+    // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
     let s12 = (-s5_part).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
     // r13 = m2*l1*(g*sin(q2) + l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) + m3*(l1*(g*sin(q2) +
     //   l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
@@ -673,7 +675,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l2__m3_l2*r6_part; used 2 times
     let l2__m3_l2_r6_part = l2__m3_l2 * r6_part;
     // Elimination, step by step.
-    // s4_by_q1 = l0*sin(q1)*(m1 + m2 + m3) + m3*l0*l2*l2_*(sin(q1)*cos(q3) - cos(q1)*sin(q3))
+    // s4_by_q1 = l0*(sin(q1)*(m1 + m2 + m3) + m3*l2*l2_*(sin(q1)*cos(q3) - cos(q1)*sin(q3)))
     let s4_by_q1 = s1_l0_s3_part + l2__m3_l2_r6_part;
     // r6_by_q1 = -l0*u1^2*(m3*l2*l2_*sin(q1)*sin(q3) + cos(q1)*(m1 + m2 + m3*(1 + l2*l2_*cos(q3))))
     let r6_by_q1 = -s4_part_2 * u1_sq;
@@ -778,7 +780,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l2__m3_l2*r6_part_2; used 2 times
     let l2__m3_l2_r6_part_2 = l2__m3_l2 * r6_part_2;
     // Elimination, step by step.
-    // s5_by_q2 = l1*(m2*sin(q2) + m3*(sin(q2) + l2*l2_*(sin(q2)*cos(q3) - cos(q2)*sin(q3))))
+    // s5_by_q2 = l1*(sin(q2)*(m2 + m3) + m3*l2*l2_*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
     let s5_by_q2 = s2_l1_m2_plus_m3 + l2__m3_l2_r6_part_2;
     // r6_by_q2 = -l1*u2^2*(m2*cos(q2) + m3*(cos(q2) + l2*l2_*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
     let r6_by_q2 = -s5_part_2 * u2_sq;
@@ -1187,14 +1189,11 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     let (_, c2) = q2.sin_cos();
     let (_, c3) = q3.sin_cos();
     // Shared terms.
-    // l0*cos(q1); used 2 times
-    let l0_c1 = l0 * c1;
-    // l1*cos(q2) + l0_c1; used 2 times
-    let energy_part = l1.mul_add(c2, l0_c1);
+    // m2 + m3; used 2 times
+    let m2_plus_m3 = m2 + m3;
     // Values.
-    // V = g*(m1*l0*cos(q1) + m2*(l0*cos(q1) + l1*cos(q2)) + m3*(l0*cos(q1) + l1*cos(q2) + l2*cos(q3)))
-    let energy = g
-        * (m1 * l0_c1 + m2 * energy_part + m3 * (l2.mul_add(c3, energy_part)));
+    // V = g*(l0*cos(q1)*(m1 + m2 + m3) + l1*cos(q2)*(m2 + m3) + m3*l2*cos(q3))
+    let energy = g * (m3 * l2 * c3 + l1 * m2_plus_m3 * c2 + l0 * c1 * (m1 + m2_plus_m3));
     energy
 }
 
@@ -1235,14 +1234,29 @@ impl<S: Scalar> System<S> for NewtonEuler {
         true
     }
     fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
-        q_dot.copy_from_slice(&of_q);
-        v_dot.copy_from_slice(&of_v);
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
@@ -1273,6 +1287,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }

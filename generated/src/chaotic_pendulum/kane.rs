@@ -58,6 +58,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
 ///
 /// 26 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
     let [theta, phi] = *q;
@@ -88,6 +89,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
 ///
 /// 26 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 2],
@@ -125,7 +127,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns theta, phi, omega, alpha.
 ///
-/// 54 operations, 2 sines and cosines.
+/// 51 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
@@ -161,49 +163,52 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     // 1/(omega_dot_by_theta_part_3 + IBxx*sin_phi_sq); used 2 times
     let omega_dot_by_phi_part = S::int(1)
         / (IBxx.mul_add(sin_phi_sq, omega_dot_by_theta_part_3));
-    // 2*omega_dot_by_phi_part; used 3 times
+    // 2*omega_dot_by_phi_part; used 2 times
     let omega_dot_by_phi_part_2 = S::int(2) * omega_dot_by_phi_part;
-    // sin(phi)*cos(phi); used 3 times
-    let sin_phi_cos_phi = sin_phi * cos_phi;
-    // IByy - IBxx; used 3 times
+    // IByy - IBxx; used 2 times
     let ibyy_minus_ibxx = IByy - IBxx;
     // -ibyy_minus_ibxx; used 2 times
     let ibyy_minus_ibxx_scaled = -ibyy_minus_ibxx;
-    // omega*ibyy_minus_ibxx_scaled; used 2 times
+    // omega*ibyy_minus_ibxx_scaled; used 3 times
     let omega_dot_by_phi_part_3 = omega * ibyy_minus_ibxx_scaled;
-    // sin_phi_cos_phi*omega_dot_by_phi_part_3; used 2 times
-    let omega_dot_by_phi_part_4 = sin_phi_cos_phi * omega_dot_by_phi_part_3;
-    // 2*omega_dot_by_phi_part_4; used 2 times
-    let omega_dot_by_phi_part_5 = S::int(2) * omega_dot_by_phi_part_4;
+    // alpha*omega_dot_by_phi_part_3; used 2 times
+    let omega_dot_by_phi_part_4 = alpha * omega_dot_by_phi_part_3;
+    // sin(phi)*cos(phi); used 3 times
+    let sin_phi_cos_phi = sin_phi * cos_phi;
+    // 2*sin_phi_cos_phi; used 2 times
+    let sin_phi_cos_phi_scaled = S::int(2) * sin_phi_cos_phi;
     // Elimination, step by step.
     // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) - IByy*sin(phi)*cos(phi))*(g*sin(theta)*(mA*lA + mB*lB)
     //   + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 +
     //   IByy*cos(phi)^2)^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
     let omega_dot_by_phi = -omega_dot_by_phi_part_2
-        * (alpha * omega_dot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq)
-            + omega_dot_by_phi_part * sin_phi_cos_phi * ibyy_minus_ibxx
-                * (alpha
+        * (omega_dot_by_phi_part_4 * (cos_phi_sq - sin_phi_sq)
+            + omega_dot_by_phi_part * ibyy_minus_ibxx * sin_phi_cos_phi
+                * (omega_dot_by_phi_part_4
                     .mul_add(
-                        omega_dot_by_phi_part_5,
+                        sin_phi_cos_phi_scaled,
                         omega_dot_by_theta_part_4 * sin_theta,
                     )));
     // Shared terms.
-    // 1/IBzz; used 2 times
-    let ibzz_inv = S::int(1) / IBzz;
+    // omega_dot_by_phi_part_3/IBzz; used 2 times
+    let alpha_dot_by_phi_part = omega_dot_by_phi_part_3 / IBzz;
     // Elimination, step by step.
-    // alpha_dot_by_phi = omega^2*(IBxx*(2*cos(phi)^2 - 1) + IByy*(1 - 2*cos(phi)^2))/IBzz
-    let alpha_dot_by_phi = omega * omega * ibyy_minus_ibxx * ibzz_inv
-        * ((-cos_phi_sq).mul_add(S::int(2), S::int(1)));
+    // alpha_dot_by_phi = omega^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
+    let alpha_dot_by_phi = omega * alpha_dot_by_phi_part
+        * (cos_phi_sq.mul_add(S::int(2), -S::int(1)));
+    // Shared terms.
+    // omega_dot_by_phi_part_2*sin_phi_cos_phi; used 2 times
+    let omega_dot_by_omega_part = omega_dot_by_phi_part_2 * sin_phi_cos_phi;
+    // Elimination, step by step.
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot_by_omega = -alpha * omega_dot_by_phi_part_2 * sin_phi_cos_phi
-        * ibyy_minus_ibxx_scaled;
+    let omega_dot_by_omega = -alpha * ibyy_minus_ibxx_scaled * omega_dot_by_omega_part;
     // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot_by_omega = omega_dot_by_phi_part_5 * ibzz_inv;
+    let alpha_dot_by_omega = sin_phi_cos_phi_scaled * alpha_dot_by_phi_part;
     // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot_by_alpha = -omega_dot_by_phi_part_2 * omega_dot_by_phi_part_4;
+    let omega_dot_by_alpha = -omega_dot_by_phi_part_3 * omega_dot_by_omega_part;
     // Entries that are not zero.
     // d(theta')/d(omega) = 1
     let theta_dot_by_omega_value = S::int(1);
@@ -308,14 +313,29 @@ impl<S: Scalar> System<S> for Kane {
         true
     }
     fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
-        q_dot.copy_from_slice(&of_q);
-        v_dot.copy_from_slice(&of_v);
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
@@ -346,6 +366,7 @@ impl<S: Scalar> System<S> for Kane {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }

@@ -58,6 +58,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) -> [S; 
 ///
 /// 26 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn accelerations<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 2],
@@ -92,6 +93,7 @@ pub fn accelerations<S: Scalar>(
 ///
 /// 26 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 2],
@@ -129,7 +131,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns theta, phi, theta', phi'.
 ///
-/// 54 operations, 2 sines and cosines.
+/// 51 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -170,49 +172,53 @@ pub fn jacobian<S: Scalar>(
     // 1/(theta_ddot_by_theta_part_3 + IBxx*sin_phi_sq); used 2 times
     let theta_ddot_by_phi_part = S::int(1)
         / (IBxx.mul_add(sin_phi_sq, theta_ddot_by_theta_part_3));
-    // 2*theta_ddot_by_phi_part; used 3 times
+    // 2*theta_ddot_by_phi_part; used 2 times
     let theta_ddot_by_phi_part_2 = S::int(2) * theta_ddot_by_phi_part;
-    // IByy - IBxx; used 3 times
-    let ibyy_minus_ibxx = IByy - IBxx;
     // sin(phi)*cos(phi); used 3 times
     let sin_phi_cos_phi = sin_phi * cos_phi;
+    // IByy - IBxx; used 2 times
+    let ibyy_minus_ibxx = IByy - IBxx;
     // -ibyy_minus_ibxx; used 2 times
     let ibyy_minus_ibxx_scaled = -ibyy_minus_ibxx;
-    // theta'*ibyy_minus_ibxx_scaled; used 2 times
+    // theta'*ibyy_minus_ibxx_scaled; used 3 times
     let theta_ddot_by_phi_part_3 = theta_dot * ibyy_minus_ibxx_scaled;
-    // sin_phi_cos_phi*theta_ddot_by_phi_part_3; used 2 times
-    let theta_ddot_by_phi_part_4 = sin_phi_cos_phi * theta_ddot_by_phi_part_3;
-    // 2*theta_ddot_by_phi_part_4; used 2 times
-    let theta_ddot_by_phi_part_5 = S::int(2) * theta_ddot_by_phi_part_4;
+    // phi'*theta_ddot_by_phi_part_3; used 2 times
+    let theta_ddot_by_phi_part_4 = phi_dot * theta_ddot_by_phi_part_3;
+    // 2*sin_phi_cos_phi; used 2 times
+    let sin_phi_cos_phi_scaled = S::int(2) * sin_phi_cos_phi;
     // Elimination, step by step.
     // theta_ddot_by_phi = 2*(IBxx*sin(phi)*cos(phi) - IByy*sin(phi)*cos(phi))*(g*sin(theta)*(mA*lA +
     //   mB*lB) + 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2
     //   + IByy*cos(phi)^2)^2 - 2*(theta'*phi'*sin(phi)^2*(IByy - IBxx) + theta'*phi'*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
     let theta_ddot_by_phi = -theta_ddot_by_phi_part_2
-        * (phi_dot * theta_ddot_by_phi_part_3 * (cos_phi_sq - sin_phi_sq)
-            + theta_ddot_by_phi_part * ibyy_minus_ibxx * sin_phi_cos_phi
-                * (phi_dot
+        * (theta_ddot_by_phi_part_4 * (cos_phi_sq - sin_phi_sq)
+            + theta_ddot_by_phi_part * sin_phi_cos_phi * ibyy_minus_ibxx
+                * (theta_ddot_by_phi_part_4
                     .mul_add(
-                        theta_ddot_by_phi_part_5,
+                        sin_phi_cos_phi_scaled,
                         theta_ddot_by_theta_part_4 * sin_theta,
                     )));
     // Shared terms.
-    // 1/IBzz; used 2 times
-    let ibzz_inv = S::int(1) / IBzz;
+    // theta_ddot_by_phi_part_3/IBzz; used 2 times
+    let phi_ddot_by_phi_part = theta_ddot_by_phi_part_3 / IBzz;
     // Elimination, step by step.
-    // phi_ddot_by_phi = theta'^2*(IBxx*(2*cos(phi)^2 - 1) + IByy*(1 - 2*cos(phi)^2))/IBzz
-    let phi_ddot_by_phi = theta_dot * theta_dot * ibyy_minus_ibxx * ibzz_inv
-        * ((-cos_phi_sq).mul_add(S::int(2), S::int(1)));
+    // phi_ddot_by_phi = theta'^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
+    let phi_ddot_by_phi = theta_dot * phi_ddot_by_phi_part
+        * (cos_phi_sq.mul_add(S::int(2), -S::int(1)));
+    // Shared terms.
+    // theta_ddot_by_phi_part_2*sin_phi_cos_phi; used 2 times
+    let theta_ddot_by_theta_dot_part = theta_ddot_by_phi_part_2 * sin_phi_cos_phi;
+    // Elimination, step by step.
     // theta_ddot_by_theta_dot = 2*phi'*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot_by_theta_dot = -phi_dot * theta_ddot_by_phi_part_2 * sin_phi_cos_phi
-        * ibyy_minus_ibxx_scaled;
+    let theta_ddot_by_theta_dot = -phi_dot * ibyy_minus_ibxx_scaled
+        * theta_ddot_by_theta_dot_part;
     // phi_ddot_by_theta_dot = 2*theta'*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let phi_ddot_by_theta_dot = theta_ddot_by_phi_part_5 * ibzz_inv;
+    let phi_ddot_by_theta_dot = sin_phi_cos_phi_scaled * phi_ddot_by_phi_part;
     // theta_ddot_by_phi_dot = 2*theta'*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot_by_phi_dot = -theta_ddot_by_phi_part_2 * theta_ddot_by_phi_part_4;
+    let theta_ddot_by_phi_dot = -theta_ddot_by_phi_part_3 * theta_ddot_by_theta_dot_part;
     // Entries that are not zero.
     // d(theta')/d(theta') = 1
     let theta_dot_by_theta_dot_value = S::int(1);
@@ -377,14 +383,29 @@ impl<S: Scalar> System<S> for Lagrange {
         true
     }
     fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
-        q_dot.copy_from_slice(&of_q);
-        v_dot.copy_from_slice(&of_v);
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
@@ -426,6 +447,7 @@ impl<S: Scalar> System<S> for Lagrange {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }

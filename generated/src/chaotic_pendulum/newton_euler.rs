@@ -158,6 +158,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 12] 
 ///
 /// 22 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
     let [theta, phi] = *q;
@@ -189,6 +190,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
 ///
 /// 22 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 2],
@@ -227,7 +229,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns theta, phi, omega, alpha.
 ///
-/// 54 operations, 2 sines and cosines.
+/// 49 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
@@ -238,61 +240,70 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
+    // cos(phi)^2; used 4 times
+    let cos_phi_sq = cos_phi * cos_phi;
     // mA*lA; used 2 times
     let ma_la = mA * lA;
     // mB*lB; used 2 times
     let mb_lb = mB * lB;
-    // IBxx - IByy; used 3 times
-    let ibxx_minus_ibyy = IBxx - IByy;
-    // cos(phi)^2; used 2 times
-    let cos_phi_sq = cos_phi * cos_phi;
-    // 1/(IAxx + IBxx + lA*ma_la + lB*mb_lb - ibxx_minus_ibyy*cos_phi_sq); used 3 times
+    // 1/(IAxx + IByy*cos_phi_sq + IBxx*(1 - cos_phi_sq) + lA*ma_la + lB*mb_lb); used 3 times
     let omega_dot_by_theta_part = S::int(1)
-        / (lA.mul_add(ma_la, IAxx + IBxx) + lB * mb_lb - ibxx_minus_ibyy * cos_phi_sq);
-    // g*omega_dot_by_theta_part*(ma_la + mb_lb); used 2 times
-    let omega_dot_by_theta_part_2 = g * omega_dot_by_theta_part * (ma_la + mb_lb);
+        / (IAxx + IByy * cos_phi_sq + IBxx * (S::int(1) - cos_phi_sq) + lA * ma_la
+            + lB * mb_lb);
+    // g*(ma_la + mb_lb); used 2 times
+    let omega_dot_by_theta_part_2 = g * (ma_la + mb_lb);
     // Elimination, step by step.
     // omega_dot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_theta = -omega_dot_by_theta_part_2 * cos_theta;
+    let omega_dot_by_theta = -omega_dot_by_theta_part * omega_dot_by_theta_part_2
+        * cos_theta;
     // Shared terms.
-    // 2*ibxx_minus_ibyy; used 3 times
-    let ibxx_minus_ibyy_scaled = S::int(2) * ibxx_minus_ibyy;
-    // omega*ibxx_minus_ibyy_scaled; used 4 times
-    let omega_dot_by_phi_part = omega * ibxx_minus_ibyy_scaled;
-    // omega_dot_by_theta_part*cos(phi); used 2 times
-    let omega_dot_by_phi_part_2 = omega_dot_by_theta_part * cos_phi;
-    // omega_dot_by_phi_part_2*sin(phi); used 3 times
-    let omega_dot_by_phi_part_3 = omega_dot_by_phi_part_2 * sin_phi;
-    // alpha*omega_dot_by_phi_part_3; used 2 times
-    let omega_dot_by_phi_part_4 = alpha * omega_dot_by_phi_part_3;
+    // 2*omega_dot_by_theta_part; used 2 times
+    let omega_dot_by_phi_part = S::int(2) * omega_dot_by_theta_part;
+    // IByy - IBxx; used 2 times
+    let ibyy_minus_ibxx = IByy - IBxx;
+    // -ibyy_minus_ibxx; used 2 times
+    let ibyy_minus_ibxx_scaled = -ibyy_minus_ibxx;
+    // omega*ibyy_minus_ibxx_scaled; used 3 times
+    let omega_dot_by_phi_part_2 = omega * ibyy_minus_ibxx_scaled;
+    // alpha*omega_dot_by_phi_part_2; used 2 times
+    let omega_dot_by_phi_part_3 = alpha * omega_dot_by_phi_part_2;
+    // sin(phi)*cos(phi); used 3 times
+    let sin_phi_cos_phi = sin_phi * cos_phi;
+    // 2*sin_phi_cos_phi; used 2 times
+    let sin_phi_cos_phi_scaled = S::int(2) * sin_phi_cos_phi;
+    // omega_dot_by_phi_part_3*(cos_phi_sq - sin(phi)^2)
+    let omega_dot_by_phi_part_4 = omega_dot_by_phi_part_3
+        * ((-sin_phi).mul_add(sin_phi, cos_phi_sq));
     // Elimination, step by step.
     // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) - IByy*sin(phi)*cos(phi))*(g*sin(theta)*(mA*lA + mB*lB)
     //   + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
     //   IBxx*(1 - cos(phi)^2))^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx -
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_phi = alpha * omega_dot_by_phi_part
-        * ((-omega_dot_by_phi_part_2)
-            .mul_add(cos_phi, omega_dot_by_theta_part * sin_phi * sin_phi))
-        + omega_dot_by_phi_part_3
-            * (S::int(4) * omega * omega_dot_by_phi_part_4
-                * (IBxx * ((-IByy).mul_add(S::int(2), IBxx)) + IByy * IByy)
-                + omega_dot_by_theta_part_2 * ibxx_minus_ibyy_scaled * sin_theta);
+    let omega_dot_by_phi = -omega_dot_by_phi_part
+        * (omega_dot_by_theta_part * ibyy_minus_ibxx * sin_phi_cos_phi
+            * (omega_dot_by_phi_part_3
+                .mul_add(sin_phi_cos_phi_scaled, omega_dot_by_theta_part_2 * sin_theta))
+            + omega_dot_by_phi_part_4);
     // Shared terms.
-    // 1/IBzz; used 2 times
-    let ibzz_inv = S::int(1) / IBzz;
+    // omega_dot_by_phi_part_2/IBzz; used 2 times
+    let alpha_dot_by_phi_part = omega_dot_by_phi_part_2 / IBzz;
     // Elimination, step by step.
-    // alpha_dot_by_phi = omega^2*(IBxx*(2*cos(phi)^2 - 1) + IByy*(1 - 2*cos(phi)^2))/IBzz
-    let alpha_dot_by_phi = omega * ibzz_inv
-        * ((-omega).mul_add(ibxx_minus_ibyy, cos_phi_sq * omega_dot_by_phi_part));
+    // alpha_dot_by_phi = omega^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
+    let alpha_dot_by_phi = omega * alpha_dot_by_phi_part
+        * (cos_phi_sq.mul_add(S::int(2), -S::int(1)));
+    // Shared terms.
+    // omega_dot_by_phi_part*sin_phi_cos_phi; used 2 times
+    let omega_dot_by_omega_part = omega_dot_by_phi_part * sin_phi_cos_phi;
+    // Elimination, step by step.
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_omega = -ibxx_minus_ibyy_scaled * omega_dot_by_phi_part_4;
+    let omega_dot_by_omega = -alpha * ibyy_minus_ibxx_scaled * omega_dot_by_omega_part;
     // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot_by_omega = omega_dot_by_phi_part * ibzz_inv * sin_phi * cos_phi;
+    let alpha_dot_by_omega = sin_phi_cos_phi_scaled * alpha_dot_by_phi_part;
     // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_alpha = -omega_dot_by_phi_part * omega_dot_by_phi_part_3;
+    let omega_dot_by_alpha = -omega_dot_by_phi_part_2 * omega_dot_by_omega_part;
     // Entries that are not zero.
     // d(theta')/d(omega) = 1
     let theta_dot_by_omega_value = S::int(1);
@@ -397,14 +408,29 @@ impl<S: Scalar> System<S> for NewtonEuler {
         true
     }
     fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
-        q_dot.copy_from_slice(&of_q);
-        v_dot.copy_from_slice(&of_v);
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
@@ -435,6 +461,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }

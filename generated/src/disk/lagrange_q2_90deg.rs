@@ -120,6 +120,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
 ///
 /// 39 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn accelerations<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 5],
@@ -175,6 +176,7 @@ pub fn accelerations<S: Scalar>(
 ///
 /// 39 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 5],
@@ -561,9 +563,9 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     let energy_part_3 = S::int(2) * q3_dot * (energy_part.mul_add(S::int(2), q3_dot))
         + q1_dot * q1_dot;
     // Values.
-    // T = M*(4*q4'^2 + 4*q5'^2 - R*(8*q2'*sin(q2_minus_90deg)*(q5'*cos(q1) - q4'*sin(q1)) +
+    // T = M*(4*q4'^2 - R*(8*q2'*sin(q2_minus_90deg)*(q5'*cos(q1) - q4'*sin(q1)) +
     //   8*q1'*cos(q2_minus_90deg)*(q4'*cos(q1) + q5'*sin(q1)) + R*(q1'*(q1'*(5*sin(q2_minus_90deg)^2 - 6) -
-    //   4*q3'*cos(q2_minus_90deg)) - 5*q2'^2 - 2*q3'^2)))/8
+    //   4*q3'*cos(q2_minus_90deg)) - 5*q2'^2 - 2*q3'^2)) + 4*q5'^2)/8
     let energy = S::ratio(1, 2) * M * (q5_dot.mul_add(q5_dot, q4_dot * q4_dot))
         + m_r
             * (q2_dot * sin_q2_minus_90deg * ((-q5_dot).mul_add(c1, q4_dot * s1))
@@ -715,14 +717,29 @@ impl<S: Scalar> System<S> for LagrangeQ290deg {
         true
     }
     fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
-        q_dot.copy_from_slice(&of_q);
-        v_dot.copy_from_slice(&of_v);
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
@@ -764,6 +781,7 @@ impl<S: Scalar> System<S> for LagrangeQ290deg {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }

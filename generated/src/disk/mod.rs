@@ -27,7 +27,7 @@ pub mod printed_listing_5_4;
 pub mod printed_listing_5_5;
 #[rustfmt::skip]
 pub mod printed_listing_5_6;
-use tripos_traits::{CompiledModel, CompiledSystem, Scalar};
+use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +46,7 @@ impl<S: Scalar> Parameters<S> {
     /// # Panics
     /// If `p` has fewer values than there are parameters.
     #[must_use]
+    #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self { M: p[0], R: p[1], g: p[2] }
     }
@@ -70,61 +71,75 @@ pub const MODEL: CompiledModel = CompiledModel {
             name: "kane",
             double: &kane::Kane,
             extended: &kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(kane::Kane))),
         },
         CompiledSystem {
             name: "kane@q2-90deg",
             double: &kane_q2_90deg::KaneQ290deg,
             extended: &kane_q2_90deg::KaneQ290deg,
+            lanes: Some(InLanes::of(&Derivative(kane_q2_90deg::KaneQ290deg))),
         },
         CompiledSystem {
             name: "lagrange",
             double: &lagrange::Lagrange,
             extended: &lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "lagrange@q2-90deg",
             double: &lagrange_q2_90deg::LagrangeQ290deg,
             extended: &lagrange_q2_90deg::LagrangeQ290deg,
+            lanes: Some(InLanes::of(&Derivative(lagrange_q2_90deg::LagrangeQ290deg))),
         },
         CompiledSystem {
             name: "newton-euler",
             double: &newton_euler::NewtonEuler,
             extended: &newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
         },
         CompiledSystem {
             name: "newton-euler@q2-90deg",
             double: &newton_euler_q2_90deg::NewtonEulerQ290deg,
             extended: &newton_euler_q2_90deg::NewtonEulerQ290deg,
+            lanes: Some(
+                InLanes::of(&Derivative(newton_euler_q2_90deg::NewtonEulerQ290deg)),
+            ),
         },
         CompiledSystem {
             name: "printed:kane-final",
             double: &printed_kane_final::PrintedKaneFinal,
             extended: &printed_kane_final::PrintedKaneFinal,
+            lanes: None,
         },
         CompiledSystem {
             name: "printed:lagrange-final",
             double: &printed_lagrange_final::PrintedLagrangeFinal,
             extended: &printed_lagrange_final::PrintedLagrangeFinal,
+            lanes: None,
         },
         CompiledSystem {
             name: "printed:newton-euler-final",
             double: &printed_newton_euler_final::PrintedNewtonEulerFinal,
             extended: &printed_newton_euler_final::PrintedNewtonEulerFinal,
+            lanes: None,
         },
         CompiledSystem {
             name: "printed:listing-5.4",
             double: &printed_listing_5_4::PrintedListing54,
             extended: &printed_listing_5_4::PrintedListing54,
+            lanes: None,
         },
         CompiledSystem {
             name: "printed:listing-5.5",
             double: &printed_listing_5_5::PrintedListing55,
             extended: &printed_listing_5_5::PrintedListing55,
+            lanes: None,
         },
         CompiledSystem {
             name: "printed:listing-5.6",
             double: &printed_listing_5_6::PrintedListing56,
             extended: &printed_listing_5_6::PrintedListing56,
+            lanes: None,
         },
     ],
 };

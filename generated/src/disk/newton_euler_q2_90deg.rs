@@ -123,6 +123,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
 ///
 /// 38 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { R, g, .. } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
@@ -175,6 +176,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
 ///
 /// 41 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 5],
@@ -651,14 +653,29 @@ impl<S: Scalar> System<S> for NewtonEulerQ290deg {
         true
     }
     fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
-        q_dot.copy_from_slice(&of_q);
-        v_dot.copy_from_slice(&of_v);
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
@@ -689,6 +706,7 @@ impl<S: Scalar> System<S> for NewtonEulerQ290deg {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }

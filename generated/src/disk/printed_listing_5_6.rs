@@ -221,6 +221,7 @@ impl<S: Scalar> System<S> for PrintedListing56 {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }

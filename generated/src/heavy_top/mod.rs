@@ -15,7 +15,7 @@ pub mod lagrange_q2_90deg;
 pub mod newton_euler;
 #[rustfmt::skip]
 pub mod newton_euler_q2_90deg;
-use tripos_traits::{CompiledModel, CompiledSystem, Scalar};
+use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +38,7 @@ impl<S: Scalar> Parameters<S> {
     /// # Panics
     /// If `p` has fewer values than there are parameters.
     #[must_use]
+    #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
             m: p[0],
@@ -68,31 +69,39 @@ pub const MODEL: CompiledModel = CompiledModel {
             name: "kane",
             double: &kane::Kane,
             extended: &kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(kane::Kane))),
         },
         CompiledSystem {
             name: "kane@q2-90deg",
             double: &kane_q2_90deg::KaneQ290deg,
             extended: &kane_q2_90deg::KaneQ290deg,
+            lanes: Some(InLanes::of(&Derivative(kane_q2_90deg::KaneQ290deg))),
         },
         CompiledSystem {
             name: "lagrange",
             double: &lagrange::Lagrange,
             extended: &lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "lagrange@q2-90deg",
             double: &lagrange_q2_90deg::LagrangeQ290deg,
             extended: &lagrange_q2_90deg::LagrangeQ290deg,
+            lanes: Some(InLanes::of(&Derivative(lagrange_q2_90deg::LagrangeQ290deg))),
         },
         CompiledSystem {
             name: "newton-euler",
             double: &newton_euler::NewtonEuler,
             extended: &newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
         },
         CompiledSystem {
             name: "newton-euler@q2-90deg",
             double: &newton_euler_q2_90deg::NewtonEulerQ290deg,
             extended: &newton_euler_q2_90deg::NewtonEulerQ290deg,
+            lanes: Some(
+                InLanes::of(&Derivative(newton_euler_q2_90deg::NewtonEulerQ290deg)),
+            ),
         },
     ],
 };

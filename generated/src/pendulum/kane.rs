@@ -44,6 +44,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [S; 1] 
 ///
 /// 3 operations, 1 sine and cosine.
 #[must_use]
+#[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [S; 1] {
     let Parameters { l, g, .. } = *p;
     let [theta] = *q;
@@ -59,6 +60,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [
 ///
 /// 3 operations, 1 sine and cosine.
 #[must_use]
+#[inline(always)]
 pub fn derivative<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 1],
@@ -181,14 +183,29 @@ impl<S: Scalar> System<S> for Kane {
         true
     }
     fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let (of_q, of_v) = derivative(&Parameters::from_slice(p), array(q), array(v));
-        q_dot.copy_from_slice(&of_q);
-        v_dot.copy_from_slice(&of_v);
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
@@ -219,6 +236,7 @@ impl<S: Scalar> System<S> for Kane {
     }
 }
 
+#[inline(always)]
 fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
     slice.try_into().expect("a slice of the length that System states")
 }
