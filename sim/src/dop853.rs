@@ -15,12 +15,12 @@ use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
 use crate::tolerance::ErrorTest;
 
 /// Stages of the step, its end, and three inside it.
-const STAGES: usize = 16;
+pub(crate) const STAGES: usize = 16;
 /// The row of the new point, and the stage that is evaluated there.
-const END: usize = 12;
+pub(crate) const END: usize = 12;
 
 /// Which stages a row uses, known at compile time, so that the others cost nothing.
-const USED: [[bool; STAGES]; STAGES] = {
+pub(crate) const USED: [[bool; STAGES]; STAGES] = {
     let mut used = [[false; STAGES]; STAGES];
     let mut i = 0;
     while i < STAGES {
@@ -29,7 +29,7 @@ const USED: [[bool; STAGES]; STAGES] = {
     }
     used
 };
-const USED_BY_ERROR: [bool; STAGES] = used_by(PUBLISHED.error5);
+pub(crate) const USED_BY_ERROR: [bool; STAGES] = used_by(PUBLISHED.error5);
 
 const fn used_by(row: Row) -> [bool; STAGES] {
     let mut used = [false; STAGES];
@@ -183,14 +183,21 @@ impl<S: Real> Dop853<S> {
             sum5 = from_fn(|l| sum5[l] + q5[l] * q5[l]);
             sum3 = from_fn(|l| sum3[l] + q3[l] * q3[l]);
         }
-        let (sum5, sum3): (f64, f64) = (sum5.iter().sum(), sum3.iter().sum());
-        let both = sum5 + 0.01 * sum3;
-        let both = if both > 0.0 { both } else { 1.0 };
-        let n = self.y.components().len().max(1) as f64;
-        let error = h.to_f64().abs() * sum5 / (both * n).sqrt();
-        // Sums that overflow belong to errors beyond any tolerance.
-        (finite, if error.is_nan() { f64::INFINITY } else { error })
+        let n = self.y.components().len();
+        (finite, error_of(h.to_f64(), sum5.iter().sum(), sum3.iter().sum(), n))
     }
+}
+
+/// The error of a step `h` of `n` components from the sums of the squares of their weighted differences:
+/// |h| e₅² / √(n (e₅² + 0.01 e₃²)).
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "also inside code for wider registers, lane by lane")]
+pub(crate) fn error_of(h: f64, sum5: f64, sum3: f64, n: usize) -> f64 {
+    let both = sum5 + 0.01 * sum3;
+    let both = if both > 0.0 { both } else { 1.0 };
+    let error = h.abs() * sum5 / (both * n.max(1) as f64).sqrt();
+    // Sums that overflow belong to errors beyond any tolerance.
+    if error.is_nan() { f64::INFINITY } else { error }
 }
 
 /// Σⱼ aⱼ kⱼ over the stages before `end` that are used, stage 0 always among them.

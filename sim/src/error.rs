@@ -50,6 +50,13 @@ pub enum SimError {
         /// The method's name.
         method: &'static str,
     },
+    /// One of many trajectories cannot be run.
+    Trajectory {
+        /// Its position in the list, from 0.
+        index: usize,
+        /// What is wrong with it.
+        error: Box<SimError>,
+    },
     /// An output time lies outside the span or before its predecessor.
     OutputTime {
         /// Its position in the list, from 0.
@@ -81,6 +88,7 @@ impl fmt::Display for SimError {
                      explicit method, such as dop853"
                 )
             }
+            Self::Trajectory { index, error } => write!(f, "trajectory {index}: {error}"),
             Self::OutputTime { index, t } => {
                 write!(f, "output time {index}, t = {t} s, lies outside the run or before the previous one")
             }

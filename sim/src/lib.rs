@@ -29,12 +29,15 @@
 //! their steps by the error; each of them and `rk4` also takes equal steps ([`Options::step`]). The state may be of any
 //! [`tripos_traits::Real`].
 //!
+//! Many trajectories of one set of equations are integrated faster together: [`batch`].
+//!
 //! Units are those of the equations, time in s. Absent on purpose: models. The crate knows
 //! equations by the trait [`tripos_traits::System`] ([`Dynamics`] joins one to the integrator) or
 //! as a closure.
 
 #![cfg_attr(test, allow(clippy::float_cmp, reason = "exact answers are compared exactly"))]
 
+pub mod batch;
 mod blocks;
 mod control;
 mod dop853;

@@ -25,6 +25,7 @@ pub(crate) enum Verdict {
 }
 
 /// The step that is being tried, and what the next ones depend on.
+#[derive(Clone)]
 pub(crate) struct Pace {
     pub(crate) t0: f64,
     t1: f64,
@@ -37,12 +38,14 @@ pub(crate) struct Pace {
     pub(crate) evaluations: u64,
 }
 
+#[derive(Clone)]
 enum Kind {
     /// The span is divided into this many equal steps.
     Equal(f64),
     Adaptive(Adaptive),
 }
 
+#[derive(Clone)]
 struct Adaptive {
     rules: Rules,
     control: Control,
@@ -83,22 +86,42 @@ impl Pace {
         S: Real,
         R: RightHandSide<S>,
     {
-        let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return };
+        if let Some(h) = self.first_size(y, slope, initial) {
+            let step = S::from_f64(h);
+            let probe: Vec<S> = y.iter().zip(slope).map(|(y, f)| *y + step * *f).collect();
+            let mut beyond = vec![S::from_f64(0.0); y.len()];
+            let known = evaluate(rhs, self.t0 + h, &probe, &mut beyond).is_ok();
+            self.correct_first_size(y, slope, h, known.then_some(&beyond));
+        }
+    }
+
+    /// The same up to where the rules ask for y' after a step of Euler's method: its signed size, in s, is returned then,
+    /// and [`Pace::correct_first_size`] must follow.
+    pub(crate) fn first_size<S: Real>(&mut self, y: &[S], slope: &[S], initial: Option<f64>) -> Option<f64> {
+        let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return None };
         let longest = adaptive.longest;
-        adaptive.size = match (initial, adaptive.rules) {
-            (Some(size), _) => size,
+        match (initial, adaptive.rules) {
+            (Some(size), _) => adaptive.size = size,
             (None, Rules::Ode45 { order }) => {
-                control::initial(test, order, longest, self.t0, test.slope_norm(slope, y))
+                adaptive.size = control::initial(test, order, longest, self.t0, test.slope_norm(slope, y));
             }
-            (None, Rules::Hairer { order, .. }) => {
-                self.evaluations += 1;
-                let norm = test.root_sum(slope, y);
-                let guess = control::first_guess(test.root_sum(y, y), norm, longest);
-                let h = guess * (self.t1 - self.t0).signum();
-                let curvature = curvature(rhs, (self.t0, h), y, slope, test);
-                curvature.map_or(guess, |c| control::second_guess(guess, norm, c, order, longest))
+            (None, Rules::Hairer { .. }) => {
+                adaptive.size = control::first_guess(test.root_sum(y, y), test.root_sum(slope, y), longest);
+                return Some(adaptive.size * (self.t1 - self.t0).signum());
             }
-        };
+        }
+        None
+    }
+
+    /// Chooses the size of the first step by y' `beyond` a step `h` of Euler's method; `None` if it has no value there.
+    pub(crate) fn correct_first_size<S: Real>(&mut self, y: &[S], slope: &[S], h: f64, beyond: Option<&Vec<S>>) {
+        self.evaluations += 1;
+        let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return };
+        let Rules::Hairer { order, .. } = adaptive.rules else { return };
+        if let Some(c) = beyond.and_then(|beyond| curvature(beyond, h, y, slope, test)) {
+            let norm = test.root_sum(slope, y);
+            adaptive.size = control::second_guess(adaptive.size, norm, c, order, adaptive.longest);
+        }
     }
 
     /// Chooses the first trial of the step that begins at `t`, after `done` accepted ones.
@@ -158,19 +181,9 @@ fn equal_steps(quotient: f64) -> f64 {
     if whole { nearest.max(1.0) } else { quotient.ceil() }
 }
 
-/// Norm of y'' from a step of Euler's method; `None` if f has no value at its end.
-fn curvature<S, R>(rhs: &mut R, (t, h): (f64, f64), y: &[S], slope: &[S], test: &ErrorTest) -> Option<f64>
-where
-    S: Real,
-    R: RightHandSide<S>,
-{
-    let step = S::from_f64(h);
-    let probe: Vec<S> = y.iter().zip(slope).map(|(y, f)| *y + step * *f).collect();
-    let mut change = vec![S::from_f64(0.0); y.len()];
-    evaluate(rhs, t + h, &probe, &mut change).ok()?;
-    for (c, f) in change.iter_mut().zip(slope) {
-        *c = *c - *f;
-    }
+/// Norm of y'' from y' at the start and `beyond` a step of Euler's method; `None` if it is not finite.
+fn curvature<S: Real>(beyond: &[S], h: f64, y: &[S], slope: &[S], test: &ErrorTest) -> Option<f64> {
+    let change: Vec<S> = beyond.iter().zip(slope).map(|(after, before)| *after - *before).collect();
     let curvature = test.root_sum(&change, y) / h.abs();
     (!same(h, 0.0) && curvature.is_finite()).then_some(curvature)
 }

@@ -169,24 +169,31 @@ impl ErrorTest {
         self.absolute.as_chunks().0
     }
 
-    /// 1 / weight of the components of a block in the mean square, given the absolute parts of the weights.
-    #[inline]
-    pub(crate) fn inverse_weights(
+    /// 1 / weight in the mean square of several numbers, given the absolute parts of their weights.
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "a few operations on arrays, also inside code for wider registers")]
+    pub(crate) fn inverse_weights<const L: usize>(
         &self,
-        absolute: &[f64; LANES],
-        y: &[f64; LANES],
-        y_new: &[f64; LANES],
-    ) -> [f64; LANES] {
-        let mut weights = [0.0; LANES];
-        for l in 0..LANES {
-            weights[l] = absolute[l] + self.relative * larger(y[l].abs(), y_new[l].abs());
+        absolute: &[f64; L],
+        y: &[f64; L],
+        y_new: &[f64; L],
+    ) -> [f64; L] {
+        let mut weights = [0.0; L];
+        for l in 0..L {
+            weights[l] = 1.0 / (absolute[l] + self.relative * larger(y[l].abs(), y_new[l].abs()));
         }
-        weights.map(|weight| 1.0 / weight)
+        weights
+    }
+
+    /// The part of the weight of each component that does not depend on |y|.
+    pub(crate) fn absolute(&self) -> &[f64] {
+        &self.absolute
     }
 }
 
 /// The larger of two numbers, in one instruction: `f64::max` has a rule for NaN, which takes three more.
-#[inline]
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "one instruction, also inside code for wider registers")]
 fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
