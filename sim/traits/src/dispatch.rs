@@ -12,7 +12,7 @@ pub fn lane_width() -> usize {
 /// The instructions that code is compiled for a second time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(not(all(feature = "std", target_arch = "x86_64")), allow(dead_code, reason = "nothing is looked for there"))]
-enum Level {
+pub(crate) enum Level {
     /// Those that the whole program is compiled for.
     Baseline,
     /// Registers of 256 bits, fused products.
@@ -57,7 +57,7 @@ fn avx2<R>(work: impl FnOnce() -> R) -> R {
 /// What the processor has, asked once.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[inline]
-fn level() -> Level {
+pub(crate) fn level() -> Level {
     use core::sync::atomic::{AtomicU8, Ordering::Relaxed};
     static KNOWN: AtomicU8 = AtomicU8::new(UNKNOWN);
     const UNKNOWN: u8 = 3;
@@ -91,6 +91,6 @@ fn level() -> Level {
 }
 
 #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
-fn level() -> Level {
+pub(crate) fn level() -> Level {
     Level::Baseline
 }

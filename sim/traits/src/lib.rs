@@ -21,6 +21,7 @@ mod dispatch;
 mod double_double;
 mod lanes;
 mod scalar;
+pub mod series;
 mod system;
 
 pub use dispatch::lane_width;

@@ -1,6 +1,7 @@
 //! The arithmetic that a generated function body needs.
 
 use crate::circular::{self, MulAdd};
+use crate::series::{self, Factors, Pair};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -79,6 +80,12 @@ pub trait Scalar:
     #[inline]
     fn dispatch<R>(work: impl FnOnce() -> R) -> R {
         work()
+    }
+    /// [`crate::series::pair_sums`] for this type. The numbers do not depend on the processor.
+    #[must_use]
+    #[inline]
+    fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {
+        series::sums::<Self, W, { series::LANES }>(history)
     }
     /// xⁿ by repeated multiplication; n may be negative.
     #[must_use]
@@ -178,6 +185,10 @@ macro_rules! float_scalar {
             #[inline]
             fn mul_add(self, a: Self, b: Self) -> Self {
                 <$type>::mul_add(self, a, b)
+            }
+            #[inline]
+            fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {
+                series::widest(history)
             }
             #[inline]
             fn abs(self) -> Self {

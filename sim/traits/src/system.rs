@@ -45,6 +45,24 @@ pub trait System<S: Scalar = f64> {
         out.fill(S::from_f64(f64::NAN));
     }
 
+    /// Whether the recurrences of the Taylor coefficients were generated, so that [`System::taylor`] has values. They
+    /// need eliminated accelerations without |x| and sign x, which have no Taylor series at 0.
+    fn has_taylor(&self) -> bool {
+        false
+    }
+    /// Length of the working space of [`System::taylor`] for this order.
+    fn taylor_work(&self, _order: usize) -> usize {
+        0
+    }
+    /// Taylor coefficients of the motion in time: (1/k!) dᵏ(q, v)/dtᵏ for k = 0 … `order`, row by row.
+    ///
+    /// `x` has (`order` + 1)(`coordinates` + `speeds`) entries and comes with the state (q, v) in its first row; `work` has
+    /// [`System::taylor_work`] entries with any contents.
+    fn taylor(&self, _p: &[S], _order: usize, x: &mut [S], _work: &mut [S]) {
+        let state = self.coordinates() + self.speeds();
+        x[state..].fill(S::from_f64(f64::NAN));
+    }
+
     /// q̇ = k(q, v); `out` has `coordinates` entries.
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
     /// A(q, v), row by row; `out` has `unknowns`² entries.

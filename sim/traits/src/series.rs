@@ -1,0 +1,123 @@
+//! Sums of products of Taylor coefficients: the part of the recurrences that grows with the order.
+//!
+//! Every operation that is not linear is a convolution Σ left_j right_{k−j}: of the factors of a product, of divisor and
+//! quotient, of j·a_j and cos a for sin a. Its terms with 0 < j < k have coefficients of lower orders only, so that those of all
+//! operations are summed at once, for two orders together, which halves what is read. The sums of one order stand side by
+//! side: there is no short loop and no sum across a vector register.
+
+use crate::Scalar;
+
+/// Left and right factors of one order of every convolution, `W` of them; a multiple of [`LANES`], padded with
+/// anything finite.
+pub type Factors<S, const W: usize> = [[S; W]; 2];
+
+/// Sums of two successive orders.
+pub type Pair<S, const W: usize> = [[S; W]; 2];
+
+/// What the number of convolutions is padded to a multiple of.
+pub const LANES: usize = 8;
+
+/// Bytes that a row of factors begins at a multiple of: a line of the cache, so that no vector register is filled from two.
+const LINE: usize = 64;
+
+/// Entries that [`rows`] may skip to find the beginning of a line.
+pub const SLACK: usize = LINE / 4;
+
+/// Working space as rows of factors, from the beginning of a line of the cache on if `work` begins at a multiple of the
+/// size of its entries.
+#[must_use]
+pub fn rows<S, const W: usize>(work: &mut [S]) -> &mut [Factors<S, W>] {
+    let skip = work.as_ptr().align_offset(LINE);
+    let skip = if skip <= SLACK.min(work.len()) { skip } else { 0 };
+    work[skip..].as_chunks_mut().0.as_chunks_mut().0
+}
+
+/// For k the length of the history, where `history[j]` holds the factors of order j: Σ left_j right_{k−j} over 0 < j < k,
+/// and Σ left_j right_{k+1−j} over 1 < j < k, for each convolution. The factors of order 0 are not read.
+#[inline]
+#[must_use]
+pub fn pair_sums<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
+    S::pair_sums(history)
+}
+
+/// [`pair_sums`], `BLOCK` sums at a time: as many as fit in registers twice, with as many factors. It is compiled for the
+/// vector instructions of its caller.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "a function that is called is compiled for what every processor has")]
+pub(crate) fn sums<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
+    let mut sums = [[S::from_f64(0.0); W]; 2];
+    let Some((_, history)) = history.split_first() else { return sums };
+    let mut at = 0;
+    while at + BLOCK <= W {
+        block::<S, W, BLOCK>(history, at, &mut sums);
+        at += BLOCK;
+    }
+    // A rest of three eighths of a long block is summed together too.
+    if BLOCK > 3 * LANES && at + 3 * LANES <= W {
+        block::<S, W, { 3 * LANES }>(history, at, &mut sums);
+        at += 3 * LANES;
+    }
+    if BLOCK > 2 * LANES && at + 2 * LANES <= W {
+        block::<S, W, { 2 * LANES }>(history, at, &mut sums);
+        at += 2 * LANES;
+    }
+    if at + LANES <= W {
+        block::<S, W, LANES>(history, at, &mut sums);
+    }
+    sums
+}
+
+/// The sums from `at` on, `N` of them.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "as above")]
+fn block<S: Scalar, const W: usize, const N: usize>(history: &[Factors<S, W>], at: usize, sums: &mut Pair<S, W>) {
+    let zero = [S::from_f64(0.0); N];
+    let (mut now, mut next) = (zero, zero);
+    // right_{k+1−j}, which order k has read one term earlier; at j = 1 it is not known yet.
+    let mut before = zero;
+    for ([left, _], [_, right]) in history.iter().zip(history.iter().rev()) {
+        let (Some(left), Some(right)) = (left[at..].first_chunk::<N>(), right[at..].first_chunk::<N>()) else { break };
+        for i in 0..N {
+            next[i] = left[i].mul_add(before[i], next[i]);
+        }
+        for i in 0..N {
+            now[i] = left[i].mul_add(right[i], now[i]);
+        }
+        before = *right;
+    }
+    sums[0][at..at + N].copy_from_slice(&now);
+    sums[1][at..at + N].copy_from_slice(&next);
+}
+
+/// Sums compiled for the widest vector registers that the processor has. The numbers are those of any processor: wider
+/// registers hold more of them, and nothing is fused that was not.
+#[inline]
+pub(crate) fn widest<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    {
+        use crate::dispatch::{Level, level};
+        #[allow(unsafe_code, reason = "called only where the processor has what it is compiled for")]
+        match level() {
+            // SAFETY: the level says that the features are there.
+            Level::Avx512 => return unsafe { with_avx512(history) },
+            // SAFETY: as above.
+            Level::Avx2 => return unsafe { with_avx2(history) },
+            Level::Baseline => {}
+        }
+    }
+    sums::<S, W, LANES>(history)
+}
+
+/// 32 registers of 8 doubles.
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx512f")]
+fn with_avx512<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
+    sums::<S, W, { 4 * LANES }>(history)
+}
+
+/// 16 registers of 4 doubles.
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx2")]
+fn with_avx2<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
+    sums::<S, W, { 2 * LANES }>(history)
+}
