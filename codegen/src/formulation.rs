@@ -3,6 +3,7 @@
 use crate::function::{Arguments, Function, Returns, Value, Writer};
 use crate::identifiers::{Variables, spelled, type_name};
 use crate::system;
+use crate::taylor::{self, Recurrences, recurrences};
 use crate::tokens::format;
 use quote::quote;
 use tripos_derive::algebra::elimination::Elimination;
@@ -19,6 +20,8 @@ pub struct Solved {
     pub accelerations: Elimination,
     /// ∂(q̇, v̇)/∂(q, v).
     pub jacobian: Jacobian,
+    /// The recurrences of the Taylor coefficients of (q, v); none where a function has no Taylor series.
+    pub recurrences: Option<Recurrences>,
 }
 
 impl Solved {
@@ -30,7 +33,10 @@ impl Solved {
         let mut simplifier = Simplifier::default();
         let accelerations = accelerations(arena, &mut simplifier, equations)?;
         let jacobian = jacobian(arena, &mut simplifier, equations, &accelerations);
-        Ok(Self { accelerations, jacobian })
+        let states = [equations.coordinates.as_slice(), &equations.variables].concat();
+        let rates = [&equations.coordinate_rates, &equations.unknowns[..equations.variables.len()]].concat();
+        let recurrences = recurrences(arena, &states, &rates, &accelerations.steps);
+        Ok(Self { accelerations, jacobian, recurrences })
     }
 }
 
@@ -49,12 +55,16 @@ pub fn file(model: &Model, origin: &str, arena: &Arena, equations: &Equations, s
         functions.extend(conversions(&writer));
     }
     let header = header(&writer, origin, &functions, solved);
+    let recurrences = solved.and_then(|solved| solved.recurrences.as_ref());
+    functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
-    let system = system::system(model, equations, solved.is_some());
+    let system = system::system(model, equations, solved.is_some(), recurrences.map(taylor::function::width));
+    let series = recurrences.map(taylor::function::imports);
     format(
         &header,
         quote! {
             use super::Parameters;
+            #series
             use tripos_traits::{Scalar, System};
             #(#functions)*
             #system

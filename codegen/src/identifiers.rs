@@ -22,6 +22,18 @@ impl Allocator {
         Self { taken: IN_SCOPE.iter().copied().chain([type_name]).map(str::to_owned).collect() }
     }
 
+    /// Whether a name was not given out yet.
+    pub fn is_free(&self, name: &str) -> bool {
+        !self.taken.contains(name)
+    }
+
+    /// Takes names back, to be given out once more.
+    pub fn release<'n>(&mut self, names: impl Iterator<Item = &'n String>) {
+        for name in names {
+            self.taken.remove(name);
+        }
+    }
+
     /// `wanted`, with an underscore behind it if that is a keyword, or with a number if it is taken.
     pub fn unique(&mut self, wanted: &str) -> String {
         let usable = syn::parse_str::<syn::Ident>(wanted).is_ok() && wanted != "_";

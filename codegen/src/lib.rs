@@ -12,6 +12,7 @@ mod module;
 mod origin;
 pub mod program;
 mod system;
+pub mod taylor;
 pub mod tokens;
 pub mod workspace;
 

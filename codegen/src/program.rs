@@ -234,7 +234,7 @@ fn first_needs(
 }
 
 /// Letters and digits of a formula as one word, if that is short enough.
-fn identifier(formula: &str, longest: usize) -> Option<String> {
+pub(crate) fn identifier(formula: &str, longest: usize) -> Option<String> {
     let spelled = formula.replace('-', "_minus_").replace('+', "_plus_").replace('/', "_by_");
     let words: Vec<&str> =
         spelled.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|w| !w.is_empty()).collect();
@@ -243,14 +243,14 @@ fn identifier(formula: &str, longest: usize) -> Option<String> {
 }
 
 /// Names given so far.
-struct Names {
-    allocator: Allocator,
-    circular: FxHashMap<Expr, (String, String)>,
+pub(crate) struct Names {
+    pub(crate) allocator: Allocator,
+    pub(crate) circular: FxHashMap<Expr, (String, String)>,
 }
 
 impl Names {
     /// The variables of an angle's sine and cosine: `s1`, `c1` for q1, `sin_theta`, `cos_theta` for others.
-    fn circular(&mut self, arena: &Arena, angle: Expr) -> (String, String) {
+    pub(crate) fn circular(&mut self, arena: &Arena, angle: Expr) -> (String, String) {
         if let Some(known) = self.circular.get(&angle) {
             return known.clone();
         }

@@ -5,8 +5,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::{Equations, Formulation, Model};
 
-/// The `System` that hands slices to the functions above.
-pub fn system(model: &Model, e: &Equations, eliminated: bool) -> TokenStream {
+/// The `System` that hands slices to the functions above; `taylor` is the room for convolutions, if there are recurrences.
+pub fn system(model: &Model, e: &Equations, eliminated: bool, taylor: Option<usize>) -> TokenStream {
     let name = format_ident!("{}", type_name(&e.name));
     let about = format!(" {} of this model as a [`System`].", e.title);
     let symmetric = e.symmetric;
@@ -65,6 +65,17 @@ pub fn system(model: &Model, e: &Equations, eliminated: bool) -> TokenStream {
     } else {
         TokenStream::new()
     };
+    let taylor = taylor.map(|width| {
+        let room = Literal::usize_unsuffixed(2 * width);
+        quote! {
+            fn has_taylor(&self) -> bool { true }
+            fn taylor_work(&self, order: usize) -> usize { #room * order + SLACK }
+            fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            }
+        }
+    });
     quote! {
         #[doc = #about]
         #[derive(Clone, Copy, Debug)]
@@ -86,6 +97,7 @@ pub fn system(model: &Model, e: &Equations, eliminated: bool) -> TokenStream {
                 out.copy_from_slice(&forcing(#state));
             }
             #eliminated
+            #taylor
             #conversions
             fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
                 kinetic_energy(#state)

@@ -1,0 +1,217 @@
+//! Other forms of a sum of products, in which fewer products of what changes in time are left.
+//!
+//! A sum is written out and common factors are taken out again, the most frequent one first: a multivariate Horner scheme.
+//! Which of several equally frequent factors goes first changes the count, so there are several forms to choose from.
+//! Every form is the same term by the rules of a commutative ring alone. Absent on purpose: trigonometric identities.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use tripos_derive::algebra::{Arena, Expr, Node, Rational};
+
+/// Products of a sum that is written out, above which it is left as it is.
+const LONGEST: usize = 200;
+/// Powers of sums up to here are written out.
+const HIGHEST: i32 = 3;
+
+/// Which of equally frequent factors is taken out first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Preference {
+    /// The one built first.
+    Early,
+    /// The one built last.
+    Late,
+    /// Functions, then others.
+    Functions,
+    /// States, then others.
+    Symbols,
+}
+
+impl Preference {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Early, Self::Late, Self::Functions, Self::Symbols];
+}
+
+/// coefficient · Π base^exponent, bases sorted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Monomial {
+    coefficient: Rational,
+    powers: Vec<(Expr, i32)>,
+}
+
+impl Monomial {
+    fn of(base: Expr, n: i32) -> Self {
+        Self { coefficient: Rational::ONE, powers: vec![(base, n)] }
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let mut powers = self.powers.clone();
+        for (base, n) in &other.powers {
+            match powers.iter_mut().find(|(known, _)| known == base) {
+                Some((_, sum)) => *sum += n,
+                None => powers.push((*base, *n)),
+            }
+        }
+        powers.retain(|(_, n)| *n != 0);
+        powers.sort_unstable();
+        Self { coefficient: self.coefficient.mul(&other.coefficient), powers }
+    }
+
+    /// The exponent of a base in the direction of a sign, not negative.
+    fn exponent(&self, (base, inverse): (Expr, bool)) -> i32 {
+        let found = self.powers.iter().find(|(known, _)| *known == base).map_or(0, |(_, n)| *n);
+        if inverse { (-found).max(0) } else { found.max(0) }
+    }
+}
+
+/// The forms of `e`, one for each preference that gives another; `varying` is what changes in time.
+pub fn forms(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr) -> Vec<Expr> {
+    let Some(sum) = written_out(arena, varying, e) else { return Vec::new() };
+    let mut list = Vec::new();
+    for preference in Preference::ALL {
+        let form = horner(arena, varying, sum.clone(), preference);
+        if form != e && !list.contains(&form) {
+            list.push(form);
+        }
+    }
+    list
+}
+
+/// The form of `e` by one preference; `e` itself where it is too long to be written out.
+pub fn form(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr, preference: Preference) -> Expr {
+    match written_out(arena, varying, e) {
+        Some(sum) => horner(arena, varying, sum, preference),
+        None => e,
+    }
+}
+
+/// `e` as a sum of products; `None` if it is too long. What does not change in time stays whole.
+fn written_out(arena: &Arena, varying: &FxHashSet<Expr>, e: Expr) -> Option<Vec<Monomial>> {
+    let mut known: FxHashMap<Expr, Vec<Monomial>> = FxHashMap::default();
+    for part in arena.reachable(&[e]) {
+        let sum = match arena.node(part) {
+            Node::Number(value) => vec![Monomial { coefficient: value.clone(), powers: Vec::new() }],
+            Node::Product(factors) => {
+                let mut product = vec![Monomial { coefficient: Rational::ONE, powers: Vec::new() }];
+                for (base, n) in factors {
+                    product = times_power(&product, &known[base], *base, *n)?;
+                }
+                product
+            }
+            Node::Sum(constant, terms) if varying.contains(&part) => {
+                let mut sum = vec![Monomial { coefficient: constant.clone(), powers: Vec::new() }];
+                for (term, k) in terms {
+                    sum.extend(known[term].iter().map(|m| Monomial { coefficient: m.coefficient.mul(k), ..m.clone() }));
+                }
+                collected(sum)
+            }
+            _ => vec![Monomial::of(part, 1)],
+        };
+        if sum.len() > LONGEST {
+            return None;
+        }
+        known.insert(part, sum);
+    }
+    known.remove(&e)
+}
+
+fn times_power(product: &[Monomial], inner: &[Monomial], base: Expr, n: i32) -> Option<Vec<Monomial>> {
+    let (factor, count) = match inner {
+        [one] => {
+            let powers = one.powers.iter().map(|(base, k)| (*base, k * n)).collect();
+            (vec![Monomial { coefficient: one.coefficient.pow(n)?, powers }], 1)
+        }
+        _ if (1..=HIGHEST).contains(&n) => (inner.to_vec(), n),
+        _ => (vec![Monomial::of(base, n)], 1),
+    };
+    let mut result = product.to_vec();
+    for _ in 0..count {
+        if result.len() * factor.len() > 4 * LONGEST {
+            return None;
+        }
+        result = collected(result.iter().flat_map(|a| factor.iter().map(|b| a.times(b))).collect());
+    }
+    Some(result)
+}
+
+/// Like products added, those with coefficient 0 left out.
+fn collected(sum: Vec<Monomial>) -> Vec<Monomial> {
+    let mut place: FxHashMap<Vec<(Expr, i32)>, usize> = FxHashMap::default();
+    let mut list: Vec<Monomial> = Vec::new();
+    for m in sum {
+        match place.get(&m.powers) {
+            Some(&at) => list[at].coefficient = list[at].coefficient.add(&m.coefficient),
+            None => {
+                place.insert(m.powers.clone(), list.len());
+                list.push(m);
+            }
+        }
+    }
+    list.retain(|m| !m.coefficient.is_zero());
+    list
+}
+
+/// The sum with common factors taken out. Nested no deeper than the longest sum is long.
+fn horner(arena: &mut Arena, varying: &FxHashSet<Expr>, mut sum: Vec<Monomial>, preference: Preference) -> Expr {
+    let common = common_factor(&sum);
+    let mut terms = Vec::new();
+    take_out(&mut sum, &common);
+    while let Some(factor) = most_frequent(arena, varying, &sum, preference) {
+        let (mut with, without): (Vec<Monomial>, Vec<Monomial>) = sum.into_iter().partition(|m| m.exponent(factor) > 0);
+        let n = with.iter().map(|m| m.exponent(factor)).min().unwrap_or(1);
+        let power = [(factor.0, if factor.1 { -n } else { n })];
+        take_out(&mut with, &power);
+        let inner = horner(arena, varying, with, preference);
+        let power = arena.pow(factor.0, power[0].1).expect("a divisor is not 0");
+        terms.push(arena.mul(power, inner));
+        sum = without;
+    }
+    for m in sum {
+        let product = arena.try_product(&m.powers).expect("divisors are not 0");
+        terms.push(arena.scale(product, &m.coefficient));
+    }
+    let sum = arena.sum(&terms);
+    let common = arena.try_product(&common).expect("divisors are not 0");
+    arena.mul(common, sum)
+}
+
+/// What all products of a sum have in common.
+fn common_factor(sum: &[Monomial]) -> Vec<(Expr, i32)> {
+    let Some(first) = sum.first().filter(|_| sum.len() > 1) else { return Vec::new() };
+    let least = |&(base, n): &(Expr, i32)| {
+        let least = sum.iter().map(|m| m.exponent((base, n < 0))).min().unwrap_or(0);
+        (base, if n < 0 { -least } else { least })
+    };
+    first.powers.iter().map(least).filter(|(_, n)| *n != 0).collect()
+}
+
+fn take_out(sum: &mut [Monomial], factor: &[(Expr, i32)]) {
+    let inverse = Monomial { coefficient: Rational::ONE, powers: factor.iter().map(|(base, n)| (*base, -n)).collect() };
+    for m in sum {
+        *m = m.times(&inverse);
+    }
+}
+
+/// The factor that changes in time and that most products have, if two or more have it.
+fn most_frequent(
+    arena: &Arena,
+    varying: &FxHashSet<Expr>,
+    sum: &[Monomial],
+    preference: Preference,
+) -> Option<(Expr, bool)> {
+    let mut counts: FxHashMap<(Expr, bool), usize> = FxHashMap::default();
+    for (base, n) in sum.iter().flat_map(|m| &m.powers).filter(|(base, _)| varying.contains(base)) {
+        *counts.entry((*base, *n < 0)).or_default() += 1;
+    }
+    let rank = |base: Expr| {
+        let (function, symbol) =
+            (matches!(arena.node(base), Node::Apply(..)), matches!(arena.node(base), Node::Symbol(_)));
+        let place = i64::try_from(base.index()).unwrap_or(i64::MAX);
+        match preference {
+            Preference::Early => (false, -place),
+            Preference::Late => (false, place),
+            Preference::Functions => (function, -place),
+            Preference::Symbols => (symbol, -place),
+        }
+    };
+    let often = counts.into_iter().filter(|(_, count)| *count > 1);
+    often.max_by_key(|((base, inverse), count)| (*count, rank(*base), *inverse)).map(|(factor, _)| factor)
+}

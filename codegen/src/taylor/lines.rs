@@ -1,0 +1,344 @@
+//! The statements of a function `taylor`: order 0, order 1, and the loop over the others.
+
+use super::function::width;
+use super::recurrences::{Operand, Rule};
+use super::text::Text;
+use crate::tokens::comment;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+use rustc_hash::FxHashMap;
+use tripos_derive::algebra::{Expr, Function as Elementary};
+
+/// Which coefficients a line is for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Stage {
+    /// Order 1, where no convolution has inner terms.
+    One,
+    /// Order k.
+    Later,
+}
+
+impl Text<'_> {
+    /// Σ weight · value + constant, what is known late added late.
+    fn linear(
+        &self,
+        constant: Option<Expr>,
+        terms: &[(Expr, usize)],
+        value: impl Fn(usize) -> TokenStream,
+    ) -> TokenStream {
+        let mut sorted = terms.to_vec();
+        sorted.sort_by_key(|(weight, x)| (self.depths[*x], *weight == Expr::MINUS_ONE));
+        let mut sum = constant.filter(|c| *c != Expr::ZERO).map(|c| self.weight(c));
+        for (weight, x) in sorted {
+            let x = value(x);
+            sum = Some(match (sum, weight) {
+                (None, Expr::ONE) => x,
+                (None, Expr::MINUS_ONE) => quote!(-#x),
+                (None, _) => {
+                    let weight = self.weight(weight);
+                    quote!(#weight * #x)
+                }
+                (Some(sum), Expr::ONE) => quote!(#sum + #x),
+                (Some(sum), Expr::MINUS_ONE) => quote!(#sum - #x),
+                (Some(sum), _) => {
+                    let weight = self.weight(weight);
+                    quote!(#x.mul_add(#weight, #sum))
+                }
+            });
+        }
+        sum.unwrap_or_else(|| quote!(S::int(0)))
+    }
+
+    /// All series at order 0, and the first rates.
+    pub(super) fn start(&self) -> TokenStream {
+        let mut tokens = comment("Order 0.");
+        let mut angles: Vec<usize> = Vec::new();
+        for (at, s) in self.list.series.iter().enumerate() {
+            let z = self.first(at);
+            let equation = comment(&self.equation(at));
+            let value = match &s.rule {
+                Rule::State(_) => TokenStream::new(),
+                Rule::Linear { constant, terms } => {
+                    let sum = self.linear(Some(*constant), terms, |x| self.first(x));
+                    quote!(#equation let #z = #sum;)
+                }
+                Rule::Product(x, y) => {
+                    let (x, y) = (self.first(*x), self.first(*y));
+                    quote!(#equation let #z = #x * #y;)
+                }
+                Rule::Quotient(x, y) => {
+                    let over = self.over(*y);
+                    match x {
+                        Some(x) => {
+                            let x = self.first(*x);
+                            quote!(#equation let #z = #x * #over;)
+                        }
+                        None => quote!(#equation let #z = #over;),
+                    }
+                }
+                Rule::Root(x) => {
+                    let x = self.first(*x);
+                    quote!(#equation let #z = #x.sqrt();)
+                }
+                Rule::Forward { value: Elementary::Sin | Elementary::Cos, of, .. } => {
+                    if angles.contains(of) {
+                        TokenStream::new()
+                    } else {
+                        self.circle(*of, &mut angles)
+                    }
+                }
+                Rule::Forward { value, of, .. } | Rule::Backward { value, of, .. } => {
+                    let x = self.first(*of);
+                    let method = format_ident!("{}", if *value == Elementary::Log { "ln" } else { value.name() });
+                    quote!(#equation let #z = #x.#method();)
+                }
+            };
+            tokens.extend(value);
+            if let Some(name) = self.over.get(&at) {
+                let name = format_ident!("{name}");
+                let twice = matches!(s.rule, Rule::Root(_));
+                let divisor = if twice { quote!((#z + #z)) } else { quote!(#z) };
+                tokens.extend(quote!(let #name = S::int(1) / #divisor;));
+            }
+        }
+        tokens
+    }
+
+    /// Sine and cosine at order 0.
+    fn circle(&self, of: usize, angles: &mut Vec<usize>) -> TokenStream {
+        angles.push(of);
+        let place = |f: Elementary| {
+            let found = self
+                .list
+                .series
+                .iter()
+                .position(|s| matches!(s.rule, Rule::Forward { value, of: x, .. } if value == f && x == of));
+            found.map_or_else(|| quote!(_), |at| self.first(at))
+        };
+        let (sine, cosine, angle) = (place(Elementary::Sin), place(Elementary::Cos), self.first(of));
+        quote!(let (#sine, #cosine) = #angle.sin_cos();)
+    }
+
+    /// Order 1, and the loop over the others.
+    pub(super) fn orders(&self) -> TokenStream {
+        let list = self.list;
+        let mut rates = [TokenStream::new(), TokenStream::new(), TokenStream::new()];
+        let mut states = TokenStream::new();
+        for (&at, name) in sorted(&self.rates) {
+            let Rule::State(place) = list.series[at].rule else { continue };
+            let (rate, z, z_1) = (format_ident!("{name}"), self.now(at), self.at_one(at));
+            let (at_start, at_one, next) = match list.rates[place] {
+                Operand::Constant(e) => (self.weight(e), quote!(S::int(0)), quote!(S::int(0))),
+                Operand::Scaled(weight, x) => {
+                    let term = [(weight, x)];
+                    let value = |of: &dyn Fn(usize) -> TokenStream| self.linear(None, &term, of);
+                    (value(&|x| self.first(x)), value(&|x| self.at_one(x)), value(&|x| self.now(x)))
+                }
+            };
+            rates[0].extend(quote!(let #z_1 = #at_start;));
+            rates[1].extend(quote!(let mut #rate = #at_one;));
+            rates[2].extend(quote!(#rate = #next;));
+            states.extend(quote!(let #z = #rate * over_k;));
+        }
+        let row = |name: &dyn Fn(usize) -> TokenStream| {
+            let entries = list.states.iter().enumerate().map(|(place, _)| {
+                let found = list.series.iter().position(|s| s.rule == Rule::State(place));
+                found.map_or_else(|| quote!(S::int(0)), name)
+            });
+            quote!([#(#entries),*])
+        };
+        let (row_1, row_k) = (row(&|at| self.at_one(at)), row(&|at| self.now(at)));
+        let [rates_0, rates_1, rates_k] = rates;
+        let one = (0..list.series.len()).map(|at| self.coefficient(at, Stage::One));
+        let later = (0..list.series.len()).map(|at| self.coefficient(at, Stage::Later));
+        let [ends, sums, history, kept] = self.history();
+        let heading_1 = comment("Order 1: the rates, and what follows from them.");
+        let heading_rates = comment("Rates at order k - 1.");
+        let heading_k =
+            comment("Order k, from lower orders: the states, over k since they are integrals, and what follows.");
+        quote! {
+            #heading_1
+            #rates_0
+            if x.len() > 1 {
+                x[1] = #row_1;
+            }
+            #(#one)*
+            #ends
+            #heading_rates
+            #rates_1
+            for k in 2..x.len() {
+                let over_k = S::ratio(1, k as i64);
+                #heading_k
+                #states
+                x[k] = #row_k;
+                if k + 1 == x.len() {
+                    break;
+                }
+                #sums
+                #(#later)*
+                #rates_k
+                #history
+                #kept
+            }
+        }
+    }
+
+    /// The left and right factors of the convolution of a series, and whether the left one is j times a coefficient.
+    fn factors(&self, at: usize) -> Option<(usize, usize, bool)> {
+        match self.list.series[at].rule {
+            Rule::Product(x, y) => Some((x, y, false)),
+            Rule::Quotient(_, y) => Some((y, at, false)),
+            Rule::Root(_) => Some((at, at, false)),
+            Rule::Forward { of, slope, .. } => Some((of, slope, true)),
+            Rule::Backward { slope, .. } => Some((at, slope, true)),
+            Rule::State(_) | Rule::Linear { .. } => None,
+        }
+    }
+
+    /// What is kept of an order: what the first sums begin with, the sums of the next order, the factors of the
+    /// convolutions, and the coefficients that the next order reads.
+    fn history(&self) -> [TokenStream; 4] {
+        if self.slots.is_empty() {
+            return Default::default();
+        }
+        let mut counted = TokenStream::new();
+        let mut factors: [Vec<TokenStream>; 2] = [Vec::new(), Vec::new()];
+        let mut ends = Vec::new();
+        let (mut before, mut after) = (TokenStream::new(), TokenStream::new());
+        let mut read: Vec<usize> = Vec::new();
+        let mut first: [Vec<TokenStream>; 2] = [Vec::new(), Vec::new()];
+        for at in (0..self.list.series.len()).filter(|at| self.slots.contains_key(at)) {
+            let Some((left, right, weighted)) = self.factors(at) else { continue };
+            ends.push(self.ends(at));
+            read.extend([left, right]);
+            first[0].push(self.at_one(left));
+            first[1].push(self.at_one(right));
+            let (left, right) = (self.now(left), self.now(right));
+            factors[0].push(if weighted { quote!(count * #left) } else { left });
+            factors[1].push(right);
+            if weighted && counted.is_empty() {
+                counted = quote!(let count = S::int(k as i64););
+                before.extend(quote!(let mut count_last = S::int(1);));
+                after.extend(quote!(count_last = count;));
+            }
+        }
+        read.sort_unstable();
+        read.dedup();
+        for at in read {
+            let (last, one, now) = (self.last(at), self.at_one(at), self.now(at));
+            before.extend(quote!(let mut #last = #one;));
+            after.extend(quote!(#last = #now;));
+        }
+        let padding = width(self.list) - self.slots.len();
+        let width = Literal::usize_unsuffixed(width(self.list));
+        let pad = |mut list: Vec<TokenStream>| {
+            list.extend(std::iter::repeat_n(quote!(S::int(0)), padding));
+            quote!([#(#list),*])
+        };
+        let [left, right] = factors.map(pad);
+        let [left_1, right_1] = first.map(pad);
+        let ends = pad(ends);
+        let pair =
+            comment("All convolutions of order k, and of order k + 1 but for the terms with coefficients of order k.");
+        let added = comment("Those terms, which also have coefficients of order 1.");
+        let kept = comment("Factors of the convolutions: left, right.");
+        [
+            quote! {
+                if x.len() > 2 {
+                    #kept
+                    work[1] = [#left_1, #right_1];
+                }
+                #before
+                let mut next = [S::int(0); #width];
+            },
+            quote! {
+                #counted
+                let sums = if k % 2 == 0 {
+                    #pair
+                    let pair = pair_sums(&work[..k]);
+                    next = pair[1];
+                    pair[0]
+                } else {
+                    #added
+                    #ends
+                };
+            },
+            quote!(#kept work[k] = [#left, #right];),
+            quote!(#after),
+        ]
+    }
+
+    /// The convolution of a series at an odd order k, its terms with coefficients of orders 1 and k − 1 added.
+    fn ends(&self, at: usize) -> TokenStream {
+        let Some((left, right, weighted)) = self.factors(at) else { return TokenStream::new() };
+        let slot = Literal::usize_unsuffixed(self.slots[&at]);
+        let [left_1, right_1] = [left, right].map(|x| self.at_one(x));
+        let [left_last, right_last] = [left, right].map(|x| self.last(x));
+        if left == right {
+            return quote!((#left_1 + #left_1).mul_add(#left_last, next[#slot]));
+        }
+        let left_last = if weighted { quote!((count_last * #left_last)) } else { left_last };
+        quote!(#left_1.mul_add(#right_last, #left_last.mul_add(#right_1, next[#slot])))
+    }
+
+    /// The line of one series at order 1, or at order k.
+    fn coefficient(&self, at: usize, stage: Stage) -> TokenStream {
+        let name = |x: usize| if stage == Stage::One { self.at_one(x) } else { self.now(x) };
+        let z = name(at);
+        let one = stage == Stage::One;
+        let sum = self.slots.get(&at).map(|slot| {
+            let slot = Literal::usize_unsuffixed(*slot);
+            quote!(sums[#slot])
+        });
+        let value = match &self.list.series[at].rule {
+            Rule::State(_) => return TokenStream::new(),
+            Rule::Linear { terms, .. } => self.linear(None, terms, name),
+            Rule::Product(x, y) if x == y => {
+                let (first, now) = (self.first(*x), name(*x));
+                if one { quote!(#now * (#first + #first)) } else { quote!(#now.mul_add(#first + #first, #sum)) }
+            }
+            Rule::Product(x, y) => {
+                let (early, late) = if self.depths[*x] <= self.depths[*y] { (x, y) } else { (y, x) };
+                let (early_0, early_k) = (self.first(*early), name(*early));
+                let (late_0, late_k) = (self.first(*late), name(*late));
+                let rest = if one { quote!(#early_k * #late_0) } else { quote!(#early_k.mul_add(#late_0, #sum)) };
+                quote!(#late_k.mul_add(#early_0, #rest))
+            }
+            Rule::Quotient(x, y) => {
+                let (z_0, y_k, over) = (self.first(at), name(*y), self.over(*y));
+                let x_k = x.map(name);
+                match (x_k, one) {
+                    (Some(x_k), false) if x.is_some_and(|x| self.depths[x] > self.depths[*y]) => {
+                        quote!(#x_k.mul_add(#over, -(#y_k.mul_add(#z_0, #sum) * #over)))
+                    }
+                    (Some(x_k), false) => quote!(#y_k.mul_add(-(#z_0 * #over), (#x_k - #sum) * #over)),
+                    (None, false) => quote!(#y_k.mul_add(-(#z_0 * #over), -(#sum * #over))),
+                    (Some(x_k), true) => quote!(#y_k.mul_add(-(#z_0 * #over), #x_k * #over)),
+                    (None, true) => quote!(-#y_k * (#z_0 * #over)),
+                }
+            }
+            Rule::Root(x) => {
+                let (x_k, over) = (name(*x), self.over(at));
+                if one { quote!(#x_k * #over) } else { quote!((#x_k - #sum) * #over) }
+            }
+            Rule::Forward { of, slope, negative, .. } => {
+                let (x_k, w_0) = (name(*of), self.first(*slope));
+                let sign = if *negative { quote!(-) } else { TokenStream::new() };
+                if one { quote!(#sign #x_k * #w_0) } else { quote!(#sign #x_k.mul_add(#w_0, #sum * over_k)) }
+            }
+            Rule::Backward { of, slope, negative, .. } => {
+                let (x_k, over) = (name(*of), self.over(*slope));
+                let x_k = if *negative { quote!(-#x_k) } else { x_k };
+                if one { quote!(#x_k * #over) } else { quote!((#x_k - #sum * over_k) * #over) }
+            }
+        };
+        let equation = if one { TokenStream::new() } else { comment(&self.equation(at)) };
+        quote!(#equation let #z = #value;)
+    }
+}
+
+fn sorted(map: &FxHashMap<usize, String>) -> Vec<(&usize, &String)> {
+    let mut list: Vec<_> = map.iter().collect();
+    list.sort();
+    list
+}

@@ -1,0 +1,85 @@
+//! Recurrences of the Taylor coefficients of a motion: automatic differentiation in time of the program that computes
+//! the derivative of the state.
+//!
+//! The flow: steps and rates → a form with few products of what changes in time ([`factor`]) → one operation at a time
+//! ([`lower`], products shared by [`products`]) → [`Recurrences`] → Rust text ([`function`]), or interpretation
+//! ([`Tape`]). What is linear costs an operation an order; every other operation is a convolution, so convolutions
+//! are what is counted. The recurrences are those of A. Jorba & M. Zou, "A software package for the numerical integration of
+//! ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117, §2.
+
+mod factor;
+pub mod function;
+mod lines;
+mod lower;
+mod products;
+mod recurrences;
+mod tape;
+mod text;
+
+pub use recurrences::{Constant, Operand, Recurrences, Rule, Series};
+pub use tape::Tape;
+
+use tripos_derive::algebra::elimination::{Definition, needed};
+use tripos_derive::algebra::{Arena, Expr};
+
+/// Rounds of improvement. Each form of each expression is tried in each.
+const ROUNDS: usize = 3;
+/// Expressions times their forms above which forms are not tried one by one.
+const MOST_TRIALS: usize = 150;
+
+/// The recurrences of the states whose rates are given in terms of states, parameters and steps. `None` if a function in
+/// them has no Taylor series everywhere: |x| and sign x.
+#[must_use]
+pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> Option<Recurrences> {
+    let mut steps = needed(arena, steps, rates);
+    let mut rates = rates.to_vec();
+    let mut best = lower::lower(arena, states, &rates, &steps)?;
+    let varying = lower::varying(arena, states, &rates, &steps);
+    let mut together = Vec::new();
+    let count = steps.len() + rates.len();
+    let of = |steps: &[Definition], rates: &[Expr], at: usize| match steps.get(at) {
+        Some(step) => step.value,
+        None => rates[at - steps.len()],
+    };
+    let choices: Vec<Vec<Expr>> = (0..count).map(|at| factor::forms(arena, &varying, of(&steps, &rates, at))).collect();
+    // Forms that only together save something are found together, by preference.
+    for preference in factor::Preference::ALL {
+        let mut form = |e: Expr| factor::form(arena, &varying, e, preference);
+        let new_steps: Vec<Definition> = steps.iter().map(|s| Definition { value: form(s.value), ..*s }).collect();
+        let new_rates: Vec<Expr> = rates.iter().map(|e| form(*e)).collect();
+        together.push((new_steps, new_rates));
+    }
+    for (new_steps, new_rates) in together {
+        let Some(found) = lower::lower(arena, states, &new_rates, &new_steps) else { continue };
+        if cost(&found) < cost(&best) {
+            (best, steps, rates) = (found, new_steps, new_rates);
+        }
+    }
+    let trials: usize = choices.iter().map(Vec::len).sum();
+    let rounds = if trials > MOST_TRIALS { 1 } else { ROUNDS };
+    for _ in 0..rounds {
+        let before = cost(&best);
+        for (at, forms) in choices.iter().enumerate() {
+            for form in std::iter::once(of(&steps, &rates, at)).chain(forms.iter().copied()).collect::<Vec<_>>() {
+                let (mut new_steps, mut new_rates) = (steps.clone(), rates.clone());
+                match new_steps.get_mut(at) {
+                    Some(step) => step.value = form,
+                    None => new_rates[at - steps.len()] = form,
+                }
+                let Some(found) = lower::lower(arena, states, &new_rates, &new_steps) else { continue };
+                if cost(&found) < cost(&best) {
+                    (best, steps, rates) = (found, new_steps, new_rates);
+                }
+            }
+        }
+        if cost(&best) == before {
+            break;
+        }
+    }
+    Some(best)
+}
+
+/// Convolutions, then linear operations.
+fn cost(list: &Recurrences) -> (usize, usize) {
+    (list.convolutions(), list.linear_operations())
+}
