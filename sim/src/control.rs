@@ -24,6 +24,8 @@ pub(crate) enum Rules {
         /// Sizes follow the root of this degree.
         order: u32,
     },
+    /// The method proposes each size; a step that fails is halved.
+    Proposed,
     /// Those of `dopri5` and `dop853`, with the stabilization of Lund and Gustafsson: E. Hairer, S. P. Nørsett & G.
     /// Wanner, *Solving Ordinary Differential Equations I* (1993), §II.4 and §IV.2 of volume II.
     Hairer {
@@ -49,7 +51,7 @@ impl Rules {
     pub(crate) fn longest_part(self) -> f64 {
         match self {
             Self::Ode45 { .. } => 0.1,
-            Self::Hairer { .. } => 1.0,
+            Self::Hairer { .. } | Self::Proposed => 1.0,
         }
     }
 
@@ -57,7 +59,7 @@ impl Rules {
     pub(crate) fn stretch(self) -> f64 {
         match self {
             Self::Ode45 { .. } => 1.1,
-            Self::Hairer { .. } => 1.01,
+            Self::Hairer { .. } | Self::Proposed => 1.01,
         }
     }
 }
@@ -82,6 +84,7 @@ impl Control {
     pub(crate) fn after_success(&mut self, size: f64, error: f64) -> f64 {
         let failed = std::mem::replace(&mut self.failed, false);
         match self.rules {
+            Rules::Proposed => size,
             Rules::Ode45 { .. } if failed => size,
             Rules::Ode45 { order } => {
                 let shrink = 1.25 * root(error / self.tolerance, order);

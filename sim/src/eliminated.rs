@@ -11,6 +11,8 @@ use crate::rhs::RightHandSide;
 pub struct Eliminated<'a, S: Real = f64> {
     system: &'a dyn System<S>,
     parameters: Vec<S>,
+    /// Working space of the Taylor coefficients.
+    work: Vec<S>,
 }
 
 impl<'a, S: Real> Eliminated<'a, S> {
@@ -18,7 +20,7 @@ impl<'a, S: Real> Eliminated<'a, S> {
     #[must_use]
     pub fn new(system: &'a dyn System<S>, parameters: &[S]) -> Option<Self> {
         let fits = parameters.len() == system.parameters();
-        (system.has_accelerations() && fits).then(|| Self { system, parameters: parameters.to_vec() })
+        (system.has_accelerations() && fits).then(|| Self { system, parameters: parameters.to_vec(), work: Vec::new() })
     }
 }
 
@@ -35,5 +37,17 @@ impl<S: Real> RightHandSide<S> for Eliminated<'_, S> {
         let (q, v) = y.split_at(self.system.coordinates());
         self.system.jacobian(&self.parameters, q, v, out);
         Some(Ok(()))
+    }
+
+    #[inline]
+    fn taylor(&mut self, _t: f64, order: usize, x: &mut [S]) -> Option<Result<(), Failure>> {
+        let room = self.system.taylor_work(order);
+        if self.work.len() < room {
+            self.work.resize(room, S::from_f64(0.0));
+        }
+        self.system.has_taylor().then(|| {
+            self.system.taylor(&self.parameters, order, x, &mut self.work);
+            Ok(())
+        })
     }
 }

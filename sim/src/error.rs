@@ -57,6 +57,11 @@ pub enum SimError {
         /// What is wrong with it.
         error: Box<SimError>,
     },
+    /// A method that needs Taylor coefficients is to run a right-hand side that has none.
+    NoSeries {
+        /// The method's name.
+        method: &'static str,
+    },
     /// An output time lies outside the span or before its predecessor.
     OutputTime {
         /// Its position in the list, from 0.
@@ -89,6 +94,13 @@ impl fmt::Display for SimError {
                 )
             }
             Self::Trajectory { index, error } => write!(f, "trajectory {index}: {error}"),
+            Self::NoSeries { method } => {
+                write!(
+                    f,
+                    "method {method} needs the Taylor coefficients of the solutions, which eliminated accelerations without \
+                     |x| have and these equations do not; choose another method, such as dop853"
+                )
+            }
             Self::OutputTime { index, t } => {
                 write!(f, "output time {index}, t = {t} s, lies outside the run or before the previous one")
             }

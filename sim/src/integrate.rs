@@ -15,6 +15,7 @@ use crate::rhs::RightHandSide;
 use crate::rk4::Rk4;
 use crate::run::solve;
 use crate::solution::Solution;
+use crate::taylor::{Taylor, order_for};
 
 /// Integrates y' = f(t, y) from (t0, y0) to t1, which may lie before t0.
 ///
@@ -30,8 +31,8 @@ use crate::solution::Solution;
 ///
 /// # Errors
 /// [`SimError`] if the question makes no sense: a span that is empty or not finite, a start that is
-/// not finite, tolerances or options out of range, output times outside the span, a method that lacks a step or a
-/// Jacobian.
+/// not finite, tolerances or options out of range, output times outside the span, a method that lacks a step, a
+/// Jacobian or Taylor coefficients.
 pub fn integrate<S, R>(
     mut rhs: R,
     span: (f64, f64),
@@ -63,6 +64,14 @@ where
                 return Err(SimError::NoJacobian { method: options.method.name() });
             }
             solve(Gauss6::new(n), pace, rhs, y0, options, events)
+        }
+        Method::Taylor => {
+            let order = order_for(options);
+            let mut x = y0.repeat(order + 1);
+            if rhs.taylor(span.0, order, &mut x).is_none() {
+                return Err(SimError::NoSeries { method: options.method.name() });
+            }
+            solve(Taylor::new(n, order), pace, rhs, y0, options, events)
         }
     };
     solution.warnings.splice(..0, warning);

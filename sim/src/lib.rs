@@ -25,8 +25,8 @@
 //! - Watching events and asking for output never changes a step.
 //! - The same question gives the same bits.
 //!
-//! Methods ([`Method`]): `ode45` and `dopri5` (order 5), `dop853` (order 8), `gauss6` (order 6, implicit, conserving) choose
-//! their steps by the error; each of them and `rk4` also takes equal steps ([`Options::step`]). The state may be of any
+//! Methods ([`Method`]): `ode45` and `dopri5` (order 5), `dop853` (order 8), `gauss6` (order 6, implicit, conserving) and `taylor` (of
+//! the order that the tolerance asks for) choose their steps by the error; each of them and `rk4` also takes equal steps ([`Options::step`]). The state may be of any
 //! [`tripos_traits::Real`].
 //!
 //! Many trajectories of one set of equations are integrated faster together: [`batch`].
@@ -68,6 +68,7 @@ mod solution;
 pub mod stability;
 mod stepper;
 mod tableau;
+mod taylor;
 mod tolerance;
 mod watch;
 pub mod work_precision;

@@ -22,11 +22,19 @@ pub enum Method {
     /// Jacobian; conserves quadratic invariants, and with a fixed step the energy in the long run. Events and output
     /// inside a step are far less exact than its ends: of order 3.
     Gauss6,
+    /// Taylor's method, whose order follows from the tolerance; see [`Options::order`](crate::Options::order). The
+    /// right-hand side must bring the Taylor coefficients of its solutions
+    /// ([`RightHandSide::taylor`](crate::RightHandSide::taylor)). Steps are long and hardly ever rejected, and the
+    /// solution inside them is as exact as at their ends.
+    Taylor,
 }
 
 impl Method {
     /// All methods, in the order in which they are always listed.
-    pub const ALL: [Self; 5] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6];
+    pub const ALL: [Self; 6] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Taylor];
+
+    /// Those that ask for nothing but the right-hand side and its Jacobian.
+    pub const WITHOUT_SERIES: [Self; 5] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6];
 
     /// The name used on the command line, in files and in tables.
     #[must_use]
@@ -37,27 +45,30 @@ impl Method {
             Self::Dopri5 => "dopri5",
             Self::Dop853 => "dop853",
             Self::Gauss6 => "gauss6",
+            Self::Taylor => "taylor",
         }
     }
 
-    /// Order of the solution at the end of a step.
+    /// Order of the solution at the end of a step; nothing where it follows from the tolerance.
     #[must_use]
-    pub const fn order(self) -> u32 {
+    pub const fn order(self) -> Option<u32> {
         match self {
-            Self::Rk4 => 4,
-            Self::Ode45 | Self::Dopri5 => 5,
-            Self::Dop853 => 8,
-            Self::Gauss6 => 6,
+            Self::Rk4 => Some(4),
+            Self::Ode45 | Self::Dopri5 => Some(5),
+            Self::Dop853 => Some(8),
+            Self::Gauss6 => Some(6),
+            Self::Taylor => None,
         }
     }
 
-    /// Order of the solution inside a step.
+    /// Order of the solution inside a step; nothing where it follows from the tolerance.
     #[must_use]
-    pub const fn dense_order(self) -> u32 {
+    pub const fn dense_order(self) -> Option<u32> {
         match self {
-            Self::Rk4 | Self::Gauss6 => 3,
-            Self::Ode45 | Self::Dopri5 => 4,
-            Self::Dop853 => 7,
+            Self::Rk4 | Self::Gauss6 => Some(3),
+            Self::Ode45 | Self::Dopri5 => Some(4),
+            Self::Dop853 => Some(7),
+            Self::Taylor => None,
         }
     }
 
@@ -79,6 +90,12 @@ impl Method {
         matches!(self, Self::Gauss6)
     }
 
+    /// Whether it needs the Taylor coefficients of the solutions.
+    #[must_use]
+    pub const fn needs_series(self) -> bool {
+        matches!(self, Self::Taylor)
+    }
+
     /// How step sizes follow from errors; `None` for a method that estimates no error.
     pub(crate) fn rules(self) -> Option<Rules> {
         match self {
@@ -89,13 +106,14 @@ impl Method {
                 Some(Rules::Hairer { order: 5, exponent: 0.2 - 0.75 * beta, beta, shrink: 0.2, grow: 10.0 })
             }
             Self::Dop853 => Some(Rules::Hairer { order: 8, exponent: 0.125, beta: 0.0, shrink: 0.333, grow: 6.0 }),
+            Self::Taylor => Some(Rules::Proposed),
             Self::Gauss6 => Some(Rules::Hairer { order: 6, exponent: 1.0 / 6.0, beta: 0.0, shrink: 0.2, grow: 4.0 }),
         }
     }
 
     pub(crate) fn norm(self) -> Norm {
         match self {
-            Self::Ode45 => Norm::Largest,
+            Self::Ode45 | Self::Taylor => Norm::Largest,
             Self::Rk4 | Self::Dopri5 | Self::Dop853 | Self::Gauss6 => Norm::MeanSquare,
         }
     }

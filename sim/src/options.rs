@@ -6,6 +6,7 @@ use crate::control;
 use crate::error::SimError;
 use crate::method::Method;
 use crate::solution::Output;
+use crate::taylor;
 use crate::tolerance::AbsoluteTolerance;
 
 /// How to integrate. The default is that of `ode45`, with a limit of a million steps.
@@ -25,6 +26,9 @@ pub struct Options {
     /// A fixed step, in s: the span is divided into equal steps, as few as are no longer than this. Errors are not
     /// estimated then, and tolerances, `max_step` and `initial_step` play no part; a step that fails ends the run.
     pub step: Option<f64>,
+    /// The order of [`Method::Taylor`], from 2 to 60; unless given, it follows from the relative tolerance, or from the
+    /// smallest absolute one where there is no other. No other method has a choice.
+    pub order: Option<usize>,
     /// Largest number of attempted steps, accepted and rejected together.
     pub step_limit: u64,
     /// Which points to keep.
@@ -40,6 +44,7 @@ impl Default for Options {
             max_step: None,
             initial_step: None,
             step: None,
+            order: None,
             step_limit: 1_000_000,
             output: Output::Steps { refine: 4 },
         }
@@ -58,6 +63,9 @@ pub(crate) fn check<S: Real>((t0, t1): (f64, f64), y0: &[S], options: &Options) 
         return Err(SimError::NotFinite { what: format!("component {i} of the initial state") });
     }
     check_steps((t0, t1), options)?;
+    if options.order.is_some_and(|order| !(taylor::ORDERS.0..=taylor::ORDERS.1).contains(&order)) {
+        return Err(SimError::Option { name: "order", must: "from 2 to 60" });
+    }
     match &options.output {
         Output::Steps { refine: 0 } => Err(SimError::Option { name: "refine", must: "at least 1" }),
         Output::At(times) => check_times(times, t0, t1),

@@ -102,6 +102,7 @@ impl Pace {
         let longest = adaptive.longest;
         match (initial, adaptive.rules) {
             (Some(size), _) => adaptive.size = size,
+            (None, Rules::Proposed) => adaptive.size = longest,
             (None, Rules::Ode45 { order }) => {
                 adaptive.size = control::initial(test, order, longest, self.t0, test.slope_norm(slope, y));
             }
@@ -121,6 +122,13 @@ impl Pace {
         if let Some(c) = beyond.and_then(|beyond| curvature(beyond, h, y, slope, test)) {
             let norm = test.root_sum(slope, y);
             adaptive.size = control::second_guess(adaptive.size, norm, c, order, adaptive.longest);
+        }
+    }
+
+    /// Takes the size of the next step from the method.
+    pub(crate) fn propose(&mut self, size: f64) {
+        if let Kind::Adaptive(adaptive) = &mut self.kind {
+            adaptive.size = size;
         }
     }
 

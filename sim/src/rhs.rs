@@ -20,6 +20,14 @@ pub trait RightHandSide<S = f64> {
         let _ = (t, y, out);
         None
     }
+
+    /// Writes the Taylor coefficients of the solution through the state in the first row of `x` at the time `t`:
+    /// row k has those of order k, (1/k!) dᵏy/dtᵏ, up to `order`; each row has the state's length. `None` if they are not
+    /// known, which rules out [`crate::Method::Taylor`].
+    fn taylor(&mut self, t: f64, order: usize, x: &mut [S]) -> Option<Result<(), Failure>> {
+        let _ = (t, order, x);
+        None
+    }
 }
 
 impl<S, F> RightHandSide<S> for F
@@ -69,5 +77,10 @@ impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
 
     fn jacobian(&mut self, t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
         self.0.jacobian(t, y, out)
+    }
+
+    #[inline]
+    fn taylor(&mut self, t: f64, order: usize, x: &mut [S]) -> Option<Result<(), Failure>> {
+        self.0.taylor(t, order, x)
     }
 }

@@ -124,6 +124,12 @@ impl<M: Stepper> Run<'_, M> {
     where
         R: RightHandSide<M::Real>,
     {
+        if let Some(test) = &self.pace.test
+            && (self.steps > 0 || self.options.initial_step.is_none())
+            && let Some(size) = self.stepper.proposal(test)
+        {
+            self.pace.propose(size);
+        }
         self.pace.begin(self.stepper.span().0, self.steps);
         loop {
             if self.steps + self.rejected >= self.options.step_limit {

@@ -139,6 +139,11 @@ pub(crate) trait Stepper: Interpolant {
     fn start<R>(&mut self, rhs: &mut R, t: f64, y: &[Self::Real]) -> Result<(), Trouble>
     where
         R: RightHandSide<Self::Real>;
+    /// The size of the next step where the method knows it before the step is tried; it then needs no step control.
+    fn proposal(&mut self, test: &ErrorTest) -> Option<f64> {
+        let _ = test;
+        None
+    }
     /// Tries a step from the current point, and returns its error in the norm of `test`; 0 without a test. A step
     /// that passes the test has a derivative at its end.
     fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>

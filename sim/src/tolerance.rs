@@ -16,6 +16,14 @@ pub enum AbsoluteTolerance {
 }
 
 impl AbsoluteTolerance {
+    /// The smallest of all components.
+    pub(crate) fn smallest(&self) -> f64 {
+        match self {
+            Self::Uniform(atol) => *atol,
+            Self::Each(each) => each.iter().copied().fold(f64::INFINITY, f64::min),
+        }
+    }
+
     fn per_component(&self, n: usize) -> Result<Vec<f64>, SimError> {
         match self {
             Self::Uniform(atol) => Ok(vec![*atol; n]),
@@ -118,6 +126,17 @@ impl ErrorTest {
             }
         }
         norm
+    }
+
+    /// The largest quotients |xᵢ| / wᵢ of two vectors of finite numbers.
+    pub(crate) fn largest_of_two<S: Real>(&self, a: &[S], b: &[S], y: &[S]) -> [f64; 2] {
+        let mut norms = [0.0; 2];
+        for (((a, b), y), absolute) in a.iter().zip(b).zip(y).zip(&self.absolute) {
+            let weight = larger(larger(self.relative * y.to_f64().abs(), *absolute), f64::MIN_POSITIVE);
+            let inverse = 1.0 / weight;
+            norms = [larger(a.to_f64().abs() * inverse, norms[0]), larger(b.to_f64().abs() * inverse, norms[1])];
+        }
+        norms
     }
 
     /// maxᵢ |y′ᵢ| / wᵢ, leaving out components without a weight: there is nothing to

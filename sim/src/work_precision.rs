@@ -59,8 +59,8 @@ pub fn error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
 /// length/10 · tolerance^(1/order), so that its error falls about as the tolerance does.
 #[must_use]
 pub fn options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> Options {
-    let exponent = 1.0 / f64::from(method.order());
-    let step = (!method.is_adaptive()).then(|| 0.1 * length.abs() * tolerance.powf(exponent));
+    let order = method.order().filter(|_| !method.is_adaptive());
+    let step = order.map(|order| 0.1 * length.abs() * tolerance.powf(1.0 / f64::from(order)));
     let atol = AbsoluteTolerance::Uniform(tolerance);
     Options { method, rtol: tolerance, atol, step, step_limit, output: Output::Ends, ..Options::default() }
 }

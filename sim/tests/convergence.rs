@@ -68,17 +68,17 @@ fn observed(error: impl Fn(f64) -> f64, step: f64) -> f64 {
 /// Steps at which errors of four steps are far above rounding, yet the leading term rules.
 fn step(method: Method) -> f64 {
     match method.order() {
-        4 => 0.02,
-        8 => 0.2,
+        Some(4) => 0.02,
+        Some(8) => 0.2,
         _ => 0.05,
     }
 }
 
 #[test]
 fn every_method_converges_at_its_order() {
-    for method in Method::ALL {
+    for method in Method::WITHOUT_SERIES {
         let found = observed(|h| error(method, 4.0 * step(method), h, 4.0 * step(method)), step(method));
-        assert!((found - f64::from(method.order())).abs() < 0.4, "{method:?}: {found}");
+        assert!((found - f64::from(method.order().unwrap())).abs() < 0.4, "{method:?}: {found}");
     }
 }
 
@@ -90,21 +90,21 @@ fn every_dense_output_has_its_order() {
         let options = Options { method, step: Some(step), output: Output::At(vec![at]), ..Options::default() };
         integrate(equations(), (0.0, span), &start::<Wide>(), &options, &mut []).unwrap().y.remove(0)
     };
-    for method in Method::ALL {
+    for method in Method::WITHOUT_SERIES {
         let error = |h: f64| {
             let at = 0.3 * h;
             let (found, fine) = (run(method, h, h, at), run(Method::Dop853, at, at / 64.0, at));
             found.iter().zip(&fine).map(|(a, b)| (*a - *b).abs().to_f64()).fold(0.0, f64::max)
         };
         let found = observed(error, 0.02);
-        assert!((found - f64::from(method.dense_order()) - 1.0).abs() < 0.2, "{method:?}: {found}");
+        assert!((found - f64::from(method.dense_order().unwrap()) - 1.0).abs() < 0.2, "{method:?}: {found}");
     }
 }
 
 /// At θ = 0 and 1 the dense output is the solution itself, and its slope is f.
 #[test]
 fn dense_outputs_join_smoothly() {
-    for method in Method::ALL {
+    for method in Method::WITHOUT_SERIES {
         let (h, d) = (0.1, 1e-6);
         let times = vec![0.0, d * h, (1.0 - d) * h, h];
         let options = Options { method, step: Some(h), output: Output::At(times), ..Options::default() };

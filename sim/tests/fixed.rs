@@ -25,7 +25,7 @@ fn fixed(method: Method, step: f64) -> Options {
 
 #[test]
 fn a_fixed_step_divides_the_span_evenly_whatever_the_method() {
-    for method in Method::ALL {
+    for method in Method::WITHOUT_SERIES {
         for (span, step, count) in
             [((0.0, 1.0), 0.1, 10), ((0.0, 1.0), 0.3, 4), ((2.0, -1.0), 1.5, 2), ((0.0, 0.1), 7.0, 1)]
         {
@@ -42,7 +42,7 @@ fn a_fixed_step_divides_the_span_evenly_whatever_the_method() {
 
 #[test]
 fn a_fixed_step_that_fails_ends_the_run_there() {
-    for method in Method::ALL {
+    for method in Method::WITHOUT_SERIES {
         let rhs = |t: f64, _y: &[f64], dydt: &mut [f64]| {
             dydt[0] = if t > 0.55 { f64::NAN } else { 1.0 };
             Ok(())
@@ -91,7 +91,7 @@ fn a_step_below_the_rounding_of_time_is_refused() {
 
 #[test]
 fn names_are_distinct_and_stable() {
-    assert_eq!(Method::ALL.map(Method::name), ["rk4", "ode45", "dopri5", "dop853", "gauss6"]);
+    assert_eq!(Method::ALL.map(Method::name), ["rk4", "ode45", "dopri5", "dop853", "gauss6", "taylor"]);
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn a_right_hand_side_may_be_lent_and_used_again() {
 /// The same equation in `f32`: 1e-6 is some ulp of it, and its smallest tolerance is its own.
 #[test]
 fn a_run_computes_in_the_scalar_of_its_state() {
-    for method in Method::ALL {
+    for method in Method::WITHOUT_SERIES {
         let rhs = |_t: f64, y: &[f32], dydt: &mut [f32]| {
             dydt[0] = -y[0];
             Ok(())
