@@ -55,6 +55,16 @@ pub struct Case {
     pub solve: Solve,
 }
 
+impl Case {
+    /// Whether a method can run it: without a Jacobian there is no implicit method, and Taylor coefficients are known of
+    /// eliminated accelerations only.
+    pub fn has(&self, method: Method) -> bool {
+        let system = self.code.system();
+        let series = self.solve == Solve::Eliminated && system.has_taylor();
+        (!method.needs_jacobian() || system.has_accelerations()) && (!method.needs_series() || series)
+    }
+}
+
 /// One point of a chart.
 pub struct Measurement {
     /// The name of the equations.
@@ -108,10 +118,9 @@ pub fn cases(model: &Model, scene: &Scene, printed: bool) -> Result<Vec<Case>, F
     }
 }
 
-/// The method's place in a chart: without a Jacobian there is no implicit method.
+/// The methods that have a place in a chart.
 fn methods(case: &Case) -> impl Iterator<Item = Method> {
-    let exact = case.code.system().has_accelerations();
-    Method::ALL.into_iter().filter(move |m| exact || !m.needs_jacobian())
+    Method::ALL.into_iter().filter(|method| case.has(*method))
 }
 
 /// Measures everything against the reference, which is at the end of the scene's span.

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use tripos_codegen::formulation::Solved;
+use tripos_codegen::taylor::Tape as Series;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::elimination::Definition;
@@ -21,6 +22,8 @@ pub struct Interpreted {
     forcing: Tape,
     /// v̇, then q̇ and v̇, then the Jacobian; none for printed equations, which are run as they stand.
     solved: Option<[Tape; 3]>,
+    /// The recurrences of the Taylor coefficients.
+    series: Option<Series>,
     generalized_speeds: Tape,
     generalized_speed_rates: Tape,
     motion_variables: Tape,
@@ -45,6 +48,7 @@ impl Interpreted {
         let speed_rates = e.unknowns[..e.variables.len()].to_vec();
         Ok(Self {
             solved: None,
+            series: None,
             state: state.clone(),
             sizes: [p.len(), q.len(), e.variables.len(), e.unknowns.len() - e.variables.len()],
             symmetric: e.symmetric,
@@ -64,7 +68,9 @@ impl Interpreted {
     /// With the accelerations eliminated, where they are determined.
     pub fn solved(mut self, derivation: &Derivation) -> Self {
         let Derivation { mut arena, equations: e } = derivation.clone();
-        let Ok(Solved { accelerations, jacobian }) = Solved::new(&mut arena, &e) else { return self };
+        let Ok(Solved { accelerations, jacobian, recurrences }) = Solved::new(&mut arena, &e) else { return self };
+        let parameters = &self.state[..self.sizes[0]];
+        self.series = recurrences.and_then(|list| Series::new(&arena, parameters, &list).ok());
         let rates = &e.unknowns[..e.variables.len()];
         let both = [&e.coordinate_rates, rates].concat();
         let tape = |steps: &[Definition], outputs: &[Expr]| Tape::stepwise(&arena, &self.state, steps, outputs).ok();
@@ -133,6 +139,15 @@ impl System<f64> for Interpreted {
         match &self.solved {
             Some([.., jacobian]) => self.run(jacobian, &[p, q, v], out),
             None => out.fill(f64::NAN),
+        }
+    }
+    fn has_taylor(&self) -> bool {
+        self.series.is_some()
+    }
+    fn taylor(&self, p: &[f64], order: usize, x: &mut [f64], _work: &mut [f64]) {
+        match &self.series {
+            Some(series) => series.evaluate(p, order, x),
+            None => x[self.sizes[1] + self.sizes[2]..].fill(f64::NAN),
         }
     }
     fn generalized_speeds(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {

@@ -202,7 +202,7 @@ struct How {
     /// formulation that the model supports if not given
     #[arg(long)]
     by: Option<String>,
-    /// The method of integration: rk4, ode45, dopri5, dop853 or gauss6
+    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6 or taylor
     #[arg(long)]
     method: Option<String>,
     /// How accelerations are found: eliminated (solved for when the code was generated) or numeric (the linear

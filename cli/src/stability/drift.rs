@@ -39,7 +39,9 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     let unit = &watch.integrals[energy].1;
     let mut series = Vec::new();
     for method in Method::ALL {
-        if method.needs_jacobian() && !code.system().has_accelerations() {
+        let system = code.system();
+        let has_jacobian = system.has_accelerations() || !method.needs_jacobian();
+        if !has_jacobian || (method.needs_series() && !system.has_taylor()) {
             continue;
         }
         let fixed = [(true, "fixed step"), (false, "adaptive")];

@@ -86,7 +86,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         scene.integration.distance = *variable;
         for case in cases(model, &scene, false)? {
             for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
-                if method.needs_jacobian() && !case.code.system().has_accelerations() {
+                if !case.has(method) {
                     continue;
                 }
                 let length = study.scene.span.1 - study.scene.span.0;

@@ -7,7 +7,7 @@ use crate::mechanics::Distance;
 use toml::de::{DeTable, DeValue};
 
 /// The methods of integration by name, as the simulator knows them.
-pub const METHODS: [&str; 5] = ["rk4", "ode45", "dopri5", "dop853", "gauss6"];
+pub const METHODS: [&str; 6] = ["rk4", "ode45", "dopri5", "dop853", "gauss6", "taylor"];
 
 /// How the accelerations are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
