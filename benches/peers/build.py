@@ -1,19 +1,22 @@
-"""Makes the workers ready: a Python environment of their own, the C programs, and two builds of the Rust program."""
+"""Makes the workers ready: a Python environment of their own, the C and C++ programs, and two builds of each Rust program."""
 
 import json
 import os
 import platform
 import subprocess
 import sys
+import time
 import venv
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+WORKERS = HERE / "workers"
 ROOT = HERE.parent.parent
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR") or ROOT / "target")
 PLACE = TARGET / "peers"
 REQUIREMENTS = HERE / "requirements.txt"
 C_FLAGS = ["-std=gnu17", "-O3", "-march=native"]
+CPP_FLAGS = ["-std=c++17", "-O3", "-march=native", "-DNDEBUG"]
 # Without leave to fuse a multiplication and an addition, which rustc does only where a program asks for it.
 UNFUSED = "-ffp-contract=off"
 
@@ -38,29 +41,146 @@ def c_program(name, *more):
     flags = [*C_FLAGS, *more]
     program = PLACE / "".join([name, *more])
     say(f"{compiler()} {' '.join(flags)} {name}.c")
-    call([compiler(), *flags, HERE / f"{name}.c", "-o", program, "-lm"])
+    call([compiler(), *flags, WORKERS / f"{name}.c", "-o", program, "-lm"])
     return program
 
 
-def rust_program(native):
-    """The example `peer`: as everyone builds it, or with leave to use all that this processor has, as the C programs."""
-    target = PLACE / "native" if native else TARGET
-    environment = {**os.environ, "CARGO_TARGET_DIR": str(target)}
-    flags = "-C target-cpu=native" if native else ""
+def rates_program(source, lengths, include=None):
+    """The loops of rates.c around the function of one file, and the seconds that compiling this file took."""
+    program = source.with_name(f"{source.stem}-rates")
+    defines = [f"-D{name}={value}" for name, value in zip(("COORDINATES", "PARAMETERS"), lengths)]
+    say(f"{source.name} -> {program.name}")
+    call([compiler(), *C_FLAGS, *defines, "-c", WORKERS / "rates.c", "-o", f"{program}-loops.o"])
+    plus = source.suffix == ".cpp"
+    command = [compiler_plus(), *CPP_FLAGS, "-I", include] if plus else [compiler(), *C_FLAGS]
+    begin = time.perf_counter()
+    call([*command, "-c", source, "-o", f"{program}.o"])
+    seconds = time.perf_counter() - begin
+    linker = compiler_plus() if plus else compiler()
+    call([linker, f"{program}-loops.o", f"{program}.o", "-o", program, "-lm"])
+    return program, seconds
+
+
+def eigen():
+    """The folder of Eigen's headers; none if there are none."""
+    places = [os.environ.get("EIGEN", ""), "/usr/include/eigen3", "/usr/local/include/eigen3", "/opt/homebrew/include/eigen3"]
+    return next((Path(place) for place in places if place and (Path(place) / "Eigen/Core").exists()), None)
+
+
+def eigen_version():
+    if not eigen():
+        return "no Eigen"
+    text = (eigen() / "Eigen/src/Core/util/Macros.h").read_text()
+    numbers = (text.split(f"#define EIGEN_{part}_VERSION ")[1].split()[0] for part in ("WORLD", "MAJOR", "MINOR"))
+    return "Eigen " + ".".join(numbers)
+
+
+def example(name, native):
+    """An example of the workspace: as everyone builds it, or with leave to use all that this processor has, as the C programs."""
+    cargo(["-p", "tripos", "--example", name], native)
+    return rust_target(native) / "release/examples" / executable(name)
+
+
+def command():
+    """The command `tripos`."""
+    cargo(["-p", "tripos-cli"], native=False)
+    return rust_target(native=False) / "release" / executable("tripos")
+
+
+def rates_crate(folders):
+    """A crate around the modules that `tripos emit` writes of these problems, and the seconds that emitting each took."""
+    place = PLACE / "emitted"
+    tripos, seconds = command(), {}
+    for problem, folder in folders.items():
+        say(f"tripos emit {folder.name} --formulation lagrange")
+        begin = time.perf_counter()
+        call([tripos, "emit", folder, "--out", place / "src" / problem, "--formulation", "lagrange"], quiet=True)
+        seconds[problem] = time.perf_counter() - begin
+    modules = "".join(f"pub mod {problem};\n" for problem in folders)
+    manifest = EMITTED.format(traits=ROOT / "sim/traits", rates=WORKERS / "rates.rs")
+    write_crate(place, manifest, {"src/lib.rs": f"#![allow(non_snake_case)]\n{modules}"})
+    return seconds
+
+
+def write_crate(place, manifest, files):
+    """A crate outside the workspace that has its versions; what is as it was keeps its age, so that nothing is built anew."""
+    texts = {"Cargo.toml": manifest, **files}
+    if not (place / "Cargo.lock").exists():
+        texts["Cargo.lock"] = (ROOT / "Cargo.lock").read_text()
+    for path, text in texts.items():
+        write_text(place / path, text)
+
+
+def write_text(path, text):
+    """Unless the file has this text already."""
+    if not path.exists() or path.read_text() != text:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+def rates_of_emitted(native):
+    """The program that times the modules of that crate, and the seconds that compiling them took."""
+    manifest = ["--manifest-path", PLACE / "emitted/Cargo.toml"]
+    environment = rust_environment(native)
+    call(["cargo", "clean", "--quiet", *manifest, "--release", "-p", "emitted"], environment)
+    begin = time.perf_counter()
+    cargo(manifest, native)
+    seconds = time.perf_counter() - begin
+    return rust_target(native) / "release" / executable("rates"), seconds
+
+
+EMITTED = """[package]
+name = "emitted"
+version = "0.0.0"
+edition = "2024"
+
+[[bin]]
+name = "rates"
+path = '{rates}'
+
+[dependencies]
+tripos-traits = {{ path = '{traits}' }}
+
+[workspace]
+"""
+
+
+def cargo(arguments, native):
+    flags = rust_environment(native).get("RUSTFLAGS", "")
+    words = " ".join(word.name if isinstance(word, Path) else word for word in arguments)
+    say(f"cargo build --release {words} {flags and f'(RUSTFLAGS={flags!r})'}".rstrip())
+    call(["cargo", "build", "--release", "--quiet", *arguments], rust_environment(native))
+
+
+def rust_target(native):
+    return PLACE / "native" if native else TARGET
+
+
+def rust_environment(native):
+    environment = {**os.environ, "CARGO_TARGET_DIR": str(rust_target(native))}
     environment.pop("RUSTFLAGS", None)
-    if flags:
-        environment["RUSTFLAGS"] = flags
-    say(f"cargo build --release -p tripos --example peer {flags and f'(RUSTFLAGS={flags!r})'}".rstrip())
-    call(["cargo", "build", "--release", "--quiet", "-p", "tripos", "--example", "peer"], environment)
-    return target / "release/examples" / ("peer.exe" if os.name == "nt" else "peer")
+    if native:
+        environment["RUSTFLAGS"] = "-C target-cpu=native"
+    return environment
+
+
+def executable(name):
+    return f"{name}.exe" if os.name == "nt" else name
 
 
 def compiler():
     return os.environ.get("CC", "cc")
 
 
-def call(command, environment=None):
-    subprocess.run([str(word) for word in command], cwd=ROOT, env=environment, check=True)
+def compiler_plus():
+    return os.environ.get("CXX", "c++")
+
+
+def call(command, environment=None, quiet=False):
+    words = [str(word) for word in command]
+    done = subprocess.run(words, cwd=ROOT, env=environment, capture_output=quiet, text=True)
+    if done.returncode:
+        raise SystemExit(f"{' '.join(words)}\n{done.stderr or ''}exit status {done.returncode}")
 
 
 def say(text):
@@ -74,6 +194,7 @@ def machine():
         "processor": f"{processor()}, {os.cpu_count()} cores visible",
         "system": f"{platform.system()} {platform.machine()}, {' '.join(platform.libc_ver())}".rstrip(", "),
         "C": f"{first_line([compiler(), '--version'])}; {' '.join(C_FLAGS)}",
+        "C++": f"{first_line([compiler_plus(), '--version'])}; {' '.join(CPP_FLAGS)}; {eigen_version()}",
         "Rust": first_line(["rustc", "--version"]),
         "Python": f"{platform.python_version()}; {', '.join(line.replace('==', ' ') for line in pinned)}",
     }
@@ -94,5 +215,11 @@ def processor():
 
 
 def first_line(command):
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    return done.stdout.splitlines()[0]
+    return lines(command)[0]
+
+
+def lines(command, environment=None, place=ROOT):
+    """What a command prints."""
+    words = [str(word) for word in command]
+    done = subprocess.run(words, cwd=place, env=environment, capture_output=True, text=True, check=True)
+    return done.stdout.splitlines()

@@ -1,20 +1,20 @@
 /* What the C workers share: the scene, the coefficients of DOP853, and the lines that run.py documents.
  *
- * A worker includes this and defines the two functions declared here. Coefficients, error estimate, step control and choice of
+ * A worker includes this and defines the function declared here. Coefficients, error estimate, step control and choice of
  * the first step are those of DOP853: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I (1993),
  * sections II.4 and II.5. Absent on purpose: the solution inside a step, the test for stiffness.
  */
 #define _GNU_SOURCE
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-enum { N = 10, STAGES = 12 };
+#include "disk_form.h"
 
-typedef struct {
-    double R, g;
-} Parameters;
+/* SAMPLE: runs of a batch whose ends are answered, evenly spaced. */
+enum { N = 10, STAGES = 12, SAMPLE = 16 };
 
 typedef struct {
     long steps, evaluations;
@@ -25,10 +25,8 @@ static const double START[N] = {0.17453292519943295, 0.03490658503988659, 0.7853
                                 0.01, -0.1, 0.02, 0.4, 0.1};
 static const double SPAN = 10;
 
-/* From START to the end of the span, at rtol = atol = tolerance. */
-static Counts integrate(const Parameters *p, double tolerance, double end[N]);
-/* The right-hand side at START + 1e-300 carried, by a call, its state and result in memory: a number that depends on it. */
-static double touch_rates(const Parameters *p, double carried);
+/* From a start to the end of the span, at rtol = atol = tolerance. */
+static Counts integrate(const Parameters *p, double tolerance, const double start[N], double end[N]);
 
 /* Row i: the point of stage i + 1, from 0; the last row is the end of the step. */
 static const double A[STAGES + 1][STAGES] = {
@@ -134,36 +132,51 @@ static void answer_run(const Parameters *p, double tolerance, long repeats)
     Counts counts = {0, 0};
     const double begin = seconds();
     for (long i = 0; i < repeats; ++i)
-        counts = integrate(p, tolerance, y);
+        counts = integrate(p, tolerance, START, y);
     printf("%.9e %ld %ld", (seconds() - begin) / repeats, counts.steps, counts.evaluations);
     for (int i = 0; i < N; ++i)
         printf(" %.17g", y[i]);
     putchar('\n');
 }
 
-/* Seconds for one call of the right-hand side, each call waiting for the one before, as in a run. */
-static void answer_rates(const Parameters *p, long repeats)
+/* Runs from all starts of a file of doubles, one after the other. */
+static int answer_batch(const Parameters *p, long count, double tolerance, const char *path)
 {
-    double carried = 0;
-    const double begin = seconds();
-    for (long i = 0; i < repeats; ++i)
-        carried = touch_rates(p, carried);
-    const double end = seconds();
-    printf("%.9e %.17g\n", (end - begin) / repeats, carried);
+    double(*starts)[N] = malloc(count * sizeof *starts), (*ends)[N] = malloc(count * sizeof *ends);
+    FILE *file = fopen(path, "rb");
+    const int good = starts && ends && file && fread(starts, sizeof *starts, count, file) == (size_t)count;
+    if (good) {
+        long steps = 0;
+        const double begin = seconds();
+        for (long i = 0; i < count; ++i)
+            steps += integrate(p, tolerance, starts[i], ends[i]).steps;
+        printf("%.9e %ld", seconds() - begin, steps);
+        for (long i = 0; i < SAMPLE * N; ++i)
+            printf(" %.17g", ends[i / N * count / SAMPLE][i % N]);
+        putchar('\n');
+    }
+    if (file)
+        fclose(file);
+    free(starts);
+    free(ends);
+    return good;
 }
 
 int main(void)
 {
     volatile double R = 1, g = 9.81;
     const Parameters p = {R, g};
-    char line[256];
+    char line[4096];
     while (fgets(line, sizeof line, stdin)) {
         double tolerance;
         long repeats;
+        int at = 0;
         if (sscanf(line, "run %lf %ld", &tolerance, &repeats) == 2) {
             answer_run(&p, tolerance, repeats);
-        } else if (sscanf(line, "rates %ld", &repeats) == 1) {
-            answer_rates(&p, repeats);
+        } else if (sscanf(line, "batch %ld %lf %n", &repeats, &tolerance, &at) == 2 && at > 0) {
+            line[strcspn(line, "\n")] = 0;
+            if (!answer_batch(&p, repeats, tolerance, line + at))
+                return 2;
         } else if (sscanf(line, "prepare %lf", &tolerance) == 1) {
             puts("0");
         } else if (!strncmp(line, "start", 5)) {

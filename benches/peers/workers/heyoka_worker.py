@@ -6,22 +6,8 @@ with the others.
 
 import heyoka as hy
 import numpy as np
+from closed_form import equations
 from worker import PARAMETERS, SPAN, START, serve
-
-
-def equations(R, g):
-    """The closed form; R and g are numbers, which the compiler may use: as constants they are an advantage."""
-    q1, q2, q3, q4, q5, r1, r2, r3, r4, r5 = hy.make_vars("q1", "q2", "q3", "q4", "q5", "r1", "r2", "r3", "r4", "r5")
-    s1, c1, s2, c2 = hy.sin(q1), hy.cos(q1), hy.sin(q2), hy.cos(q2)
-    a1 = -2.0 * r2 * r3 / c2
-    a2 = (4.0 * (g / R) * s2 + c2 * (r1 * (r1 * s2 + 2.0 * r3) - 4.0 * r2 * r2 * s2)) / (1.0 + 4.0 * s2 * s2)
-    turn, carry = s2 * a1, c2 * r1 * r2
-    radial = R * (s2 * (r1 * r1 + r2 * r2) - c2 * a2)
-    across = R * (turn + 2.0 * carry)
-    return [
-        (q1, r1), (q2, r2), (q3, r3), (q4, r4), (q5, r5),
-        (r1, a1), (r2, a2), (r3, -(turn + carry)), (r4, c1 * across - s1 * radial), (r5, c1 * radial + s1 * across),
-    ]  # fmt: skip
 
 
 class Taylor:

@@ -1,0 +1,110 @@
+"""Many runs of the disk from spread starts, on one core."""
+
+import statistics
+
+import build
+import problems
+from measure import Peer, error, interleaved
+from sections.runs import TRIPOS_REFERENCE
+from tables import aims, duration, table
+
+COUNT, TOLERANCE = 10_000, 1e-6
+# The error that is asked for beside the tolerance: of half the sample.
+TARGET = 1e-6
+TOLERANCES = [10.0 ** (-k / 2) for k in range(8, 27)]
+# Runs of the search for a tolerance; what is sampled in all.
+FEW, SAMPLE, MOST_ROUNDS = 64, 16, 5
+
+TRIPOS = {"Tripos, DOP853, one by one, native": "lagrange dop853"}
+LOOPS, VECTORS = "C by hand, loops", "C by hand, vector types"
+BATCH, ENSEMBLE = "heyoka, batches of {}", "heyoka, ensemble of batches of {}"
+WIDTHS = (8, 16)
+
+
+def section(rounds):
+    rounds = min(rounds, MOST_ROUNDS)
+    starts = problems.write_starts(COUNT)
+    peers = started()
+    few = problems.write_starts(FEW)
+    tripos = peers[next(iter(TRIPOS))]
+    references = {path: sampled(tripos, count, path) for path, count in ((few, FEW), (starts, COUNT))}
+    tolerances = {name: loosest(name, peer, few, references[few]) for name, peer in peers.items()}
+    askings, errors, steps = {}, {}, {}
+    for name, peer in peers.items():
+        for column, tolerance in (("tolerance", TOLERANCE), ("error", tolerances[name])):
+            peer.ask(f"prepare {tolerance!r}")
+            line = f"batch {COUNT} {tolerance!r} {starts}"
+            _, tried, *ends = peer.ask(line)
+            errors[name, column], steps[name, column] = errors_of(ends, references[starts]), tried
+            askings[name, column] = lambda peer=peer, line=line: peer.ask(line)[0] / COUNT
+    build.say(f"{COUNT} runs of the disk, {rounds} rounds")
+    samples = interleaved(askings, rounds)
+    for peer in peers.values():
+        peer.close()
+    return [*title(rounds), *overview(peers, samples, steps, errors, tolerances), "", *judged(peers, samples)]
+
+
+def title(rounds):
+    yield "## Batches"
+    yield ""
+    yield f"{COUNT} runs of the disk over 10 s on one core, from starts spread about that of the section on runs (a low-discrepancy"
+    yield f"sequence; half its widths, in the order of the state: {', '.join(map(str, problems.RUN_WIDTHS))}). The time of a run, median of"
+    yield f"{rounds} samples; steps tried; errors of {SAMPLE} ends, the middle one and the largest, from DOP853 in 32 digits. First all at"
+    yield f"rtol = atol = {TOLERANCE:.0e}, then each at the loosest tolerance by which the middle error is at most {TARGET:.0e} in a"
+    yield f"sample of {SAMPLE} of {FEW} runs."
+    yield ""
+
+
+def started():
+    native = build.example("peer", native=True)
+    worker = [build.python(), "-B", build.WORKERS / "batch_worker.py"]
+    commands = {name: [native, *words.split()] for name, words in TRIPOS.items()}
+    commands |= {LOOPS: [build.c_program("disk_loops")], VECTORS: [build.c_program("disk_vectors")]}
+    commands |= {BATCH.format(width): [*worker, "batch", width] for width in WIDTHS}
+    commands |= {ENSEMBLE.format(8): [*worker, "ensemble", 8]}
+    return {name: Peer(name, command, "start") for name, command in commands.items()}
+
+
+def sampled(tripos, count, path):
+    """References of the runs whose ends are compared."""
+    build.say(f"references of {SAMPLE} runs of {count}")
+    return [tripos.ask(f"reference {TRIPOS_REFERENCE!r} {k * count // SAMPLE} {path}") for k in range(SAMPLE)]
+
+
+def errors_of(ends, references):
+    return [error(ends[10 * k : 10 * k + 10], reference) for k, reference in enumerate(references)]
+
+
+def loosest(name, peer, path, references):
+    """The loosest tolerance that reaches the target in half the sample."""
+    smallest = float("inf")
+    for tolerance in TOLERANCES:
+        peer.ask(f"prepare {tolerance!r}")
+        _, _, *ends = peer.ask(f"batch {FEW} {tolerance!r} {path}")
+        smallest = min(smallest, middle := statistics.median(errors_of(ends, references)))
+        if middle <= TARGET:
+            return tolerance
+    raise SystemExit(f"{name} comes no nearer to the references than {smallest:.1e}, not to {TARGET:.0e}")
+
+
+def overview(peers, samples, steps, errors, tolerances):
+    rows = []
+    for name in peers:
+        cells = []
+        for column in ("tolerance", "error"):
+            key = name, column
+            found = f"{statistics.median(errors[key]):.0e}, {max(errors[key]):.0e}"
+            cells += [duration(samples[key].median), f"{steps[key] / COUNT:.0f}", found]
+        rows.append([name, *cells[:3], f"{tolerances[name]:.1e}", *cells[3:]])
+    head = ("", f"at {TOLERANCE:.0e}", "steps", "errors", "tolerance", f"to {TARGET:.0e}", "steps", "errors")
+    return table(head, rows)
+
+
+def judged(peers, samples):
+    """The fastest of Tripos against the fastest of heyoka."""
+    rows = []
+    for column, what in (("tolerance", f"a run at tolerance {TOLERANCE:.0e}"), ("error", f"a run to an error of {TARGET:.0e}")):
+        ours = min(samples[name, column].median for name in peers if name.startswith("Tripos"))
+        theirs = min(samples[name, column].median for name in peers if name.startswith("heyoka"))
+        rows.append((what, "heyoka, its fastest", ours, theirs, 0.5))
+    return aims(rows)

@@ -1,0 +1,207 @@
+"""Whole runs: the ten states of the disk at t = 10 s to a given error."""
+
+import itertools
+from dataclasses import dataclass
+
+import build
+import problems
+from measure import Peer, Samples, error, interleaved, repeats
+from tables import aims, duration, ratio, table
+
+# The smallest tolerance that is tried is what doubles allow.
+TOLERANCES = [10.0 ** (-k / 2) for k in range(4, 29)]
+TARGETS = [1e-3, 1e-6, 1e-8, 1e-9]
+# Tolerances of the two references, each below what changes their 16th digit; and how near they must be to each other.
+TRIPOS_REFERENCE, HEYOKA_REFERENCE, AGREEMENT = 1e-22, 1e-30, 1e-14
+# What every worker must come down to: one that does not solves another problem.
+SAME_PROBLEM = 1e-7
+
+LAGRANGE = "Tripos, Lagrange, native"
+KANE = "Tripos, Kane, native"
+DYN = "Tripos, through `dyn System`, native"
+LAGRANGE_DEFAULT = "Tripos, Lagrange, default build"
+DYN_DEFAULT = "Tripos, through `dyn System`, default build"
+UNFUSED = "C by hand, loops, nothing fused"
+LOOPS = "C by hand, loops"
+VECTORS = "C by hand, vector types"
+HEYOKA = "heyoka, Taylor"
+ODE = "SciPy `ode('dop853')`, numba"
+SOLVE_IVP = "SciPy `solve_ivp`, DOP853, numba"
+PEERS = [UNFUSED, LOOPS, VECTORS, HEYOKA, ODE, SOLVE_IVP]
+# The method of rows that do not name one.
+METHOD = "dop853"
+
+
+@dataclass
+class Reached:
+    """How a worker reaches an error."""
+
+    tolerance: float
+    error: float
+    steps: int
+    evaluations: int
+    prepared: float
+    repeats: int
+    samples: Samples = None
+
+
+def section(rounds):
+    peers = started()
+    check_start(peers)
+    reference = checked_reference(peers)
+    reached, best = {}, {}
+    for peer in peers.values():
+        build.say(f"which tolerances: {peer.name}")
+        best[peer.name] = search(peer, reference, reached)
+        if best[peer.name] > SAME_PROBLEM:
+            raise SystemExit(f"{peer.name} comes no nearer to the reference than {best[peer.name]:.1e}")
+    askings = {}
+    # All workers in turn for one error, then for the next.
+    for key in sorted(reached, key=lambda key: TARGETS.index(key[1])):
+        line = f"run {reached[key].tolerance!r} {reached[key].repeats}"
+        askings[key] = lambda peer=peers[key[0]], line=line: peer.ask(line)[0]
+    for key, samples in interleaved(askings, rounds).items():
+        reached[key].samples = samples
+    lines = ["## Whole runs of the disk, t = 0 … 10 s", "", *ABOUT, ""]
+    lines += [*times(peers, reached), "", *ratios(peers, reached), "", *judged(peers, reached), ""]
+    lines += [*HOW, "", *details(reached), "", *notes(peers, reached, best)]
+    for peer in peers.values():
+        peer.close()
+    return lines
+
+
+ABOUT = [
+    "Time to reach an error in the end state (the largest of ten, |e|/(1 + |reference|)), and in brackets how many",
+    f"times that of the row “{LAGRANGE}”. Methods: DOP853 everywhere but in heyoka, and where another is named.",
+]
+HOW = [
+    "How it was reached: rtol = atol, the loosest of a list; steps tried; evaluations of the right-hand side; what a run took for",
+    "each of these; half the distance between the quartiles of the samples. For a Taylor method an evaluation is one of all",
+    "coefficients.",
+]
+
+
+def started():
+    """Each worker by the name of its row. A method that the Tripos worker gains has rows of its own."""
+    python = build.python()
+    loops, vectors = build.c_program("disk_loops"), build.c_program("disk_vectors")
+    unfused = build.c_program("disk_loops", build.UNFUSED)
+    default, native = build.example("peer", native=False), build.example("peer", native=True)
+    commands = {
+        LAGRANGE: [native, "lagrange", METHOD],
+        KANE: [native, "kane", METHOD],
+        DYN: [native, "eliminated-lagrange", METHOD],
+        LAGRANGE_DEFAULT: [default, "lagrange", METHOD],
+        DYN_DEFAULT: [default, "eliminated-lagrange", METHOD],
+    }
+    for method in build.lines([native, "methods"]):
+        if method != METHOD:
+            commands[f"Tripos, Lagrange, {method}, native"] = [native, "lagrange", method]
+            commands[f"Tripos, Lagrange, {method}, default build"] = [default, "lagrange", method]
+    commands |= {
+        UNFUSED: [unfused],
+        LOOPS: [loops],
+        VECTORS: [vectors],
+        HEYOKA: [python, "-B", build.WORKERS / "heyoka_worker.py"],
+        ODE: [python, "-B", build.WORKERS / "scipy_worker.py", "ode"],
+        SOLVE_IVP: [python, "-B", build.WORKERS / "scipy_worker.py", "solve_ivp"],
+    }
+    return {name: Peer(name, command, "start") for name, command in commands.items()}
+
+
+def check_start(peers):
+    """All take the same start, and it is the scene's."""
+    wanted = problems.parameters("disk") + problems.start("disk")
+    start = peers[LAGRANGE].greeting
+    for peer in peers.values():
+        if peer.greeting != start or error(peer.greeting, wanted) > 4e-16:
+            raise SystemExit(f"{peer.name} starts from {peer.greeting}, the scene from {wanted}")
+
+
+def checked_reference(peers):
+    """The end by DOP853 in 32 digits, if the Taylor method in 33 digits says the same."""
+    reference = peers[LAGRANGE].ask(f"reference {TRIPOS_REFERENCE!r}")
+    other = peers[HEYOKA].ask(f"reference {HEYOKA_REFERENCE!r}")
+    if error(reference, other) > AGREEMENT:
+        raise SystemExit(f"the references differ:\n  {reference}\n  {other}")
+    return reference
+
+
+def search(peer, reference, reached):
+    """For each target the loosest tolerance that reaches it; returns the smallest error of all."""
+    best = float("inf")
+    for tolerance in TOLERANCES:
+        (prepared,) = peer.ask(f"prepare {tolerance!r}")
+        _, steps, evaluations, *end = peer.ask(f"run {tolerance!r} 1")
+        found = error(end, reference)
+        best = min(best, found)
+        for target in TARGETS:
+            if found <= target and (peer.name, target) not in reached:
+                seconds = peer.ask(f"run {tolerance!r} 1")[0]
+                counts = (int(steps), int(evaluations), prepared, repeats(seconds))
+                reached[peer.name, target] = Reached(tolerance, found, *counts)
+    return best
+
+
+def seconds(reached, name, target):
+    found = reached.get((name, target))
+    return found.samples.median if found else float("inf")
+
+
+def times(peers, reached):
+    rows = []
+    for name in peers:
+        cells = [(seconds(reached, name, target), seconds(reached, LAGRANGE, target)) for target in TARGETS]
+        shown = (duration(t) if t == float("inf") else f"{duration(t)} ({t / unit:.2f})" for t, unit in cells)
+        rows.append([name, *shown])
+    return table(("", *(f"error {target:.0e}" for target in TARGETS)), rows)
+
+
+def ratios(peers, reached):
+    rows = []
+    for name in (name for name in PEERS if name in peers):
+        pairs = [(reached.get((LAGRANGE, target)), reached.get((name, target))) for target in TARGETS]
+        rows.append([name, *(quotients(*pair) for pair in pairs)])
+    head = ("Tripos, Lagrange, native ÷ peer, by medians (by fastest samples)", *(f"error {target:.0e}" for target in TARGETS))
+    return table(head, rows)
+
+
+def quotients(ours, theirs):
+    if ours is None or theirs is None:
+        return "not reached"
+    ours, theirs = ours.samples, theirs.samples
+    return f"{ratio(ours.median / theirs.median)} ({ratio(ours.fastest / theirs.fastest)})"
+
+
+def judged(peers, reached):
+    """The fastest method of Tripos against heyoka."""
+    rows = []
+    for target in (1e-3, 1e-6, 1e-9):
+        ours = min((name for name in peers if name.startswith("Tripos")), key=lambda name: seconds(reached, name, target))
+        what = f"error {target:.0e}, by {ours.removeprefix('Tripos, ')}"
+        rows.append((what, HEYOKA, seconds(reached, ours, target), seconds(reached, HEYOKA, target), 0.7))
+    return aims(rows)
+
+
+def details(reached):
+    rows = []
+    for name, group in itertools.groupby(reached, key=lambda key: key[0]):
+        for key in group:
+            r = reached[key]
+            call = duration(r.samples.median / r.evaluations)
+            rows.append(
+                [name, f"{key[1]:.0e}", f"{r.tolerance:.1e}", f"{r.error:.1e}", r.steps, r.evaluations, call, r.repeats]
+                + [duration(r.samples.fastest), f"{100 * r.samples.spread:.1f} %"]
+            )
+    head = ("", "error", "tolerance", "error reached", "steps", "evaluations", "for each", "runs a sample", "fastest", "spread")
+    return table(head, rows)
+
+
+def notes(peers, reached, best):
+    compiled = [f"{r.prepared:.1f} s for {target:.0e}" for (name, target), r in reached.items() if name == HEYOKA]
+    floors = sorted(best.values())
+    yield f"- Not in the times: heyoka's compilation ({', '.join(compiled)});"
+    yield f"  numba's, with the start of Python ({peers[ODE].ready:.1f} s)."
+    yield "- What runs longer than a turn of the scheduler, as SciPy does, waits for other programs if there are any: see `fastest`."
+    yield f"- Smallest errors at any tolerance: {floors[0]:.0e} to {floors[-1]:.0e}, the rounding of the start included."
+    yield "- Reference: DOP853 in 32 digits (`DoubleDouble`); heyoka's Taylor method in 33 digits gives the same to 14 or more."

@@ -1,0 +1,34 @@
+"""Numbers and tables in Markdown."""
+
+
+def duration(seconds):
+    """Three digits with the unit that suits."""
+    if seconds == float("inf"):
+        return "not reached"
+    for unit, scale in (("s", 1), ("ms", 1e3), ("µs", 1e6), ("ns", 1e9)):
+        if seconds * scale >= 0.995 or unit == "ns":
+            return f"{seconds * scale:#.3g}".rstrip(".") + f" {unit}"
+
+
+def ratio(value):
+    if value > 0.1:
+        return f"{value:.2f}"
+    return f"{value:.3f}" if value > 0.01 else f"1/{1 / value:.0f}"
+
+
+def table(head, rows):
+    """The first column is text, the others are figures."""
+    yield f"| {' | '.join(head)} |"
+    yield "|---|" + "---:|" * (len(head) - 1)
+    for row in rows:
+        yield f"| {' | '.join(str(cell) for cell in row)} |"
+
+
+def aims(rows):
+    """(what, against, ours, theirs, aim): what was asked for, beside what came out."""
+    cells = []
+    for what, against, ours, theirs, aim in rows:
+        value = ours / theirs if theirs else float("inf")
+        met = "met" if value <= aim else f"missed: {value / aim:.2f} times the aim"
+        cells.append((what, against, ratio(value), f"≤ {aim}", met))
+    return table(("work", "Tripos ÷", "ratio", "aim", ""), cells)

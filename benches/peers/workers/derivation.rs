@@ -1,0 +1,175 @@
+//! Derivation of one formulation: a worker of `benches/peers/run.py`, which documents the lines it reads and answers.
+//!
+//! `derivation FORMULATION FOLDER`; a problem is a folder in that one, with `model.toml` and `states`. Other lines:
+//! `read REPEATS` is the time to read and check the model file, `code REPEATS` that to derive all formulations from the file and
+//! to emit their code.
+
+use std::io::{BufRead, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use tripos_codegen::emit::emit;
+use tripos_codegen::formulation;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::mechanics::Derivation;
+use tripos_derive::{Formulation, Model, derive};
+
+/// What the last `derive` was asked for, and gave.
+struct Problem {
+    model: Model,
+    derivation: Derivation,
+    parameters: Vec<f64>,
+    state: Vec<f64>,
+}
+
+/// Seconds for each of so many calls, and the last answer.
+fn timed<T>(repeats: u32, mut work: impl FnMut() -> Option<T>) -> Option<(f64, T)> {
+    let (mut seconds, mut last) = (0.0, None);
+    for _ in 0..repeats {
+        let begin = Instant::now();
+        let answer = work();
+        seconds += begin.elapsed().as_secs_f64();
+        last = Some(answer?);
+    }
+    Some((seconds / f64::from(repeats), last?))
+}
+
+impl Problem {
+    fn new(folder: &Path, formulation: Formulation, repeats: u32) -> Option<(f64, Self)> {
+        let model = Model::read(&folder.join("model.toml")).ok()?;
+        let states = std::fs::read_to_string(folder.join("states")).ok()?;
+        let mut lines = states.lines().map(numbers);
+        let (parameters, state) = (lines.next()??, lines.next()??);
+        let (seconds, derivation) = timed(repeats, || derive(&model, formulation).ok())?;
+        Some((seconds, Self { model, derivation, parameters, state }))
+    }
+
+    /// Operations and functions of `mass_matrix` and of `forcing`, as the header of their file states them: a pair of sine and
+    /// cosine is two functions, and counts in either.
+    fn counts(&self) -> Option<Vec<f64>> {
+        let Derivation { arena, equations } = &self.derivation;
+        let text = formulation::file(&self.model, "", arena, equations, None);
+        let line = text.lines().find_map(|line| line.strip_prefix("//! Cost: "))?;
+        let (mut operations, mut functions) = (0.0, 0.0);
+        for words in line.split([';', ',', '.']).map(|part| part.split_whitespace().collect::<Vec<_>>()) {
+            let Some(at) = words.iter().position(|word| word.parse::<f64>().is_ok()) else { continue };
+            let count: f64 = words[at].parse().ok()?;
+            match *words.get(at + 1)? {
+                "operation" | "operations" => operations += count,
+                "sine" | "sines" => functions += 2.0 * count,
+                _ => functions += count,
+            }
+        }
+        Some(vec![operations, functions])
+    }
+
+    /// q'' from M and f at the first state.
+    fn solved(&self) -> Option<Vec<f64>> {
+        let Derivation { arena, equations: e } = &self.derivation;
+        let (p, (q, q_dot)) = (&self.parameters, self.state.split_at(self.state.len() / 2));
+        let tape = |inputs: &[_], outputs: &[_]| Tape::new(arena, inputs, outputs).ok();
+        let lagrange = e.formulation == Formulation::Lagrange;
+        let own = [self.model.p(), e.coordinates.clone(), e.variables.clone()].concat();
+        // v from q', as u is linear in it: the rates at v = 0 and at each unit of v.
+        let rates = tape(&own, &e.coordinate_rates)?;
+        let n = q.len();
+        let at = |v: &[f64]| rates.evaluate(&[p, q, v].concat());
+        let zero = at(&vec![0.0; n]);
+        let unit = |j: usize| (0..n).map(|i| f64::from(u8::from(i == j))).collect::<Vec<_>>();
+        let columns: Vec<Vec<f64>> = (0..n).map(|j| at(&unit(j))).collect();
+        let linear = |i: usize, j: usize| columns[j][i] - zero[i];
+        let v = if lagrange { q_dot.to_vec() } else { gauss(n, linear, |i| q_dot[i] - zero[i]) };
+        let size = e.forcing.len();
+        let inputs = [p, q, &v].concat();
+        let matrix = tape(&own, &e.matrix.concat())?.evaluate(&inputs);
+        let forcing = tape(&own, &e.forcing)?.evaluate(&inputs);
+        let v_dot = gauss(size, |i, j| matrix[i * size + j], |i| forcing[i])[..n].to_vec();
+        if lagrange {
+            return Some(v_dot);
+        }
+        // q'' = d(q')/dt by differences of fourth order along q + t q', v + t v'; the check asks for no more.
+        let h = 1e-3;
+        let ahead = |t: f64| {
+            let moved = |x: &[f64], rate: &[f64]| x.iter().zip(rate).map(|(x, r)| x + t * r).collect::<Vec<_>>();
+            rates.evaluate(&[p.clone(), moved(q, q_dot), moved(&v, &v_dot)].concat())
+        };
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| ahead(k * h));
+        Some((0..n).map(|i| (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * h)).collect())
+    }
+}
+
+/// The solution of a linear system by elimination with row pivots.
+fn gauss(n: usize, entry: impl Fn(usize, usize) -> f64, right: impl Fn(usize) -> f64) -> Vec<f64> {
+    let row = |i: usize| (0..n).map(|j| entry(i, j)).chain([right(i)]).collect::<Vec<_>>();
+    let mut rows: Vec<Vec<f64>> = (0..n).map(row).collect();
+    for k in 0..n {
+        let pivot = (k..n).max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs())).unwrap_or(k);
+        rows.swap(k, pivot);
+        let top = rows[k].clone();
+        for row in rows.iter_mut().skip(k + 1) {
+            let factor = row[k] / top[k];
+            row.iter_mut().zip(&top).for_each(|(x, t)| *x -= factor * t);
+        }
+    }
+    let mut x = vec![0.0; n];
+    for i in (0..n).rev() {
+        let known: f64 = (i + 1..n).map(|j| rows[i][j] * x[j]).sum();
+        x[i] = (rows[i][n] - known) / rows[i][i];
+    }
+    x
+}
+
+fn numbers(line: &str) -> Option<Vec<f64>> {
+    line.split_whitespace().map(|word| word.parse().ok()).collect()
+}
+
+/// Answers one line; `None` if it is not understood or cannot be done.
+fn answer(
+    formulation: Formulation,
+    folder: &Path,
+    last: &mut Option<(PathBuf, Problem)>,
+    line: &str,
+) -> Option<String> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let answer = match (words.as_slice(), &last) {
+        (["derive", name, repeats], _) => {
+            let path = folder.join(name);
+            let (seconds, problem) = Problem::new(&path, formulation, repeats.parse().ok()?)?;
+            *last = Some((path, problem));
+            vec![seconds]
+        }
+        (["read", repeats], Some((path, _))) => {
+            vec![timed(repeats.parse().ok()?, || Model::read(&path.join("model.toml")).ok())?.0]
+        }
+        (["code", repeats], Some((path, _))) => {
+            vec![timed(repeats.parse().ok()?, || emit(&path.join("model.toml"), "module", &[]).ok())?.0]
+        }
+        (["count"], Some((_, problem))) => problem.counts()?,
+        (["solve"], Some((_, problem))) => problem.solved()?,
+        _ => return None,
+    };
+    Some(answer.iter().map(f64::to_string).collect::<Vec<_>>().join(" "))
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [name, folder] = arguments.as_slice() else {
+        eprintln!("usage: derivation FORMULATION FOLDER");
+        return ExitCode::from(2);
+    };
+    let Some(formulation) = Formulation::ALL.into_iter().find(|f| f.name() == name) else {
+        eprintln!("there is no formulation `{name}`");
+        return ExitCode::from(2);
+    };
+    let mut last = None;
+    for line in std::io::stdin().lock().lines() {
+        let answered = line.ok().and_then(|line| answer(formulation, Path::new(folder), &mut last, &line));
+        let Some(answered) = answered else { return ExitCode::from(2) };
+        let mut out = std::io::stdout().lock();
+        if writeln!(out, "{answered}").and_then(|()| out.flush()).is_err() {
+            return ExitCode::FAILURE;
+        }
+    }
+    ExitCode::SUCCESS
+}

@@ -1,0 +1,237 @@
+//! The disk by generated code and this project's DOP853: a worker of `benches/peers/run.py`, which documents the lines it
+//! reads and answers.
+//!
+//! `peer EQUATIONS METHOD` integrates by one of [`METHODS`], which `peer methods` lists. `lagrange` and `kane` know their
+//! equations when they are compiled; `eliminated-lagrange` and `eliminated-kane` go through [`Eliminated`] and a virtual call, as
+//! a program does that learns at run time which model to run. States are put and answered as q and q̇.
+
+use std::hint::black_box;
+use std::io::{BufRead, Write};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use tripos::disk::{kane, lagrange};
+use tripos_sim::{
+    AbsoluteTolerance, Eliminated, Failure, Lent, Method, Options, Output, RightHandSide, Solution, Stop, integrate,
+};
+use tripos_traits::{DoubleDouble, Real, Scalar, System};
+
+/// The methods that runs can be made by, in the order of the rows of the results.
+const METHODS: &[Method] = &[Method::Dop853];
+
+/// Coordinates; as many rates follow them in a state.
+const N: usize = 5;
+/// End of the run, in s.
+const SPAN: f64 = 10.0;
+/// Runs of a batch whose ends are answered, evenly spaced.
+const SAMPLE: usize = 16;
+/// M, R and g.
+const PARAMETERS: [&str; 3] = ["1", "1", "9.81"];
+/// q, of which the first three are in degrees, and q̇.
+const START: [&str; 2 * N] = ["10", "2", "45", "5", "1", "0.01", "-0.1", "0.02", "0.4", "0.1"];
+
+/// The scene's start and parameters, rounded once to `S`.
+fn question<S: Real>() -> (Vec<S>, Vec<S>) {
+    let degree = DoubleDouble::pi() / DoubleDouble::int(180);
+    let state = START.iter().enumerate().map(|(i, text)| {
+        let value = DoubleDouble::decimal(text);
+        narrow(if i < 3 { value * degree } else { value })
+    });
+    (PARAMETERS.iter().map(|text| S::decimal(text)).collect(), state.collect())
+}
+
+fn narrow<S: Real>(x: DoubleDouble) -> S {
+    S::from_f64(x.hi()) + S::from_f64(x.lo())
+}
+
+/// Equations with their state in terms of q and q̇, whatever their own speeds are.
+struct Equations<'a, S> {
+    system: &'a dyn System<S>,
+    parameters: Vec<S>,
+}
+
+impl<S: Real> Equations<'_, S> {
+    /// [q; v] from [q; q̇]: the speeds of Lagrange's equations are the q̇, and every formulation knows the generalized
+    /// speeds of the model file.
+    fn state(&self, y: &[S]) -> Vec<S> {
+        let p = &self.parameters;
+        let (q, q_dot) = y.split_at(N);
+        let (mut u, mut v) = ([S::int(0); N], [S::int(0); N]);
+        System::<S>::generalized_speeds(&lagrange::Lagrange, p, q, q_dot, &mut u);
+        self.system.motion_variables(p, q, &u, &mut v);
+        [q, &v].concat()
+    }
+
+    /// [q; q̇] from [q; v].
+    fn rates(&self, y: &[S]) -> Vec<S> {
+        let (q, v) = y.split_at(N);
+        let mut q_dot = [S::int(0); N];
+        self.system.coordinate_rates(&self.parameters, q, v, &mut q_dot);
+        [q, &q_dot].concat()
+    }
+}
+
+/// Equations that are known when this is compiled: no virtual call, and the compiler may inline.
+struct Known<E> {
+    equations: E,
+    parameters: Vec<f64>,
+}
+
+impl<E: System<f64>> RightHandSide for Known<E> {
+    #[inline]
+    fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
+        let ((q, v), (q_dot, v_dot)) = (y.split_at(N), dydt.split_at_mut(N));
+        self.equations.derivative(&self.parameters, q, v, q_dot, v_dot);
+        Ok(())
+    }
+}
+
+/// From the start to the end of the span at rtol = atol = `tolerance`.
+fn run<S: Real, R: RightHandSide<S>>(rhs: &mut R, y0: &[S], method: Method, tolerance: f64) -> Solution<S> {
+    let options = Options {
+        method,
+        rtol: tolerance,
+        atol: AbsoluteTolerance::Uniform(tolerance),
+        output: Output::Ends,
+        ..Options::default()
+    };
+    integrate(Lent(rhs), (0.0, SPAN), y0, &options, &mut []).expect("the question makes sense")
+}
+
+/// One run from each of these starts, q and q̇ in turn: the steps tried in all, and the ends. The one place that a batch is
+/// integrated in.
+fn batch<R: RightHandSide>(worker: &mut Worker<'_, R>, starts: &[f64], tolerance: f64) -> (u64, Vec<Vec<f64>>) {
+    let mut steps = 0;
+    let ends = starts.chunks_exact(2 * N).map(|start| {
+        let solution = run(&mut worker.rhs, &worker.equations.state(start), worker.method, tolerance);
+        steps += solution.steps + solution.rejected;
+        worker.equations.rates(&solution.y_end)
+    });
+    let ends = ends.collect();
+    (steps, ends)
+}
+
+/// Starts of runs in a file, as doubles one after the other.
+fn read_starts(path: &str) -> Option<Vec<f64>> {
+    let bytes = std::fs::read(path).ok()?;
+    Some(bytes.chunks_exact(8).map(|eight| f64::from_ne_bytes(eight.try_into().expect("eight bytes"))).collect())
+}
+
+/// The end state computed with 32 digits from the start as it is written, not as an `f64` rounds it; or from the k-th of a
+/// file of starts.
+fn reference(method: Method, tolerance: f64, of_file: Option<(usize, &str)>) -> Option<Vec<f64>> {
+    let (parameters, mut start) = question::<DoubleDouble>();
+    if let Some((k, path)) = of_file {
+        let starts = read_starts(path)?;
+        start = starts.get(2 * N * k..2 * N * (k + 1))?.iter().map(|x| DoubleDouble::from(*x)).collect();
+    }
+    let equations = Equations { system: &lagrange::Lagrange, parameters };
+    let mut rhs = Eliminated::new(equations.system, &equations.parameters)?;
+    let solution = run(&mut rhs, &equations.state(&start), method, tolerance);
+    let end = equations.rates(&solution.y_end).iter().map(|y| y.to_f64()).collect();
+    (solution.stop == Stop::End).then_some(end)
+}
+
+/// Each so that reading it gives the same number.
+fn numbers(values: &[f64]) -> String {
+    let words: Vec<String> = values.iter().map(f64::to_string).collect();
+    words.join(" ")
+}
+
+/// What answers lines.
+struct Worker<'a, R> {
+    rhs: R,
+    equations: Equations<'a, f64>,
+    method: Method,
+}
+
+impl<R: RightHandSide> Worker<'_, R> {
+    fn run(&mut self, tolerance: f64, repeats: u32) -> Option<Vec<f64>> {
+        let y0 = self.equations.state(&question::<f64>().1);
+        let mut solution = None;
+        let begin = Instant::now();
+        for _ in 0..repeats {
+            solution = Some(run(&mut self.rhs, black_box(&y0), self.method, tolerance));
+        }
+        let seconds = begin.elapsed().as_secs_f64() / f64::from(repeats);
+        let solution = solution?;
+        let counts = [solution.steps + solution.rejected, solution.evaluations].map(|n| n as f64);
+        Some([[seconds].as_slice(), &counts, &self.equations.rates(&solution.y_end)].concat())
+    }
+
+    fn batch(&mut self, count: usize, tolerance: f64, path: &str) -> Option<Vec<f64>> {
+        let starts = read_starts(path)?;
+        let starts = starts.get(..2 * N * count)?;
+        let begin = Instant::now();
+        let (steps, ends) = batch(self, starts, tolerance);
+        let seconds = begin.elapsed().as_secs_f64();
+        let sample = (0..SAMPLE).flat_map(|k| ends[k * count / SAMPLE].iter().copied());
+        Some([seconds, steps as f64].into_iter().chain(sample).collect())
+    }
+
+    /// Answers one line; `None` if it is not understood.
+    fn answer(&mut self, line: &str) -> Option<String> {
+        // A path may have spaces, and comes last.
+        let words: Vec<&str> = line.trim().splitn(4, ' ').collect();
+        let answer = match words.as_slice() {
+            ["start"] => {
+                let (parameters, start) = question::<f64>();
+                [parameters, start].concat()
+            }
+            ["prepare", _] => vec![0.0],
+            ["run", tolerance, repeats] => self.run(tolerance.parse().ok()?, repeats.parse().ok()?)?,
+            ["batch", count, tolerance, path] => self.batch(count.parse().ok()?, tolerance.parse().ok()?, path)?,
+            ["reference", tolerance] => reference(self.method, tolerance.parse().ok()?, None)?,
+            ["reference", tolerance, k, path] => {
+                reference(self.method, tolerance.parse().ok()?, Some((k.parse().ok()?, path)))?
+            }
+            _ => return None,
+        };
+        Some(numbers(&answer))
+    }
+
+    fn serve(mut self) -> ExitCode {
+        for line in std::io::stdin().lock().lines() {
+            let Some(answered) = line.ok().and_then(|line| self.answer(&line)) else { return ExitCode::from(2) };
+            let mut out = std::io::stdout().lock();
+            if writeln!(out, "{answered}").and_then(|()| out.flush()).is_err() {
+                return ExitCode::FAILURE;
+            }
+        }
+        ExitCode::SUCCESS
+    }
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let (which, method) = match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+        ["methods"] => {
+            for method in METHODS {
+                println!("{}", method.name());
+            }
+            return ExitCode::SUCCESS;
+        }
+        [which, name] => (which.to_string(), METHODS.iter().find(|method| method.name() == *name)),
+        _ => (String::new(), None),
+    };
+    let (values, _) = question::<f64>();
+    let system: &dyn System<f64> = if which.ends_with("kane") { &kane::Kane } else { &lagrange::Lagrange };
+    let parameters = black_box(values.clone());
+    let equations = Equations { system, parameters: values.clone() };
+    match (which.as_str(), method.copied()) {
+        ("lagrange", Some(method)) => {
+            Worker { rhs: Known { equations: lagrange::Lagrange, parameters }, equations, method }.serve()
+        }
+        ("kane", Some(method)) => {
+            Worker { rhs: Known { equations: kane::Kane, parameters }, equations, method }.serve()
+        }
+        ("eliminated-lagrange" | "eliminated-kane", Some(method)) => {
+            let rhs = Eliminated::new(system, &values).expect("these equations were solved for");
+            Worker { rhs, equations, method }.serve()
+        }
+        _ => {
+            eprintln!("usage: peer lagrange | kane | eliminated-lagrange | eliminated-kane METHOD, or peer methods");
+            ExitCode::from(2)
+        }
+    }
+}
