@@ -176,11 +176,13 @@ def compiler_plus():
     return os.environ.get("CXX", "c++")
 
 
-def call(command, environment=None, quiet=False):
+def call(command, environment=None, quiet=False, place=ROOT):
+    """What a command prints, if that is to be kept from the terminal."""
     words = [str(word) for word in command]
-    done = subprocess.run(words, cwd=ROOT, env=environment, capture_output=quiet, text=True)
+    done = subprocess.run(words, cwd=place, env=environment, capture_output=quiet, text=True)
     if done.returncode:
         raise SystemExit(f"{' '.join(words)}\n{done.stderr or ''}exit status {done.returncode}")
+    return done.stdout
 
 
 def say(text):
@@ -189,7 +191,8 @@ def say(text):
 
 def machine():
     """What the times depend on; neither names nor places."""
-    pinned = [line for line in REQUIREMENTS.read_text().split() if "==" in line]
+    # The peers; not what these need.
+    pinned = REQUIREMENTS.read_text().partition("\n\n")[0].split()
     return {
         "processor": f"{processor()}, {os.cpu_count()} cores visible",
         "system": f"{platform.system()} {platform.machine()}, {' '.join(platform.libc_ver())}".rstrip(", "),
@@ -220,6 +223,4 @@ def first_line(command):
 
 def lines(command, environment=None, place=ROOT):
     """What a command prints."""
-    words = [str(word) for word in command]
-    done = subprocess.run(words, cwd=place, env=environment, capture_output=True, text=True, check=True)
-    return done.stdout.splitlines()
+    return call(command, environment, quiet=True, place=place).splitlines()
