@@ -256,3 +256,48 @@ fn derivative_of(arena: &mut Arena, f: Function, x: Expr, value: Expr) -> Expr {
         Function::Sign => Expr::ZERO,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::parse::parse_free;
+
+    /// Goal: one pass gives what one differentiation for each variable gives. Method: equal terms, and nothing else.
+    #[test]
+    fn a_gradient_holds_the_partial_derivatives() {
+        let mut arena = Arena::new();
+        let variables = ["a", "b", "c"].map(|name| arena.symbol(name));
+        for text in
+            ["a", "m", "a*b^2*sin(c) + m*b", "sqrt(a^2 + b^2)/c", "exp(a*m)*(a + 2*b - c)^3", "tan(a - b) + a - a"]
+        {
+            let e = parse_free(&mut arena, text).unwrap();
+            let slopes = Gradient::new(&variables).apply(&mut arena, e);
+            let found = |at: usize| slopes.iter().find(|(i, _)| *i == at).map_or(Expr::ZERO, |(_, slope)| *slope);
+            for (at, x) in variables.iter().enumerate() {
+                assert_eq!(found(at), Differential::partial(*x).apply(&mut arena, e), "{text} along {at}");
+            }
+            assert!(
+                slopes.windows(2).all(|pair| pair[0].0 < pair[1].0) && slopes.iter().all(|(_, e)| *e != Expr::ZERO)
+            );
+        }
+    }
+
+    /// Goal: operands come first, whichever way the order is made. Method: few terms of many, and most of them.
+    #[test]
+    fn terms_are_reached_operands_first() {
+        let mut arena = Arena::new();
+        let mut e = arena.symbol("x");
+        for _ in 0..500 {
+            let sine = arena.sin(e);
+            e = arena.add(sine, Expr::ONE);
+        }
+        let far = arena.cos(e);
+        let near = arena.symbol("y");
+        for roots in [vec![far], vec![near, far], vec![near], vec![e, e]] {
+            let all = arena.reachable(&roots);
+            assert!(all.windows(2).all(|pair| pair[0] < pair[1]), "sorted, each once");
+            assert!(all.iter().all(|e| arena.operands(*e).all(|operand| all.binary_search(&operand).is_ok())));
+            assert!(roots.iter().all(|root| all.binary_search(root).is_ok()));
+        }
+    }
+}

@@ -223,3 +223,33 @@ fn best_pivot(
     }
     best.map(|(_, r, c)| (r, c))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::parse::parse_free;
+
+    fn form(text: &str) -> Result<(Vec<Expr>, Expr), NotLinear> {
+        let mut arena = Arena::new();
+        let symbols = ["u", "v"].map(|name| arena.symbol(name));
+        let e = parse_free(&mut arena, text).unwrap();
+        LinearForm::new(&symbols).coefficients(&mut arena, e)
+    }
+
+    #[test]
+    fn what_is_linear_by_form_or_by_meaning_has_coefficients() {
+        for text in
+            ["m*u*sin(q) + (u - v)*g + 1", "u*(cos(u)^2 + sin(u)^2)", "(u + v)^2 - u^2 - 2*u*v - v^2 + u", "sign(q)*u"]
+        {
+            assert!(form(text).is_ok(), "{text}");
+        }
+    }
+
+    /// A jump has no slope, and what has the slope 1 everywhere else is not linear for that.
+    #[test]
+    fn what_bends_or_jumps_has_none() {
+        for text in ["u*v", "sin(u)", "u + sign(u)", "abs(u)", "m*u/(1 + v^2)"] {
+            assert!(form(text).is_err(), "{text}");
+        }
+    }
+}

@@ -373,6 +373,10 @@ mod tests {
             ("1/(u1 - u2) - 1/(u1 + u2) - 2*u2/(u1^2 - u2^2)", "0"),
             ("(u1^2 - u2^2)/(u1 - u2) + u2", "u1 + 2*u2"),
             ("u1/(1 + tan(q1)^2) - u1*cos(q1)^2", "0"),
+            ("(u1 + u2)*M - u1*M", "M*u2"),
+            ("(u1 + u2)*sin(q1)^2 + u1*cos(q1)^2", "u1 + u2*sin(q1)^2"),
+            ("M*((u1 + u2)*R*cos(q1) - (u1 + u2)*g*R)", "M*R*(cos(q1) - g)*(u1 + u2)"),
+            ("R*sin(q1 - q2) - R*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + M", "M"),
             ("M*g*sin(q1) + R*u1*(2*sin(q1)*cos(q1) - sin(2*q1))", "M*g*sin(q1)"),
         ] {
             assert_eq!(simplified(input), expected, "{input}");
