@@ -7,6 +7,7 @@
 //! The accelerations divide by d1, by s3, by s15, by s22.
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q0, q1, q2, q3.
@@ -1241,6 +1242,1220 @@ pub fn motion_variables<S: Scalar>(
     [q0_dot_value, q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 52 convolutions and 96 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 8]],
+    work: &mut [Factors<S, 56>],
+) {
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
+    let [_, q1_0, q2_0, q3_0, q0_dot_0, q1_dot_0, q2_dot_0, q3_dot_0] = x[0];
+    // Shared terms.
+    // m1 + m2 + m3; used 4 times
+    let m1_plus_m2_plus_m3_part = m1 + m2 + m3;
+    // m2 + m3; used 5 times
+    let m2_plus_m3_2 = m2 + m3;
+    // l0*l1*(m2 + m3); used 2 times
+    let l0_l1_m2_plus_m3_2 = l0 * l1 * m2_plus_m3_2;
+    // Constant in time.
+    // weight = m0 + m1 + m2 + m3
+    let weight = m0 + m1 + m2 + m3;
+    // minus_m3 = -m3
+    let minus_m3 = -m3;
+    // m1_plus_m2_plus_m3 = m1 + m2 + m3
+    let m1_plus_m2_plus_m3 = m1_plus_m2_plus_m3_part;
+    // m2_plus_m3 = m2 + m3
+    let m2_plus_m3 = m2_plus_m3_2;
+    // weight_2 = -l0*(m1 + m2 + m3)
+    let weight_2 = -l0 * m1_plus_m2_plus_m3_part;
+    // minus_l1_m2_plus_m3 = -l1*(m2 + m3)
+    let minus_l1_m2_plus_m3 = -l1 * m2_plus_m3_2;
+    // minus_m3_l2 = -m3*l2
+    let minus_m3_l2 = -m3 * l2;
+    // l0_2_m1_plus_m2_plus_m3 = l0^2*(m1 + m2 + m3)
+    let l0_2_m1_plus_m2_plus_m3 = l0 * l0 * m1_plus_m2_plus_m3_part;
+    // minus_m3_l0_2 = -m3*l0^2
+    let minus_m3_l0_2 = -m3 * l0 * l0;
+    // minus_l0_2 = -l0^2
+    let minus_l0_2 = -l0 * l0;
+    // minus_m3_l0_l1 = -m3*l0*l1
+    let minus_m3_l0_l1 = -m3 * l0 * l1;
+    // l0_l1_m2_plus_m3 = l0*l1*(m2 + m3)
+    let l0_l1_m2_plus_m3 = l0_l1_m2_plus_m3_2;
+    // minus_l0_l1 = -l0*l1
+    let minus_l0_l1 = -l0 * l1;
+    // minus_m3_l0 = -m3*l0
+    let minus_m3_l0 = -m3 * l0;
+    // minus_m3_l0_l2 = -m3*l0*l2
+    let minus_m3_l0_l2 = -m3 * l0 * l2;
+    // minus_l0_l1_m2_plus_m3 = -l0*l1*(m2 + m3)
+    let minus_l0_l1_m2_plus_m3 = -l0_l1_m2_plus_m3_2;
+    // l0_g_m1_plus_m2_plus_m3 = l0*g*(m1 + m2 + m3)
+    let l0_g_m1_plus_m2_plus_m3 = l0 * g * m1_plus_m2_plus_m3_part;
+    // l1_2_m2_plus_m3 = l1^2*(m2 + m3)
+    let l1_2_m2_plus_m3 = l1 * l1 * m2_plus_m3_2;
+    // minus_m3_l1_2 = -m3*l1^2
+    let minus_m3_l1_2 = -m3 * l1 * l1;
+    // minus_l1_2 = -l1^2
+    let minus_l1_2 = -l1 * l1;
+    // minus_m3_l1 = -m3*l1
+    let minus_m3_l1 = -m3 * l1;
+    // minus_m3_l1_l2 = -m3*l1*l2
+    let minus_m3_l1_l2 = -m3 * l1 * l2;
+    // l1_g_m2_plus_m3 = l1*g*(m2 + m3)
+    let l1_g_m2_plus_m3 = l1 * g * m2_plus_m3_2;
+    // minus_l0 = -l0
+    let minus_l0 = -l0;
+    // minus_l1 = -l1
+    let minus_l1 = -l1;
+    // weight_3 = 1/l2
+    let weight_3 = S::int(1) / l2;
+    // Order 0.
+    let (s3_2_0, c3_0) = q3_0.sin_cos();
+    // cos_q3_p2 = c3*c3
+    let cos_q3_p2_0 = c3_0 * c3_0;
+    // s3_part = weight + minus_m3*cos_q3_p2
+    let s3_part_0 = cos_q3_p2_0.mul_add(minus_m3, weight);
+    let over_s3_part = S::int(1) / s3_part_0;
+    let (s1_0, c1_0) = q1_0.sin_cos();
+    // q1_minus_q3 = q1 - q3
+    let q1_minus_q3_0 = q1_0 - q3_0;
+    let (sin_q1_minus_q3_0, cos_q1_minus_q3_0) = q1_minus_q3_0.sin_cos();
+    // s4_part = cos_q1_minus_q3*c3
+    let s4_part_0 = cos_q1_minus_q3_0 * c3_0;
+    // s4_part_2 = minus_m3*s4_part + m1_plus_m2_plus_m3*c1
+    let s4_part_2_0 = s4_part_0.mul_add(minus_m3, m1_plus_m2_plus_m3 * c1_0);
+    let (s2_0, c2_0) = q2_0.sin_cos();
+    // q2_minus_q3 = q2 - q3
+    let q2_minus_q3_0 = q2_0 - q3_0;
+    let (sin_q2_minus_q3_0, cos_q2_minus_q3_0) = q2_minus_q3_0.sin_cos();
+    // s5_part = cos_q2_minus_q3*c3
+    let s5_part_0 = cos_q2_minus_q3_0 * c3_0;
+    // s5_part_2 = minus_m3*s5_part + m2_plus_m3*c2
+    let s5_part_2_0 = s5_part_0.mul_add(minus_m3, m2_plus_m3 * c2_0);
+    // q1_p2 = q1_dot*q1_dot
+    let q1_p2_0 = q1_dot_0 * q1_dot_0;
+    // q1_p2_sin_q1 = s1*q1_p2
+    let q1_p2_sin_q1_0 = s1_0 * q1_p2_0;
+    // q2_p2 = q2_dot*q2_dot
+    let q2_p2_0 = q2_dot_0 * q2_dot_0;
+    // q2_p2_sin_q2 = s2*q2_p2
+    let q2_p2_sin_q2_0 = s2_0 * q2_p2_0;
+    // r6_part = sin_q1_minus_q3*q1_p2
+    let r6_part_0 = sin_q1_minus_q3_0 * q1_p2_0;
+    // r6_part_2 = sin_q2_minus_q3*q2_p2
+    let r6_part_2_0 = sin_q2_minus_q3_0 * q2_p2_0;
+    // r6_part_3 = l0*r6_part + l1*r6_part_2 + g*s3_2
+    let r6_part_3_0 = r6_part_2_0.mul_add(l1, r6_part_0.mul_add(l0, g * s3_2_0));
+    // r6_part_4 = r6_part_3*c3
+    let r6_part_4_0 = r6_part_3_0 * c3_0;
+    // q3_p2 = q3_dot*q3_dot
+    let q3_p2_0 = q3_dot_0 * q3_dot_0;
+    // q3_p2_sin_q3 = s3_2*q3_p2
+    let q3_p2_sin_q3_0 = s3_2_0 * q3_p2_0;
+    // r6_part_5 = F + weight_2*q1_p2_sin_q1 + minus_l1_m2_plus_m3*q2_p2_sin_q2 + m3*r6_part_4 +
+    //   minus_m3_l2*q3_p2_sin_q3
+    let r6_part_5_0 = r6_part_4_0
+        .mul_add(
+            m3,
+            q3_p2_sin_q3_0
+                .mul_add(
+                    minus_m3_l2,
+                    q2_p2_sin_q2_0
+                        .mul_add(
+                            minus_l1_m2_plus_m3,
+                            q1_p2_sin_q1_0.mul_add(weight_2, F),
+                        ),
+                ),
+        );
+    // cos_q1_minus_q3_p2 = cos_q1_minus_q3*cos_q1_minus_q3
+    let cos_q1_minus_q3_p2_0 = cos_q1_minus_q3_0 * cos_q1_minus_q3_0;
+    // q1_minus_q2 = q1 - q2
+    let q1_minus_q2_0 = q1_0 - q2_0;
+    let (sin_q1_minus_q2_0, cos_q1_minus_q2_0) = q1_minus_q2_0.sin_cos();
+    // s9_part = cos_q2_minus_q3*cos_q1_minus_q3
+    let s9_part_0 = cos_q2_minus_q3_0 * cos_q1_minus_q3_0;
+    // r10_part = sin_q1_minus_q2*q2_p2
+    let r10_part_0 = sin_q1_minus_q2_0 * q2_p2_0;
+    // r10_part_2 = r6_part_3*cos_q1_minus_q3
+    let r10_part_2_0 = r6_part_3_0 * cos_q1_minus_q3_0;
+    // r10_part_3 = sin_q1_minus_q3*q3_p2
+    let r10_part_3_0 = sin_q1_minus_q3_0 * q3_p2_0;
+    // cos_q2_minus_q3_p2 = cos_q2_minus_q3*cos_q2_minus_q3
+    let cos_q2_minus_q3_p2_0 = cos_q2_minus_q3_0 * cos_q2_minus_q3_0;
+    // r13_part = sin_q1_minus_q2*q1_p2
+    let r13_part_0 = sin_q1_minus_q2_0 * q1_p2_0;
+    // r13_part_2 = r6_part_3*cos_q2_minus_q3
+    let r13_part_2_0 = r6_part_3_0 * cos_q2_minus_q3_0;
+    // r13_part_3 = sin_q2_minus_q3*q3_p2
+    let r13_part_3_0 = sin_q2_minus_q3_0 * q3_p2_0;
+    // l14_part = s4_part_2/s3_part
+    let l14_part_0 = s4_part_2_0 * over_s3_part;
+    // s15_part = s4_part_2*l14_part
+    let s15_part_0 = s4_part_2_0 * l14_part_0;
+    // s8_minus_s4_l14 = l0_2_m1_plus_m2_plus_m3 + minus_m3_l0_2*cos_q1_minus_q3_p2 + minus_l0_2*s15_part
+    let s8_minus_s4_l14_0 = s15_part_0
+        .mul_add(
+            minus_l0_2,
+            cos_q1_minus_q3_p2_0.mul_add(minus_m3_l0_2, l0_2_m1_plus_m2_plus_m3),
+        );
+    let over_s8_minus_s4_l14 = S::int(1) / s8_minus_s4_l14_0;
+    // s16_part = s5_part_2*l14_part
+    let s16_part_0 = s5_part_2_0 * l14_part_0;
+    // s9_minus_s5_l14 = minus_m3_l0_l1*s9_part + l0_l1_m2_plus_m3*cos_q1_minus_q2 + minus_l0_l1*s16_part
+    let s9_minus_s5_l14_0 = s16_part_0
+        .mul_add(
+            minus_l0_l1,
+            s9_part_0.mul_add(minus_m3_l0_l1, l0_l1_m2_plus_m3 * cos_q1_minus_q2_0),
+        );
+    // r17_part = r6_part_5*l14_part
+    let r17_part_0 = r6_part_5_0 * l14_part_0;
+    // r10_minus_r6_l14 = minus_m3_l0*r10_part_2 + minus_m3_l0_l2*r10_part_3 +
+    //   minus_l0_l1_m2_plus_m3*r10_part + l0_g_m1_plus_m2_plus_m3*s1 + l0*r17_part
+    let r10_minus_r6_l14_0 = r17_part_0
+        .mul_add(
+            l0,
+            r10_part_2_0
+                .mul_add(
+                    minus_m3_l0,
+                    r10_part_0
+                        .mul_add(
+                            minus_l0_l1_m2_plus_m3,
+                            r10_part_3_0
+                                .mul_add(minus_m3_l0_l2, l0_g_m1_plus_m2_plus_m3 * s1_0),
+                        ),
+                ),
+        );
+    // l18_part = s5_part_2/s3_part
+    let l18_part_0 = s5_part_2_0 * over_s3_part;
+    // s19_part = s5_part_2*l18_part
+    let s19_part_0 = s5_part_2_0 * l18_part_0;
+    // r20_part = r6_part_5*l18_part
+    let r20_part_0 = r6_part_5_0 * l18_part_0;
+    // l21_part = s9_minus_s5_l14/s8_minus_s4_l14
+    let l21_part_0 = s9_minus_s5_l14_0 * over_s8_minus_s4_l14;
+    // s22_part = s9_minus_s5_l14*l21_part
+    let s22_part_0 = s9_minus_s5_l14_0 * l21_part_0;
+    // s19_minus_s16_l21 = l1_2_m2_plus_m3 + minus_m3_l1_2*cos_q2_minus_q3_p2 + minus_l1_2*s19_part -
+    //   s22_part
+    let s19_minus_s16_l21_0 = s19_part_0
+        .mul_add(
+            minus_l1_2,
+            cos_q2_minus_q3_p2_0.mul_add(minus_m3_l1_2, l1_2_m2_plus_m3),
+        ) - s22_part_0;
+    let over_s19_minus_s16_l21 = S::int(1) / s19_minus_s16_l21_0;
+    // r23_part = r10_minus_r6_l14*l21_part
+    let r23_part_0 = r10_minus_r6_l14_0 * l21_part_0;
+    // r20_minus_r17_l21 = minus_m3_l1*r13_part_2 + minus_m3_l1_l2*r13_part_3 + l0_l1_m2_plus_m3*r13_part +
+    //   l1_g_m2_plus_m3*s2 + l1*r20_part - r23_part
+    let r20_minus_r17_l21_0 = r20_part_0
+        .mul_add(
+            l1,
+            r13_part_2_0
+                .mul_add(
+                    minus_m3_l1,
+                    r13_part_0
+                        .mul_add(
+                            l0_l1_m2_plus_m3,
+                            r13_part_3_0.mul_add(minus_m3_l1_l2, l1_g_m2_plus_m3 * s2_0),
+                        ),
+                ),
+        ) - r23_part_0;
+    // q2_dot_dot = r20_minus_r17_l21/s19_minus_s16_l21
+    let q2_dot_dot_0 = r20_minus_r17_l21_0 * over_s19_minus_s16_l21;
+    // q1_ddot_part = q2_dot_dot*s9_minus_s5_l14
+    let q1_ddot_part_0 = q2_dot_dot_0 * s9_minus_s5_l14_0;
+    // r17_minus_q2_s16 = r10_minus_r6_l14 - q1_ddot_part
+    let r17_minus_q2_s16_0 = r10_minus_r6_l14_0 - q1_ddot_part_0;
+    // q1_dot_dot = r17_minus_q2_s16/s8_minus_s4_l14
+    let q1_dot_dot_0 = r17_minus_q2_s16_0 * over_s8_minus_s4_l14;
+    // q0_ddot_part = q1_dot_dot*s4_part_2
+    let q0_ddot_part_0 = q1_dot_dot_0 * s4_part_2_0;
+    // q0_ddot_part_2 = q2_dot_dot*s5_part_2
+    let q0_ddot_part_2_0 = q2_dot_dot_0 * s5_part_2_0;
+    // q0_ddot_part_3 = r6_part_5 + l0*q0_ddot_part + l1*q0_ddot_part_2
+    let q0_ddot_part_3_0 = q0_ddot_part_0
+        .mul_add(l0, q0_ddot_part_2_0.mul_add(l1, r6_part_5_0));
+    // q0_dot_dot = q0_ddot_part_3/s3_part
+    let q0_dot_dot_0 = q0_ddot_part_3_0 * over_s3_part;
+    // q3_ddot_part = q1_dot_dot*cos_q1_minus_q3
+    let q3_ddot_part_0 = q1_dot_dot_0 * cos_q1_minus_q3_0;
+    // q3_ddot_part_2 = q2_dot_dot*cos_q2_minus_q3
+    let q3_ddot_part_2_0 = q2_dot_dot_0 * cos_q2_minus_q3_0;
+    // q3_ddot_part_3 = q0_dot_dot*c3
+    let q3_ddot_part_3_0 = q0_dot_dot_0 * c3_0;
+    // q3_ddot_part_4 = g*s3_2 + l0*r6_part + minus_l0*q3_ddot_part + l1*r6_part_2 +
+    //   minus_l1*q3_ddot_part_2 + q3_ddot_part_3
+    let q3_ddot_part_4_0 = q3_ddot_part_0
+        .mul_add(
+            minus_l0,
+            q3_ddot_part_2_0
+                .mul_add(
+                    minus_l1,
+                    r6_part_2_0.mul_add(l1, r6_part_0.mul_add(l0, g * s3_2_0)),
+                ),
+        ) + q3_ddot_part_3_0;
+    // Order 1: the rates, and what follows from them.
+    let q0_1 = q0_dot_0;
+    let q1_1 = q1_dot_0;
+    let q2_1 = q2_dot_0;
+    let q3_1 = q3_dot_0;
+    let q0_dot_1 = q0_dot_dot_0;
+    let q1_dot_1 = q1_dot_dot_0;
+    let q2_dot_1 = q2_dot_dot_0;
+    let q3_dot_1 = weight_3 * q3_ddot_part_4_0;
+    if x.len() > 1 {
+        x[1] = [q0_1, q1_1, q2_1, q3_1, q0_dot_1, q1_dot_1, q2_dot_1, q3_dot_1];
+    }
+    let s3_2_1 = q3_1 * c3_0;
+    let c3_1 = -q3_1 * s3_2_0;
+    let cos_q3_p2_1 = c3_1 * (c3_0 + c3_0);
+    let s3_part_1 = minus_m3 * cos_q3_p2_1;
+    let s1_1 = q1_1 * c1_0;
+    let c1_1 = -q1_1 * s1_0;
+    let q1_minus_q3_1 = q1_1 - q3_1;
+    let sin_q1_minus_q3_1 = q1_minus_q3_1 * cos_q1_minus_q3_0;
+    let cos_q1_minus_q3_1 = -q1_minus_q3_1 * sin_q1_minus_q3_0;
+    let s4_part_1 = cos_q1_minus_q3_1.mul_add(c3_0, c3_1 * cos_q1_minus_q3_0);
+    let s4_part_2_1 = s4_part_1.mul_add(minus_m3, m1_plus_m2_plus_m3 * c1_1);
+    let s2_1 = q2_1 * c2_0;
+    let c2_1 = -q2_1 * s2_0;
+    let q2_minus_q3_1 = q2_1 - q3_1;
+    let sin_q2_minus_q3_1 = q2_minus_q3_1 * cos_q2_minus_q3_0;
+    let cos_q2_minus_q3_1 = -q2_minus_q3_1 * sin_q2_minus_q3_0;
+    let s5_part_1 = cos_q2_minus_q3_1.mul_add(c3_0, c3_1 * cos_q2_minus_q3_0);
+    let s5_part_2_1 = s5_part_1.mul_add(minus_m3, m2_plus_m3 * c2_1);
+    let q1_p2_1 = q1_dot_1 * (q1_dot_0 + q1_dot_0);
+    let q1_p2_sin_q1_1 = q1_p2_1.mul_add(s1_0, s1_1 * q1_p2_0);
+    let q2_p2_1 = q2_dot_1 * (q2_dot_0 + q2_dot_0);
+    let q2_p2_sin_q2_1 = q2_p2_1.mul_add(s2_0, s2_1 * q2_p2_0);
+    let r6_part_1 = sin_q1_minus_q3_1.mul_add(q1_p2_0, q1_p2_1 * sin_q1_minus_q3_0);
+    let r6_part_2_1 = sin_q2_minus_q3_1.mul_add(q2_p2_0, q2_p2_1 * sin_q2_minus_q3_0);
+    let r6_part_3_1 = r6_part_2_1.mul_add(l1, r6_part_1.mul_add(l0, g * s3_2_1));
+    let r6_part_4_1 = r6_part_3_1.mul_add(c3_0, c3_1 * r6_part_3_0);
+    let q3_p2_1 = q3_dot_1 * (q3_dot_0 + q3_dot_0);
+    let q3_p2_sin_q3_1 = q3_p2_1.mul_add(s3_2_0, s3_2_1 * q3_p2_0);
+    let r6_part_5_1 = r6_part_4_1
+        .mul_add(
+            m3,
+            q3_p2_sin_q3_1
+                .mul_add(
+                    minus_m3_l2,
+                    q2_p2_sin_q2_1
+                        .mul_add(minus_l1_m2_plus_m3, weight_2 * q1_p2_sin_q1_1),
+                ),
+        );
+    let cos_q1_minus_q3_p2_1 = cos_q1_minus_q3_1
+        * (cos_q1_minus_q3_0 + cos_q1_minus_q3_0);
+    let q1_minus_q2_1 = q1_1 - q2_1;
+    let sin_q1_minus_q2_1 = q1_minus_q2_1 * cos_q1_minus_q2_0;
+    let cos_q1_minus_q2_1 = -q1_minus_q2_1 * sin_q1_minus_q2_0;
+    let s9_part_1 = cos_q1_minus_q3_1
+        .mul_add(cos_q2_minus_q3_0, cos_q2_minus_q3_1 * cos_q1_minus_q3_0);
+    let r10_part_1 = sin_q1_minus_q2_1.mul_add(q2_p2_0, q2_p2_1 * sin_q1_minus_q2_0);
+    let r10_part_2_1 = r6_part_3_1
+        .mul_add(cos_q1_minus_q3_0, cos_q1_minus_q3_1 * r6_part_3_0);
+    let r10_part_3_1 = sin_q1_minus_q3_1.mul_add(q3_p2_0, q3_p2_1 * sin_q1_minus_q3_0);
+    let cos_q2_minus_q3_p2_1 = cos_q2_minus_q3_1
+        * (cos_q2_minus_q3_0 + cos_q2_minus_q3_0);
+    let r13_part_1 = sin_q1_minus_q2_1.mul_add(q1_p2_0, q1_p2_1 * sin_q1_minus_q2_0);
+    let r13_part_2_1 = r6_part_3_1
+        .mul_add(cos_q2_minus_q3_0, cos_q2_minus_q3_1 * r6_part_3_0);
+    let r13_part_3_1 = sin_q2_minus_q3_1.mul_add(q3_p2_0, q3_p2_1 * sin_q2_minus_q3_0);
+    let l14_part_1 = s3_part_1
+        .mul_add(-(l14_part_0 * over_s3_part), s4_part_2_1 * over_s3_part);
+    let s15_part_1 = l14_part_1.mul_add(s4_part_2_0, s4_part_2_1 * l14_part_0);
+    let s8_minus_s4_l14_1 = s15_part_1
+        .mul_add(minus_l0_2, minus_m3_l0_2 * cos_q1_minus_q3_p2_1);
+    let s16_part_1 = l14_part_1.mul_add(s5_part_2_0, s5_part_2_1 * l14_part_0);
+    let s9_minus_s5_l14_1 = s16_part_1
+        .mul_add(
+            minus_l0_l1,
+            s9_part_1.mul_add(minus_m3_l0_l1, l0_l1_m2_plus_m3 * cos_q1_minus_q2_1),
+        );
+    let r17_part_1 = r6_part_5_1.mul_add(l14_part_0, l14_part_1 * r6_part_5_0);
+    let r10_minus_r6_l14_1 = r17_part_1
+        .mul_add(
+            l0,
+            r10_part_2_1
+                .mul_add(
+                    minus_m3_l0,
+                    r10_part_1
+                        .mul_add(
+                            minus_l0_l1_m2_plus_m3,
+                            r10_part_3_1
+                                .mul_add(minus_m3_l0_l2, l0_g_m1_plus_m2_plus_m3 * s1_1),
+                        ),
+                ),
+        );
+    let l18_part_1 = s3_part_1
+        .mul_add(-(l18_part_0 * over_s3_part), s5_part_2_1 * over_s3_part);
+    let s19_part_1 = l18_part_1.mul_add(s5_part_2_0, s5_part_2_1 * l18_part_0);
+    let r20_part_1 = r6_part_5_1.mul_add(l18_part_0, l18_part_1 * r6_part_5_0);
+    let l21_part_1 = s8_minus_s4_l14_1
+        .mul_add(
+            -(l21_part_0 * over_s8_minus_s4_l14),
+            s9_minus_s5_l14_1 * over_s8_minus_s4_l14,
+        );
+    let s22_part_1 = l21_part_1
+        .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14_1 * l21_part_0);
+    let s19_minus_s16_l21_1 = s19_part_1
+        .mul_add(minus_l1_2, minus_m3_l1_2 * cos_q2_minus_q3_p2_1) - s22_part_1;
+    let r23_part_1 = l21_part_1
+        .mul_add(r10_minus_r6_l14_0, r10_minus_r6_l14_1 * l21_part_0);
+    let r20_minus_r17_l21_1 = r20_part_1
+        .mul_add(
+            l1,
+            r13_part_2_1
+                .mul_add(
+                    minus_m3_l1,
+                    r13_part_1
+                        .mul_add(
+                            l0_l1_m2_plus_m3,
+                            r13_part_3_1.mul_add(minus_m3_l1_l2, l1_g_m2_plus_m3 * s2_1),
+                        ),
+                ),
+        ) - r23_part_1;
+    let q2_dot_dot_1 = s19_minus_s16_l21_1
+        .mul_add(
+            -(q2_dot_dot_0 * over_s19_minus_s16_l21),
+            r20_minus_r17_l21_1 * over_s19_minus_s16_l21,
+        );
+    let q1_ddot_part_1 = q2_dot_dot_1
+        .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14_1 * q2_dot_dot_0);
+    let r17_minus_q2_s16_1 = r10_minus_r6_l14_1 - q1_ddot_part_1;
+    let q1_dot_dot_1 = s8_minus_s4_l14_1
+        .mul_add(
+            -(q1_dot_dot_0 * over_s8_minus_s4_l14),
+            r17_minus_q2_s16_1 * over_s8_minus_s4_l14,
+        );
+    let q0_ddot_part_1 = q1_dot_dot_1.mul_add(s4_part_2_0, s4_part_2_1 * q1_dot_dot_0);
+    let q0_ddot_part_2_1 = q2_dot_dot_1.mul_add(s5_part_2_0, s5_part_2_1 * q2_dot_dot_0);
+    let q0_ddot_part_3_1 = q0_ddot_part_1
+        .mul_add(l0, q0_ddot_part_2_1.mul_add(l1, r6_part_5_1));
+    let q0_dot_dot_1 = s3_part_1
+        .mul_add(-(q0_dot_dot_0 * over_s3_part), q0_ddot_part_3_1 * over_s3_part);
+    let q3_ddot_part_1 = q1_dot_dot_1
+        .mul_add(cos_q1_minus_q3_0, cos_q1_minus_q3_1 * q1_dot_dot_0);
+    let q3_ddot_part_2_1 = q2_dot_dot_1
+        .mul_add(cos_q2_minus_q3_0, cos_q2_minus_q3_1 * q2_dot_dot_0);
+    let q3_ddot_part_3_1 = q0_dot_dot_1.mul_add(c3_0, c3_1 * q0_dot_dot_0);
+    let q3_ddot_part_4_1 = q3_ddot_part_1
+        .mul_add(
+            minus_l0,
+            q3_ddot_part_2_1
+                .mul_add(
+                    minus_l1,
+                    r6_part_2_1.mul_add(l1, r6_part_1.mul_add(l0, g * s3_2_1)),
+                ),
+        ) + q3_ddot_part_3_1;
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                q3_1,
+                q3_1,
+                c3_1,
+                q1_1,
+                q1_1,
+                q1_minus_q3_1,
+                q1_minus_q3_1,
+                cos_q1_minus_q3_1,
+                q2_1,
+                q2_1,
+                q2_minus_q3_1,
+                q2_minus_q3_1,
+                cos_q2_minus_q3_1,
+                q1_dot_1,
+                s1_1,
+                q2_dot_1,
+                s2_1,
+                sin_q1_minus_q3_1,
+                sin_q2_minus_q3_1,
+                r6_part_3_1,
+                q3_dot_1,
+                s3_2_1,
+                cos_q1_minus_q3_1,
+                q1_minus_q2_1,
+                q1_minus_q2_1,
+                cos_q2_minus_q3_1,
+                sin_q1_minus_q2_1,
+                r6_part_3_1,
+                sin_q1_minus_q3_1,
+                cos_q2_minus_q3_1,
+                sin_q1_minus_q2_1,
+                r6_part_3_1,
+                sin_q2_minus_q3_1,
+                s3_part_1,
+                s4_part_2_1,
+                s5_part_2_1,
+                r6_part_5_1,
+                s3_part_1,
+                s5_part_2_1,
+                r6_part_5_1,
+                s8_minus_s4_l14_1,
+                s9_minus_s5_l14_1,
+                r10_minus_r6_l14_1,
+                s19_minus_s16_l21_1,
+                q2_dot_dot_1,
+                s8_minus_s4_l14_1,
+                q1_dot_dot_1,
+                q2_dot_dot_1,
+                s3_part_1,
+                q1_dot_dot_1,
+                q2_dot_dot_1,
+                q0_dot_dot_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                c3_1,
+                s3_2_1,
+                c3_1,
+                c1_1,
+                s1_1,
+                cos_q1_minus_q3_1,
+                sin_q1_minus_q3_1,
+                c3_1,
+                c2_1,
+                s2_1,
+                cos_q2_minus_q3_1,
+                sin_q2_minus_q3_1,
+                c3_1,
+                q1_dot_1,
+                q1_p2_1,
+                q2_dot_1,
+                q2_p2_1,
+                q1_p2_1,
+                q2_p2_1,
+                c3_1,
+                q3_dot_1,
+                q3_p2_1,
+                cos_q1_minus_q3_1,
+                cos_q1_minus_q2_1,
+                sin_q1_minus_q2_1,
+                cos_q1_minus_q3_1,
+                q2_p2_1,
+                cos_q1_minus_q3_1,
+                q3_p2_1,
+                cos_q2_minus_q3_1,
+                q1_p2_1,
+                cos_q2_minus_q3_1,
+                q3_p2_1,
+                l14_part_1,
+                l14_part_1,
+                l14_part_1,
+                l14_part_1,
+                l18_part_1,
+                l18_part_1,
+                l18_part_1,
+                l21_part_1,
+                l21_part_1,
+                l21_part_1,
+                q2_dot_dot_1,
+                s9_minus_s5_l14_1,
+                q1_dot_dot_1,
+                s4_part_2_1,
+                s5_part_2_1,
+                q0_dot_dot_1,
+                cos_q1_minus_q3_1,
+                cos_q2_minus_q3_1,
+                c3_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q1_last = q1_1;
+    let mut q2_last = q2_1;
+    let mut q3_last = q3_1;
+    let mut q1_dot_last = q1_dot_1;
+    let mut q2_dot_last = q2_dot_1;
+    let mut q3_dot_last = q3_dot_1;
+    let mut s3_2_last = s3_2_1;
+    let mut c3_last = c3_1;
+    let mut s3_part_last = s3_part_1;
+    let mut s1_last = s1_1;
+    let mut c1_last = c1_1;
+    let mut q1_minus_q3_last = q1_minus_q3_1;
+    let mut sin_q1_minus_q3_last = sin_q1_minus_q3_1;
+    let mut cos_q1_minus_q3_last = cos_q1_minus_q3_1;
+    let mut s4_part_2_last = s4_part_2_1;
+    let mut s2_last = s2_1;
+    let mut c2_last = c2_1;
+    let mut q2_minus_q3_last = q2_minus_q3_1;
+    let mut sin_q2_minus_q3_last = sin_q2_minus_q3_1;
+    let mut cos_q2_minus_q3_last = cos_q2_minus_q3_1;
+    let mut s5_part_2_last = s5_part_2_1;
+    let mut q1_p2_last = q1_p2_1;
+    let mut q2_p2_last = q2_p2_1;
+    let mut r6_part_3_last = r6_part_3_1;
+    let mut q3_p2_last = q3_p2_1;
+    let mut r6_part_5_last = r6_part_5_1;
+    let mut q1_minus_q2_last = q1_minus_q2_1;
+    let mut sin_q1_minus_q2_last = sin_q1_minus_q2_1;
+    let mut cos_q1_minus_q2_last = cos_q1_minus_q2_1;
+    let mut l14_part_last = l14_part_1;
+    let mut s8_minus_s4_l14_last = s8_minus_s4_l14_1;
+    let mut s9_minus_s5_l14_last = s9_minus_s5_l14_1;
+    let mut r10_minus_r6_l14_last = r10_minus_r6_l14_1;
+    let mut l18_part_last = l18_part_1;
+    let mut l21_part_last = l21_part_1;
+    let mut s19_minus_s16_l21_last = s19_minus_s16_l21_1;
+    let mut q2_dot_dot_last = q2_dot_dot_1;
+    let mut q1_dot_dot_last = q1_dot_dot_1;
+    let mut q0_dot_dot_last = q0_dot_dot_1;
+    let mut next = [S::int(0); 56];
+    // Rates at order k - 1.
+    let mut q0_rate = q0_dot_1;
+    let mut q1_rate = q1_dot_1;
+    let mut q2_rate = q2_dot_1;
+    let mut q3_rate = q3_dot_1;
+    let mut q0_dot_rate = q0_dot_dot_1;
+    let mut q1_dot_rate = q1_dot_dot_1;
+    let mut q2_dot_rate = q2_dot_dot_1;
+    let mut q3_dot_rate = weight_3 * q3_ddot_part_4_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q0 = q0_rate * over_k;
+        let q1 = q1_rate * over_k;
+        let q2 = q2_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let q0_dot = q0_dot_rate * over_k;
+        let q1_dot = q1_dot_rate * over_k;
+        let q2_dot = q2_dot_rate * over_k;
+        let q3_dot = q3_dot_rate * over_k;
+        x[k] = [q0, q1, q2, q3, q0_dot, q1_dot, q2_dot, q3_dot];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                q3_1.mul_add(c3_last, (count_last * q3_last).mul_add(c3_1, next[0])),
+                q3_1.mul_add(s3_2_last, (count_last * q3_last).mul_add(s3_2_1, next[1])),
+                (c3_1 + c3_1).mul_add(c3_last, next[2]),
+                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[3])),
+                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[4])),
+                q1_minus_q3_1
+                    .mul_add(
+                        cos_q1_minus_q3_last,
+                        (count_last * q1_minus_q3_last)
+                            .mul_add(cos_q1_minus_q3_1, next[5]),
+                    ),
+                q1_minus_q3_1
+                    .mul_add(
+                        sin_q1_minus_q3_last,
+                        (count_last * q1_minus_q3_last)
+                            .mul_add(sin_q1_minus_q3_1, next[6]),
+                    ),
+                cos_q1_minus_q3_1
+                    .mul_add(c3_last, cos_q1_minus_q3_last.mul_add(c3_1, next[7])),
+                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[8])),
+                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[9])),
+                q2_minus_q3_1
+                    .mul_add(
+                        cos_q2_minus_q3_last,
+                        (count_last * q2_minus_q3_last)
+                            .mul_add(cos_q2_minus_q3_1, next[10]),
+                    ),
+                q2_minus_q3_1
+                    .mul_add(
+                        sin_q2_minus_q3_last,
+                        (count_last * q2_minus_q3_last)
+                            .mul_add(sin_q2_minus_q3_1, next[11]),
+                    ),
+                cos_q2_minus_q3_1
+                    .mul_add(c3_last, cos_q2_minus_q3_last.mul_add(c3_1, next[12])),
+                (q1_dot_1 + q1_dot_1).mul_add(q1_dot_last, next[13]),
+                s1_1.mul_add(q1_p2_last, s1_last.mul_add(q1_p2_1, next[14])),
+                (q2_dot_1 + q2_dot_1).mul_add(q2_dot_last, next[15]),
+                s2_1.mul_add(q2_p2_last, s2_last.mul_add(q2_p2_1, next[16])),
+                sin_q1_minus_q3_1
+                    .mul_add(
+                        q1_p2_last,
+                        sin_q1_minus_q3_last.mul_add(q1_p2_1, next[17]),
+                    ),
+                sin_q2_minus_q3_1
+                    .mul_add(
+                        q2_p2_last,
+                        sin_q2_minus_q3_last.mul_add(q2_p2_1, next[18]),
+                    ),
+                r6_part_3_1.mul_add(c3_last, r6_part_3_last.mul_add(c3_1, next[19])),
+                (q3_dot_1 + q3_dot_1).mul_add(q3_dot_last, next[20]),
+                s3_2_1.mul_add(q3_p2_last, s3_2_last.mul_add(q3_p2_1, next[21])),
+                (cos_q1_minus_q3_1 + cos_q1_minus_q3_1)
+                    .mul_add(cos_q1_minus_q3_last, next[22]),
+                q1_minus_q2_1
+                    .mul_add(
+                        cos_q1_minus_q2_last,
+                        (count_last * q1_minus_q2_last)
+                            .mul_add(cos_q1_minus_q2_1, next[23]),
+                    ),
+                q1_minus_q2_1
+                    .mul_add(
+                        sin_q1_minus_q2_last,
+                        (count_last * q1_minus_q2_last)
+                            .mul_add(sin_q1_minus_q2_1, next[24]),
+                    ),
+                cos_q2_minus_q3_1
+                    .mul_add(
+                        cos_q1_minus_q3_last,
+                        cos_q2_minus_q3_last.mul_add(cos_q1_minus_q3_1, next[25]),
+                    ),
+                sin_q1_minus_q2_1
+                    .mul_add(
+                        q2_p2_last,
+                        sin_q1_minus_q2_last.mul_add(q2_p2_1, next[26]),
+                    ),
+                r6_part_3_1
+                    .mul_add(
+                        cos_q1_minus_q3_last,
+                        r6_part_3_last.mul_add(cos_q1_minus_q3_1, next[27]),
+                    ),
+                sin_q1_minus_q3_1
+                    .mul_add(
+                        q3_p2_last,
+                        sin_q1_minus_q3_last.mul_add(q3_p2_1, next[28]),
+                    ),
+                (cos_q2_minus_q3_1 + cos_q2_minus_q3_1)
+                    .mul_add(cos_q2_minus_q3_last, next[29]),
+                sin_q1_minus_q2_1
+                    .mul_add(
+                        q1_p2_last,
+                        sin_q1_minus_q2_last.mul_add(q1_p2_1, next[30]),
+                    ),
+                r6_part_3_1
+                    .mul_add(
+                        cos_q2_minus_q3_last,
+                        r6_part_3_last.mul_add(cos_q2_minus_q3_1, next[31]),
+                    ),
+                sin_q2_minus_q3_1
+                    .mul_add(
+                        q3_p2_last,
+                        sin_q2_minus_q3_last.mul_add(q3_p2_1, next[32]),
+                    ),
+                s3_part_1
+                    .mul_add(l14_part_last, s3_part_last.mul_add(l14_part_1, next[33])),
+                s4_part_2_1
+                    .mul_add(
+                        l14_part_last,
+                        s4_part_2_last.mul_add(l14_part_1, next[34]),
+                    ),
+                s5_part_2_1
+                    .mul_add(
+                        l14_part_last,
+                        s5_part_2_last.mul_add(l14_part_1, next[35]),
+                    ),
+                r6_part_5_1
+                    .mul_add(
+                        l14_part_last,
+                        r6_part_5_last.mul_add(l14_part_1, next[36]),
+                    ),
+                s3_part_1
+                    .mul_add(l18_part_last, s3_part_last.mul_add(l18_part_1, next[37])),
+                s5_part_2_1
+                    .mul_add(
+                        l18_part_last,
+                        s5_part_2_last.mul_add(l18_part_1, next[38]),
+                    ),
+                r6_part_5_1
+                    .mul_add(
+                        l18_part_last,
+                        r6_part_5_last.mul_add(l18_part_1, next[39]),
+                    ),
+                s8_minus_s4_l14_1
+                    .mul_add(
+                        l21_part_last,
+                        s8_minus_s4_l14_last.mul_add(l21_part_1, next[40]),
+                    ),
+                s9_minus_s5_l14_1
+                    .mul_add(
+                        l21_part_last,
+                        s9_minus_s5_l14_last.mul_add(l21_part_1, next[41]),
+                    ),
+                r10_minus_r6_l14_1
+                    .mul_add(
+                        l21_part_last,
+                        r10_minus_r6_l14_last.mul_add(l21_part_1, next[42]),
+                    ),
+                s19_minus_s16_l21_1
+                    .mul_add(
+                        q2_dot_dot_last,
+                        s19_minus_s16_l21_last.mul_add(q2_dot_dot_1, next[43]),
+                    ),
+                q2_dot_dot_1
+                    .mul_add(
+                        s9_minus_s5_l14_last,
+                        q2_dot_dot_last.mul_add(s9_minus_s5_l14_1, next[44]),
+                    ),
+                s8_minus_s4_l14_1
+                    .mul_add(
+                        q1_dot_dot_last,
+                        s8_minus_s4_l14_last.mul_add(q1_dot_dot_1, next[45]),
+                    ),
+                q1_dot_dot_1
+                    .mul_add(
+                        s4_part_2_last,
+                        q1_dot_dot_last.mul_add(s4_part_2_1, next[46]),
+                    ),
+                q2_dot_dot_1
+                    .mul_add(
+                        s5_part_2_last,
+                        q2_dot_dot_last.mul_add(s5_part_2_1, next[47]),
+                    ),
+                s3_part_1
+                    .mul_add(
+                        q0_dot_dot_last,
+                        s3_part_last.mul_add(q0_dot_dot_1, next[48]),
+                    ),
+                q1_dot_dot_1
+                    .mul_add(
+                        cos_q1_minus_q3_last,
+                        q1_dot_dot_last.mul_add(cos_q1_minus_q3_1, next[49]),
+                    ),
+                q2_dot_dot_1
+                    .mul_add(
+                        cos_q2_minus_q3_last,
+                        q2_dot_dot_last.mul_add(cos_q2_minus_q3_1, next[50]),
+                    ),
+                q0_dot_dot_1.mul_add(c3_last, q0_dot_dot_last.mul_add(c3_1, next[51])),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ]
+        };
+        // s3_2 = sin(q3)
+        let s3_2 = q3.mul_add(c3_0, sums[0] * over_k);
+        // c3 = cos(q3)
+        let c3 = -q3.mul_add(s3_2_0, sums[1] * over_k);
+        // cos_q3_p2 = c3*c3
+        let cos_q3_p2 = c3.mul_add(c3_0 + c3_0, sums[2]);
+        // s3_part = weight + minus_m3*cos_q3_p2
+        let s3_part = minus_m3 * cos_q3_p2;
+        // s1 = sin(q1)
+        let s1 = q1.mul_add(c1_0, sums[3] * over_k);
+        // c1 = cos(q1)
+        let c1 = -q1.mul_add(s1_0, sums[4] * over_k);
+        // q1_minus_q3 = q1 - q3
+        let q1_minus_q3 = q1 - q3;
+        // sin_q1_minus_q3 = sin(q1_minus_q3)
+        let sin_q1_minus_q3 = q1_minus_q3.mul_add(cos_q1_minus_q3_0, sums[5] * over_k);
+        // cos_q1_minus_q3 = cos(q1_minus_q3)
+        let cos_q1_minus_q3 = -q1_minus_q3.mul_add(sin_q1_minus_q3_0, sums[6] * over_k);
+        // s4_part = cos_q1_minus_q3*c3
+        let s4_part = cos_q1_minus_q3
+            .mul_add(c3_0, c3.mul_add(cos_q1_minus_q3_0, sums[7]));
+        // s4_part_2 = minus_m3*s4_part + m1_plus_m2_plus_m3*c1
+        let s4_part_2 = s4_part.mul_add(minus_m3, m1_plus_m2_plus_m3 * c1);
+        // s2 = sin(q2)
+        let s2 = q2.mul_add(c2_0, sums[8] * over_k);
+        // c2 = cos(q2)
+        let c2 = -q2.mul_add(s2_0, sums[9] * over_k);
+        // q2_minus_q3 = q2 - q3
+        let q2_minus_q3 = q2 - q3;
+        // sin_q2_minus_q3 = sin(q2_minus_q3)
+        let sin_q2_minus_q3 = q2_minus_q3.mul_add(cos_q2_minus_q3_0, sums[10] * over_k);
+        // cos_q2_minus_q3 = cos(q2_minus_q3)
+        let cos_q2_minus_q3 = -q2_minus_q3.mul_add(sin_q2_minus_q3_0, sums[11] * over_k);
+        // s5_part = cos_q2_minus_q3*c3
+        let s5_part = cos_q2_minus_q3
+            .mul_add(c3_0, c3.mul_add(cos_q2_minus_q3_0, sums[12]));
+        // s5_part_2 = minus_m3*s5_part + m2_plus_m3*c2
+        let s5_part_2 = s5_part.mul_add(minus_m3, m2_plus_m3 * c2);
+        // q1_p2 = q1_dot*q1_dot
+        let q1_p2 = q1_dot.mul_add(q1_dot_0 + q1_dot_0, sums[13]);
+        // q1_p2_sin_q1 = s1*q1_p2
+        let q1_p2_sin_q1 = q1_p2.mul_add(s1_0, s1.mul_add(q1_p2_0, sums[14]));
+        // q2_p2 = q2_dot*q2_dot
+        let q2_p2 = q2_dot.mul_add(q2_dot_0 + q2_dot_0, sums[15]);
+        // q2_p2_sin_q2 = s2*q2_p2
+        let q2_p2_sin_q2 = q2_p2.mul_add(s2_0, s2.mul_add(q2_p2_0, sums[16]));
+        // r6_part = sin_q1_minus_q3*q1_p2
+        let r6_part = sin_q1_minus_q3
+            .mul_add(q1_p2_0, q1_p2.mul_add(sin_q1_minus_q3_0, sums[17]));
+        // r6_part_2 = sin_q2_minus_q3*q2_p2
+        let r6_part_2 = sin_q2_minus_q3
+            .mul_add(q2_p2_0, q2_p2.mul_add(sin_q2_minus_q3_0, sums[18]));
+        // r6_part_3 = l0*r6_part + l1*r6_part_2 + g*s3_2
+        let r6_part_3 = r6_part_2.mul_add(l1, r6_part.mul_add(l0, g * s3_2));
+        // r6_part_4 = r6_part_3*c3
+        let r6_part_4 = r6_part_3.mul_add(c3_0, c3.mul_add(r6_part_3_0, sums[19]));
+        // q3_p2 = q3_dot*q3_dot
+        let q3_p2 = q3_dot.mul_add(q3_dot_0 + q3_dot_0, sums[20]);
+        // q3_p2_sin_q3 = s3_2*q3_p2
+        let q3_p2_sin_q3 = q3_p2.mul_add(s3_2_0, s3_2.mul_add(q3_p2_0, sums[21]));
+        // r6_part_5 = F + weight_2*q1_p2_sin_q1 + minus_l1_m2_plus_m3*q2_p2_sin_q2 + m3*r6_part_4 +
+        //   minus_m3_l2*q3_p2_sin_q3
+        let r6_part_5 = r6_part_4
+            .mul_add(
+                m3,
+                q3_p2_sin_q3
+                    .mul_add(
+                        minus_m3_l2,
+                        q2_p2_sin_q2
+                            .mul_add(minus_l1_m2_plus_m3, weight_2 * q1_p2_sin_q1),
+                    ),
+            );
+        // cos_q1_minus_q3_p2 = cos_q1_minus_q3*cos_q1_minus_q3
+        let cos_q1_minus_q3_p2 = cos_q1_minus_q3
+            .mul_add(cos_q1_minus_q3_0 + cos_q1_minus_q3_0, sums[22]);
+        // q1_minus_q2 = q1 - q2
+        let q1_minus_q2 = q1 - q2;
+        // sin_q1_minus_q2 = sin(q1_minus_q2)
+        let sin_q1_minus_q2 = q1_minus_q2.mul_add(cos_q1_minus_q2_0, sums[23] * over_k);
+        // cos_q1_minus_q2 = cos(q1_minus_q2)
+        let cos_q1_minus_q2 = -q1_minus_q2.mul_add(sin_q1_minus_q2_0, sums[24] * over_k);
+        // s9_part = cos_q2_minus_q3*cos_q1_minus_q3
+        let s9_part = cos_q1_minus_q3
+            .mul_add(
+                cos_q2_minus_q3_0,
+                cos_q2_minus_q3.mul_add(cos_q1_minus_q3_0, sums[25]),
+            );
+        // r10_part = sin_q1_minus_q2*q2_p2
+        let r10_part = sin_q1_minus_q2
+            .mul_add(q2_p2_0, q2_p2.mul_add(sin_q1_minus_q2_0, sums[26]));
+        // r10_part_2 = r6_part_3*cos_q1_minus_q3
+        let r10_part_2 = r6_part_3
+            .mul_add(cos_q1_minus_q3_0, cos_q1_minus_q3.mul_add(r6_part_3_0, sums[27]));
+        // r10_part_3 = sin_q1_minus_q3*q3_p2
+        let r10_part_3 = sin_q1_minus_q3
+            .mul_add(q3_p2_0, q3_p2.mul_add(sin_q1_minus_q3_0, sums[28]));
+        // cos_q2_minus_q3_p2 = cos_q2_minus_q3*cos_q2_minus_q3
+        let cos_q2_minus_q3_p2 = cos_q2_minus_q3
+            .mul_add(cos_q2_minus_q3_0 + cos_q2_minus_q3_0, sums[29]);
+        // r13_part = sin_q1_minus_q2*q1_p2
+        let r13_part = sin_q1_minus_q2
+            .mul_add(q1_p2_0, q1_p2.mul_add(sin_q1_minus_q2_0, sums[30]));
+        // r13_part_2 = r6_part_3*cos_q2_minus_q3
+        let r13_part_2 = r6_part_3
+            .mul_add(cos_q2_minus_q3_0, cos_q2_minus_q3.mul_add(r6_part_3_0, sums[31]));
+        // r13_part_3 = sin_q2_minus_q3*q3_p2
+        let r13_part_3 = sin_q2_minus_q3
+            .mul_add(q3_p2_0, q3_p2.mul_add(sin_q2_minus_q3_0, sums[32]));
+        // l14_part = s4_part_2/s3_part
+        let l14_part = s4_part_2
+            .mul_add(
+                over_s3_part,
+                -(s3_part.mul_add(l14_part_0, sums[33]) * over_s3_part),
+            );
+        // s15_part = s4_part_2*l14_part
+        let s15_part = l14_part
+            .mul_add(s4_part_2_0, s4_part_2.mul_add(l14_part_0, sums[34]));
+        // s8_minus_s4_l14 = l0_2_m1_plus_m2_plus_m3 + minus_m3_l0_2*cos_q1_minus_q3_p2 +
+        //   minus_l0_2*s15_part
+        let s8_minus_s4_l14 = s15_part
+            .mul_add(minus_l0_2, minus_m3_l0_2 * cos_q1_minus_q3_p2);
+        // s16_part = s5_part_2*l14_part
+        let s16_part = l14_part
+            .mul_add(s5_part_2_0, s5_part_2.mul_add(l14_part_0, sums[35]));
+        // s9_minus_s5_l14 = minus_m3_l0_l1*s9_part + l0_l1_m2_plus_m3*cos_q1_minus_q2 +
+        //   minus_l0_l1*s16_part
+        let s9_minus_s5_l14 = s16_part
+            .mul_add(
+                minus_l0_l1,
+                s9_part.mul_add(minus_m3_l0_l1, l0_l1_m2_plus_m3 * cos_q1_minus_q2),
+            );
+        // r17_part = r6_part_5*l14_part
+        let r17_part = r6_part_5
+            .mul_add(l14_part_0, l14_part.mul_add(r6_part_5_0, sums[36]));
+        // r10_minus_r6_l14 = minus_m3_l0*r10_part_2 + minus_m3_l0_l2*r10_part_3 +
+        //   minus_l0_l1_m2_plus_m3*r10_part + l0_g_m1_plus_m2_plus_m3*s1 + l0*r17_part
+        let r10_minus_r6_l14 = r17_part
+            .mul_add(
+                l0,
+                r10_part_2
+                    .mul_add(
+                        minus_m3_l0,
+                        r10_part
+                            .mul_add(
+                                minus_l0_l1_m2_plus_m3,
+                                r10_part_3
+                                    .mul_add(minus_m3_l0_l2, l0_g_m1_plus_m2_plus_m3 * s1),
+                            ),
+                    ),
+            );
+        // l18_part = s5_part_2/s3_part
+        let l18_part = s5_part_2
+            .mul_add(
+                over_s3_part,
+                -(s3_part.mul_add(l18_part_0, sums[37]) * over_s3_part),
+            );
+        // s19_part = s5_part_2*l18_part
+        let s19_part = l18_part
+            .mul_add(s5_part_2_0, s5_part_2.mul_add(l18_part_0, sums[38]));
+        // r20_part = r6_part_5*l18_part
+        let r20_part = r6_part_5
+            .mul_add(l18_part_0, l18_part.mul_add(r6_part_5_0, sums[39]));
+        // l21_part = s9_minus_s5_l14/s8_minus_s4_l14
+        let l21_part = s8_minus_s4_l14
+            .mul_add(
+                -(l21_part_0 * over_s8_minus_s4_l14),
+                (s9_minus_s5_l14 - sums[40]) * over_s8_minus_s4_l14,
+            );
+        // s22_part = s9_minus_s5_l14*l21_part
+        let s22_part = l21_part
+            .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14.mul_add(l21_part_0, sums[41]));
+        // s19_minus_s16_l21 = l1_2_m2_plus_m3 + minus_m3_l1_2*cos_q2_minus_q3_p2 + minus_l1_2*s19_part -
+        //   s22_part
+        let s19_minus_s16_l21 = s19_part
+            .mul_add(minus_l1_2, minus_m3_l1_2 * cos_q2_minus_q3_p2) - s22_part;
+        // r23_part = r10_minus_r6_l14*l21_part
+        let r23_part = l21_part
+            .mul_add(r10_minus_r6_l14_0, r10_minus_r6_l14.mul_add(l21_part_0, sums[42]));
+        // r20_minus_r17_l21 = minus_m3_l1*r13_part_2 + minus_m3_l1_l2*r13_part_3 +
+        //   l0_l1_m2_plus_m3*r13_part + l1_g_m2_plus_m3*s2 + l1*r20_part - r23_part
+        let r20_minus_r17_l21 = r20_part
+            .mul_add(
+                l1,
+                r13_part_2
+                    .mul_add(
+                        minus_m3_l1,
+                        r13_part
+                            .mul_add(
+                                l0_l1_m2_plus_m3,
+                                r13_part_3.mul_add(minus_m3_l1_l2, l1_g_m2_plus_m3 * s2),
+                            ),
+                    ),
+            ) - r23_part;
+        // q2_dot_dot = r20_minus_r17_l21/s19_minus_s16_l21
+        let q2_dot_dot = s19_minus_s16_l21
+            .mul_add(
+                -(q2_dot_dot_0 * over_s19_minus_s16_l21),
+                (r20_minus_r17_l21 - sums[43]) * over_s19_minus_s16_l21,
+            );
+        // q1_ddot_part = q2_dot_dot*s9_minus_s5_l14
+        let q1_ddot_part = q2_dot_dot
+            .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14.mul_add(q2_dot_dot_0, sums[44]));
+        // r17_minus_q2_s16 = r10_minus_r6_l14 - q1_ddot_part
+        let r17_minus_q2_s16 = r10_minus_r6_l14 - q1_ddot_part;
+        // q1_dot_dot = r17_minus_q2_s16/s8_minus_s4_l14
+        let q1_dot_dot = r17_minus_q2_s16
+            .mul_add(
+                over_s8_minus_s4_l14,
+                -(s8_minus_s4_l14.mul_add(q1_dot_dot_0, sums[45]) * over_s8_minus_s4_l14),
+            );
+        // q0_ddot_part = q1_dot_dot*s4_part_2
+        let q0_ddot_part = q1_dot_dot
+            .mul_add(s4_part_2_0, s4_part_2.mul_add(q1_dot_dot_0, sums[46]));
+        // q0_ddot_part_2 = q2_dot_dot*s5_part_2
+        let q0_ddot_part_2 = q2_dot_dot
+            .mul_add(s5_part_2_0, s5_part_2.mul_add(q2_dot_dot_0, sums[47]));
+        // q0_ddot_part_3 = r6_part_5 + l0*q0_ddot_part + l1*q0_ddot_part_2
+        let q0_ddot_part_3 = q0_ddot_part
+            .mul_add(l0, q0_ddot_part_2.mul_add(l1, r6_part_5));
+        // q0_dot_dot = q0_ddot_part_3/s3_part
+        let q0_dot_dot = q0_ddot_part_3
+            .mul_add(
+                over_s3_part,
+                -(s3_part.mul_add(q0_dot_dot_0, sums[48]) * over_s3_part),
+            );
+        // q3_ddot_part = q1_dot_dot*cos_q1_minus_q3
+        let q3_ddot_part = q1_dot_dot
+            .mul_add(cos_q1_minus_q3_0, cos_q1_minus_q3.mul_add(q1_dot_dot_0, sums[49]));
+        // q3_ddot_part_2 = q2_dot_dot*cos_q2_minus_q3
+        let q3_ddot_part_2 = q2_dot_dot
+            .mul_add(cos_q2_minus_q3_0, cos_q2_minus_q3.mul_add(q2_dot_dot_0, sums[50]));
+        // q3_ddot_part_3 = q0_dot_dot*c3
+        let q3_ddot_part_3 = q0_dot_dot
+            .mul_add(c3_0, c3.mul_add(q0_dot_dot_0, sums[51]));
+        // q3_ddot_part_4 = g*s3_2 + l0*r6_part + minus_l0*q3_ddot_part + l1*r6_part_2 +
+        //   minus_l1*q3_ddot_part_2 + q3_ddot_part_3
+        let q3_ddot_part_4 = q3_ddot_part
+            .mul_add(
+                minus_l0,
+                q3_ddot_part_2
+                    .mul_add(
+                        minus_l1,
+                        r6_part_2.mul_add(l1, r6_part.mul_add(l0, g * s3_2)),
+                    ),
+            ) + q3_ddot_part_3;
+        q0_rate = q0_dot;
+        q1_rate = q1_dot;
+        q2_rate = q2_dot;
+        q3_rate = q3_dot;
+        q0_dot_rate = q0_dot_dot;
+        q1_dot_rate = q1_dot_dot;
+        q2_dot_rate = q2_dot_dot;
+        q3_dot_rate = weight_3 * q3_ddot_part_4;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * q3,
+                count * q3,
+                c3,
+                count * q1,
+                count * q1,
+                count * q1_minus_q3,
+                count * q1_minus_q3,
+                cos_q1_minus_q3,
+                count * q2,
+                count * q2,
+                count * q2_minus_q3,
+                count * q2_minus_q3,
+                cos_q2_minus_q3,
+                q1_dot,
+                s1,
+                q2_dot,
+                s2,
+                sin_q1_minus_q3,
+                sin_q2_minus_q3,
+                r6_part_3,
+                q3_dot,
+                s3_2,
+                cos_q1_minus_q3,
+                count * q1_minus_q2,
+                count * q1_minus_q2,
+                cos_q2_minus_q3,
+                sin_q1_minus_q2,
+                r6_part_3,
+                sin_q1_minus_q3,
+                cos_q2_minus_q3,
+                sin_q1_minus_q2,
+                r6_part_3,
+                sin_q2_minus_q3,
+                s3_part,
+                s4_part_2,
+                s5_part_2,
+                r6_part_5,
+                s3_part,
+                s5_part_2,
+                r6_part_5,
+                s8_minus_s4_l14,
+                s9_minus_s5_l14,
+                r10_minus_r6_l14,
+                s19_minus_s16_l21,
+                q2_dot_dot,
+                s8_minus_s4_l14,
+                q1_dot_dot,
+                q2_dot_dot,
+                s3_part,
+                q1_dot_dot,
+                q2_dot_dot,
+                q0_dot_dot,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                c3,
+                s3_2,
+                c3,
+                c1,
+                s1,
+                cos_q1_minus_q3,
+                sin_q1_minus_q3,
+                c3,
+                c2,
+                s2,
+                cos_q2_minus_q3,
+                sin_q2_minus_q3,
+                c3,
+                q1_dot,
+                q1_p2,
+                q2_dot,
+                q2_p2,
+                q1_p2,
+                q2_p2,
+                c3,
+                q3_dot,
+                q3_p2,
+                cos_q1_minus_q3,
+                cos_q1_minus_q2,
+                sin_q1_minus_q2,
+                cos_q1_minus_q3,
+                q2_p2,
+                cos_q1_minus_q3,
+                q3_p2,
+                cos_q2_minus_q3,
+                q1_p2,
+                cos_q2_minus_q3,
+                q3_p2,
+                l14_part,
+                l14_part,
+                l14_part,
+                l14_part,
+                l18_part,
+                l18_part,
+                l18_part,
+                l21_part,
+                l21_part,
+                l21_part,
+                q2_dot_dot,
+                s9_minus_s5_l14,
+                q1_dot_dot,
+                s4_part_2,
+                s5_part_2,
+                q0_dot_dot,
+                cos_q1_minus_q3,
+                cos_q2_minus_q3,
+                c3,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+        count_last = count;
+        q1_last = q1;
+        q2_last = q2;
+        q3_last = q3;
+        q1_dot_last = q1_dot;
+        q2_dot_last = q2_dot;
+        q3_dot_last = q3_dot;
+        s3_2_last = s3_2;
+        c3_last = c3;
+        s3_part_last = s3_part;
+        s1_last = s1;
+        c1_last = c1;
+        q1_minus_q3_last = q1_minus_q3;
+        sin_q1_minus_q3_last = sin_q1_minus_q3;
+        cos_q1_minus_q3_last = cos_q1_minus_q3;
+        s4_part_2_last = s4_part_2;
+        s2_last = s2;
+        c2_last = c2;
+        q2_minus_q3_last = q2_minus_q3;
+        sin_q2_minus_q3_last = sin_q2_minus_q3;
+        cos_q2_minus_q3_last = cos_q2_minus_q3;
+        s5_part_2_last = s5_part_2;
+        q1_p2_last = q1_p2;
+        q2_p2_last = q2_p2;
+        r6_part_3_last = r6_part_3;
+        q3_p2_last = q3_p2;
+        r6_part_5_last = r6_part_5;
+        q1_minus_q2_last = q1_minus_q2;
+        sin_q1_minus_q2_last = sin_q1_minus_q2;
+        cos_q1_minus_q2_last = cos_q1_minus_q2;
+        l14_part_last = l14_part;
+        s8_minus_s4_l14_last = s8_minus_s4_l14;
+        s9_minus_s5_l14_last = s9_minus_s5_l14;
+        r10_minus_r6_l14_last = r10_minus_r6_l14;
+        l18_part_last = l18_part;
+        l21_part_last = l21_part;
+        s19_minus_s16_l21_last = s19_minus_s16_l21;
+        q2_dot_dot_last = q2_dot_dot;
+        q1_dot_dot_last = q1_dot_dot;
+        q0_dot_dot_last = q0_dot_dot;
+    }
+}
+
 /// Lagrange's equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct Lagrange;
@@ -1306,6 +2521,16 @@ impl<S: Scalar> System<S> for Lagrange {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        112 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -7,6 +7,7 @@
 //! The accelerations divide by d1, by s3, by s15, by s22.
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows cart force n1, cart force n2, bob1 force n1, bob1 force n2, bob2 force n1, bob2 force n2, bob3 force n1, bob3 force n2.
@@ -1197,6 +1198,1312 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     energy
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 64 convolutions and 144 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 8]],
+    work: &mut [Factors<S, 64>],
+) {
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
+    let [_, q1_0, q2_0, q3_0, u0_0, u1_0, u2_0, u3_0] = x[0];
+    // Shared terms.
+    // m2*g; used 2 times
+    let m2_g = m2 * g;
+    // m3*g; used 2 times
+    let m3_g = m3 * g;
+    // m1 + m2 + m3; used 3 times
+    let m1_plus_m2_plus_m3_part = m1 + m2 + m3;
+    // m2 + m3; used 4 times
+    let m2_plus_m3_2 = m2 + m3;
+    // m3*l2; used 2 times
+    let m3_l2_2 = m3 * l2;
+    // l1*(m2 + m3); used 2 times
+    let l1_m2_plus_m3_2 = l1 * m2_plus_m3_2;
+    // l0*(m2 + m3); used 2 times
+    let l0_m2_plus_m3_2 = l0 * m2_plus_m3_2;
+    // Constant in time.
+    // weight = m0 + m1 + m2 + m3
+    let weight = m0 + m1 + m2 + m3;
+    // minus_m3 = -m3
+    let minus_m3 = -m3;
+    // m1_plus_m2_plus_m3 = m1 + m2 + m3
+    let m1_plus_m2_plus_m3 = m1_plus_m2_plus_m3_part;
+    // m2_plus_m3 = m2 + m3
+    let m2_plus_m3 = m2_plus_m3_2;
+    // minus_l0 = -l0
+    let minus_l0 = -l0;
+    // minus_l1 = -l1
+    let minus_l1 = -l1;
+    // minus_m3_l2 = -m3*l2
+    let minus_m3_l2 = -m3_l2_2;
+    // weight_2 = -l0*(m1 + m2 + m3)
+    let weight_2 = -l0 * m1_plus_m2_plus_m3_part;
+    // minus_l1_m2_plus_m3 = -l1*(m2 + m3)
+    let minus_l1_m2_plus_m3 = -l1_m2_plus_m3_2;
+    // l0_m2_plus_m3 = l0*(m2 + m3)
+    let l0_m2_plus_m3 = l0_m2_plus_m3_2;
+    // minus_m3_l0 = -m3*l0
+    let minus_m3_l0 = -m3 * l0;
+    // l0_by_l2 = l0/l2
+    let l0_by_l2 = l0 / l2;
+    // m1_g_plus_m2_g_plus_m3_g = m1*g + m2*g + m3*g
+    let m1_g_plus_m2_g_plus_m3_g = m1.mul_add(g, m2_g) + m3_g;
+    // m3_l2 = m3*l2
+    let m3_l2 = m3_l2_2;
+    // l1_m2_plus_m3 = l1*(m2 + m3)
+    let l1_m2_plus_m3 = l1_m2_plus_m3_2;
+    // l1_by_l2 = l1/l2
+    let l1_by_l2 = l1 / l2;
+    // m2_g_plus_m3_g = m2*g + m3*g
+    let m2_g_plus_m3_g = m2_g + m3_g;
+    // minus_l0_m2_plus_m3 = -l0*(m2 + m3)
+    let minus_l0_m2_plus_m3 = -l0_m2_plus_m3_2;
+    // l0_2_m1_plus_m2_plus_m3 = l0^2*(m1 + m2 + m3)
+    let l0_2_m1_plus_m2_plus_m3 = l0 * l0 * m1_plus_m2_plus_m3_part;
+    // minus_m3_l0_2 = -m3*l0^2
+    let minus_m3_l0_2 = -m3 * l0 * l0;
+    // minus_l0_2 = -l0^2
+    let minus_l0_2 = -l0 * l0;
+    // minus_l0_l1 = -l0*l1
+    let minus_l0_l1 = -l0 * l1;
+    // l1_2_m2_plus_m3 = l1^2*(m2 + m3)
+    let l1_2_m2_plus_m3 = l1 * l1 * m2_plus_m3_2;
+    // minus_m3_l1_2 = -m3*l1^2
+    let minus_m3_l1_2 = -m3 * l1 * l1;
+    // minus_l1_2 = -l1^2
+    let minus_l1_2 = -l1 * l1;
+    // minus_m3_l1 = -m3*l1
+    let minus_m3_l1 = -m3 * l1;
+    // weight_3 = 1/l2
+    let weight_3 = S::int(1) / l2;
+    // Order 0.
+    let (s3_2_0, c3_0) = q3_0.sin_cos();
+    // cos_q3_p2 = c3*c3
+    let cos_q3_p2_0 = c3_0 * c3_0;
+    // s3_part = weight + minus_m3*cos_q3_p2
+    let s3_part_0 = cos_q3_p2_0.mul_add(minus_m3, weight);
+    let over_s3_part = S::int(1) / s3_part_0;
+    let (s1_0, c1_0) = q1_0.sin_cos();
+    // sin_q1_sin_q3 = s1*s3_2
+    let sin_q1_sin_q3_0 = s1_0 * s3_2_0;
+    // cos_q1_cos_q3 = c1*c3
+    let cos_q1_cos_q3_0 = c1_0 * c3_0;
+    // s4_part = sin_q1_sin_q3 + cos_q1_cos_q3
+    let s4_part_0 = sin_q1_sin_q3_0 + cos_q1_cos_q3_0;
+    // s4_part_2 = s4_part*c3
+    let s4_part_2_0 = s4_part_0 * c3_0;
+    // s4_part_3 = minus_m3*s4_part_2 + m1_plus_m2_plus_m3*c1
+    let s4_part_3_0 = s4_part_2_0.mul_add(minus_m3, m1_plus_m2_plus_m3 * c1_0);
+    let (s2_0, c2_0) = q2_0.sin_cos();
+    // sin_q2_sin_q3 = s2*s3_2
+    let sin_q2_sin_q3_0 = s2_0 * s3_2_0;
+    // cos_q2_cos_q3 = c2*c3
+    let cos_q2_cos_q3_0 = c2_0 * c3_0;
+    // s5_part = sin_q2_sin_q3 + cos_q2_cos_q3
+    let s5_part_0 = sin_q2_sin_q3_0 + cos_q2_cos_q3_0;
+    // s5_part_2 = s5_part*c3
+    let s5_part_2_0 = s5_part_0 * c3_0;
+    // s5_part_3 = minus_m3*s5_part_2 + m2_plus_m3*c2
+    let s5_part_3_0 = s5_part_2_0.mul_add(minus_m3, m2_plus_m3 * c2_0);
+    // u1_p2 = u1*u1
+    let u1_p2_0 = u1_0 * u1_0;
+    // u1_p2_cos_q1 = c1*u1_p2
+    let u1_p2_cos_q1_0 = c1_0 * u1_p2_0;
+    // u1_p2_sin_q1 = s1*u1_p2
+    let u1_p2_sin_q1_0 = s1_0 * u1_p2_0;
+    // u2_p2 = u2*u2
+    let u2_p2_0 = u2_0 * u2_0;
+    // u2_p2_sin_q2 = s2*u2_p2
+    let u2_p2_sin_q2_0 = s2_0 * u2_p2_0;
+    // r6_part = l0*u1_p2_sin_q1 + l1*u2_p2_sin_q2
+    let r6_part_0 = u2_p2_sin_q2_0.mul_add(l1, l0 * u1_p2_sin_q1_0);
+    // u2_p2_cos_q2 = c2*u2_p2
+    let u2_p2_cos_q2_0 = c2_0 * u2_p2_0;
+    // r6_part_2 = g + minus_l0*u1_p2_cos_q1 + minus_l1*u2_p2_cos_q2
+    let r6_part_2_0 = u2_p2_cos_q2_0
+        .mul_add(minus_l1, u1_p2_cos_q1_0.mul_add(minus_l0, g));
+    // u3_p2 = u3*u3
+    let u3_p2_0 = u3_0 * u3_0;
+    // u3_p2_sin_q3 = s3_2*u3_p2
+    let u3_p2_sin_q3_0 = s3_2_0 * u3_p2_0;
+    // r6_part_3 = s3_2*r6_part_2
+    let r6_part_3_0 = s3_2_0 * r6_part_2_0;
+    // r6_part_4 = c3*r6_part
+    let r6_part_4_0 = c3_0 * r6_part_0;
+    // r6_part_5 = r6_part_3 + r6_part_4
+    let r6_part_5_0 = r6_part_3_0 + r6_part_4_0;
+    // r6_part_6 = r6_part_5*c3
+    let r6_part_6_0 = r6_part_5_0 * c3_0;
+    // r6_part_7 = F + minus_m3_l2*u3_p2_sin_q3 + m3*r6_part_6 + weight_2*u1_p2_sin_q1 +
+    //   minus_l1_m2_plus_m3*u2_p2_sin_q2
+    let r6_part_7_0 = r6_part_6_0
+        .mul_add(
+            m3,
+            u2_p2_sin_q2_0
+                .mul_add(
+                    minus_l1_m2_plus_m3,
+                    u1_p2_sin_q1_0
+                        .mul_add(weight_2, u3_p2_sin_q3_0.mul_add(minus_m3_l2, F)),
+                ),
+        );
+    // s8_part = s4_part*s4_part
+    let s8_part_0 = s4_part_0 * s4_part_0;
+    // s9_part = s3_2*s4_part
+    let s9_part_0 = s3_2_0 * s4_part_0;
+    // s9_part_2 = l0_m2_plus_m3*s1 + minus_m3_l0*s9_part
+    let s9_part_2_0 = s9_part_0.mul_add(minus_m3_l0, l0_m2_plus_m3 * s1_0);
+    // s9_part_3 = s2*s9_part_2
+    let s9_part_3_0 = s2_0 * s9_part_2_0;
+    // s9_part_4 = c3*s4_part
+    let s9_part_4_0 = c3_0 * s4_part_0;
+    // s9_part_5 = l0_m2_plus_m3*c1 + minus_m3_l0*s9_part_4
+    let s9_part_5_0 = s9_part_4_0.mul_add(minus_m3_l0, l0_m2_plus_m3 * c1_0);
+    // s9_part_6 = c2*s9_part_5
+    let s9_part_6_0 = c2_0 * s9_part_5_0;
+    // u2_p2_sin_q2_cos_q3 = c3*u2_p2_sin_q2
+    let u2_p2_sin_q2_cos_q3_0 = c3_0 * u2_p2_sin_q2_0;
+    // r10_part = s4_part*u1_p2
+    let r10_part_0 = s4_part_0 * u1_p2_0;
+    // u3_p2_plus_u1_p2_l7 = l0_by_l2*r10_part + u3_p2
+    let u3_p2_plus_u1_p2_l7_0 = r10_part_0.mul_add(l0_by_l2, u3_p2_0);
+    // r10_part_2 = c3*u3_p2_plus_u1_p2_l7
+    let r10_part_2_0 = c3_0 * u3_p2_plus_u1_p2_l7_0;
+    // r10_part_3 = m1_g_plus_m2_g_plus_m3_g + minus_l1_m2_plus_m3*u2_p2_cos_q2 + minus_m3_l2*r10_part_2
+    let r10_part_3_0 = r10_part_2_0
+        .mul_add(
+            minus_m3_l2,
+            u2_p2_cos_q2_0.mul_add(minus_l1_m2_plus_m3, m1_g_plus_m2_g_plus_m3_g),
+        );
+    // r10_part_4 = s1*r10_part_3
+    let r10_part_4_0 = s1_0 * r10_part_3_0;
+    // r10_part_5 = r6_part_3 + l1*u2_p2_sin_q2_cos_q3
+    let r10_part_5_0 = l1 * u2_p2_sin_q2_cos_q3_0 + r6_part_3_0;
+    // r10_part_6 = s4_part*r10_part_5
+    let r10_part_6_0 = s4_part_0 * r10_part_5_0;
+    // r10_part_7 = m3_l2*u3_p2_sin_q3 + l1_m2_plus_m3*u2_p2_sin_q2
+    let r10_part_7_0 = u2_p2_sin_q2_0.mul_add(l1_m2_plus_m3, m3_l2 * u3_p2_sin_q3_0);
+    // r10_part_8 = c1*r10_part_7
+    let r10_part_8_0 = c1_0 * r10_part_7_0;
+    // s12_part = s5_part*s5_part
+    let s12_part_0 = s5_part_0 * s5_part_0;
+    // u1_p2_sin_q1_cos_q3 = c3*u1_p2_sin_q1
+    let u1_p2_sin_q1_cos_q3_0 = c3_0 * u1_p2_sin_q1_0;
+    // r13_part = s5_part*u2_p2
+    let r13_part_0 = s5_part_0 * u2_p2_0;
+    // u3_p2_plus_u2_p2_l11 = u3_p2 + l1_by_l2*r13_part
+    let u3_p2_plus_u2_p2_l11_0 = r13_part_0.mul_add(l1_by_l2, u3_p2_0);
+    // r13_part_2 = c3*u3_p2_plus_u2_p2_l11
+    let r13_part_2_0 = c3_0 * u3_p2_plus_u2_p2_l11_0;
+    // r13_part_3 = m2_g_plus_m3_g + minus_m3_l2*r13_part_2 + minus_l0_m2_plus_m3*u1_p2_cos_q1
+    let r13_part_3_0 = r13_part_2_0
+        .mul_add(
+            minus_m3_l2,
+            u1_p2_cos_q1_0.mul_add(minus_l0_m2_plus_m3, m2_g_plus_m3_g),
+        );
+    // r13_part_4 = s2*r13_part_3
+    let r13_part_4_0 = s2_0 * r13_part_3_0;
+    // r13_part_5 = r6_part_3 + l0*u1_p2_sin_q1_cos_q3
+    let r13_part_5_0 = l0 * u1_p2_sin_q1_cos_q3_0 + r6_part_3_0;
+    // r13_part_6 = s5_part*r13_part_5
+    let r13_part_6_0 = s5_part_0 * r13_part_5_0;
+    // r13_part_7 = m3_l2*u3_p2_sin_q3 + l0_m2_plus_m3*u1_p2_sin_q1
+    let r13_part_7_0 = u1_p2_sin_q1_0.mul_add(l0_m2_plus_m3, m3_l2 * u3_p2_sin_q3_0);
+    // r13_part_8 = c2*r13_part_7
+    let r13_part_8_0 = c2_0 * r13_part_7_0;
+    // l14_part = s4_part_3/s3_part
+    let l14_part_0 = s4_part_3_0 * over_s3_part;
+    // s15_part = s4_part_3*l14_part
+    let s15_part_0 = s4_part_3_0 * l14_part_0;
+    // s8_minus_s4_l14 = l0_2_m1_plus_m2_plus_m3 + minus_m3_l0_2*s8_part + minus_l0_2*s15_part
+    let s8_minus_s4_l14_0 = s15_part_0
+        .mul_add(minus_l0_2, s8_part_0.mul_add(minus_m3_l0_2, l0_2_m1_plus_m2_plus_m3));
+    let over_s8_minus_s4_l14 = S::int(1) / s8_minus_s4_l14_0;
+    // s16_part = s5_part_3*l14_part
+    let s16_part_0 = s5_part_3_0 * l14_part_0;
+    // s9_minus_s5_l14 = l1*s9_part_3 + l1*s9_part_6 + minus_l0_l1*s16_part
+    let s9_minus_s5_l14_0 = s16_part_0
+        .mul_add(minus_l0_l1, s9_part_6_0.mul_add(l1, l1 * s9_part_3_0));
+    // r17_part = r6_part_7*l14_part
+    let r17_part_0 = r6_part_7_0 * l14_part_0;
+    // r10_minus_r6_l14 = l0*r10_part_4 + minus_m3_l0*r10_part_6 + l0*r10_part_8 + l0*r17_part
+    let r10_minus_r6_l14_0 = r17_part_0
+        .mul_add(
+            l0,
+            r10_part_4_0
+                .mul_add(l0, r10_part_6_0.mul_add(minus_m3_l0, l0 * r10_part_8_0)),
+        );
+    // l18_part = s5_part_3/s3_part
+    let l18_part_0 = s5_part_3_0 * over_s3_part;
+    // s19_part = s5_part_3*l18_part
+    let s19_part_0 = s5_part_3_0 * l18_part_0;
+    // r20_part = r6_part_7*l18_part
+    let r20_part_0 = r6_part_7_0 * l18_part_0;
+    // l21_part = s9_minus_s5_l14/s8_minus_s4_l14
+    let l21_part_0 = s9_minus_s5_l14_0 * over_s8_minus_s4_l14;
+    // s22_part = s9_minus_s5_l14*l21_part
+    let s22_part_0 = s9_minus_s5_l14_0 * l21_part_0;
+    // s19_minus_s16_l21 = l1_2_m2_plus_m3 + minus_m3_l1_2*s12_part + minus_l1_2*s19_part - s22_part
+    let s19_minus_s16_l21_0 = s19_part_0
+        .mul_add(minus_l1_2, s12_part_0.mul_add(minus_m3_l1_2, l1_2_m2_plus_m3))
+        - s22_part_0;
+    let over_s19_minus_s16_l21 = S::int(1) / s19_minus_s16_l21_0;
+    // r23_part = r10_minus_r6_l14*l21_part
+    let r23_part_0 = r10_minus_r6_l14_0 * l21_part_0;
+    // r20_minus_r17_l21 = l1*r13_part_4 + minus_m3_l1*r13_part_6 + l1*r13_part_8 + l1*r20_part - r23_part
+    let r20_minus_r17_l21_0 = r20_part_0
+        .mul_add(
+            l1,
+            r13_part_4_0
+                .mul_add(l1, r13_part_6_0.mul_add(minus_m3_l1, l1 * r13_part_8_0)),
+        ) - r23_part_0;
+    // u2_dot_2 = r20_minus_r17_l21/s19_minus_s16_l21
+    let u2_dot_2_0 = r20_minus_r17_l21_0 * over_s19_minus_s16_l21;
+    // u1_dot_part = u2_dot_2*s9_minus_s5_l14
+    let u1_dot_part_0 = u2_dot_2_0 * s9_minus_s5_l14_0;
+    // r17_minus_u2_s16 = r10_minus_r6_l14 - u1_dot_part
+    let r17_minus_u2_s16_0 = r10_minus_r6_l14_0 - u1_dot_part_0;
+    // u1_dot_2 = r17_minus_u2_s16/s8_minus_s4_l14
+    let u1_dot_2_0 = r17_minus_u2_s16_0 * over_s8_minus_s4_l14;
+    // u0_dot_part = u1_dot_2*s4_part_3
+    let u0_dot_part_0 = u1_dot_2_0 * s4_part_3_0;
+    // u0_dot_part_2 = u2_dot_2*s5_part_3
+    let u0_dot_part_2_0 = u2_dot_2_0 * s5_part_3_0;
+    // u0_dot_part_3 = r6_part_7 + l0*u0_dot_part + l1*u0_dot_part_2
+    let u0_dot_part_3_0 = u0_dot_part_0
+        .mul_add(l0, u0_dot_part_2_0.mul_add(l1, r6_part_7_0));
+    // u0_dot_2 = u0_dot_part_3/s3_part
+    let u0_dot_2_0 = u0_dot_part_3_0 * over_s3_part;
+    // u3_dot_part = u1_dot_2*s1
+    let u3_dot_part_0 = u1_dot_2_0 * s1_0;
+    // u3_dot_part_2 = u2_dot_2*s2
+    let u3_dot_part_2_0 = u2_dot_2_0 * s2_0;
+    // u3_dot_part_3 = g + minus_l0*u1_p2_cos_q1 + minus_l1*u2_p2_cos_q2 + minus_l0*u3_dot_part +
+    //   minus_l1*u3_dot_part_2
+    let u3_dot_part_3_0 = u3_dot_part_0
+        .mul_add(
+            minus_l0,
+            u3_dot_part_2_0
+                .mul_add(
+                    minus_l1,
+                    u2_p2_cos_q2_0.mul_add(minus_l1, u1_p2_cos_q1_0.mul_add(minus_l0, g)),
+                ),
+        );
+    // u3_dot_part_4 = s3_2*u3_dot_part_3
+    let u3_dot_part_4_0 = s3_2_0 * u3_dot_part_3_0;
+    // u3_dot_part_5 = u1_dot_2*c1
+    let u3_dot_part_5_0 = u1_dot_2_0 * c1_0;
+    // u3_dot_part_6 = u2_dot_2*c2
+    let u3_dot_part_6_0 = u2_dot_2_0 * c2_0;
+    // u3_dot_part_7 = u0_dot_2 + l0*u1_p2_sin_q1 + l1*u2_p2_sin_q2 + minus_l0*u3_dot_part_5 +
+    //   minus_l1*u3_dot_part_6
+    let u3_dot_part_7_0 = u3_dot_part_5_0
+        .mul_add(
+            minus_l0,
+            u3_dot_part_6_0
+                .mul_add(minus_l1, u2_p2_sin_q2_0.mul_add(l1, l0 * u1_p2_sin_q1_0)),
+        ) + u0_dot_2_0;
+    // u3_dot_part_8 = c3*u3_dot_part_7
+    let u3_dot_part_8_0 = c3_0 * u3_dot_part_7_0;
+    // u3_dot_part_9 = u3_dot_part_4 + u3_dot_part_8
+    let u3_dot_part_9_0 = u3_dot_part_4_0 + u3_dot_part_8_0;
+    // Order 1: the rates, and what follows from them.
+    let q0_1 = u0_0;
+    let q1_1 = u1_0;
+    let q2_1 = u2_0;
+    let q3_1 = u3_0;
+    let u0_1 = u0_dot_2_0;
+    let u1_1 = u1_dot_2_0;
+    let u2_1 = u2_dot_2_0;
+    let u3_1 = weight_3 * u3_dot_part_9_0;
+    if x.len() > 1 {
+        x[1] = [q0_1, q1_1, q2_1, q3_1, u0_1, u1_1, u2_1, u3_1];
+    }
+    let s3_2_1 = q3_1 * c3_0;
+    let c3_1 = -q3_1 * s3_2_0;
+    let cos_q3_p2_1 = c3_1 * (c3_0 + c3_0);
+    let s3_part_1 = minus_m3 * cos_q3_p2_1;
+    let s1_1 = q1_1 * c1_0;
+    let c1_1 = -q1_1 * s1_0;
+    let sin_q1_sin_q3_1 = s3_2_1.mul_add(s1_0, s1_1 * s3_2_0);
+    let cos_q1_cos_q3_1 = c3_1.mul_add(c1_0, c1_1 * c3_0);
+    let s4_part_1 = sin_q1_sin_q3_1 + cos_q1_cos_q3_1;
+    let s4_part_2_1 = s4_part_1.mul_add(c3_0, c3_1 * s4_part_0);
+    let s4_part_3_1 = s4_part_2_1.mul_add(minus_m3, m1_plus_m2_plus_m3 * c1_1);
+    let s2_1 = q2_1 * c2_0;
+    let c2_1 = -q2_1 * s2_0;
+    let sin_q2_sin_q3_1 = s3_2_1.mul_add(s2_0, s2_1 * s3_2_0);
+    let cos_q2_cos_q3_1 = c3_1.mul_add(c2_0, c2_1 * c3_0);
+    let s5_part_1 = sin_q2_sin_q3_1 + cos_q2_cos_q3_1;
+    let s5_part_2_1 = s5_part_1.mul_add(c3_0, c3_1 * s5_part_0);
+    let s5_part_3_1 = s5_part_2_1.mul_add(minus_m3, m2_plus_m3 * c2_1);
+    let u1_p2_1 = u1_1 * (u1_0 + u1_0);
+    let u1_p2_cos_q1_1 = u1_p2_1.mul_add(c1_0, c1_1 * u1_p2_0);
+    let u1_p2_sin_q1_1 = u1_p2_1.mul_add(s1_0, s1_1 * u1_p2_0);
+    let u2_p2_1 = u2_1 * (u2_0 + u2_0);
+    let u2_p2_sin_q2_1 = u2_p2_1.mul_add(s2_0, s2_1 * u2_p2_0);
+    let r6_part_1 = u2_p2_sin_q2_1.mul_add(l1, l0 * u1_p2_sin_q1_1);
+    let u2_p2_cos_q2_1 = u2_p2_1.mul_add(c2_0, c2_1 * u2_p2_0);
+    let r6_part_2_1 = u2_p2_cos_q2_1.mul_add(minus_l1, minus_l0 * u1_p2_cos_q1_1);
+    let u3_p2_1 = u3_1 * (u3_0 + u3_0);
+    let u3_p2_sin_q3_1 = u3_p2_1.mul_add(s3_2_0, s3_2_1 * u3_p2_0);
+    let r6_part_3_1 = r6_part_2_1.mul_add(s3_2_0, s3_2_1 * r6_part_2_0);
+    let r6_part_4_1 = r6_part_1.mul_add(c3_0, c3_1 * r6_part_0);
+    let r6_part_5_1 = r6_part_3_1 + r6_part_4_1;
+    let r6_part_6_1 = r6_part_5_1.mul_add(c3_0, c3_1 * r6_part_5_0);
+    let r6_part_7_1 = r6_part_6_1
+        .mul_add(
+            m3,
+            u2_p2_sin_q2_1
+                .mul_add(
+                    minus_l1_m2_plus_m3,
+                    u1_p2_sin_q1_1.mul_add(weight_2, minus_m3_l2 * u3_p2_sin_q3_1),
+                ),
+        );
+    let s8_part_1 = s4_part_1 * (s4_part_0 + s4_part_0);
+    let s9_part_1 = s4_part_1.mul_add(s3_2_0, s3_2_1 * s4_part_0);
+    let s9_part_2_1 = s9_part_1.mul_add(minus_m3_l0, l0_m2_plus_m3 * s1_1);
+    let s9_part_3_1 = s9_part_2_1.mul_add(s2_0, s2_1 * s9_part_2_0);
+    let s9_part_4_1 = s4_part_1.mul_add(c3_0, c3_1 * s4_part_0);
+    let s9_part_5_1 = s9_part_4_1.mul_add(minus_m3_l0, l0_m2_plus_m3 * c1_1);
+    let s9_part_6_1 = s9_part_5_1.mul_add(c2_0, c2_1 * s9_part_5_0);
+    let u2_p2_sin_q2_cos_q3_1 = u2_p2_sin_q2_1.mul_add(c3_0, c3_1 * u2_p2_sin_q2_0);
+    let r10_part_1 = s4_part_1.mul_add(u1_p2_0, u1_p2_1 * s4_part_0);
+    let u3_p2_plus_u1_p2_l7_1 = r10_part_1.mul_add(l0_by_l2, u3_p2_1);
+    let r10_part_2_1 = u3_p2_plus_u1_p2_l7_1.mul_add(c3_0, c3_1 * u3_p2_plus_u1_p2_l7_0);
+    let r10_part_3_1 = r10_part_2_1
+        .mul_add(minus_m3_l2, minus_l1_m2_plus_m3 * u2_p2_cos_q2_1);
+    let r10_part_4_1 = r10_part_3_1.mul_add(s1_0, s1_1 * r10_part_3_0);
+    let r10_part_5_1 = l1 * u2_p2_sin_q2_cos_q3_1 + r6_part_3_1;
+    let r10_part_6_1 = r10_part_5_1.mul_add(s4_part_0, s4_part_1 * r10_part_5_0);
+    let r10_part_7_1 = u2_p2_sin_q2_1.mul_add(l1_m2_plus_m3, m3_l2 * u3_p2_sin_q3_1);
+    let r10_part_8_1 = r10_part_7_1.mul_add(c1_0, c1_1 * r10_part_7_0);
+    let s12_part_1 = s5_part_1 * (s5_part_0 + s5_part_0);
+    let u1_p2_sin_q1_cos_q3_1 = u1_p2_sin_q1_1.mul_add(c3_0, c3_1 * u1_p2_sin_q1_0);
+    let r13_part_1 = s5_part_1.mul_add(u2_p2_0, u2_p2_1 * s5_part_0);
+    let u3_p2_plus_u2_p2_l11_1 = r13_part_1.mul_add(l1_by_l2, u3_p2_1);
+    let r13_part_2_1 = u3_p2_plus_u2_p2_l11_1
+        .mul_add(c3_0, c3_1 * u3_p2_plus_u2_p2_l11_0);
+    let r13_part_3_1 = r13_part_2_1
+        .mul_add(minus_m3_l2, minus_l0_m2_plus_m3 * u1_p2_cos_q1_1);
+    let r13_part_4_1 = r13_part_3_1.mul_add(s2_0, s2_1 * r13_part_3_0);
+    let r13_part_5_1 = l0 * u1_p2_sin_q1_cos_q3_1 + r6_part_3_1;
+    let r13_part_6_1 = r13_part_5_1.mul_add(s5_part_0, s5_part_1 * r13_part_5_0);
+    let r13_part_7_1 = u1_p2_sin_q1_1.mul_add(l0_m2_plus_m3, m3_l2 * u3_p2_sin_q3_1);
+    let r13_part_8_1 = r13_part_7_1.mul_add(c2_0, c2_1 * r13_part_7_0);
+    let l14_part_1 = s3_part_1
+        .mul_add(-(l14_part_0 * over_s3_part), s4_part_3_1 * over_s3_part);
+    let s15_part_1 = l14_part_1.mul_add(s4_part_3_0, s4_part_3_1 * l14_part_0);
+    let s8_minus_s4_l14_1 = s15_part_1.mul_add(minus_l0_2, minus_m3_l0_2 * s8_part_1);
+    let s16_part_1 = l14_part_1.mul_add(s5_part_3_0, s5_part_3_1 * l14_part_0);
+    let s9_minus_s5_l14_1 = s16_part_1
+        .mul_add(minus_l0_l1, s9_part_6_1.mul_add(l1, l1 * s9_part_3_1));
+    let r17_part_1 = r6_part_7_1.mul_add(l14_part_0, l14_part_1 * r6_part_7_0);
+    let r10_minus_r6_l14_1 = r17_part_1
+        .mul_add(
+            l0,
+            r10_part_4_1
+                .mul_add(l0, r10_part_6_1.mul_add(minus_m3_l0, l0 * r10_part_8_1)),
+        );
+    let l18_part_1 = s3_part_1
+        .mul_add(-(l18_part_0 * over_s3_part), s5_part_3_1 * over_s3_part);
+    let s19_part_1 = l18_part_1.mul_add(s5_part_3_0, s5_part_3_1 * l18_part_0);
+    let r20_part_1 = r6_part_7_1.mul_add(l18_part_0, l18_part_1 * r6_part_7_0);
+    let l21_part_1 = s8_minus_s4_l14_1
+        .mul_add(
+            -(l21_part_0 * over_s8_minus_s4_l14),
+            s9_minus_s5_l14_1 * over_s8_minus_s4_l14,
+        );
+    let s22_part_1 = l21_part_1
+        .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14_1 * l21_part_0);
+    let s19_minus_s16_l21_1 = s19_part_1.mul_add(minus_l1_2, minus_m3_l1_2 * s12_part_1)
+        - s22_part_1;
+    let r23_part_1 = l21_part_1
+        .mul_add(r10_minus_r6_l14_0, r10_minus_r6_l14_1 * l21_part_0);
+    let r20_minus_r17_l21_1 = r20_part_1
+        .mul_add(
+            l1,
+            r13_part_4_1
+                .mul_add(l1, r13_part_6_1.mul_add(minus_m3_l1, l1 * r13_part_8_1)),
+        ) - r23_part_1;
+    let u2_dot_2_1 = s19_minus_s16_l21_1
+        .mul_add(
+            -(u2_dot_2_0 * over_s19_minus_s16_l21),
+            r20_minus_r17_l21_1 * over_s19_minus_s16_l21,
+        );
+    let u1_dot_part_1 = u2_dot_2_1
+        .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14_1 * u2_dot_2_0);
+    let r17_minus_u2_s16_1 = r10_minus_r6_l14_1 - u1_dot_part_1;
+    let u1_dot_2_1 = s8_minus_s4_l14_1
+        .mul_add(
+            -(u1_dot_2_0 * over_s8_minus_s4_l14),
+            r17_minus_u2_s16_1 * over_s8_minus_s4_l14,
+        );
+    let u0_dot_part_1 = u1_dot_2_1.mul_add(s4_part_3_0, s4_part_3_1 * u1_dot_2_0);
+    let u0_dot_part_2_1 = u2_dot_2_1.mul_add(s5_part_3_0, s5_part_3_1 * u2_dot_2_0);
+    let u0_dot_part_3_1 = u0_dot_part_1
+        .mul_add(l0, u0_dot_part_2_1.mul_add(l1, r6_part_7_1));
+    let u0_dot_2_1 = s3_part_1
+        .mul_add(-(u0_dot_2_0 * over_s3_part), u0_dot_part_3_1 * over_s3_part);
+    let u3_dot_part_1 = u1_dot_2_1.mul_add(s1_0, s1_1 * u1_dot_2_0);
+    let u3_dot_part_2_1 = u2_dot_2_1.mul_add(s2_0, s2_1 * u2_dot_2_0);
+    let u3_dot_part_3_1 = u3_dot_part_1
+        .mul_add(
+            minus_l0,
+            u3_dot_part_2_1
+                .mul_add(
+                    minus_l1,
+                    u2_p2_cos_q2_1.mul_add(minus_l1, minus_l0 * u1_p2_cos_q1_1),
+                ),
+        );
+    let u3_dot_part_4_1 = u3_dot_part_3_1.mul_add(s3_2_0, s3_2_1 * u3_dot_part_3_0);
+    let u3_dot_part_5_1 = u1_dot_2_1.mul_add(c1_0, c1_1 * u1_dot_2_0);
+    let u3_dot_part_6_1 = u2_dot_2_1.mul_add(c2_0, c2_1 * u2_dot_2_0);
+    let u3_dot_part_7_1 = u3_dot_part_5_1
+        .mul_add(
+            minus_l0,
+            u3_dot_part_6_1
+                .mul_add(minus_l1, u2_p2_sin_q2_1.mul_add(l1, l0 * u1_p2_sin_q1_1)),
+        ) + u0_dot_2_1;
+    let u3_dot_part_8_1 = u3_dot_part_7_1.mul_add(c3_0, c3_1 * u3_dot_part_7_0);
+    let u3_dot_part_9_1 = u3_dot_part_4_1 + u3_dot_part_8_1;
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                q3_1,
+                q3_1,
+                c3_1,
+                q1_1,
+                q1_1,
+                s1_1,
+                c1_1,
+                s4_part_1,
+                q2_1,
+                q2_1,
+                s2_1,
+                c2_1,
+                s5_part_1,
+                u1_1,
+                c1_1,
+                s1_1,
+                u2_1,
+                s2_1,
+                c2_1,
+                u3_1,
+                s3_2_1,
+                s3_2_1,
+                c3_1,
+                r6_part_5_1,
+                s4_part_1,
+                s3_2_1,
+                s2_1,
+                c3_1,
+                c2_1,
+                c3_1,
+                s4_part_1,
+                c3_1,
+                s1_1,
+                s4_part_1,
+                c1_1,
+                s5_part_1,
+                c3_1,
+                s5_part_1,
+                c3_1,
+                s2_1,
+                s5_part_1,
+                c2_1,
+                s3_part_1,
+                s4_part_3_1,
+                s5_part_3_1,
+                r6_part_7_1,
+                s3_part_1,
+                s5_part_3_1,
+                r6_part_7_1,
+                s8_minus_s4_l14_1,
+                s9_minus_s5_l14_1,
+                r10_minus_r6_l14_1,
+                s19_minus_s16_l21_1,
+                u2_dot_2_1,
+                s8_minus_s4_l14_1,
+                u1_dot_2_1,
+                u2_dot_2_1,
+                s3_part_1,
+                u1_dot_2_1,
+                u2_dot_2_1,
+                s3_2_1,
+                u1_dot_2_1,
+                u2_dot_2_1,
+                c3_1,
+            ],
+            [
+                c3_1,
+                s3_2_1,
+                c3_1,
+                c1_1,
+                s1_1,
+                s3_2_1,
+                c3_1,
+                c3_1,
+                c2_1,
+                s2_1,
+                s3_2_1,
+                c3_1,
+                c3_1,
+                u1_1,
+                u1_p2_1,
+                u1_p2_1,
+                u2_1,
+                u2_p2_1,
+                u2_p2_1,
+                u3_1,
+                u3_p2_1,
+                r6_part_2_1,
+                r6_part_1,
+                c3_1,
+                s4_part_1,
+                s4_part_1,
+                s9_part_2_1,
+                s4_part_1,
+                s9_part_5_1,
+                u2_p2_sin_q2_1,
+                u1_p2_1,
+                u3_p2_plus_u1_p2_l7_1,
+                r10_part_3_1,
+                r10_part_5_1,
+                r10_part_7_1,
+                s5_part_1,
+                u1_p2_sin_q1_1,
+                u2_p2_1,
+                u3_p2_plus_u2_p2_l11_1,
+                r13_part_3_1,
+                r13_part_5_1,
+                r13_part_7_1,
+                l14_part_1,
+                l14_part_1,
+                l14_part_1,
+                l14_part_1,
+                l18_part_1,
+                l18_part_1,
+                l18_part_1,
+                l21_part_1,
+                l21_part_1,
+                l21_part_1,
+                u2_dot_2_1,
+                s9_minus_s5_l14_1,
+                u1_dot_2_1,
+                s4_part_3_1,
+                s5_part_3_1,
+                u0_dot_2_1,
+                s1_1,
+                s2_1,
+                u3_dot_part_3_1,
+                c1_1,
+                c2_1,
+                u3_dot_part_7_1,
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q1_last = q1_1;
+    let mut q2_last = q2_1;
+    let mut q3_last = q3_1;
+    let mut u1_last = u1_1;
+    let mut u2_last = u2_1;
+    let mut u3_last = u3_1;
+    let mut s3_2_last = s3_2_1;
+    let mut c3_last = c3_1;
+    let mut s3_part_last = s3_part_1;
+    let mut s1_last = s1_1;
+    let mut c1_last = c1_1;
+    let mut s4_part_last = s4_part_1;
+    let mut s4_part_3_last = s4_part_3_1;
+    let mut s2_last = s2_1;
+    let mut c2_last = c2_1;
+    let mut s5_part_last = s5_part_1;
+    let mut s5_part_3_last = s5_part_3_1;
+    let mut u1_p2_last = u1_p2_1;
+    let mut u1_p2_sin_q1_last = u1_p2_sin_q1_1;
+    let mut u2_p2_last = u2_p2_1;
+    let mut u2_p2_sin_q2_last = u2_p2_sin_q2_1;
+    let mut r6_part_last = r6_part_1;
+    let mut r6_part_2_last = r6_part_2_1;
+    let mut u3_p2_last = u3_p2_1;
+    let mut r6_part_5_last = r6_part_5_1;
+    let mut r6_part_7_last = r6_part_7_1;
+    let mut s9_part_2_last = s9_part_2_1;
+    let mut s9_part_5_last = s9_part_5_1;
+    let mut u3_p2_plus_u1_p2_l7_last = u3_p2_plus_u1_p2_l7_1;
+    let mut r10_part_3_last = r10_part_3_1;
+    let mut r10_part_5_last = r10_part_5_1;
+    let mut r10_part_7_last = r10_part_7_1;
+    let mut u3_p2_plus_u2_p2_l11_last = u3_p2_plus_u2_p2_l11_1;
+    let mut r13_part_3_last = r13_part_3_1;
+    let mut r13_part_5_last = r13_part_5_1;
+    let mut r13_part_7_last = r13_part_7_1;
+    let mut l14_part_last = l14_part_1;
+    let mut s8_minus_s4_l14_last = s8_minus_s4_l14_1;
+    let mut s9_minus_s5_l14_last = s9_minus_s5_l14_1;
+    let mut r10_minus_r6_l14_last = r10_minus_r6_l14_1;
+    let mut l18_part_last = l18_part_1;
+    let mut l21_part_last = l21_part_1;
+    let mut s19_minus_s16_l21_last = s19_minus_s16_l21_1;
+    let mut u2_dot_2_last = u2_dot_2_1;
+    let mut u1_dot_2_last = u1_dot_2_1;
+    let mut u0_dot_2_last = u0_dot_2_1;
+    let mut u3_dot_part_3_last = u3_dot_part_3_1;
+    let mut u3_dot_part_7_last = u3_dot_part_7_1;
+    let mut next = [S::int(0); 64];
+    // Rates at order k - 1.
+    let mut q0_rate = u0_1;
+    let mut q1_rate = u1_1;
+    let mut q2_rate = u2_1;
+    let mut q3_rate = u3_1;
+    let mut u0_rate = u0_dot_2_1;
+    let mut u1_rate = u1_dot_2_1;
+    let mut u2_rate = u2_dot_2_1;
+    let mut u3_rate = weight_3 * u3_dot_part_9_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q0 = q0_rate * over_k;
+        let q1 = q1_rate * over_k;
+        let q2 = q2_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let u0 = u0_rate * over_k;
+        let u1 = u1_rate * over_k;
+        let u2 = u2_rate * over_k;
+        let u3 = u3_rate * over_k;
+        x[k] = [q0, q1, q2, q3, u0, u1, u2, u3];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                q3_1.mul_add(c3_last, (count_last * q3_last).mul_add(c3_1, next[0])),
+                q3_1.mul_add(s3_2_last, (count_last * q3_last).mul_add(s3_2_1, next[1])),
+                (c3_1 + c3_1).mul_add(c3_last, next[2]),
+                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[3])),
+                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[4])),
+                s1_1.mul_add(s3_2_last, s1_last.mul_add(s3_2_1, next[5])),
+                c1_1.mul_add(c3_last, c1_last.mul_add(c3_1, next[6])),
+                s4_part_1.mul_add(c3_last, s4_part_last.mul_add(c3_1, next[7])),
+                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[8])),
+                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[9])),
+                s2_1.mul_add(s3_2_last, s2_last.mul_add(s3_2_1, next[10])),
+                c2_1.mul_add(c3_last, c2_last.mul_add(c3_1, next[11])),
+                s5_part_1.mul_add(c3_last, s5_part_last.mul_add(c3_1, next[12])),
+                (u1_1 + u1_1).mul_add(u1_last, next[13]),
+                c1_1.mul_add(u1_p2_last, c1_last.mul_add(u1_p2_1, next[14])),
+                s1_1.mul_add(u1_p2_last, s1_last.mul_add(u1_p2_1, next[15])),
+                (u2_1 + u2_1).mul_add(u2_last, next[16]),
+                s2_1.mul_add(u2_p2_last, s2_last.mul_add(u2_p2_1, next[17])),
+                c2_1.mul_add(u2_p2_last, c2_last.mul_add(u2_p2_1, next[18])),
+                (u3_1 + u3_1).mul_add(u3_last, next[19]),
+                s3_2_1.mul_add(u3_p2_last, s3_2_last.mul_add(u3_p2_1, next[20])),
+                s3_2_1.mul_add(r6_part_2_last, s3_2_last.mul_add(r6_part_2_1, next[21])),
+                c3_1.mul_add(r6_part_last, c3_last.mul_add(r6_part_1, next[22])),
+                r6_part_5_1.mul_add(c3_last, r6_part_5_last.mul_add(c3_1, next[23])),
+                (s4_part_1 + s4_part_1).mul_add(s4_part_last, next[24]),
+                s3_2_1.mul_add(s4_part_last, s3_2_last.mul_add(s4_part_1, next[25])),
+                s2_1.mul_add(s9_part_2_last, s2_last.mul_add(s9_part_2_1, next[26])),
+                c3_1.mul_add(s4_part_last, c3_last.mul_add(s4_part_1, next[27])),
+                c2_1.mul_add(s9_part_5_last, c2_last.mul_add(s9_part_5_1, next[28])),
+                c3_1
+                    .mul_add(
+                        u2_p2_sin_q2_last,
+                        c3_last.mul_add(u2_p2_sin_q2_1, next[29]),
+                    ),
+                s4_part_1.mul_add(u1_p2_last, s4_part_last.mul_add(u1_p2_1, next[30])),
+                c3_1
+                    .mul_add(
+                        u3_p2_plus_u1_p2_l7_last,
+                        c3_last.mul_add(u3_p2_plus_u1_p2_l7_1, next[31]),
+                    ),
+                s1_1.mul_add(r10_part_3_last, s1_last.mul_add(r10_part_3_1, next[32])),
+                s4_part_1
+                    .mul_add(
+                        r10_part_5_last,
+                        s4_part_last.mul_add(r10_part_5_1, next[33]),
+                    ),
+                c1_1.mul_add(r10_part_7_last, c1_last.mul_add(r10_part_7_1, next[34])),
+                (s5_part_1 + s5_part_1).mul_add(s5_part_last, next[35]),
+                c3_1
+                    .mul_add(
+                        u1_p2_sin_q1_last,
+                        c3_last.mul_add(u1_p2_sin_q1_1, next[36]),
+                    ),
+                s5_part_1.mul_add(u2_p2_last, s5_part_last.mul_add(u2_p2_1, next[37])),
+                c3_1
+                    .mul_add(
+                        u3_p2_plus_u2_p2_l11_last,
+                        c3_last.mul_add(u3_p2_plus_u2_p2_l11_1, next[38]),
+                    ),
+                s2_1.mul_add(r13_part_3_last, s2_last.mul_add(r13_part_3_1, next[39])),
+                s5_part_1
+                    .mul_add(
+                        r13_part_5_last,
+                        s5_part_last.mul_add(r13_part_5_1, next[40]),
+                    ),
+                c2_1.mul_add(r13_part_7_last, c2_last.mul_add(r13_part_7_1, next[41])),
+                s3_part_1
+                    .mul_add(l14_part_last, s3_part_last.mul_add(l14_part_1, next[42])),
+                s4_part_3_1
+                    .mul_add(
+                        l14_part_last,
+                        s4_part_3_last.mul_add(l14_part_1, next[43]),
+                    ),
+                s5_part_3_1
+                    .mul_add(
+                        l14_part_last,
+                        s5_part_3_last.mul_add(l14_part_1, next[44]),
+                    ),
+                r6_part_7_1
+                    .mul_add(
+                        l14_part_last,
+                        r6_part_7_last.mul_add(l14_part_1, next[45]),
+                    ),
+                s3_part_1
+                    .mul_add(l18_part_last, s3_part_last.mul_add(l18_part_1, next[46])),
+                s5_part_3_1
+                    .mul_add(
+                        l18_part_last,
+                        s5_part_3_last.mul_add(l18_part_1, next[47]),
+                    ),
+                r6_part_7_1
+                    .mul_add(
+                        l18_part_last,
+                        r6_part_7_last.mul_add(l18_part_1, next[48]),
+                    ),
+                s8_minus_s4_l14_1
+                    .mul_add(
+                        l21_part_last,
+                        s8_minus_s4_l14_last.mul_add(l21_part_1, next[49]),
+                    ),
+                s9_minus_s5_l14_1
+                    .mul_add(
+                        l21_part_last,
+                        s9_minus_s5_l14_last.mul_add(l21_part_1, next[50]),
+                    ),
+                r10_minus_r6_l14_1
+                    .mul_add(
+                        l21_part_last,
+                        r10_minus_r6_l14_last.mul_add(l21_part_1, next[51]),
+                    ),
+                s19_minus_s16_l21_1
+                    .mul_add(
+                        u2_dot_2_last,
+                        s19_minus_s16_l21_last.mul_add(u2_dot_2_1, next[52]),
+                    ),
+                u2_dot_2_1
+                    .mul_add(
+                        s9_minus_s5_l14_last,
+                        u2_dot_2_last.mul_add(s9_minus_s5_l14_1, next[53]),
+                    ),
+                s8_minus_s4_l14_1
+                    .mul_add(
+                        u1_dot_2_last,
+                        s8_minus_s4_l14_last.mul_add(u1_dot_2_1, next[54]),
+                    ),
+                u1_dot_2_1
+                    .mul_add(
+                        s4_part_3_last,
+                        u1_dot_2_last.mul_add(s4_part_3_1, next[55]),
+                    ),
+                u2_dot_2_1
+                    .mul_add(
+                        s5_part_3_last,
+                        u2_dot_2_last.mul_add(s5_part_3_1, next[56]),
+                    ),
+                s3_part_1
+                    .mul_add(u0_dot_2_last, s3_part_last.mul_add(u0_dot_2_1, next[57])),
+                u1_dot_2_1.mul_add(s1_last, u1_dot_2_last.mul_add(s1_1, next[58])),
+                u2_dot_2_1.mul_add(s2_last, u2_dot_2_last.mul_add(s2_1, next[59])),
+                s3_2_1
+                    .mul_add(
+                        u3_dot_part_3_last,
+                        s3_2_last.mul_add(u3_dot_part_3_1, next[60]),
+                    ),
+                u1_dot_2_1.mul_add(c1_last, u1_dot_2_last.mul_add(c1_1, next[61])),
+                u2_dot_2_1.mul_add(c2_last, u2_dot_2_last.mul_add(c2_1, next[62])),
+                c3_1
+                    .mul_add(
+                        u3_dot_part_7_last,
+                        c3_last.mul_add(u3_dot_part_7_1, next[63]),
+                    ),
+            ]
+        };
+        // s3_2 = sin(q3)
+        let s3_2 = q3.mul_add(c3_0, sums[0] * over_k);
+        // c3 = cos(q3)
+        let c3 = -q3.mul_add(s3_2_0, sums[1] * over_k);
+        // cos_q3_p2 = c3*c3
+        let cos_q3_p2 = c3.mul_add(c3_0 + c3_0, sums[2]);
+        // s3_part = weight + minus_m3*cos_q3_p2
+        let s3_part = minus_m3 * cos_q3_p2;
+        // s1 = sin(q1)
+        let s1 = q1.mul_add(c1_0, sums[3] * over_k);
+        // c1 = cos(q1)
+        let c1 = -q1.mul_add(s1_0, sums[4] * over_k);
+        // sin_q1_sin_q3 = s1*s3_2
+        let sin_q1_sin_q3 = s3_2.mul_add(s1_0, s1.mul_add(s3_2_0, sums[5]));
+        // cos_q1_cos_q3 = c1*c3
+        let cos_q1_cos_q3 = c3.mul_add(c1_0, c1.mul_add(c3_0, sums[6]));
+        // s4_part = sin_q1_sin_q3 + cos_q1_cos_q3
+        let s4_part = sin_q1_sin_q3 + cos_q1_cos_q3;
+        // s4_part_2 = s4_part*c3
+        let s4_part_2 = s4_part.mul_add(c3_0, c3.mul_add(s4_part_0, sums[7]));
+        // s4_part_3 = minus_m3*s4_part_2 + m1_plus_m2_plus_m3*c1
+        let s4_part_3 = s4_part_2.mul_add(minus_m3, m1_plus_m2_plus_m3 * c1);
+        // s2 = sin(q2)
+        let s2 = q2.mul_add(c2_0, sums[8] * over_k);
+        // c2 = cos(q2)
+        let c2 = -q2.mul_add(s2_0, sums[9] * over_k);
+        // sin_q2_sin_q3 = s2*s3_2
+        let sin_q2_sin_q3 = s3_2.mul_add(s2_0, s2.mul_add(s3_2_0, sums[10]));
+        // cos_q2_cos_q3 = c2*c3
+        let cos_q2_cos_q3 = c3.mul_add(c2_0, c2.mul_add(c3_0, sums[11]));
+        // s5_part = sin_q2_sin_q3 + cos_q2_cos_q3
+        let s5_part = sin_q2_sin_q3 + cos_q2_cos_q3;
+        // s5_part_2 = s5_part*c3
+        let s5_part_2 = s5_part.mul_add(c3_0, c3.mul_add(s5_part_0, sums[12]));
+        // s5_part_3 = minus_m3*s5_part_2 + m2_plus_m3*c2
+        let s5_part_3 = s5_part_2.mul_add(minus_m3, m2_plus_m3 * c2);
+        // u1_p2 = u1*u1
+        let u1_p2 = u1.mul_add(u1_0 + u1_0, sums[13]);
+        // u1_p2_cos_q1 = c1*u1_p2
+        let u1_p2_cos_q1 = u1_p2.mul_add(c1_0, c1.mul_add(u1_p2_0, sums[14]));
+        // u1_p2_sin_q1 = s1*u1_p2
+        let u1_p2_sin_q1 = u1_p2.mul_add(s1_0, s1.mul_add(u1_p2_0, sums[15]));
+        // u2_p2 = u2*u2
+        let u2_p2 = u2.mul_add(u2_0 + u2_0, sums[16]);
+        // u2_p2_sin_q2 = s2*u2_p2
+        let u2_p2_sin_q2 = u2_p2.mul_add(s2_0, s2.mul_add(u2_p2_0, sums[17]));
+        // r6_part = l0*u1_p2_sin_q1 + l1*u2_p2_sin_q2
+        let r6_part = u2_p2_sin_q2.mul_add(l1, l0 * u1_p2_sin_q1);
+        // u2_p2_cos_q2 = c2*u2_p2
+        let u2_p2_cos_q2 = u2_p2.mul_add(c2_0, c2.mul_add(u2_p2_0, sums[18]));
+        // r6_part_2 = g + minus_l0*u1_p2_cos_q1 + minus_l1*u2_p2_cos_q2
+        let r6_part_2 = u2_p2_cos_q2.mul_add(minus_l1, minus_l0 * u1_p2_cos_q1);
+        // u3_p2 = u3*u3
+        let u3_p2 = u3.mul_add(u3_0 + u3_0, sums[19]);
+        // u3_p2_sin_q3 = s3_2*u3_p2
+        let u3_p2_sin_q3 = u3_p2.mul_add(s3_2_0, s3_2.mul_add(u3_p2_0, sums[20]));
+        // r6_part_3 = s3_2*r6_part_2
+        let r6_part_3 = r6_part_2.mul_add(s3_2_0, s3_2.mul_add(r6_part_2_0, sums[21]));
+        // r6_part_4 = c3*r6_part
+        let r6_part_4 = r6_part.mul_add(c3_0, c3.mul_add(r6_part_0, sums[22]));
+        // r6_part_5 = r6_part_3 + r6_part_4
+        let r6_part_5 = r6_part_3 + r6_part_4;
+        // r6_part_6 = r6_part_5*c3
+        let r6_part_6 = r6_part_5.mul_add(c3_0, c3.mul_add(r6_part_5_0, sums[23]));
+        // r6_part_7 = F + minus_m3_l2*u3_p2_sin_q3 + m3*r6_part_6 + weight_2*u1_p2_sin_q1 +
+        //   minus_l1_m2_plus_m3*u2_p2_sin_q2
+        let r6_part_7 = r6_part_6
+            .mul_add(
+                m3,
+                u2_p2_sin_q2
+                    .mul_add(
+                        minus_l1_m2_plus_m3,
+                        u1_p2_sin_q1.mul_add(weight_2, minus_m3_l2 * u3_p2_sin_q3),
+                    ),
+            );
+        // s8_part = s4_part*s4_part
+        let s8_part = s4_part.mul_add(s4_part_0 + s4_part_0, sums[24]);
+        // s9_part = s3_2*s4_part
+        let s9_part = s4_part.mul_add(s3_2_0, s3_2.mul_add(s4_part_0, sums[25]));
+        // s9_part_2 = l0_m2_plus_m3*s1 + minus_m3_l0*s9_part
+        let s9_part_2 = s9_part.mul_add(minus_m3_l0, l0_m2_plus_m3 * s1);
+        // s9_part_3 = s2*s9_part_2
+        let s9_part_3 = s9_part_2.mul_add(s2_0, s2.mul_add(s9_part_2_0, sums[26]));
+        // s9_part_4 = c3*s4_part
+        let s9_part_4 = s4_part.mul_add(c3_0, c3.mul_add(s4_part_0, sums[27]));
+        // s9_part_5 = l0_m2_plus_m3*c1 + minus_m3_l0*s9_part_4
+        let s9_part_5 = s9_part_4.mul_add(minus_m3_l0, l0_m2_plus_m3 * c1);
+        // s9_part_6 = c2*s9_part_5
+        let s9_part_6 = s9_part_5.mul_add(c2_0, c2.mul_add(s9_part_5_0, sums[28]));
+        // u2_p2_sin_q2_cos_q3 = c3*u2_p2_sin_q2
+        let u2_p2_sin_q2_cos_q3 = u2_p2_sin_q2
+            .mul_add(c3_0, c3.mul_add(u2_p2_sin_q2_0, sums[29]));
+        // r10_part = s4_part*u1_p2
+        let r10_part = s4_part.mul_add(u1_p2_0, u1_p2.mul_add(s4_part_0, sums[30]));
+        // u3_p2_plus_u1_p2_l7 = l0_by_l2*r10_part + u3_p2
+        let u3_p2_plus_u1_p2_l7 = r10_part.mul_add(l0_by_l2, u3_p2);
+        // r10_part_2 = c3*u3_p2_plus_u1_p2_l7
+        let r10_part_2 = u3_p2_plus_u1_p2_l7
+            .mul_add(c3_0, c3.mul_add(u3_p2_plus_u1_p2_l7_0, sums[31]));
+        // r10_part_3 = m1_g_plus_m2_g_plus_m3_g + minus_l1_m2_plus_m3*u2_p2_cos_q2 +
+        //   minus_m3_l2*r10_part_2
+        let r10_part_3 = r10_part_2
+            .mul_add(minus_m3_l2, minus_l1_m2_plus_m3 * u2_p2_cos_q2);
+        // r10_part_4 = s1*r10_part_3
+        let r10_part_4 = r10_part_3.mul_add(s1_0, s1.mul_add(r10_part_3_0, sums[32]));
+        // r10_part_5 = r6_part_3 + l1*u2_p2_sin_q2_cos_q3
+        let r10_part_5 = l1 * u2_p2_sin_q2_cos_q3 + r6_part_3;
+        // r10_part_6 = s4_part*r10_part_5
+        let r10_part_6 = r10_part_5
+            .mul_add(s4_part_0, s4_part.mul_add(r10_part_5_0, sums[33]));
+        // r10_part_7 = m3_l2*u3_p2_sin_q3 + l1_m2_plus_m3*u2_p2_sin_q2
+        let r10_part_7 = u2_p2_sin_q2.mul_add(l1_m2_plus_m3, m3_l2 * u3_p2_sin_q3);
+        // r10_part_8 = c1*r10_part_7
+        let r10_part_8 = r10_part_7.mul_add(c1_0, c1.mul_add(r10_part_7_0, sums[34]));
+        // s12_part = s5_part*s5_part
+        let s12_part = s5_part.mul_add(s5_part_0 + s5_part_0, sums[35]);
+        // u1_p2_sin_q1_cos_q3 = c3*u1_p2_sin_q1
+        let u1_p2_sin_q1_cos_q3 = u1_p2_sin_q1
+            .mul_add(c3_0, c3.mul_add(u1_p2_sin_q1_0, sums[36]));
+        // r13_part = s5_part*u2_p2
+        let r13_part = s5_part.mul_add(u2_p2_0, u2_p2.mul_add(s5_part_0, sums[37]));
+        // u3_p2_plus_u2_p2_l11 = u3_p2 + l1_by_l2*r13_part
+        let u3_p2_plus_u2_p2_l11 = r13_part.mul_add(l1_by_l2, u3_p2);
+        // r13_part_2 = c3*u3_p2_plus_u2_p2_l11
+        let r13_part_2 = u3_p2_plus_u2_p2_l11
+            .mul_add(c3_0, c3.mul_add(u3_p2_plus_u2_p2_l11_0, sums[38]));
+        // r13_part_3 = m2_g_plus_m3_g + minus_m3_l2*r13_part_2 + minus_l0_m2_plus_m3*u1_p2_cos_q1
+        let r13_part_3 = r13_part_2
+            .mul_add(minus_m3_l2, minus_l0_m2_plus_m3 * u1_p2_cos_q1);
+        // r13_part_4 = s2*r13_part_3
+        let r13_part_4 = r13_part_3.mul_add(s2_0, s2.mul_add(r13_part_3_0, sums[39]));
+        // r13_part_5 = r6_part_3 + l0*u1_p2_sin_q1_cos_q3
+        let r13_part_5 = l0 * u1_p2_sin_q1_cos_q3 + r6_part_3;
+        // r13_part_6 = s5_part*r13_part_5
+        let r13_part_6 = r13_part_5
+            .mul_add(s5_part_0, s5_part.mul_add(r13_part_5_0, sums[40]));
+        // r13_part_7 = m3_l2*u3_p2_sin_q3 + l0_m2_plus_m3*u1_p2_sin_q1
+        let r13_part_7 = u1_p2_sin_q1.mul_add(l0_m2_plus_m3, m3_l2 * u3_p2_sin_q3);
+        // r13_part_8 = c2*r13_part_7
+        let r13_part_8 = r13_part_7.mul_add(c2_0, c2.mul_add(r13_part_7_0, sums[41]));
+        // l14_part = s4_part_3/s3_part
+        let l14_part = s4_part_3
+            .mul_add(
+                over_s3_part,
+                -(s3_part.mul_add(l14_part_0, sums[42]) * over_s3_part),
+            );
+        // s15_part = s4_part_3*l14_part
+        let s15_part = l14_part
+            .mul_add(s4_part_3_0, s4_part_3.mul_add(l14_part_0, sums[43]));
+        // s8_minus_s4_l14 = l0_2_m1_plus_m2_plus_m3 + minus_m3_l0_2*s8_part + minus_l0_2*s15_part
+        let s8_minus_s4_l14 = s15_part.mul_add(minus_l0_2, minus_m3_l0_2 * s8_part);
+        // s16_part = s5_part_3*l14_part
+        let s16_part = l14_part
+            .mul_add(s5_part_3_0, s5_part_3.mul_add(l14_part_0, sums[44]));
+        // s9_minus_s5_l14 = l1*s9_part_3 + l1*s9_part_6 + minus_l0_l1*s16_part
+        let s9_minus_s5_l14 = s16_part
+            .mul_add(minus_l0_l1, s9_part_6.mul_add(l1, l1 * s9_part_3));
+        // r17_part = r6_part_7*l14_part
+        let r17_part = r6_part_7
+            .mul_add(l14_part_0, l14_part.mul_add(r6_part_7_0, sums[45]));
+        // r10_minus_r6_l14 = l0*r10_part_4 + minus_m3_l0*r10_part_6 + l0*r10_part_8 + l0*r17_part
+        let r10_minus_r6_l14 = r17_part
+            .mul_add(
+                l0,
+                r10_part_4.mul_add(l0, r10_part_6.mul_add(minus_m3_l0, l0 * r10_part_8)),
+            );
+        // l18_part = s5_part_3/s3_part
+        let l18_part = s5_part_3
+            .mul_add(
+                over_s3_part,
+                -(s3_part.mul_add(l18_part_0, sums[46]) * over_s3_part),
+            );
+        // s19_part = s5_part_3*l18_part
+        let s19_part = l18_part
+            .mul_add(s5_part_3_0, s5_part_3.mul_add(l18_part_0, sums[47]));
+        // r20_part = r6_part_7*l18_part
+        let r20_part = r6_part_7
+            .mul_add(l18_part_0, l18_part.mul_add(r6_part_7_0, sums[48]));
+        // l21_part = s9_minus_s5_l14/s8_minus_s4_l14
+        let l21_part = s8_minus_s4_l14
+            .mul_add(
+                -(l21_part_0 * over_s8_minus_s4_l14),
+                (s9_minus_s5_l14 - sums[49]) * over_s8_minus_s4_l14,
+            );
+        // s22_part = s9_minus_s5_l14*l21_part
+        let s22_part = l21_part
+            .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14.mul_add(l21_part_0, sums[50]));
+        // s19_minus_s16_l21 = l1_2_m2_plus_m3 + minus_m3_l1_2*s12_part + minus_l1_2*s19_part - s22_part
+        let s19_minus_s16_l21 = s19_part.mul_add(minus_l1_2, minus_m3_l1_2 * s12_part)
+            - s22_part;
+        // r23_part = r10_minus_r6_l14*l21_part
+        let r23_part = l21_part
+            .mul_add(r10_minus_r6_l14_0, r10_minus_r6_l14.mul_add(l21_part_0, sums[51]));
+        // r20_minus_r17_l21 = l1*r13_part_4 + minus_m3_l1*r13_part_6 + l1*r13_part_8 + l1*r20_part -
+        //   r23_part
+        let r20_minus_r17_l21 = r20_part
+            .mul_add(
+                l1,
+                r13_part_4.mul_add(l1, r13_part_6.mul_add(minus_m3_l1, l1 * r13_part_8)),
+            ) - r23_part;
+        // u2_dot_2 = r20_minus_r17_l21/s19_minus_s16_l21
+        let u2_dot_2 = s19_minus_s16_l21
+            .mul_add(
+                -(u2_dot_2_0 * over_s19_minus_s16_l21),
+                (r20_minus_r17_l21 - sums[52]) * over_s19_minus_s16_l21,
+            );
+        // u1_dot_part = u2_dot_2*s9_minus_s5_l14
+        let u1_dot_part = u2_dot_2
+            .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14.mul_add(u2_dot_2_0, sums[53]));
+        // r17_minus_u2_s16 = r10_minus_r6_l14 - u1_dot_part
+        let r17_minus_u2_s16 = r10_minus_r6_l14 - u1_dot_part;
+        // u1_dot_2 = r17_minus_u2_s16/s8_minus_s4_l14
+        let u1_dot_2 = r17_minus_u2_s16
+            .mul_add(
+                over_s8_minus_s4_l14,
+                -(s8_minus_s4_l14.mul_add(u1_dot_2_0, sums[54]) * over_s8_minus_s4_l14),
+            );
+        // u0_dot_part = u1_dot_2*s4_part_3
+        let u0_dot_part = u1_dot_2
+            .mul_add(s4_part_3_0, s4_part_3.mul_add(u1_dot_2_0, sums[55]));
+        // u0_dot_part_2 = u2_dot_2*s5_part_3
+        let u0_dot_part_2 = u2_dot_2
+            .mul_add(s5_part_3_0, s5_part_3.mul_add(u2_dot_2_0, sums[56]));
+        // u0_dot_part_3 = r6_part_7 + l0*u0_dot_part + l1*u0_dot_part_2
+        let u0_dot_part_3 = u0_dot_part
+            .mul_add(l0, u0_dot_part_2.mul_add(l1, r6_part_7));
+        // u0_dot_2 = u0_dot_part_3/s3_part
+        let u0_dot_2 = u0_dot_part_3
+            .mul_add(
+                over_s3_part,
+                -(s3_part.mul_add(u0_dot_2_0, sums[57]) * over_s3_part),
+            );
+        // u3_dot_part = u1_dot_2*s1
+        let u3_dot_part = u1_dot_2.mul_add(s1_0, s1.mul_add(u1_dot_2_0, sums[58]));
+        // u3_dot_part_2 = u2_dot_2*s2
+        let u3_dot_part_2 = u2_dot_2.mul_add(s2_0, s2.mul_add(u2_dot_2_0, sums[59]));
+        // u3_dot_part_3 = g + minus_l0*u1_p2_cos_q1 + minus_l1*u2_p2_cos_q2 + minus_l0*u3_dot_part +
+        //   minus_l1*u3_dot_part_2
+        let u3_dot_part_3 = u3_dot_part
+            .mul_add(
+                minus_l0,
+                u3_dot_part_2
+                    .mul_add(
+                        minus_l1,
+                        u2_p2_cos_q2.mul_add(minus_l1, minus_l0 * u1_p2_cos_q1),
+                    ),
+            );
+        // u3_dot_part_4 = s3_2*u3_dot_part_3
+        let u3_dot_part_4 = u3_dot_part_3
+            .mul_add(s3_2_0, s3_2.mul_add(u3_dot_part_3_0, sums[60]));
+        // u3_dot_part_5 = u1_dot_2*c1
+        let u3_dot_part_5 = u1_dot_2.mul_add(c1_0, c1.mul_add(u1_dot_2_0, sums[61]));
+        // u3_dot_part_6 = u2_dot_2*c2
+        let u3_dot_part_6 = u2_dot_2.mul_add(c2_0, c2.mul_add(u2_dot_2_0, sums[62]));
+        // u3_dot_part_7 = u0_dot_2 + l0*u1_p2_sin_q1 + l1*u2_p2_sin_q2 + minus_l0*u3_dot_part_5 +
+        //   minus_l1*u3_dot_part_6
+        let u3_dot_part_7 = u3_dot_part_5
+            .mul_add(
+                minus_l0,
+                u3_dot_part_6
+                    .mul_add(minus_l1, u2_p2_sin_q2.mul_add(l1, l0 * u1_p2_sin_q1)),
+            ) + u0_dot_2;
+        // u3_dot_part_8 = c3*u3_dot_part_7
+        let u3_dot_part_8 = u3_dot_part_7
+            .mul_add(c3_0, c3.mul_add(u3_dot_part_7_0, sums[63]));
+        // u3_dot_part_9 = u3_dot_part_4 + u3_dot_part_8
+        let u3_dot_part_9 = u3_dot_part_4 + u3_dot_part_8;
+        q0_rate = u0;
+        q1_rate = u1;
+        q2_rate = u2;
+        q3_rate = u3;
+        u0_rate = u0_dot_2;
+        u1_rate = u1_dot_2;
+        u2_rate = u2_dot_2;
+        u3_rate = weight_3 * u3_dot_part_9;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * q3,
+                count * q3,
+                c3,
+                count * q1,
+                count * q1,
+                s1,
+                c1,
+                s4_part,
+                count * q2,
+                count * q2,
+                s2,
+                c2,
+                s5_part,
+                u1,
+                c1,
+                s1,
+                u2,
+                s2,
+                c2,
+                u3,
+                s3_2,
+                s3_2,
+                c3,
+                r6_part_5,
+                s4_part,
+                s3_2,
+                s2,
+                c3,
+                c2,
+                c3,
+                s4_part,
+                c3,
+                s1,
+                s4_part,
+                c1,
+                s5_part,
+                c3,
+                s5_part,
+                c3,
+                s2,
+                s5_part,
+                c2,
+                s3_part,
+                s4_part_3,
+                s5_part_3,
+                r6_part_7,
+                s3_part,
+                s5_part_3,
+                r6_part_7,
+                s8_minus_s4_l14,
+                s9_minus_s5_l14,
+                r10_minus_r6_l14,
+                s19_minus_s16_l21,
+                u2_dot_2,
+                s8_minus_s4_l14,
+                u1_dot_2,
+                u2_dot_2,
+                s3_part,
+                u1_dot_2,
+                u2_dot_2,
+                s3_2,
+                u1_dot_2,
+                u2_dot_2,
+                c3,
+            ],
+            [
+                c3,
+                s3_2,
+                c3,
+                c1,
+                s1,
+                s3_2,
+                c3,
+                c3,
+                c2,
+                s2,
+                s3_2,
+                c3,
+                c3,
+                u1,
+                u1_p2,
+                u1_p2,
+                u2,
+                u2_p2,
+                u2_p2,
+                u3,
+                u3_p2,
+                r6_part_2,
+                r6_part,
+                c3,
+                s4_part,
+                s4_part,
+                s9_part_2,
+                s4_part,
+                s9_part_5,
+                u2_p2_sin_q2,
+                u1_p2,
+                u3_p2_plus_u1_p2_l7,
+                r10_part_3,
+                r10_part_5,
+                r10_part_7,
+                s5_part,
+                u1_p2_sin_q1,
+                u2_p2,
+                u3_p2_plus_u2_p2_l11,
+                r13_part_3,
+                r13_part_5,
+                r13_part_7,
+                l14_part,
+                l14_part,
+                l14_part,
+                l14_part,
+                l18_part,
+                l18_part,
+                l18_part,
+                l21_part,
+                l21_part,
+                l21_part,
+                u2_dot_2,
+                s9_minus_s5_l14,
+                u1_dot_2,
+                s4_part_3,
+                s5_part_3,
+                u0_dot_2,
+                s1,
+                s2,
+                u3_dot_part_3,
+                c1,
+                c2,
+                u3_dot_part_7,
+            ],
+        ];
+        count_last = count;
+        q1_last = q1;
+        q2_last = q2;
+        q3_last = q3;
+        u1_last = u1;
+        u2_last = u2;
+        u3_last = u3;
+        s3_2_last = s3_2;
+        c3_last = c3;
+        s3_part_last = s3_part;
+        s1_last = s1;
+        c1_last = c1;
+        s4_part_last = s4_part;
+        s4_part_3_last = s4_part_3;
+        s2_last = s2;
+        c2_last = c2;
+        s5_part_last = s5_part;
+        s5_part_3_last = s5_part_3;
+        u1_p2_last = u1_p2;
+        u1_p2_sin_q1_last = u1_p2_sin_q1;
+        u2_p2_last = u2_p2;
+        u2_p2_sin_q2_last = u2_p2_sin_q2;
+        r6_part_last = r6_part;
+        r6_part_2_last = r6_part_2;
+        u3_p2_last = u3_p2;
+        r6_part_5_last = r6_part_5;
+        r6_part_7_last = r6_part_7;
+        s9_part_2_last = s9_part_2;
+        s9_part_5_last = s9_part_5;
+        u3_p2_plus_u1_p2_l7_last = u3_p2_plus_u1_p2_l7;
+        r10_part_3_last = r10_part_3;
+        r10_part_5_last = r10_part_5;
+        r10_part_7_last = r10_part_7;
+        u3_p2_plus_u2_p2_l11_last = u3_p2_plus_u2_p2_l11;
+        r13_part_3_last = r13_part_3;
+        r13_part_5_last = r13_part_5;
+        r13_part_7_last = r13_part_7;
+        l14_part_last = l14_part;
+        s8_minus_s4_l14_last = s8_minus_s4_l14;
+        s9_minus_s5_l14_last = s9_minus_s5_l14;
+        r10_minus_r6_l14_last = r10_minus_r6_l14;
+        l18_part_last = l18_part;
+        l21_part_last = l21_part;
+        s19_minus_s16_l21_last = s19_minus_s16_l21;
+        u2_dot_2_last = u2_dot_2;
+        u1_dot_2_last = u1_dot_2;
+        u0_dot_2_last = u0_dot_2;
+        u3_dot_part_3_last = u3_dot_part_3;
+        u3_dot_part_7_last = u3_dot_part_7;
+    }
+}
+
 /// Newton–Euler equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct NewtonEuler;
@@ -1262,6 +2569,16 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        128 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

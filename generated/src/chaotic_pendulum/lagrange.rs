@@ -7,6 +7,7 @@
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2, by IBzz.
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows theta, phi.
@@ -346,6 +347,305 @@ pub fn motion_variables<S: Scalar>(
     [theta_dot_value, phi_dot_value]
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 11 convolutions and 8 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 4]],
+    work: &mut [Factors<S, 16>],
+) {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
+    let [theta_0, phi_0, theta_dot_0, phi_dot_0] = x[0];
+    // Constant in time.
+    // weight = mA*lA^2 + mB*lB^2 + IAxx
+    let weight = mA * lA * lA + mB * lB * lB + IAxx;
+    // g_ma_la_plus_mb_lb = g*(mA*lA + mB*lB)
+    let g_ma_la_plus_mb_lb = g * (mB.mul_add(lB, mA * lA));
+    // weight_2 = 2*IBxx - 2*IByy
+    let weight_2 = (-IByy).mul_add(S::int(2), S::int(2) * IBxx);
+    // ibxx_minus_ibyy_by_ibzz = (IBxx - IByy)/IBzz
+    let ibxx_minus_ibyy_by_ibzz = (IBxx - IByy) / IBzz;
+    // Order 0.
+    let (sin_phi_0, cos_phi_0) = phi_0.sin_cos();
+    // sin_phi_p2 = sin_phi*sin_phi
+    let sin_phi_p2_0 = sin_phi_0 * sin_phi_0;
+    // cos_phi_p2 = cos_phi*cos_phi
+    let cos_phi_p2_0 = cos_phi_0 * cos_phi_0;
+    // theta_ddot_part = weight + IBxx*sin_phi_p2 + IByy*cos_phi_p2
+    let theta_ddot_part_0 = cos_phi_p2_0
+        .mul_add(IByy, sin_phi_p2_0.mul_add(IBxx, weight));
+    let over_theta_ddot_part = S::int(1) / theta_ddot_part_0;
+    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
+    // theta_sin_phi = theta_dot*sin_phi
+    let theta_sin_phi_0 = theta_dot_0 * sin_phi_0;
+    // theta_ddot_part_2 = cos_phi*theta_sin_phi
+    let theta_ddot_part_2_0 = cos_phi_0 * theta_sin_phi_0;
+    // theta_ddot_part_3 = phi_dot*theta_ddot_part_2
+    let theta_ddot_part_3_0 = phi_dot_0 * theta_ddot_part_2_0;
+    // theta_ddot_part_4 = g_ma_la_plus_mb_lb*sin_theta + weight_2*theta_ddot_part_3
+    let theta_ddot_part_4_0 = theta_ddot_part_3_0
+        .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta_0);
+    // theta_ddot_part_5 = theta_ddot_part_4/theta_ddot_part
+    let theta_ddot_part_5_0 = theta_ddot_part_4_0 * over_theta_ddot_part;
+    // phi_ddot_part = theta_dot*theta_ddot_part_2
+    let phi_ddot_part_0 = theta_dot_0 * theta_ddot_part_2_0;
+    // Order 1: the rates, and what follows from them.
+    let theta_1 = theta_dot_0;
+    let phi_1 = phi_dot_0;
+    let theta_dot_1 = -theta_ddot_part_5_0;
+    let phi_dot_1 = ibxx_minus_ibyy_by_ibzz * phi_ddot_part_0;
+    if x.len() > 1 {
+        x[1] = [theta_1, phi_1, theta_dot_1, phi_dot_1];
+    }
+    let sin_phi_1 = phi_1 * cos_phi_0;
+    let cos_phi_1 = -phi_1 * sin_phi_0;
+    let sin_phi_p2_1 = sin_phi_1 * (sin_phi_0 + sin_phi_0);
+    let cos_phi_p2_1 = cos_phi_1 * (cos_phi_0 + cos_phi_0);
+    let theta_ddot_part_1 = cos_phi_p2_1.mul_add(IByy, IBxx * sin_phi_p2_1);
+    let sin_theta_1 = theta_1 * cos_theta_0;
+    let cos_theta_1 = -theta_1 * sin_theta_0;
+    let theta_sin_phi_1 = sin_phi_1.mul_add(theta_dot_0, theta_dot_1 * sin_phi_0);
+    let theta_ddot_part_2_1 = theta_sin_phi_1
+        .mul_add(cos_phi_0, cos_phi_1 * theta_sin_phi_0);
+    let theta_ddot_part_3_1 = theta_ddot_part_2_1
+        .mul_add(phi_dot_0, phi_dot_1 * theta_ddot_part_2_0);
+    let theta_ddot_part_4_1 = theta_ddot_part_3_1
+        .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta_1);
+    let theta_ddot_part_5_1 = theta_ddot_part_1
+        .mul_add(
+            -(theta_ddot_part_5_0 * over_theta_ddot_part),
+            theta_ddot_part_4_1 * over_theta_ddot_part,
+        );
+    let phi_ddot_part_1 = theta_ddot_part_2_1
+        .mul_add(theta_dot_0, theta_dot_1 * theta_ddot_part_2_0);
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                phi_1,
+                phi_1,
+                sin_phi_1,
+                cos_phi_1,
+                theta_1,
+                theta_1,
+                theta_dot_1,
+                cos_phi_1,
+                phi_dot_1,
+                theta_ddot_part_1,
+                theta_dot_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                cos_phi_1,
+                sin_phi_1,
+                sin_phi_1,
+                cos_phi_1,
+                cos_theta_1,
+                sin_theta_1,
+                sin_phi_1,
+                theta_sin_phi_1,
+                theta_ddot_part_2_1,
+                theta_ddot_part_5_1,
+                theta_ddot_part_2_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut theta_last = theta_1;
+    let mut phi_last = phi_1;
+    let mut theta_dot_last = theta_dot_1;
+    let mut phi_dot_last = phi_dot_1;
+    let mut sin_phi_last = sin_phi_1;
+    let mut cos_phi_last = cos_phi_1;
+    let mut theta_ddot_part_last = theta_ddot_part_1;
+    let mut sin_theta_last = sin_theta_1;
+    let mut cos_theta_last = cos_theta_1;
+    let mut theta_sin_phi_last = theta_sin_phi_1;
+    let mut theta_ddot_part_2_last = theta_ddot_part_2_1;
+    let mut theta_ddot_part_5_last = theta_ddot_part_5_1;
+    let mut next = [S::int(0); 16];
+    // Rates at order k - 1.
+    let mut theta_rate = theta_dot_1;
+    let mut phi_rate = phi_dot_1;
+    let mut theta_dot_rate = -theta_ddot_part_5_1;
+    let mut phi_dot_rate = ibxx_minus_ibyy_by_ibzz * phi_ddot_part_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let theta = theta_rate * over_k;
+        let phi = phi_rate * over_k;
+        let theta_dot = theta_dot_rate * over_k;
+        let phi_dot = phi_dot_rate * over_k;
+        x[k] = [theta, phi, theta_dot, phi_dot];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                phi_1
+                    .mul_add(
+                        cos_phi_last,
+                        (count_last * phi_last).mul_add(cos_phi_1, next[0]),
+                    ),
+                phi_1
+                    .mul_add(
+                        sin_phi_last,
+                        (count_last * phi_last).mul_add(sin_phi_1, next[1]),
+                    ),
+                (sin_phi_1 + sin_phi_1).mul_add(sin_phi_last, next[2]),
+                (cos_phi_1 + cos_phi_1).mul_add(cos_phi_last, next[3]),
+                theta_1
+                    .mul_add(
+                        cos_theta_last,
+                        (count_last * theta_last).mul_add(cos_theta_1, next[4]),
+                    ),
+                theta_1
+                    .mul_add(
+                        sin_theta_last,
+                        (count_last * theta_last).mul_add(sin_theta_1, next[5]),
+                    ),
+                theta_dot_1
+                    .mul_add(sin_phi_last, theta_dot_last.mul_add(sin_phi_1, next[6])),
+                cos_phi_1
+                    .mul_add(
+                        theta_sin_phi_last,
+                        cos_phi_last.mul_add(theta_sin_phi_1, next[7]),
+                    ),
+                phi_dot_1
+                    .mul_add(
+                        theta_ddot_part_2_last,
+                        phi_dot_last.mul_add(theta_ddot_part_2_1, next[8]),
+                    ),
+                theta_ddot_part_1
+                    .mul_add(
+                        theta_ddot_part_5_last,
+                        theta_ddot_part_last.mul_add(theta_ddot_part_5_1, next[9]),
+                    ),
+                theta_dot_1
+                    .mul_add(
+                        theta_ddot_part_2_last,
+                        theta_dot_last.mul_add(theta_ddot_part_2_1, next[10]),
+                    ),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ]
+        };
+        // sin_phi = sin(phi)
+        let sin_phi = phi.mul_add(cos_phi_0, sums[0] * over_k);
+        // cos_phi = cos(phi)
+        let cos_phi = -phi.mul_add(sin_phi_0, sums[1] * over_k);
+        // sin_phi_p2 = sin_phi*sin_phi
+        let sin_phi_p2 = sin_phi.mul_add(sin_phi_0 + sin_phi_0, sums[2]);
+        // cos_phi_p2 = cos_phi*cos_phi
+        let cos_phi_p2 = cos_phi.mul_add(cos_phi_0 + cos_phi_0, sums[3]);
+        // theta_ddot_part = weight + IBxx*sin_phi_p2 + IByy*cos_phi_p2
+        let theta_ddot_part = cos_phi_p2.mul_add(IByy, IBxx * sin_phi_p2);
+        // sin_theta = sin(theta)
+        let sin_theta = theta.mul_add(cos_theta_0, sums[4] * over_k);
+        // cos_theta = cos(theta)
+        let cos_theta = -theta.mul_add(sin_theta_0, sums[5] * over_k);
+        // theta_sin_phi = theta_dot*sin_phi
+        let theta_sin_phi = sin_phi
+            .mul_add(theta_dot_0, theta_dot.mul_add(sin_phi_0, sums[6]));
+        // theta_ddot_part_2 = cos_phi*theta_sin_phi
+        let theta_ddot_part_2 = theta_sin_phi
+            .mul_add(cos_phi_0, cos_phi.mul_add(theta_sin_phi_0, sums[7]));
+        // theta_ddot_part_3 = phi_dot*theta_ddot_part_2
+        let theta_ddot_part_3 = theta_ddot_part_2
+            .mul_add(phi_dot_0, phi_dot.mul_add(theta_ddot_part_2_0, sums[8]));
+        // theta_ddot_part_4 = g_ma_la_plus_mb_lb*sin_theta + weight_2*theta_ddot_part_3
+        let theta_ddot_part_4 = theta_ddot_part_3
+            .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta);
+        // theta_ddot_part_5 = theta_ddot_part_4/theta_ddot_part
+        let theta_ddot_part_5 = theta_ddot_part_4
+            .mul_add(
+                over_theta_ddot_part,
+                -(theta_ddot_part.mul_add(theta_ddot_part_5_0, sums[9])
+                    * over_theta_ddot_part),
+            );
+        // phi_ddot_part = theta_dot*theta_ddot_part_2
+        let phi_ddot_part = theta_ddot_part_2
+            .mul_add(theta_dot_0, theta_dot.mul_add(theta_ddot_part_2_0, sums[10]));
+        theta_rate = theta_dot;
+        phi_rate = phi_dot;
+        theta_dot_rate = -theta_ddot_part_5;
+        phi_dot_rate = ibxx_minus_ibyy_by_ibzz * phi_ddot_part;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * phi,
+                count * phi,
+                sin_phi,
+                cos_phi,
+                count * theta,
+                count * theta,
+                theta_dot,
+                cos_phi,
+                phi_dot,
+                theta_ddot_part,
+                theta_dot,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                cos_phi,
+                sin_phi,
+                sin_phi,
+                cos_phi,
+                cos_theta,
+                sin_theta,
+                sin_phi,
+                theta_sin_phi,
+                theta_ddot_part_2,
+                theta_ddot_part_5,
+                theta_ddot_part_2,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+        count_last = count;
+        theta_last = theta;
+        phi_last = phi;
+        theta_dot_last = theta_dot;
+        phi_dot_last = phi_dot;
+        sin_phi_last = sin_phi;
+        cos_phi_last = cos_phi;
+        theta_ddot_part_last = theta_ddot_part;
+        sin_theta_last = sin_theta;
+        cos_theta_last = cos_theta;
+        theta_sin_phi_last = theta_sin_phi;
+        theta_ddot_part_2_last = theta_ddot_part_2;
+        theta_ddot_part_5_last = theta_ddot_part_5;
+    }
+}
+
 /// Lagrange's equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct Lagrange;
@@ -411,6 +711,16 @@ impl<S: Scalar> System<S> for Lagrange {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        32 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -7,6 +7,7 @@
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2), by IBzz.
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rod force a1, rod force a2, rod force a3, rod moment a1, rod moment a2, rod moment a3, plate force b1, plate force b2, plate force b3, plate moment b1, plate moment b2, plate moment b3.
@@ -371,6 +372,299 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
     energy
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 10 convolutions and 6 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 4]],
+    work: &mut [Factors<S, 16>],
+) {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
+    let [theta_0, phi_0, omega_0, alpha_0] = x[0];
+    // Constant in time.
+    // weight = mA*lA^2 + mB*lB^2 + IAxx + IBxx
+    let weight = mA * lA * lA + mB * lB * lB + IAxx + IBxx;
+    // ibyy_minus_ibxx = IByy - IBxx
+    let ibyy_minus_ibxx = IByy - IBxx;
+    // g_ma_la_plus_mb_lb = g*(mA*lA + mB*lB)
+    let g_ma_la_plus_mb_lb = g * (mB.mul_add(lB, mA * lA));
+    // weight_2 = 2*IBxx - 2*IByy
+    let weight_2 = (-IByy).mul_add(S::int(2), S::int(2) * IBxx);
+    // ibxx_minus_ibyy_by_ibzz = (IBxx - IByy)/IBzz
+    let ibxx_minus_ibyy_by_ibzz = (IBxx - IByy) / IBzz;
+    // Order 0.
+    let (sin_phi_0, cos_phi_0) = phi_0.sin_cos();
+    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
+    // cos_phi_p2 = cos_phi*cos_phi
+    let cos_phi_p2_0 = cos_phi_0 * cos_phi_0;
+    // omega_dot_part = weight + ibyy_minus_ibxx*cos_phi_p2
+    let omega_dot_part_0 = cos_phi_p2_0.mul_add(ibyy_minus_ibxx, weight);
+    let over_omega_dot_part = S::int(1) / omega_dot_part_0;
+    // omega_sin_phi = omega*sin_phi
+    let omega_sin_phi_0 = omega_0 * sin_phi_0;
+    // omega_dot_part_2 = cos_phi*omega_sin_phi
+    let omega_dot_part_2_0 = cos_phi_0 * omega_sin_phi_0;
+    // omega_dot_part_3 = alpha*omega_dot_part_2
+    let omega_dot_part_3_0 = alpha_0 * omega_dot_part_2_0;
+    // omega_dot_part_4 = g_ma_la_plus_mb_lb*sin_theta + weight_2*omega_dot_part_3
+    let omega_dot_part_4_0 = omega_dot_part_3_0
+        .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta_0);
+    // omega_dot_part_5 = omega_dot_part_4/omega_dot_part
+    let omega_dot_part_5_0 = omega_dot_part_4_0 * over_omega_dot_part;
+    // alpha_dot_part = omega*omega_dot_part_2
+    let alpha_dot_part_0 = omega_0 * omega_dot_part_2_0;
+    // Order 1: the rates, and what follows from them.
+    let theta_1 = omega_0;
+    let phi_1 = alpha_0;
+    let omega_1 = -omega_dot_part_5_0;
+    let alpha_1 = ibxx_minus_ibyy_by_ibzz * alpha_dot_part_0;
+    if x.len() > 1 {
+        x[1] = [theta_1, phi_1, omega_1, alpha_1];
+    }
+    let sin_phi_1 = phi_1 * cos_phi_0;
+    let cos_phi_1 = -phi_1 * sin_phi_0;
+    let sin_theta_1 = theta_1 * cos_theta_0;
+    let cos_theta_1 = -theta_1 * sin_theta_0;
+    let cos_phi_p2_1 = cos_phi_1 * (cos_phi_0 + cos_phi_0);
+    let omega_dot_part_1 = ibyy_minus_ibxx * cos_phi_p2_1;
+    let omega_sin_phi_1 = sin_phi_1.mul_add(omega_0, omega_1 * sin_phi_0);
+    let omega_dot_part_2_1 = omega_sin_phi_1
+        .mul_add(cos_phi_0, cos_phi_1 * omega_sin_phi_0);
+    let omega_dot_part_3_1 = omega_dot_part_2_1
+        .mul_add(alpha_0, alpha_1 * omega_dot_part_2_0);
+    let omega_dot_part_4_1 = omega_dot_part_3_1
+        .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta_1);
+    let omega_dot_part_5_1 = omega_dot_part_1
+        .mul_add(
+            -(omega_dot_part_5_0 * over_omega_dot_part),
+            omega_dot_part_4_1 * over_omega_dot_part,
+        );
+    let alpha_dot_part_1 = omega_dot_part_2_1
+        .mul_add(omega_0, omega_1 * omega_dot_part_2_0);
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                phi_1,
+                phi_1,
+                theta_1,
+                theta_1,
+                cos_phi_1,
+                omega_1,
+                cos_phi_1,
+                alpha_1,
+                omega_dot_part_1,
+                omega_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                cos_phi_1,
+                sin_phi_1,
+                cos_theta_1,
+                sin_theta_1,
+                cos_phi_1,
+                sin_phi_1,
+                omega_sin_phi_1,
+                omega_dot_part_2_1,
+                omega_dot_part_5_1,
+                omega_dot_part_2_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut theta_last = theta_1;
+    let mut phi_last = phi_1;
+    let mut omega_last = omega_1;
+    let mut alpha_last = alpha_1;
+    let mut sin_phi_last = sin_phi_1;
+    let mut cos_phi_last = cos_phi_1;
+    let mut sin_theta_last = sin_theta_1;
+    let mut cos_theta_last = cos_theta_1;
+    let mut omega_dot_part_last = omega_dot_part_1;
+    let mut omega_sin_phi_last = omega_sin_phi_1;
+    let mut omega_dot_part_2_last = omega_dot_part_2_1;
+    let mut omega_dot_part_5_last = omega_dot_part_5_1;
+    let mut next = [S::int(0); 16];
+    // Rates at order k - 1.
+    let mut theta_rate = omega_1;
+    let mut phi_rate = alpha_1;
+    let mut omega_rate = -omega_dot_part_5_1;
+    let mut alpha_rate = ibxx_minus_ibyy_by_ibzz * alpha_dot_part_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let theta = theta_rate * over_k;
+        let phi = phi_rate * over_k;
+        let omega = omega_rate * over_k;
+        let alpha = alpha_rate * over_k;
+        x[k] = [theta, phi, omega, alpha];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                phi_1
+                    .mul_add(
+                        cos_phi_last,
+                        (count_last * phi_last).mul_add(cos_phi_1, next[0]),
+                    ),
+                phi_1
+                    .mul_add(
+                        sin_phi_last,
+                        (count_last * phi_last).mul_add(sin_phi_1, next[1]),
+                    ),
+                theta_1
+                    .mul_add(
+                        cos_theta_last,
+                        (count_last * theta_last).mul_add(cos_theta_1, next[2]),
+                    ),
+                theta_1
+                    .mul_add(
+                        sin_theta_last,
+                        (count_last * theta_last).mul_add(sin_theta_1, next[3]),
+                    ),
+                (cos_phi_1 + cos_phi_1).mul_add(cos_phi_last, next[4]),
+                omega_1.mul_add(sin_phi_last, omega_last.mul_add(sin_phi_1, next[5])),
+                cos_phi_1
+                    .mul_add(
+                        omega_sin_phi_last,
+                        cos_phi_last.mul_add(omega_sin_phi_1, next[6]),
+                    ),
+                alpha_1
+                    .mul_add(
+                        omega_dot_part_2_last,
+                        alpha_last.mul_add(omega_dot_part_2_1, next[7]),
+                    ),
+                omega_dot_part_1
+                    .mul_add(
+                        omega_dot_part_5_last,
+                        omega_dot_part_last.mul_add(omega_dot_part_5_1, next[8]),
+                    ),
+                omega_1
+                    .mul_add(
+                        omega_dot_part_2_last,
+                        omega_last.mul_add(omega_dot_part_2_1, next[9]),
+                    ),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ]
+        };
+        // sin_phi = sin(phi)
+        let sin_phi = phi.mul_add(cos_phi_0, sums[0] * over_k);
+        // cos_phi = cos(phi)
+        let cos_phi = -phi.mul_add(sin_phi_0, sums[1] * over_k);
+        // sin_theta = sin(theta)
+        let sin_theta = theta.mul_add(cos_theta_0, sums[2] * over_k);
+        // cos_theta = cos(theta)
+        let cos_theta = -theta.mul_add(sin_theta_0, sums[3] * over_k);
+        // cos_phi_p2 = cos_phi*cos_phi
+        let cos_phi_p2 = cos_phi.mul_add(cos_phi_0 + cos_phi_0, sums[4]);
+        // omega_dot_part = weight + ibyy_minus_ibxx*cos_phi_p2
+        let omega_dot_part = ibyy_minus_ibxx * cos_phi_p2;
+        // omega_sin_phi = omega*sin_phi
+        let omega_sin_phi = sin_phi.mul_add(omega_0, omega.mul_add(sin_phi_0, sums[5]));
+        // omega_dot_part_2 = cos_phi*omega_sin_phi
+        let omega_dot_part_2 = omega_sin_phi
+            .mul_add(cos_phi_0, cos_phi.mul_add(omega_sin_phi_0, sums[6]));
+        // omega_dot_part_3 = alpha*omega_dot_part_2
+        let omega_dot_part_3 = omega_dot_part_2
+            .mul_add(alpha_0, alpha.mul_add(omega_dot_part_2_0, sums[7]));
+        // omega_dot_part_4 = g_ma_la_plus_mb_lb*sin_theta + weight_2*omega_dot_part_3
+        let omega_dot_part_4 = omega_dot_part_3
+            .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta);
+        // omega_dot_part_5 = omega_dot_part_4/omega_dot_part
+        let omega_dot_part_5 = omega_dot_part_4
+            .mul_add(
+                over_omega_dot_part,
+                -(omega_dot_part.mul_add(omega_dot_part_5_0, sums[8])
+                    * over_omega_dot_part),
+            );
+        // alpha_dot_part = omega*omega_dot_part_2
+        let alpha_dot_part = omega_dot_part_2
+            .mul_add(omega_0, omega.mul_add(omega_dot_part_2_0, sums[9]));
+        theta_rate = omega;
+        phi_rate = alpha;
+        omega_rate = -omega_dot_part_5;
+        alpha_rate = ibxx_minus_ibyy_by_ibzz * alpha_dot_part;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * phi,
+                count * phi,
+                count * theta,
+                count * theta,
+                cos_phi,
+                omega,
+                cos_phi,
+                alpha,
+                omega_dot_part,
+                omega,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                cos_phi,
+                sin_phi,
+                cos_theta,
+                sin_theta,
+                cos_phi,
+                sin_phi,
+                omega_sin_phi,
+                omega_dot_part_2,
+                omega_dot_part_5,
+                omega_dot_part_2,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+        count_last = count;
+        theta_last = theta;
+        phi_last = phi;
+        omega_last = omega;
+        alpha_last = alpha;
+        sin_phi_last = sin_phi;
+        cos_phi_last = cos_phi;
+        sin_theta_last = sin_theta;
+        cos_theta_last = cos_theta;
+        omega_dot_part_last = omega_dot_part;
+        omega_sin_phi_last = omega_sin_phi;
+        omega_dot_part_2_last = omega_dot_part_2;
+        omega_dot_part_5_last = omega_dot_part_5;
+    }
+}
+
 /// Newton–Euler equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct NewtonEuler;
@@ -436,6 +730,16 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        32 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

@@ -7,6 +7,7 @@
 //! The accelerations divide by cos(q2), by R, by 4*cos(q2)^2 - 5.
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3, q4, q5.
@@ -636,6 +637,501 @@ pub fn motion_variables<S: Scalar>(
     [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value]
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 22 convolutions and 36 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 10]],
+    work: &mut [Factors<S, 24>],
+) {
+    let Parameters { R, g, .. } = *p;
+    let [q1_0, q2_0, _, _, _, q1_dot_0, q2_dot_0, q3_dot_0, q4_dot_0, q5_dot_0] = x[0];
+    // Constant in time.
+    // weight = 4*g/R
+    let weight = S::int(4) * g / R;
+    // minus_r = -R
+    let minus_r = -R;
+    // Order 0.
+    let (s2_0, c2_0) = q2_0.sin_cos();
+    let over_c2 = S::int(1) / c2_0;
+    // q2_q3 = q2_dot*q3_dot
+    let q2_q3_0 = q2_dot_0 * q3_dot_0;
+    // q2_q3_by_cos_q2 = q2_q3/c2
+    let q2_q3_by_cos_q2_0 = q2_q3_0 * over_c2;
+    // cos_q2_p2 = c2*c2
+    let cos_q2_p2_0 = c2_0 * c2_0;
+    // q2_ddot_part = -5 + 4*cos_q2_p2
+    let q2_ddot_part_0 = cos_q2_p2_0.mul_add(S::int(4), -S::int(5));
+    let over_q2_ddot_part = S::int(1) / q2_ddot_part_0;
+    // q1_p2 = q1_dot*q1_dot
+    let q1_p2_0 = q1_dot_0 * q1_dot_0;
+    // q2_p2 = q2_dot*q2_dot
+    let q2_p2_0 = q2_dot_0 * q2_dot_0;
+    // q1_cos_q2 = q1_dot*c2
+    let q1_cos_q2_0 = q1_dot_0 * c2_0;
+    // q1_q3_cos_q2 = q3_dot*q1_cos_q2
+    let q1_q3_cos_q2_0 = q3_dot_0 * q1_cos_q2_0;
+    // q1_p2_minus_4_q2_p2 = q1_p2 - 4*q2_p2
+    let q1_p2_minus_4_q2_p2_0 = q2_p2_0.mul_add(-S::int(4), q1_p2_0);
+    // q2_ddot_part_2 = c2*q1_p2_minus_4_q2_p2
+    let q2_ddot_part_2_0 = c2_0 * q1_p2_minus_4_q2_p2_0;
+    // q2_ddot_part_3 = weight + q2_ddot_part_2
+    let q2_ddot_part_3_0 = weight + q2_ddot_part_2_0;
+    // q2_ddot_part_4 = s2*q2_ddot_part_3
+    let q2_ddot_part_4_0 = s2_0 * q2_ddot_part_3_0;
+    // q2_ddot_part_5 = 2*q1_q3_cos_q2 + q2_ddot_part_4
+    let q2_ddot_part_5_0 = S::int(2) * q1_q3_cos_q2_0 + q2_ddot_part_4_0;
+    // q2_ddot_part_6 = q2_ddot_part_5/q2_ddot_part
+    let q2_ddot_part_6_0 = q2_ddot_part_5_0 * over_q2_ddot_part;
+    let (s1_0, c1_0) = q1_0.sin_cos();
+    // q2_q3_tan_q2 = s2*q2_q3_by_cos_q2
+    let q2_q3_tan_q2_0 = s2_0 * q2_q3_by_cos_q2_0;
+    // q1_q2_cos_q2 = q2_dot*q1_cos_q2
+    let q1_q2_cos_q2_0 = q2_dot_0 * q1_cos_q2_0;
+    // q1_p2_plus_q2_p2 = q1_p2 + q2_p2
+    let q1_p2_plus_q2_p2_0 = q1_p2_0 + q2_p2_0;
+    // q5_ddot_part = s2*q1_p2_plus_q2_p2
+    let q5_ddot_part_0 = s2_0 * q1_p2_plus_q2_p2_0;
+    // q5_ddot_part_2 = c2*q2_ddot_part_6
+    let q5_ddot_part_2_0 = c2_0 * q2_ddot_part_6_0;
+    // q5_ddot_part_3 = q5_ddot_part + q5_ddot_part_2
+    let q5_ddot_part_3_0 = q5_ddot_part_0 + q5_ddot_part_2_0;
+    // q5_ddot_part_4 = c1*q5_ddot_part_3
+    let q5_ddot_part_4_0 = c1_0 * q5_ddot_part_3_0;
+    // q5_ddot_part_5 = -2*q2_q3_tan_q2 + 2*q1_q2_cos_q2
+    let q5_ddot_part_5_0 = q1_q2_cos_q2_0
+        .mul_add(S::int(2), -S::int(2) * q2_q3_tan_q2_0);
+    // q5_ddot_part_6 = s1*q5_ddot_part_5
+    let q5_ddot_part_6_0 = s1_0 * q5_ddot_part_5_0;
+    // q5_ddot_part_7 = q5_ddot_part_4 + q5_ddot_part_6
+    let q5_ddot_part_7_0 = q5_ddot_part_6_0 + q5_ddot_part_4_0;
+    // q4_ddot_part = s1*q5_ddot_part_3
+    let q4_ddot_part_0 = s1_0 * q5_ddot_part_3_0;
+    // q4_ddot_part_2 = c1*q5_ddot_part_5
+    let q4_ddot_part_2_0 = c1_0 * q5_ddot_part_5_0;
+    // q4_ddot_part_3 = q4_ddot_part - q4_ddot_part_2
+    let q4_ddot_part_3_0 = -q4_ddot_part_2_0 + q4_ddot_part_0;
+    // q3_dot_dot = 2*q2_q3_tan_q2 - q1_q2_cos_q2
+    let q3_dot_dot_0 = S::int(2) * q2_q3_tan_q2_0 - q1_q2_cos_q2_0;
+    // Order 1: the rates, and what follows from them.
+    let q1_1 = q1_dot_0;
+    let q2_1 = q2_dot_0;
+    let q3_1 = q3_dot_0;
+    let q4_1 = q4_dot_0;
+    let q5_1 = q5_dot_0;
+    let q1_dot_1 = -S::int(2) * q2_q3_by_cos_q2_0;
+    let q2_dot_1 = -q2_ddot_part_6_0;
+    let q3_dot_1 = q3_dot_dot_0;
+    let q4_dot_1 = minus_r * q4_ddot_part_3_0;
+    let q5_dot_1 = R * q5_ddot_part_7_0;
+    if x.len() > 1 {
+        x[1] = [
+            q1_1,
+            q2_1,
+            q3_1,
+            q4_1,
+            q5_1,
+            q1_dot_1,
+            q2_dot_1,
+            q3_dot_1,
+            q4_dot_1,
+            q5_dot_1,
+        ];
+    }
+    let s2_1 = q2_1 * c2_0;
+    let c2_1 = -q2_1 * s2_0;
+    let q2_q3_1 = q3_dot_1.mul_add(q2_dot_0, q2_dot_1 * q3_dot_0);
+    let q2_q3_by_cos_q2_1 = c2_1
+        .mul_add(-(q2_q3_by_cos_q2_0 * over_c2), q2_q3_1 * over_c2);
+    let cos_q2_p2_1 = c2_1 * (c2_0 + c2_0);
+    let q2_ddot_part_1 = S::int(4) * cos_q2_p2_1;
+    let q1_p2_1 = q1_dot_1 * (q1_dot_0 + q1_dot_0);
+    let q2_p2_1 = q2_dot_1 * (q2_dot_0 + q2_dot_0);
+    let q1_cos_q2_1 = c2_1.mul_add(q1_dot_0, q1_dot_1 * c2_0);
+    let q1_q3_cos_q2_1 = q1_cos_q2_1.mul_add(q3_dot_0, q3_dot_1 * q1_cos_q2_0);
+    let q1_p2_minus_4_q2_p2_1 = q2_p2_1.mul_add(-S::int(4), q1_p2_1);
+    let q2_ddot_part_2_1 = q1_p2_minus_4_q2_p2_1
+        .mul_add(c2_0, c2_1 * q1_p2_minus_4_q2_p2_0);
+    let q2_ddot_part_3_1 = q2_ddot_part_2_1;
+    let q2_ddot_part_4_1 = q2_ddot_part_3_1.mul_add(s2_0, s2_1 * q2_ddot_part_3_0);
+    let q2_ddot_part_5_1 = S::int(2) * q1_q3_cos_q2_1 + q2_ddot_part_4_1;
+    let q2_ddot_part_6_1 = q2_ddot_part_1
+        .mul_add(
+            -(q2_ddot_part_6_0 * over_q2_ddot_part),
+            q2_ddot_part_5_1 * over_q2_ddot_part,
+        );
+    let s1_1 = q1_1 * c1_0;
+    let c1_1 = -q1_1 * s1_0;
+    let q2_q3_tan_q2_1 = q2_q3_by_cos_q2_1.mul_add(s2_0, s2_1 * q2_q3_by_cos_q2_0);
+    let q1_q2_cos_q2_1 = q1_cos_q2_1.mul_add(q2_dot_0, q2_dot_1 * q1_cos_q2_0);
+    let q1_p2_plus_q2_p2_1 = q1_p2_1 + q2_p2_1;
+    let q5_ddot_part_1 = q1_p2_plus_q2_p2_1.mul_add(s2_0, s2_1 * q1_p2_plus_q2_p2_0);
+    let q5_ddot_part_2_1 = q2_ddot_part_6_1.mul_add(c2_0, c2_1 * q2_ddot_part_6_0);
+    let q5_ddot_part_3_1 = q5_ddot_part_1 + q5_ddot_part_2_1;
+    let q5_ddot_part_4_1 = q5_ddot_part_3_1.mul_add(c1_0, c1_1 * q5_ddot_part_3_0);
+    let q5_ddot_part_5_1 = q1_q2_cos_q2_1
+        .mul_add(S::int(2), -S::int(2) * q2_q3_tan_q2_1);
+    let q5_ddot_part_6_1 = q5_ddot_part_5_1.mul_add(s1_0, s1_1 * q5_ddot_part_5_0);
+    let q5_ddot_part_7_1 = q5_ddot_part_6_1 + q5_ddot_part_4_1;
+    let q4_ddot_part_1 = q5_ddot_part_3_1.mul_add(s1_0, s1_1 * q5_ddot_part_3_0);
+    let q4_ddot_part_2_1 = q5_ddot_part_5_1.mul_add(c1_0, c1_1 * q5_ddot_part_5_0);
+    let q4_ddot_part_3_1 = -q4_ddot_part_2_1 + q4_ddot_part_1;
+    let q3_dot_dot_1 = S::int(2) * q2_q3_tan_q2_1 - q1_q2_cos_q2_1;
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                q2_1,
+                q2_1,
+                q2_dot_1,
+                c2_1,
+                c2_1,
+                q1_dot_1,
+                q2_dot_1,
+                q1_dot_1,
+                q3_dot_1,
+                c2_1,
+                s2_1,
+                q2_ddot_part_1,
+                q1_1,
+                q1_1,
+                s2_1,
+                q2_dot_1,
+                s2_1,
+                c2_1,
+                c1_1,
+                s1_1,
+                s1_1,
+                c1_1,
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                c2_1,
+                s2_1,
+                q3_dot_1,
+                q2_q3_by_cos_q2_1,
+                c2_1,
+                q1_dot_1,
+                q2_dot_1,
+                c2_1,
+                q1_cos_q2_1,
+                q1_p2_minus_4_q2_p2_1,
+                q2_ddot_part_3_1,
+                q2_ddot_part_6_1,
+                c1_1,
+                s1_1,
+                q2_q3_by_cos_q2_1,
+                q1_cos_q2_1,
+                q1_p2_plus_q2_p2_1,
+                q2_ddot_part_6_1,
+                q5_ddot_part_3_1,
+                q5_ddot_part_5_1,
+                q5_ddot_part_3_1,
+                q5_ddot_part_5_1,
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q1_last = q1_1;
+    let mut q2_last = q2_1;
+    let mut q1_dot_last = q1_dot_1;
+    let mut q2_dot_last = q2_dot_1;
+    let mut q3_dot_last = q3_dot_1;
+    let mut s2_last = s2_1;
+    let mut c2_last = c2_1;
+    let mut q2_q3_by_cos_q2_last = q2_q3_by_cos_q2_1;
+    let mut q2_ddot_part_last = q2_ddot_part_1;
+    let mut q1_cos_q2_last = q1_cos_q2_1;
+    let mut q1_p2_minus_4_q2_p2_last = q1_p2_minus_4_q2_p2_1;
+    let mut q2_ddot_part_3_last = q2_ddot_part_3_1;
+    let mut q2_ddot_part_6_last = q2_ddot_part_6_1;
+    let mut s1_last = s1_1;
+    let mut c1_last = c1_1;
+    let mut q1_p2_plus_q2_p2_last = q1_p2_plus_q2_p2_1;
+    let mut q5_ddot_part_3_last = q5_ddot_part_3_1;
+    let mut q5_ddot_part_5_last = q5_ddot_part_5_1;
+    let mut next = [S::int(0); 24];
+    // Rates at order k - 1.
+    let mut q1_rate = q1_dot_1;
+    let mut q2_rate = q2_dot_1;
+    let mut q3_rate = q3_dot_1;
+    let mut q4_rate = q4_dot_1;
+    let mut q5_rate = q5_dot_1;
+    let mut q1_dot_rate = -S::int(2) * q2_q3_by_cos_q2_1;
+    let mut q2_dot_rate = -q2_ddot_part_6_1;
+    let mut q3_dot_rate = q3_dot_dot_1;
+    let mut q4_dot_rate = minus_r * q4_ddot_part_3_1;
+    let mut q5_dot_rate = R * q5_ddot_part_7_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q1 = q1_rate * over_k;
+        let q2 = q2_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let q4 = q4_rate * over_k;
+        let q5 = q5_rate * over_k;
+        let q1_dot = q1_dot_rate * over_k;
+        let q2_dot = q2_dot_rate * over_k;
+        let q3_dot = q3_dot_rate * over_k;
+        let q4_dot = q4_dot_rate * over_k;
+        let q5_dot = q5_dot_rate * over_k;
+        x[k] = [q1, q2, q3, q4, q5, q1_dot, q2_dot, q3_dot, q4_dot, q5_dot];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
+                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
+                q2_dot_1.mul_add(q3_dot_last, q2_dot_last.mul_add(q3_dot_1, next[2])),
+                c2_1
+                    .mul_add(
+                        q2_q3_by_cos_q2_last,
+                        c2_last.mul_add(q2_q3_by_cos_q2_1, next[3]),
+                    ),
+                (c2_1 + c2_1).mul_add(c2_last, next[4]),
+                (q1_dot_1 + q1_dot_1).mul_add(q1_dot_last, next[5]),
+                (q2_dot_1 + q2_dot_1).mul_add(q2_dot_last, next[6]),
+                q1_dot_1.mul_add(c2_last, q1_dot_last.mul_add(c2_1, next[7])),
+                q3_dot_1
+                    .mul_add(q1_cos_q2_last, q3_dot_last.mul_add(q1_cos_q2_1, next[8])),
+                c2_1
+                    .mul_add(
+                        q1_p2_minus_4_q2_p2_last,
+                        c2_last.mul_add(q1_p2_minus_4_q2_p2_1, next[9]),
+                    ),
+                s2_1
+                    .mul_add(
+                        q2_ddot_part_3_last,
+                        s2_last.mul_add(q2_ddot_part_3_1, next[10]),
+                    ),
+                q2_ddot_part_1
+                    .mul_add(
+                        q2_ddot_part_6_last,
+                        q2_ddot_part_last.mul_add(q2_ddot_part_6_1, next[11]),
+                    ),
+                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[12])),
+                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[13])),
+                s2_1
+                    .mul_add(
+                        q2_q3_by_cos_q2_last,
+                        s2_last.mul_add(q2_q3_by_cos_q2_1, next[14]),
+                    ),
+                q2_dot_1
+                    .mul_add(q1_cos_q2_last, q2_dot_last.mul_add(q1_cos_q2_1, next[15])),
+                s2_1
+                    .mul_add(
+                        q1_p2_plus_q2_p2_last,
+                        s2_last.mul_add(q1_p2_plus_q2_p2_1, next[16]),
+                    ),
+                c2_1
+                    .mul_add(
+                        q2_ddot_part_6_last,
+                        c2_last.mul_add(q2_ddot_part_6_1, next[17]),
+                    ),
+                c1_1
+                    .mul_add(
+                        q5_ddot_part_3_last,
+                        c1_last.mul_add(q5_ddot_part_3_1, next[18]),
+                    ),
+                s1_1
+                    .mul_add(
+                        q5_ddot_part_5_last,
+                        s1_last.mul_add(q5_ddot_part_5_1, next[19]),
+                    ),
+                s1_1
+                    .mul_add(
+                        q5_ddot_part_3_last,
+                        s1_last.mul_add(q5_ddot_part_3_1, next[20]),
+                    ),
+                c1_1
+                    .mul_add(
+                        q5_ddot_part_5_last,
+                        c1_last.mul_add(q5_ddot_part_5_1, next[21]),
+                    ),
+                S::int(0),
+                S::int(0),
+            ]
+        };
+        // s2 = sin(q2)
+        let s2 = q2.mul_add(c2_0, sums[0] * over_k);
+        // c2 = cos(q2)
+        let c2 = -q2.mul_add(s2_0, sums[1] * over_k);
+        // q2_q3 = q2_dot*q3_dot
+        let q2_q3 = q3_dot.mul_add(q2_dot_0, q2_dot.mul_add(q3_dot_0, sums[2]));
+        // q2_q3_by_cos_q2 = q2_q3/c2
+        let q2_q3_by_cos_q2 = c2
+            .mul_add(-(q2_q3_by_cos_q2_0 * over_c2), (q2_q3 - sums[3]) * over_c2);
+        // cos_q2_p2 = c2*c2
+        let cos_q2_p2 = c2.mul_add(c2_0 + c2_0, sums[4]);
+        // q2_ddot_part = -5 + 4*cos_q2_p2
+        let q2_ddot_part = S::int(4) * cos_q2_p2;
+        // q1_p2 = q1_dot*q1_dot
+        let q1_p2 = q1_dot.mul_add(q1_dot_0 + q1_dot_0, sums[5]);
+        // q2_p2 = q2_dot*q2_dot
+        let q2_p2 = q2_dot.mul_add(q2_dot_0 + q2_dot_0, sums[6]);
+        // q1_cos_q2 = q1_dot*c2
+        let q1_cos_q2 = c2.mul_add(q1_dot_0, q1_dot.mul_add(c2_0, sums[7]));
+        // q1_q3_cos_q2 = q3_dot*q1_cos_q2
+        let q1_q3_cos_q2 = q1_cos_q2
+            .mul_add(q3_dot_0, q3_dot.mul_add(q1_cos_q2_0, sums[8]));
+        // q1_p2_minus_4_q2_p2 = q1_p2 - 4*q2_p2
+        let q1_p2_minus_4_q2_p2 = q2_p2.mul_add(-S::int(4), q1_p2);
+        // q2_ddot_part_2 = c2*q1_p2_minus_4_q2_p2
+        let q2_ddot_part_2 = q1_p2_minus_4_q2_p2
+            .mul_add(c2_0, c2.mul_add(q1_p2_minus_4_q2_p2_0, sums[9]));
+        // q2_ddot_part_3 = weight + q2_ddot_part_2
+        let q2_ddot_part_3 = q2_ddot_part_2;
+        // q2_ddot_part_4 = s2*q2_ddot_part_3
+        let q2_ddot_part_4 = q2_ddot_part_3
+            .mul_add(s2_0, s2.mul_add(q2_ddot_part_3_0, sums[10]));
+        // q2_ddot_part_5 = 2*q1_q3_cos_q2 + q2_ddot_part_4
+        let q2_ddot_part_5 = S::int(2) * q1_q3_cos_q2 + q2_ddot_part_4;
+        // q2_ddot_part_6 = q2_ddot_part_5/q2_ddot_part
+        let q2_ddot_part_6 = q2_ddot_part_5
+            .mul_add(
+                over_q2_ddot_part,
+                -(q2_ddot_part.mul_add(q2_ddot_part_6_0, sums[11]) * over_q2_ddot_part),
+            );
+        // s1 = sin(q1)
+        let s1 = q1.mul_add(c1_0, sums[12] * over_k);
+        // c1 = cos(q1)
+        let c1 = -q1.mul_add(s1_0, sums[13] * over_k);
+        // q2_q3_tan_q2 = s2*q2_q3_by_cos_q2
+        let q2_q3_tan_q2 = q2_q3_by_cos_q2
+            .mul_add(s2_0, s2.mul_add(q2_q3_by_cos_q2_0, sums[14]));
+        // q1_q2_cos_q2 = q2_dot*q1_cos_q2
+        let q1_q2_cos_q2 = q1_cos_q2
+            .mul_add(q2_dot_0, q2_dot.mul_add(q1_cos_q2_0, sums[15]));
+        // q1_p2_plus_q2_p2 = q1_p2 + q2_p2
+        let q1_p2_plus_q2_p2 = q1_p2 + q2_p2;
+        // q5_ddot_part = s2*q1_p2_plus_q2_p2
+        let q5_ddot_part = q1_p2_plus_q2_p2
+            .mul_add(s2_0, s2.mul_add(q1_p2_plus_q2_p2_0, sums[16]));
+        // q5_ddot_part_2 = c2*q2_ddot_part_6
+        let q5_ddot_part_2 = q2_ddot_part_6
+            .mul_add(c2_0, c2.mul_add(q2_ddot_part_6_0, sums[17]));
+        // q5_ddot_part_3 = q5_ddot_part + q5_ddot_part_2
+        let q5_ddot_part_3 = q5_ddot_part + q5_ddot_part_2;
+        // q5_ddot_part_4 = c1*q5_ddot_part_3
+        let q5_ddot_part_4 = q5_ddot_part_3
+            .mul_add(c1_0, c1.mul_add(q5_ddot_part_3_0, sums[18]));
+        // q5_ddot_part_5 = -2*q2_q3_tan_q2 + 2*q1_q2_cos_q2
+        let q5_ddot_part_5 = q1_q2_cos_q2.mul_add(S::int(2), -S::int(2) * q2_q3_tan_q2);
+        // q5_ddot_part_6 = s1*q5_ddot_part_5
+        let q5_ddot_part_6 = q5_ddot_part_5
+            .mul_add(s1_0, s1.mul_add(q5_ddot_part_5_0, sums[19]));
+        // q5_ddot_part_7 = q5_ddot_part_4 + q5_ddot_part_6
+        let q5_ddot_part_7 = q5_ddot_part_6 + q5_ddot_part_4;
+        // q4_ddot_part = s1*q5_ddot_part_3
+        let q4_ddot_part = q5_ddot_part_3
+            .mul_add(s1_0, s1.mul_add(q5_ddot_part_3_0, sums[20]));
+        // q4_ddot_part_2 = c1*q5_ddot_part_5
+        let q4_ddot_part_2 = q5_ddot_part_5
+            .mul_add(c1_0, c1.mul_add(q5_ddot_part_5_0, sums[21]));
+        // q4_ddot_part_3 = q4_ddot_part - q4_ddot_part_2
+        let q4_ddot_part_3 = -q4_ddot_part_2 + q4_ddot_part;
+        // q3_dot_dot = 2*q2_q3_tan_q2 - q1_q2_cos_q2
+        let q3_dot_dot = S::int(2) * q2_q3_tan_q2 - q1_q2_cos_q2;
+        q1_rate = q1_dot;
+        q2_rate = q2_dot;
+        q3_rate = q3_dot;
+        q4_rate = q4_dot;
+        q5_rate = q5_dot;
+        q1_dot_rate = -S::int(2) * q2_q3_by_cos_q2;
+        q2_dot_rate = -q2_ddot_part_6;
+        q3_dot_rate = q3_dot_dot;
+        q4_dot_rate = minus_r * q4_ddot_part_3;
+        q5_dot_rate = R * q5_ddot_part_7;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * q2,
+                count * q2,
+                q2_dot,
+                c2,
+                c2,
+                q1_dot,
+                q2_dot,
+                q1_dot,
+                q3_dot,
+                c2,
+                s2,
+                q2_ddot_part,
+                count * q1,
+                count * q1,
+                s2,
+                q2_dot,
+                s2,
+                c2,
+                c1,
+                s1,
+                s1,
+                c1,
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                c2,
+                s2,
+                q3_dot,
+                q2_q3_by_cos_q2,
+                c2,
+                q1_dot,
+                q2_dot,
+                c2,
+                q1_cos_q2,
+                q1_p2_minus_4_q2_p2,
+                q2_ddot_part_3,
+                q2_ddot_part_6,
+                c1,
+                s1,
+                q2_q3_by_cos_q2,
+                q1_cos_q2,
+                q1_p2_plus_q2_p2,
+                q2_ddot_part_6,
+                q5_ddot_part_3,
+                q5_ddot_part_5,
+                q5_ddot_part_3,
+                q5_ddot_part_5,
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+        count_last = count;
+        q1_last = q1;
+        q2_last = q2;
+        q1_dot_last = q1_dot;
+        q2_dot_last = q2_dot;
+        q3_dot_last = q3_dot;
+        s2_last = s2;
+        c2_last = c2;
+        q2_q3_by_cos_q2_last = q2_q3_by_cos_q2;
+        q2_ddot_part_last = q2_ddot_part;
+        q1_cos_q2_last = q1_cos_q2;
+        q1_p2_minus_4_q2_p2_last = q1_p2_minus_4_q2_p2;
+        q2_ddot_part_3_last = q2_ddot_part_3;
+        q2_ddot_part_6_last = q2_ddot_part_6;
+        s1_last = s1;
+        c1_last = c1;
+        q1_p2_plus_q2_p2_last = q1_p2_plus_q2_p2;
+        q5_ddot_part_3_last = q5_ddot_part_3;
+        q5_ddot_part_5_last = q5_ddot_part_5;
+    }
+}
+
 /// Lagrange's equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct Lagrange;
@@ -701,6 +1197,16 @@ impl<S: Scalar> System<S> for Lagrange {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        48 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -7,6 +7,7 @@
 //! The accelerations divide by sin(q2_minus_90deg), by R, by 4*sin(q2_minus_90deg)^2 - 5.
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3, q4, q5.
@@ -680,6 +681,557 @@ pub fn motion_variables<S: Scalar>(
     [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value]
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 22 convolutions and 36 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 10]],
+    work: &mut [Factors<S, 24>],
+) {
+    let Parameters { R, g, .. } = *p;
+    let [q1_0, q2_minus_90deg_0, _, _, _, q1_dot_0, q2_dot_0, q3_dot_0, q4_dot_0,
+    q5_dot_0] = x[0];
+    // Constant in time.
+    // weight = 4*g/R
+    let weight = S::int(4) * g / R;
+    // minus_r = -R
+    let minus_r = -R;
+    // Order 0.
+    let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
+    let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
+    // q2_q3 = q2_dot*q3_dot
+    let q2_q3_0 = q2_dot_0 * q3_dot_0;
+    // q1_ddot_part = q2_q3/sin_q2_minus_90deg
+    let q1_ddot_part_0 = q2_q3_0 * over_sin_q2_minus_90deg;
+    // q2_ddot_part = sin_q2_minus_90deg*sin_q2_minus_90deg
+    let q2_ddot_part_0 = sin_q2_minus_90deg_0 * sin_q2_minus_90deg_0;
+    // q2_p2 = q2_dot*q2_dot
+    let q2_p2_0 = q2_dot_0 * q2_dot_0;
+    // q2_ddot_part_2 = -5 + 4*q2_ddot_part
+    let q2_ddot_part_2_0 = q2_ddot_part_0.mul_add(S::int(4), -S::int(5));
+    let over_q2_ddot_part_2 = S::int(1) / q2_ddot_part_2_0;
+    // q1_p2 = q1_dot*q1_dot
+    let q1_p2_0 = q1_dot_0 * q1_dot_0;
+    // q2_ddot_part_3 = q1_dot*sin_q2_minus_90deg
+    let q2_ddot_part_3_0 = q1_dot_0 * sin_q2_minus_90deg_0;
+    // q2_ddot_part_4 = q3_dot*q2_ddot_part_3
+    let q2_ddot_part_4_0 = q3_dot_0 * q2_ddot_part_3_0;
+    // q2_ddot_part_5 = 4*q2_p2 - q1_p2
+    let q2_ddot_part_5_0 = S::int(4) * q2_p2_0 - q1_p2_0;
+    // q2_ddot_part_6 = sin_q2_minus_90deg*q2_ddot_part_5
+    let q2_ddot_part_6_0 = sin_q2_minus_90deg_0 * q2_ddot_part_5_0;
+    // q2_ddot_part_7 = weight + q2_ddot_part_6
+    let q2_ddot_part_7_0 = weight + q2_ddot_part_6_0;
+    // q2_ddot_part_8 = cos_q2_minus_90deg*q2_ddot_part_7
+    let q2_ddot_part_8_0 = cos_q2_minus_90deg_0 * q2_ddot_part_7_0;
+    // q2_ddot_part_9 = 2*q2_ddot_part_4 - q2_ddot_part_8
+    let q2_ddot_part_9_0 = S::int(2) * q2_ddot_part_4_0 - q2_ddot_part_8_0;
+    // q2_dot_dot = q2_ddot_part_9/q2_ddot_part_2
+    let q2_dot_dot_0 = q2_ddot_part_9_0 * over_q2_ddot_part_2;
+    let (s1_0, c1_0) = q1_0.sin_cos();
+    // q5_ddot_part = q1_ddot_part*cos_q2_minus_90deg
+    let q5_ddot_part_0 = q1_ddot_part_0 * cos_q2_minus_90deg_0;
+    // q5_ddot_part_2 = q2_dot*q2_ddot_part_3
+    let q5_ddot_part_2_0 = q2_dot_0 * q2_ddot_part_3_0;
+    // q1_p2_plus_q2_p2 = q2_p2 + q1_p2
+    let q1_p2_plus_q2_p2_0 = q2_p2_0 + q1_p2_0;
+    // q5_ddot_part_3 = cos_q2_minus_90deg*q1_p2_plus_q2_p2
+    let q5_ddot_part_3_0 = cos_q2_minus_90deg_0 * q1_p2_plus_q2_p2_0;
+    // q5_ddot_part_4 = q2_dot_dot*sin_q2_minus_90deg
+    let q5_ddot_part_4_0 = q2_dot_dot_0 * sin_q2_minus_90deg_0;
+    // q5_ddot_part_5 = q5_ddot_part_3 + q5_ddot_part_4
+    let q5_ddot_part_5_0 = q5_ddot_part_3_0 + q5_ddot_part_4_0;
+    // q5_ddot_part_6 = c1*q5_ddot_part_5
+    let q5_ddot_part_6_0 = c1_0 * q5_ddot_part_5_0;
+    // q5_ddot_part_7 = 2*q5_ddot_part - 2*q5_ddot_part_2
+    let q5_ddot_part_7_0 = q5_ddot_part_2_0
+        .mul_add(-S::int(2), S::int(2) * q5_ddot_part_0);
+    // q5_ddot_part_8 = s1*q5_ddot_part_7
+    let q5_ddot_part_8_0 = s1_0 * q5_ddot_part_7_0;
+    // q5_ddot_part_9 = q5_ddot_part_6 + q5_ddot_part_8
+    let q5_ddot_part_9_0 = q5_ddot_part_8_0 + q5_ddot_part_6_0;
+    // q4_ddot_part = s1*q5_ddot_part_5
+    let q4_ddot_part_0 = s1_0 * q5_ddot_part_5_0;
+    // q4_ddot_part_2 = c1*q5_ddot_part_7
+    let q4_ddot_part_2_0 = c1_0 * q5_ddot_part_7_0;
+    // q4_ddot_part_3 = q4_ddot_part - q4_ddot_part_2
+    let q4_ddot_part_3_0 = -q4_ddot_part_2_0 + q4_ddot_part_0;
+    // q3_dot_dot = -2*q5_ddot_part + q5_ddot_part_2
+    let q3_dot_dot_0 = -S::int(2) * q5_ddot_part_0 + q5_ddot_part_2_0;
+    // Order 1: the rates, and what follows from them.
+    let q1_1 = q1_dot_0;
+    let q2_minus_90deg_1 = q2_dot_0;
+    let q3_1 = q3_dot_0;
+    let q4_1 = q4_dot_0;
+    let q5_1 = q5_dot_0;
+    let q1_dot_1 = S::int(2) * q1_ddot_part_0;
+    let q2_dot_1 = q2_dot_dot_0;
+    let q3_dot_1 = q3_dot_dot_0;
+    let q4_dot_1 = minus_r * q4_ddot_part_3_0;
+    let q5_dot_1 = R * q5_ddot_part_9_0;
+    if x.len() > 1 {
+        x[1] = [
+            q1_1,
+            q2_minus_90deg_1,
+            q3_1,
+            q4_1,
+            q5_1,
+            q1_dot_1,
+            q2_dot_1,
+            q3_dot_1,
+            q4_dot_1,
+            q5_dot_1,
+        ];
+    }
+    let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
+    let cos_q2_minus_90deg_1 = -q2_minus_90deg_1 * sin_q2_minus_90deg_0;
+    let q2_q3_1 = q3_dot_1.mul_add(q2_dot_0, q2_dot_1 * q3_dot_0);
+    let q1_ddot_part_1 = sin_q2_minus_90deg_1
+        .mul_add(
+            -(q1_ddot_part_0 * over_sin_q2_minus_90deg),
+            q2_q3_1 * over_sin_q2_minus_90deg,
+        );
+    let q2_ddot_part_1 = sin_q2_minus_90deg_1
+        * (sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0);
+    let q2_p2_1 = q2_dot_1 * (q2_dot_0 + q2_dot_0);
+    let q2_ddot_part_2_1 = S::int(4) * q2_ddot_part_1;
+    let q1_p2_1 = q1_dot_1 * (q1_dot_0 + q1_dot_0);
+    let q2_ddot_part_3_1 = sin_q2_minus_90deg_1
+        .mul_add(q1_dot_0, q1_dot_1 * sin_q2_minus_90deg_0);
+    let q2_ddot_part_4_1 = q2_ddot_part_3_1
+        .mul_add(q3_dot_0, q3_dot_1 * q2_ddot_part_3_0);
+    let q2_ddot_part_5_1 = S::int(4) * q2_p2_1 - q1_p2_1;
+    let q2_ddot_part_6_1 = q2_ddot_part_5_1
+        .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg_1 * q2_ddot_part_5_0);
+    let q2_ddot_part_7_1 = q2_ddot_part_6_1;
+    let q2_ddot_part_8_1 = q2_ddot_part_7_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * q2_ddot_part_7_0);
+    let q2_ddot_part_9_1 = S::int(2) * q2_ddot_part_4_1 - q2_ddot_part_8_1;
+    let q2_dot_dot_1 = q2_ddot_part_2_1
+        .mul_add(
+            -(q2_dot_dot_0 * over_q2_ddot_part_2),
+            q2_ddot_part_9_1 * over_q2_ddot_part_2,
+        );
+    let s1_1 = q1_1 * c1_0;
+    let c1_1 = -q1_1 * s1_0;
+    let q5_ddot_part_1 = q1_ddot_part_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * q1_ddot_part_0);
+    let q5_ddot_part_2_1 = q2_ddot_part_3_1
+        .mul_add(q2_dot_0, q2_dot_1 * q2_ddot_part_3_0);
+    let q1_p2_plus_q2_p2_1 = q2_p2_1 + q1_p2_1;
+    let q5_ddot_part_3_1 = q1_p2_plus_q2_p2_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * q1_p2_plus_q2_p2_0);
+    let q5_ddot_part_4_1 = q2_dot_dot_1
+        .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg_1 * q2_dot_dot_0);
+    let q5_ddot_part_5_1 = q5_ddot_part_3_1 + q5_ddot_part_4_1;
+    let q5_ddot_part_6_1 = q5_ddot_part_5_1.mul_add(c1_0, c1_1 * q5_ddot_part_5_0);
+    let q5_ddot_part_7_1 = q5_ddot_part_2_1
+        .mul_add(-S::int(2), S::int(2) * q5_ddot_part_1);
+    let q5_ddot_part_8_1 = q5_ddot_part_7_1.mul_add(s1_0, s1_1 * q5_ddot_part_7_0);
+    let q5_ddot_part_9_1 = q5_ddot_part_8_1 + q5_ddot_part_6_1;
+    let q4_ddot_part_1 = q5_ddot_part_5_1.mul_add(s1_0, s1_1 * q5_ddot_part_5_0);
+    let q4_ddot_part_2_1 = q5_ddot_part_7_1.mul_add(c1_0, c1_1 * q5_ddot_part_7_0);
+    let q4_ddot_part_3_1 = -q4_ddot_part_2_1 + q4_ddot_part_1;
+    let q3_dot_dot_1 = -S::int(2) * q5_ddot_part_1 + q5_ddot_part_2_1;
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                q2_minus_90deg_1,
+                q2_minus_90deg_1,
+                q2_dot_1,
+                sin_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                q2_dot_1,
+                q1_dot_1,
+                q1_dot_1,
+                q3_dot_1,
+                sin_q2_minus_90deg_1,
+                cos_q2_minus_90deg_1,
+                q2_ddot_part_2_1,
+                q1_1,
+                q1_1,
+                q1_ddot_part_1,
+                q2_dot_1,
+                cos_q2_minus_90deg_1,
+                q2_dot_dot_1,
+                c1_1,
+                s1_1,
+                s1_1,
+                c1_1,
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                cos_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                q3_dot_1,
+                q1_ddot_part_1,
+                sin_q2_minus_90deg_1,
+                q2_dot_1,
+                q1_dot_1,
+                sin_q2_minus_90deg_1,
+                q2_ddot_part_3_1,
+                q2_ddot_part_5_1,
+                q2_ddot_part_7_1,
+                q2_dot_dot_1,
+                c1_1,
+                s1_1,
+                cos_q2_minus_90deg_1,
+                q2_ddot_part_3_1,
+                q1_p2_plus_q2_p2_1,
+                sin_q2_minus_90deg_1,
+                q5_ddot_part_5_1,
+                q5_ddot_part_7_1,
+                q5_ddot_part_5_1,
+                q5_ddot_part_7_1,
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q1_last = q1_1;
+    let mut q2_minus_90deg_last = q2_minus_90deg_1;
+    let mut q1_dot_last = q1_dot_1;
+    let mut q2_dot_last = q2_dot_1;
+    let mut q3_dot_last = q3_dot_1;
+    let mut sin_q2_minus_90deg_last = sin_q2_minus_90deg_1;
+    let mut cos_q2_minus_90deg_last = cos_q2_minus_90deg_1;
+    let mut q1_ddot_part_last = q1_ddot_part_1;
+    let mut q2_ddot_part_2_last = q2_ddot_part_2_1;
+    let mut q2_ddot_part_3_last = q2_ddot_part_3_1;
+    let mut q2_ddot_part_5_last = q2_ddot_part_5_1;
+    let mut q2_ddot_part_7_last = q2_ddot_part_7_1;
+    let mut q2_dot_dot_last = q2_dot_dot_1;
+    let mut s1_last = s1_1;
+    let mut c1_last = c1_1;
+    let mut q1_p2_plus_q2_p2_last = q1_p2_plus_q2_p2_1;
+    let mut q5_ddot_part_5_last = q5_ddot_part_5_1;
+    let mut q5_ddot_part_7_last = q5_ddot_part_7_1;
+    let mut next = [S::int(0); 24];
+    // Rates at order k - 1.
+    let mut q1_rate = q1_dot_1;
+    let mut q2_minus_90deg_rate = q2_dot_1;
+    let mut q3_rate = q3_dot_1;
+    let mut q4_rate = q4_dot_1;
+    let mut q5_rate = q5_dot_1;
+    let mut q1_dot_rate = S::int(2) * q1_ddot_part_1;
+    let mut q2_dot_rate = q2_dot_dot_1;
+    let mut q3_dot_rate = q3_dot_dot_1;
+    let mut q4_dot_rate = minus_r * q4_ddot_part_3_1;
+    let mut q5_dot_rate = R * q5_ddot_part_9_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q1 = q1_rate * over_k;
+        let q2_minus_90deg = q2_minus_90deg_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let q4 = q4_rate * over_k;
+        let q5 = q5_rate * over_k;
+        let q1_dot = q1_dot_rate * over_k;
+        let q2_dot = q2_dot_rate * over_k;
+        let q3_dot = q3_dot_rate * over_k;
+        let q4_dot = q4_dot_rate * over_k;
+        let q5_dot = q5_dot_rate * over_k;
+        x[k] = [q1, q2_minus_90deg, q3, q4, q5, q1_dot, q2_dot, q3_dot, q4_dot, q5_dot];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                q2_minus_90deg_1
+                    .mul_add(
+                        cos_q2_minus_90deg_last,
+                        (count_last * q2_minus_90deg_last)
+                            .mul_add(cos_q2_minus_90deg_1, next[0]),
+                    ),
+                q2_minus_90deg_1
+                    .mul_add(
+                        sin_q2_minus_90deg_last,
+                        (count_last * q2_minus_90deg_last)
+                            .mul_add(sin_q2_minus_90deg_1, next[1]),
+                    ),
+                q2_dot_1.mul_add(q3_dot_last, q2_dot_last.mul_add(q3_dot_1, next[2])),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        q1_ddot_part_last,
+                        sin_q2_minus_90deg_last.mul_add(q1_ddot_part_1, next[3]),
+                    ),
+                (sin_q2_minus_90deg_1 + sin_q2_minus_90deg_1)
+                    .mul_add(sin_q2_minus_90deg_last, next[4]),
+                (q2_dot_1 + q2_dot_1).mul_add(q2_dot_last, next[5]),
+                (q1_dot_1 + q1_dot_1).mul_add(q1_dot_last, next[6]),
+                q1_dot_1
+                    .mul_add(
+                        sin_q2_minus_90deg_last,
+                        q1_dot_last.mul_add(sin_q2_minus_90deg_1, next[7]),
+                    ),
+                q3_dot_1
+                    .mul_add(
+                        q2_ddot_part_3_last,
+                        q3_dot_last.mul_add(q2_ddot_part_3_1, next[8]),
+                    ),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        q2_ddot_part_5_last,
+                        sin_q2_minus_90deg_last.mul_add(q2_ddot_part_5_1, next[9]),
+                    ),
+                cos_q2_minus_90deg_1
+                    .mul_add(
+                        q2_ddot_part_7_last,
+                        cos_q2_minus_90deg_last.mul_add(q2_ddot_part_7_1, next[10]),
+                    ),
+                q2_ddot_part_2_1
+                    .mul_add(
+                        q2_dot_dot_last,
+                        q2_ddot_part_2_last.mul_add(q2_dot_dot_1, next[11]),
+                    ),
+                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[12])),
+                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[13])),
+                q1_ddot_part_1
+                    .mul_add(
+                        cos_q2_minus_90deg_last,
+                        q1_ddot_part_last.mul_add(cos_q2_minus_90deg_1, next[14]),
+                    ),
+                q2_dot_1
+                    .mul_add(
+                        q2_ddot_part_3_last,
+                        q2_dot_last.mul_add(q2_ddot_part_3_1, next[15]),
+                    ),
+                cos_q2_minus_90deg_1
+                    .mul_add(
+                        q1_p2_plus_q2_p2_last,
+                        cos_q2_minus_90deg_last.mul_add(q1_p2_plus_q2_p2_1, next[16]),
+                    ),
+                q2_dot_dot_1
+                    .mul_add(
+                        sin_q2_minus_90deg_last,
+                        q2_dot_dot_last.mul_add(sin_q2_minus_90deg_1, next[17]),
+                    ),
+                c1_1
+                    .mul_add(
+                        q5_ddot_part_5_last,
+                        c1_last.mul_add(q5_ddot_part_5_1, next[18]),
+                    ),
+                s1_1
+                    .mul_add(
+                        q5_ddot_part_7_last,
+                        s1_last.mul_add(q5_ddot_part_7_1, next[19]),
+                    ),
+                s1_1
+                    .mul_add(
+                        q5_ddot_part_5_last,
+                        s1_last.mul_add(q5_ddot_part_5_1, next[20]),
+                    ),
+                c1_1
+                    .mul_add(
+                        q5_ddot_part_7_last,
+                        c1_last.mul_add(q5_ddot_part_7_1, next[21]),
+                    ),
+                S::int(0),
+                S::int(0),
+            ]
+        };
+        // sin_q2_minus_90deg = sin(q2_minus_90deg)
+        let sin_q2_minus_90deg = q2_minus_90deg
+            .mul_add(cos_q2_minus_90deg_0, sums[0] * over_k);
+        // cos_q2_minus_90deg = cos(q2_minus_90deg)
+        let cos_q2_minus_90deg = -q2_minus_90deg
+            .mul_add(sin_q2_minus_90deg_0, sums[1] * over_k);
+        // q2_q3 = q2_dot*q3_dot
+        let q2_q3 = q3_dot.mul_add(q2_dot_0, q2_dot.mul_add(q3_dot_0, sums[2]));
+        // q1_ddot_part = q2_q3/sin_q2_minus_90deg
+        let q1_ddot_part = sin_q2_minus_90deg
+            .mul_add(
+                -(q1_ddot_part_0 * over_sin_q2_minus_90deg),
+                (q2_q3 - sums[3]) * over_sin_q2_minus_90deg,
+            );
+        // q2_ddot_part = sin_q2_minus_90deg*sin_q2_minus_90deg
+        let q2_ddot_part = sin_q2_minus_90deg
+            .mul_add(sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0, sums[4]);
+        // q2_p2 = q2_dot*q2_dot
+        let q2_p2 = q2_dot.mul_add(q2_dot_0 + q2_dot_0, sums[5]);
+        // q2_ddot_part_2 = -5 + 4*q2_ddot_part
+        let q2_ddot_part_2 = S::int(4) * q2_ddot_part;
+        // q1_p2 = q1_dot*q1_dot
+        let q1_p2 = q1_dot.mul_add(q1_dot_0 + q1_dot_0, sums[6]);
+        // q2_ddot_part_3 = q1_dot*sin_q2_minus_90deg
+        let q2_ddot_part_3 = sin_q2_minus_90deg
+            .mul_add(q1_dot_0, q1_dot.mul_add(sin_q2_minus_90deg_0, sums[7]));
+        // q2_ddot_part_4 = q3_dot*q2_ddot_part_3
+        let q2_ddot_part_4 = q2_ddot_part_3
+            .mul_add(q3_dot_0, q3_dot.mul_add(q2_ddot_part_3_0, sums[8]));
+        // q2_ddot_part_5 = 4*q2_p2 - q1_p2
+        let q2_ddot_part_5 = S::int(4) * q2_p2 - q1_p2;
+        // q2_ddot_part_6 = sin_q2_minus_90deg*q2_ddot_part_5
+        let q2_ddot_part_6 = q2_ddot_part_5
+            .mul_add(
+                sin_q2_minus_90deg_0,
+                sin_q2_minus_90deg.mul_add(q2_ddot_part_5_0, sums[9]),
+            );
+        // q2_ddot_part_7 = weight + q2_ddot_part_6
+        let q2_ddot_part_7 = q2_ddot_part_6;
+        // q2_ddot_part_8 = cos_q2_minus_90deg*q2_ddot_part_7
+        let q2_ddot_part_8 = q2_ddot_part_7
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(q2_ddot_part_7_0, sums[10]),
+            );
+        // q2_ddot_part_9 = 2*q2_ddot_part_4 - q2_ddot_part_8
+        let q2_ddot_part_9 = S::int(2) * q2_ddot_part_4 - q2_ddot_part_8;
+        // q2_dot_dot = q2_ddot_part_9/q2_ddot_part_2
+        let q2_dot_dot = q2_ddot_part_9
+            .mul_add(
+                over_q2_ddot_part_2,
+                -(q2_ddot_part_2.mul_add(q2_dot_dot_0, sums[11]) * over_q2_ddot_part_2),
+            );
+        // s1 = sin(q1)
+        let s1 = q1.mul_add(c1_0, sums[12] * over_k);
+        // c1 = cos(q1)
+        let c1 = -q1.mul_add(s1_0, sums[13] * over_k);
+        // q5_ddot_part = q1_ddot_part*cos_q2_minus_90deg
+        let q5_ddot_part = q1_ddot_part
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(q1_ddot_part_0, sums[14]),
+            );
+        // q5_ddot_part_2 = q2_dot*q2_ddot_part_3
+        let q5_ddot_part_2 = q2_ddot_part_3
+            .mul_add(q2_dot_0, q2_dot.mul_add(q2_ddot_part_3_0, sums[15]));
+        // q1_p2_plus_q2_p2 = q2_p2 + q1_p2
+        let q1_p2_plus_q2_p2 = q2_p2 + q1_p2;
+        // q5_ddot_part_3 = cos_q2_minus_90deg*q1_p2_plus_q2_p2
+        let q5_ddot_part_3 = q1_p2_plus_q2_p2
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(q1_p2_plus_q2_p2_0, sums[16]),
+            );
+        // q5_ddot_part_4 = q2_dot_dot*sin_q2_minus_90deg
+        let q5_ddot_part_4 = q2_dot_dot
+            .mul_add(
+                sin_q2_minus_90deg_0,
+                sin_q2_minus_90deg.mul_add(q2_dot_dot_0, sums[17]),
+            );
+        // q5_ddot_part_5 = q5_ddot_part_3 + q5_ddot_part_4
+        let q5_ddot_part_5 = q5_ddot_part_3 + q5_ddot_part_4;
+        // q5_ddot_part_6 = c1*q5_ddot_part_5
+        let q5_ddot_part_6 = q5_ddot_part_5
+            .mul_add(c1_0, c1.mul_add(q5_ddot_part_5_0, sums[18]));
+        // q5_ddot_part_7 = 2*q5_ddot_part - 2*q5_ddot_part_2
+        let q5_ddot_part_7 = q5_ddot_part_2
+            .mul_add(-S::int(2), S::int(2) * q5_ddot_part);
+        // q5_ddot_part_8 = s1*q5_ddot_part_7
+        let q5_ddot_part_8 = q5_ddot_part_7
+            .mul_add(s1_0, s1.mul_add(q5_ddot_part_7_0, sums[19]));
+        // q5_ddot_part_9 = q5_ddot_part_6 + q5_ddot_part_8
+        let q5_ddot_part_9 = q5_ddot_part_8 + q5_ddot_part_6;
+        // q4_ddot_part = s1*q5_ddot_part_5
+        let q4_ddot_part = q5_ddot_part_5
+            .mul_add(s1_0, s1.mul_add(q5_ddot_part_5_0, sums[20]));
+        // q4_ddot_part_2 = c1*q5_ddot_part_7
+        let q4_ddot_part_2 = q5_ddot_part_7
+            .mul_add(c1_0, c1.mul_add(q5_ddot_part_7_0, sums[21]));
+        // q4_ddot_part_3 = q4_ddot_part - q4_ddot_part_2
+        let q4_ddot_part_3 = -q4_ddot_part_2 + q4_ddot_part;
+        // q3_dot_dot = -2*q5_ddot_part + q5_ddot_part_2
+        let q3_dot_dot = -S::int(2) * q5_ddot_part + q5_ddot_part_2;
+        q1_rate = q1_dot;
+        q2_minus_90deg_rate = q2_dot;
+        q3_rate = q3_dot;
+        q4_rate = q4_dot;
+        q5_rate = q5_dot;
+        q1_dot_rate = S::int(2) * q1_ddot_part;
+        q2_dot_rate = q2_dot_dot;
+        q3_dot_rate = q3_dot_dot;
+        q4_dot_rate = minus_r * q4_ddot_part_3;
+        q5_dot_rate = R * q5_ddot_part_9;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * q2_minus_90deg,
+                count * q2_minus_90deg,
+                q2_dot,
+                sin_q2_minus_90deg,
+                sin_q2_minus_90deg,
+                q2_dot,
+                q1_dot,
+                q1_dot,
+                q3_dot,
+                sin_q2_minus_90deg,
+                cos_q2_minus_90deg,
+                q2_ddot_part_2,
+                count * q1,
+                count * q1,
+                q1_ddot_part,
+                q2_dot,
+                cos_q2_minus_90deg,
+                q2_dot_dot,
+                c1,
+                s1,
+                s1,
+                c1,
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                cos_q2_minus_90deg,
+                sin_q2_minus_90deg,
+                q3_dot,
+                q1_ddot_part,
+                sin_q2_minus_90deg,
+                q2_dot,
+                q1_dot,
+                sin_q2_minus_90deg,
+                q2_ddot_part_3,
+                q2_ddot_part_5,
+                q2_ddot_part_7,
+                q2_dot_dot,
+                c1,
+                s1,
+                cos_q2_minus_90deg,
+                q2_ddot_part_3,
+                q1_p2_plus_q2_p2,
+                sin_q2_minus_90deg,
+                q5_ddot_part_5,
+                q5_ddot_part_7,
+                q5_ddot_part_5,
+                q5_ddot_part_7,
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+        count_last = count;
+        q1_last = q1;
+        q2_minus_90deg_last = q2_minus_90deg;
+        q1_dot_last = q1_dot;
+        q2_dot_last = q2_dot;
+        q3_dot_last = q3_dot;
+        sin_q2_minus_90deg_last = sin_q2_minus_90deg;
+        cos_q2_minus_90deg_last = cos_q2_minus_90deg;
+        q1_ddot_part_last = q1_ddot_part;
+        q2_ddot_part_2_last = q2_ddot_part_2;
+        q2_ddot_part_3_last = q2_ddot_part_3;
+        q2_ddot_part_5_last = q2_ddot_part_5;
+        q2_ddot_part_7_last = q2_ddot_part_7;
+        q2_dot_dot_last = q2_dot_dot;
+        s1_last = s1;
+        c1_last = c1;
+        q1_p2_plus_q2_p2_last = q1_p2_plus_q2_p2;
+        q5_ddot_part_5_last = q5_ddot_part_5;
+        q5_ddot_part_7_last = q5_ddot_part_7;
+    }
+}
+
 /// Lagrange's equations in q2-90° of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct LagrangeQ290deg;
@@ -745,6 +1297,16 @@ impl<S: Scalar> System<S> for LagrangeQ290deg {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        48 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -7,6 +7,7 @@
 //! The accelerations divide by sin(q2_minus_90deg), by R, by 4*sin(q2_minus_90deg)^2 - 5.
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows disk force b1, disk force b2, disk force b3, disk moment b1, disk moment b2, disk moment b3.
@@ -616,6 +617,586 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
     energy
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 24 convolutions and 38 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 10]],
+    work: &mut [Factors<S, 24>],
+) {
+    let Parameters { R, g, .. } = *p;
+    let [q1_0, q2_minus_90deg_0, _, _, _, u1_0, u2_0, u3, u4_0, u5_0] = x[0];
+    // Constant in time.
+    // weight = 4*g/R
+    let weight = S::int(4) * g / R;
+    // weight_2 = 2*u3
+    let weight_2 = S::int(2) * u3;
+    // minus_r = -R
+    let minus_r = -R;
+    // Order 0.
+    let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
+    let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
+    // u1_dot_part = sin_q2_minus_90deg*sin_q2_minus_90deg
+    let u1_dot_part_0 = sin_q2_minus_90deg_0 * sin_q2_minus_90deg_0;
+    // u1_dot_part_2 = -5 + 4*u1_dot_part
+    let u1_dot_part_2_0 = u1_dot_part_0.mul_add(S::int(4), -S::int(5));
+    let over_u1_dot_part_2 = S::int(1) / u1_dot_part_2_0;
+    // u1_dot_part_3 = u2/sin_q2_minus_90deg
+    let u1_dot_part_3_0 = u2_0 * over_sin_q2_minus_90deg;
+    // u1_dot_part_4 = u2*u1_dot_part_3
+    let u1_dot_part_4_0 = u2_0 * u1_dot_part_3_0;
+    // u1_p2 = u1*u1
+    let u1_p2_0 = u1_0 * u1_0;
+    // u1_dot_part_5 = sin_q2_minus_90deg*u1_p2
+    let u1_dot_part_5_0 = sin_q2_minus_90deg_0 * u1_p2_0;
+    // u1_dot_part_6 = weight + u1_dot_part_4 + 4*u1_dot_part_5
+    let u1_dot_part_6_0 = u1_dot_part_5_0.mul_add(S::int(4), weight) + u1_dot_part_4_0;
+    // u1_dot_part_7 = cos_q2_minus_90deg*u1_dot_part_6
+    let u1_dot_part_7_0 = cos_q2_minus_90deg_0 * u1_dot_part_6_0;
+    // u1_dot_part_8 = weight_2*u2 + u1_dot_part_7
+    let u1_dot_part_8_0 = weight_2 * u2_0 + u1_dot_part_7_0;
+    // u1_dot_2 = u1_dot_part_8/u1_dot_part_2
+    let u1_dot_2_0 = u1_dot_part_8_0 * over_u1_dot_part_2;
+    // u2_dot_part = cos_q2_minus_90deg*u1_dot_part_3
+    let u2_dot_part_0 = cos_q2_minus_90deg_0 * u1_dot_part_3_0;
+    // u2_dot_part_2 = weight_2 + u2_dot_part
+    let u2_dot_part_2_0 = weight_2 + u2_dot_part_0;
+    // u2_dot_2 = u1*u2_dot_part_2
+    let u2_dot_2_0 = u1_0 * u2_dot_part_2_0;
+    let (s1_0, c1_0) = q1_0.sin_cos();
+    // u5_dot_part = u1_dot_2*sin_q2_minus_90deg
+    let u5_dot_part_0 = u1_dot_2_0 * sin_q2_minus_90deg_0;
+    // u5_dot_part_2 = u1_dot_part_3*u1_dot_part_3
+    let u5_dot_part_2_0 = u1_dot_part_3_0 * u1_dot_part_3_0;
+    // u1_u2 = u1*u2
+    let u1_u2_0 = u1_0 * u2_0;
+    // u5_dot_part_3 = u1*u1_dot_part_3
+    let u5_dot_part_3_0 = u1_0 * u1_dot_part_3_0;
+    // u5_dot_part_4 = u2_dot_2*cos_q2_minus_90deg
+    let u5_dot_part_4_0 = u2_dot_2_0 * cos_q2_minus_90deg_0;
+    // u5_dot_part_5 = u5_dot_part_3 + u5_dot_part_4
+    let u5_dot_part_5_0 = u5_dot_part_3_0 + u5_dot_part_4_0;
+    // u5_dot_part_6 = u5_dot_part_5/sin_q2_minus_90deg
+    let u5_dot_part_6_0 = u5_dot_part_5_0 * over_sin_q2_minus_90deg;
+    // u5_dot_part_7 = u1_u2 + u5_dot_part_6
+    let u5_dot_part_7_0 = u1_u2_0 + u5_dot_part_6_0;
+    // u5_dot_part_8 = s1*u5_dot_part_7
+    let u5_dot_part_8_0 = s1_0 * u5_dot_part_7_0;
+    // u5_dot_part_9 = u1_p2 + u5_dot_part_2
+    let u5_dot_part_9_0 = u1_p2_0 + u5_dot_part_2_0;
+    // u5_dot_part_10 = cos_q2_minus_90deg*u5_dot_part_9
+    let u5_dot_part_10_0 = cos_q2_minus_90deg_0 * u5_dot_part_9_0;
+    // u5_dot_part_11 = u5_dot_part - u5_dot_part_10
+    let u5_dot_part_11_0 = -u5_dot_part_10_0 + u5_dot_part_0;
+    // u5_dot_part_12 = c1*u5_dot_part_11
+    let u5_dot_part_12_0 = c1_0 * u5_dot_part_11_0;
+    // u5_dot_part_13 = u5_dot_part_8 + u5_dot_part_12
+    let u5_dot_part_13_0 = u5_dot_part_8_0 + u5_dot_part_12_0;
+    // u4_dot_part = s1*u5_dot_part_11
+    let u4_dot_part_0 = s1_0 * u5_dot_part_11_0;
+    // u4_dot_part_2 = c1*u5_dot_part_7
+    let u4_dot_part_2_0 = c1_0 * u5_dot_part_7_0;
+    // u4_dot_part_3 = u4_dot_part - u4_dot_part_2
+    let u4_dot_part_3_0 = u4_dot_part_0 - u4_dot_part_2_0;
+    // q3_dot_2 = u3 + u2_dot_part
+    let q3_dot_2_0 = u3 + u2_dot_part_0;
+    // Order 1: the rates, and what follows from them.
+    let q1_1 = -u1_dot_part_3_0;
+    let q2_minus_90deg_1 = -u1_0;
+    let q3_1 = q3_dot_2_0;
+    let q4_1 = u4_0;
+    let q5_1 = u5_0;
+    let u1_1 = u1_dot_2_0;
+    let u2_1 = u2_dot_2_0;
+    let u4_1 = R * u4_dot_part_3_0;
+    let u5_1 = minus_r * u5_dot_part_13_0;
+    if x.len() > 1 {
+        x[1] = [
+            q1_1,
+            q2_minus_90deg_1,
+            q3_1,
+            q4_1,
+            q5_1,
+            u1_1,
+            u2_1,
+            S::int(0),
+            u4_1,
+            u5_1,
+        ];
+    }
+    let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
+    let cos_q2_minus_90deg_1 = -q2_minus_90deg_1 * sin_q2_minus_90deg_0;
+    let u1_dot_part_1 = sin_q2_minus_90deg_1
+        * (sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0);
+    let u1_dot_part_2_1 = S::int(4) * u1_dot_part_1;
+    let u1_dot_part_3_1 = sin_q2_minus_90deg_1
+        .mul_add(
+            -(u1_dot_part_3_0 * over_sin_q2_minus_90deg),
+            u2_1 * over_sin_q2_minus_90deg,
+        );
+    let u1_dot_part_4_1 = u1_dot_part_3_1.mul_add(u2_0, u2_1 * u1_dot_part_3_0);
+    let u1_p2_1 = u1_1 * (u1_0 + u1_0);
+    let u1_dot_part_5_1 = u1_p2_1
+        .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg_1 * u1_p2_0);
+    let u1_dot_part_6_1 = S::int(4) * u1_dot_part_5_1 + u1_dot_part_4_1;
+    let u1_dot_part_7_1 = u1_dot_part_6_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u1_dot_part_6_0);
+    let u1_dot_part_8_1 = weight_2 * u2_1 + u1_dot_part_7_1;
+    let u1_dot_2_1 = u1_dot_part_2_1
+        .mul_add(
+            -(u1_dot_2_0 * over_u1_dot_part_2),
+            u1_dot_part_8_1 * over_u1_dot_part_2,
+        );
+    let u2_dot_part_1 = u1_dot_part_3_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u1_dot_part_3_0);
+    let u2_dot_part_2_1 = u2_dot_part_1;
+    let u2_dot_2_1 = u2_dot_part_2_1.mul_add(u1_0, u1_1 * u2_dot_part_2_0);
+    let s1_1 = q1_1 * c1_0;
+    let c1_1 = -q1_1 * s1_0;
+    let u5_dot_part_1 = u1_dot_2_1
+        .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg_1 * u1_dot_2_0);
+    let u5_dot_part_2_1 = u1_dot_part_3_1 * (u1_dot_part_3_0 + u1_dot_part_3_0);
+    let u1_u2_1 = u2_1.mul_add(u1_0, u1_1 * u2_0);
+    let u5_dot_part_3_1 = u1_dot_part_3_1.mul_add(u1_0, u1_1 * u1_dot_part_3_0);
+    let u5_dot_part_4_1 = u2_dot_2_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u2_dot_2_0);
+    let u5_dot_part_5_1 = u5_dot_part_3_1 + u5_dot_part_4_1;
+    let u5_dot_part_6_1 = sin_q2_minus_90deg_1
+        .mul_add(
+            -(u5_dot_part_6_0 * over_sin_q2_minus_90deg),
+            u5_dot_part_5_1 * over_sin_q2_minus_90deg,
+        );
+    let u5_dot_part_7_1 = u1_u2_1 + u5_dot_part_6_1;
+    let u5_dot_part_8_1 = u5_dot_part_7_1.mul_add(s1_0, s1_1 * u5_dot_part_7_0);
+    let u5_dot_part_9_1 = u1_p2_1 + u5_dot_part_2_1;
+    let u5_dot_part_10_1 = u5_dot_part_9_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u5_dot_part_9_0);
+    let u5_dot_part_11_1 = -u5_dot_part_10_1 + u5_dot_part_1;
+    let u5_dot_part_12_1 = u5_dot_part_11_1.mul_add(c1_0, c1_1 * u5_dot_part_11_0);
+    let u5_dot_part_13_1 = u5_dot_part_8_1 + u5_dot_part_12_1;
+    let u4_dot_part_1 = u5_dot_part_11_1.mul_add(s1_0, s1_1 * u5_dot_part_11_0);
+    let u4_dot_part_2_1 = u5_dot_part_7_1.mul_add(c1_0, c1_1 * u5_dot_part_7_0);
+    let u4_dot_part_3_1 = u4_dot_part_1 - u4_dot_part_2_1;
+    let q3_dot_2_1 = u2_dot_part_1;
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                q2_minus_90deg_1,
+                q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                u2_1,
+                u1_1,
+                sin_q2_minus_90deg_1,
+                cos_q2_minus_90deg_1,
+                u1_dot_part_2_1,
+                cos_q2_minus_90deg_1,
+                u1_1,
+                q1_1,
+                q1_1,
+                u1_dot_2_1,
+                u1_dot_part_3_1,
+                u1_1,
+                u1_1,
+                u2_dot_2_1,
+                sin_q2_minus_90deg_1,
+                s1_1,
+                cos_q2_minus_90deg_1,
+                c1_1,
+                s1_1,
+                c1_1,
+            ],
+            [
+                cos_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                u1_dot_part_3_1,
+                u1_dot_part_3_1,
+                u1_1,
+                u1_p2_1,
+                u1_dot_part_6_1,
+                u1_dot_2_1,
+                u1_dot_part_3_1,
+                u2_dot_part_2_1,
+                c1_1,
+                s1_1,
+                sin_q2_minus_90deg_1,
+                u1_dot_part_3_1,
+                u2_1,
+                u1_dot_part_3_1,
+                cos_q2_minus_90deg_1,
+                u5_dot_part_6_1,
+                u5_dot_part_7_1,
+                u5_dot_part_9_1,
+                u5_dot_part_11_1,
+                u5_dot_part_11_1,
+                u5_dot_part_7_1,
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q1_last = q1_1;
+    let mut q2_minus_90deg_last = q2_minus_90deg_1;
+    let mut u1_last = u1_1;
+    let mut u2_last = u2_1;
+    let mut sin_q2_minus_90deg_last = sin_q2_minus_90deg_1;
+    let mut cos_q2_minus_90deg_last = cos_q2_minus_90deg_1;
+    let mut u1_dot_part_2_last = u1_dot_part_2_1;
+    let mut u1_dot_part_3_last = u1_dot_part_3_1;
+    let mut u1_p2_last = u1_p2_1;
+    let mut u1_dot_part_6_last = u1_dot_part_6_1;
+    let mut u1_dot_2_last = u1_dot_2_1;
+    let mut u2_dot_part_2_last = u2_dot_part_2_1;
+    let mut u2_dot_2_last = u2_dot_2_1;
+    let mut s1_last = s1_1;
+    let mut c1_last = c1_1;
+    let mut u5_dot_part_6_last = u5_dot_part_6_1;
+    let mut u5_dot_part_7_last = u5_dot_part_7_1;
+    let mut u5_dot_part_9_last = u5_dot_part_9_1;
+    let mut u5_dot_part_11_last = u5_dot_part_11_1;
+    let mut next = [S::int(0); 24];
+    // Rates at order k - 1.
+    let mut q1_rate = -u1_dot_part_3_1;
+    let mut q2_minus_90deg_rate = -u1_1;
+    let mut q3_rate = q3_dot_2_1;
+    let mut q4_rate = u4_1;
+    let mut q5_rate = u5_1;
+    let mut u1_rate = u1_dot_2_1;
+    let mut u2_rate = u2_dot_2_1;
+    let mut u4_rate = R * u4_dot_part_3_1;
+    let mut u5_rate = minus_r * u5_dot_part_13_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q1 = q1_rate * over_k;
+        let q2_minus_90deg = q2_minus_90deg_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let q4 = q4_rate * over_k;
+        let q5 = q5_rate * over_k;
+        let u1 = u1_rate * over_k;
+        let u2 = u2_rate * over_k;
+        let u4 = u4_rate * over_k;
+        let u5 = u5_rate * over_k;
+        x[k] = [q1, q2_minus_90deg, q3, q4, q5, u1, u2, S::int(0), u4, u5];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                q2_minus_90deg_1
+                    .mul_add(
+                        cos_q2_minus_90deg_last,
+                        (count_last * q2_minus_90deg_last)
+                            .mul_add(cos_q2_minus_90deg_1, next[0]),
+                    ),
+                q2_minus_90deg_1
+                    .mul_add(
+                        sin_q2_minus_90deg_last,
+                        (count_last * q2_minus_90deg_last)
+                            .mul_add(sin_q2_minus_90deg_1, next[1]),
+                    ),
+                (sin_q2_minus_90deg_1 + sin_q2_minus_90deg_1)
+                    .mul_add(sin_q2_minus_90deg_last, next[2]),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        u1_dot_part_3_last,
+                        sin_q2_minus_90deg_last.mul_add(u1_dot_part_3_1, next[3]),
+                    ),
+                u2_1
+                    .mul_add(
+                        u1_dot_part_3_last,
+                        u2_last.mul_add(u1_dot_part_3_1, next[4]),
+                    ),
+                (u1_1 + u1_1).mul_add(u1_last, next[5]),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        u1_p2_last,
+                        sin_q2_minus_90deg_last.mul_add(u1_p2_1, next[6]),
+                    ),
+                cos_q2_minus_90deg_1
+                    .mul_add(
+                        u1_dot_part_6_last,
+                        cos_q2_minus_90deg_last.mul_add(u1_dot_part_6_1, next[7]),
+                    ),
+                u1_dot_part_2_1
+                    .mul_add(
+                        u1_dot_2_last,
+                        u1_dot_part_2_last.mul_add(u1_dot_2_1, next[8]),
+                    ),
+                cos_q2_minus_90deg_1
+                    .mul_add(
+                        u1_dot_part_3_last,
+                        cos_q2_minus_90deg_last.mul_add(u1_dot_part_3_1, next[9]),
+                    ),
+                u1_1
+                    .mul_add(
+                        u2_dot_part_2_last,
+                        u1_last.mul_add(u2_dot_part_2_1, next[10]),
+                    ),
+                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[11])),
+                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[12])),
+                u1_dot_2_1
+                    .mul_add(
+                        sin_q2_minus_90deg_last,
+                        u1_dot_2_last.mul_add(sin_q2_minus_90deg_1, next[13]),
+                    ),
+                (u1_dot_part_3_1 + u1_dot_part_3_1)
+                    .mul_add(u1_dot_part_3_last, next[14]),
+                u1_1.mul_add(u2_last, u1_last.mul_add(u2_1, next[15])),
+                u1_1
+                    .mul_add(
+                        u1_dot_part_3_last,
+                        u1_last.mul_add(u1_dot_part_3_1, next[16]),
+                    ),
+                u2_dot_2_1
+                    .mul_add(
+                        cos_q2_minus_90deg_last,
+                        u2_dot_2_last.mul_add(cos_q2_minus_90deg_1, next[17]),
+                    ),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        u5_dot_part_6_last,
+                        sin_q2_minus_90deg_last.mul_add(u5_dot_part_6_1, next[18]),
+                    ),
+                s1_1
+                    .mul_add(
+                        u5_dot_part_7_last,
+                        s1_last.mul_add(u5_dot_part_7_1, next[19]),
+                    ),
+                cos_q2_minus_90deg_1
+                    .mul_add(
+                        u5_dot_part_9_last,
+                        cos_q2_minus_90deg_last.mul_add(u5_dot_part_9_1, next[20]),
+                    ),
+                c1_1
+                    .mul_add(
+                        u5_dot_part_11_last,
+                        c1_last.mul_add(u5_dot_part_11_1, next[21]),
+                    ),
+                s1_1
+                    .mul_add(
+                        u5_dot_part_11_last,
+                        s1_last.mul_add(u5_dot_part_11_1, next[22]),
+                    ),
+                c1_1
+                    .mul_add(
+                        u5_dot_part_7_last,
+                        c1_last.mul_add(u5_dot_part_7_1, next[23]),
+                    ),
+            ]
+        };
+        // sin_q2_minus_90deg = sin(q2_minus_90deg)
+        let sin_q2_minus_90deg = q2_minus_90deg
+            .mul_add(cos_q2_minus_90deg_0, sums[0] * over_k);
+        // cos_q2_minus_90deg = cos(q2_minus_90deg)
+        let cos_q2_minus_90deg = -q2_minus_90deg
+            .mul_add(sin_q2_minus_90deg_0, sums[1] * over_k);
+        // u1_dot_part = sin_q2_minus_90deg*sin_q2_minus_90deg
+        let u1_dot_part = sin_q2_minus_90deg
+            .mul_add(sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0, sums[2]);
+        // u1_dot_part_2 = -5 + 4*u1_dot_part
+        let u1_dot_part_2 = S::int(4) * u1_dot_part;
+        // u1_dot_part_3 = u2/sin_q2_minus_90deg
+        let u1_dot_part_3 = sin_q2_minus_90deg
+            .mul_add(
+                -(u1_dot_part_3_0 * over_sin_q2_minus_90deg),
+                (u2 - sums[3]) * over_sin_q2_minus_90deg,
+            );
+        // u1_dot_part_4 = u2*u1_dot_part_3
+        let u1_dot_part_4 = u1_dot_part_3
+            .mul_add(u2_0, u2.mul_add(u1_dot_part_3_0, sums[4]));
+        // u1_p2 = u1*u1
+        let u1_p2 = u1.mul_add(u1_0 + u1_0, sums[5]);
+        // u1_dot_part_5 = sin_q2_minus_90deg*u1_p2
+        let u1_dot_part_5 = u1_p2
+            .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg.mul_add(u1_p2_0, sums[6]));
+        // u1_dot_part_6 = weight + u1_dot_part_4 + 4*u1_dot_part_5
+        let u1_dot_part_6 = S::int(4) * u1_dot_part_5 + u1_dot_part_4;
+        // u1_dot_part_7 = cos_q2_minus_90deg*u1_dot_part_6
+        let u1_dot_part_7 = u1_dot_part_6
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(u1_dot_part_6_0, sums[7]),
+            );
+        // u1_dot_part_8 = weight_2*u2 + u1_dot_part_7
+        let u1_dot_part_8 = weight_2 * u2 + u1_dot_part_7;
+        // u1_dot_2 = u1_dot_part_8/u1_dot_part_2
+        let u1_dot_2 = u1_dot_part_8
+            .mul_add(
+                over_u1_dot_part_2,
+                -(u1_dot_part_2.mul_add(u1_dot_2_0, sums[8]) * over_u1_dot_part_2),
+            );
+        // u2_dot_part = cos_q2_minus_90deg*u1_dot_part_3
+        let u2_dot_part = u1_dot_part_3
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(u1_dot_part_3_0, sums[9]),
+            );
+        // u2_dot_part_2 = weight_2 + u2_dot_part
+        let u2_dot_part_2 = u2_dot_part;
+        // u2_dot_2 = u1*u2_dot_part_2
+        let u2_dot_2 = u2_dot_part_2
+            .mul_add(u1_0, u1.mul_add(u2_dot_part_2_0, sums[10]));
+        // s1 = sin(q1)
+        let s1 = q1.mul_add(c1_0, sums[11] * over_k);
+        // c1 = cos(q1)
+        let c1 = -q1.mul_add(s1_0, sums[12] * over_k);
+        // u5_dot_part = u1_dot_2*sin_q2_minus_90deg
+        let u5_dot_part = u1_dot_2
+            .mul_add(
+                sin_q2_minus_90deg_0,
+                sin_q2_minus_90deg.mul_add(u1_dot_2_0, sums[13]),
+            );
+        // u5_dot_part_2 = u1_dot_part_3*u1_dot_part_3
+        let u5_dot_part_2 = u1_dot_part_3
+            .mul_add(u1_dot_part_3_0 + u1_dot_part_3_0, sums[14]);
+        // u1_u2 = u1*u2
+        let u1_u2 = u2.mul_add(u1_0, u1.mul_add(u2_0, sums[15]));
+        // u5_dot_part_3 = u1*u1_dot_part_3
+        let u5_dot_part_3 = u1_dot_part_3
+            .mul_add(u1_0, u1.mul_add(u1_dot_part_3_0, sums[16]));
+        // u5_dot_part_4 = u2_dot_2*cos_q2_minus_90deg
+        let u5_dot_part_4 = u2_dot_2
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(u2_dot_2_0, sums[17]),
+            );
+        // u5_dot_part_5 = u5_dot_part_3 + u5_dot_part_4
+        let u5_dot_part_5 = u5_dot_part_3 + u5_dot_part_4;
+        // u5_dot_part_6 = u5_dot_part_5/sin_q2_minus_90deg
+        let u5_dot_part_6 = u5_dot_part_5
+            .mul_add(
+                over_sin_q2_minus_90deg,
+                -(sin_q2_minus_90deg.mul_add(u5_dot_part_6_0, sums[18])
+                    * over_sin_q2_minus_90deg),
+            );
+        // u5_dot_part_7 = u1_u2 + u5_dot_part_6
+        let u5_dot_part_7 = u1_u2 + u5_dot_part_6;
+        // u5_dot_part_8 = s1*u5_dot_part_7
+        let u5_dot_part_8 = u5_dot_part_7
+            .mul_add(s1_0, s1.mul_add(u5_dot_part_7_0, sums[19]));
+        // u5_dot_part_9 = u1_p2 + u5_dot_part_2
+        let u5_dot_part_9 = u1_p2 + u5_dot_part_2;
+        // u5_dot_part_10 = cos_q2_minus_90deg*u5_dot_part_9
+        let u5_dot_part_10 = u5_dot_part_9
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(u5_dot_part_9_0, sums[20]),
+            );
+        // u5_dot_part_11 = u5_dot_part - u5_dot_part_10
+        let u5_dot_part_11 = -u5_dot_part_10 + u5_dot_part;
+        // u5_dot_part_12 = c1*u5_dot_part_11
+        let u5_dot_part_12 = u5_dot_part_11
+            .mul_add(c1_0, c1.mul_add(u5_dot_part_11_0, sums[21]));
+        // u5_dot_part_13 = u5_dot_part_8 + u5_dot_part_12
+        let u5_dot_part_13 = u5_dot_part_8 + u5_dot_part_12;
+        // u4_dot_part = s1*u5_dot_part_11
+        let u4_dot_part = u5_dot_part_11
+            .mul_add(s1_0, s1.mul_add(u5_dot_part_11_0, sums[22]));
+        // u4_dot_part_2 = c1*u5_dot_part_7
+        let u4_dot_part_2 = u5_dot_part_7
+            .mul_add(c1_0, c1.mul_add(u5_dot_part_7_0, sums[23]));
+        // u4_dot_part_3 = u4_dot_part - u4_dot_part_2
+        let u4_dot_part_3 = u4_dot_part - u4_dot_part_2;
+        // q3_dot_2 = u3 + u2_dot_part
+        let q3_dot_2 = u2_dot_part;
+        q1_rate = -u1_dot_part_3;
+        q2_minus_90deg_rate = -u1;
+        q3_rate = q3_dot_2;
+        q4_rate = u4;
+        q5_rate = u5;
+        u1_rate = u1_dot_2;
+        u2_rate = u2_dot_2;
+        u4_rate = R * u4_dot_part_3;
+        u5_rate = minus_r * u5_dot_part_13;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * q2_minus_90deg,
+                count * q2_minus_90deg,
+                sin_q2_minus_90deg,
+                sin_q2_minus_90deg,
+                u2,
+                u1,
+                sin_q2_minus_90deg,
+                cos_q2_minus_90deg,
+                u1_dot_part_2,
+                cos_q2_minus_90deg,
+                u1,
+                count * q1,
+                count * q1,
+                u1_dot_2,
+                u1_dot_part_3,
+                u1,
+                u1,
+                u2_dot_2,
+                sin_q2_minus_90deg,
+                s1,
+                cos_q2_minus_90deg,
+                c1,
+                s1,
+                c1,
+            ],
+            [
+                cos_q2_minus_90deg,
+                sin_q2_minus_90deg,
+                sin_q2_minus_90deg,
+                u1_dot_part_3,
+                u1_dot_part_3,
+                u1,
+                u1_p2,
+                u1_dot_part_6,
+                u1_dot_2,
+                u1_dot_part_3,
+                u2_dot_part_2,
+                c1,
+                s1,
+                sin_q2_minus_90deg,
+                u1_dot_part_3,
+                u2,
+                u1_dot_part_3,
+                cos_q2_minus_90deg,
+                u5_dot_part_6,
+                u5_dot_part_7,
+                u5_dot_part_9,
+                u5_dot_part_11,
+                u5_dot_part_11,
+                u5_dot_part_7,
+            ],
+        ];
+        count_last = count;
+        q1_last = q1;
+        q2_minus_90deg_last = q2_minus_90deg;
+        u1_last = u1;
+        u2_last = u2;
+        sin_q2_minus_90deg_last = sin_q2_minus_90deg;
+        cos_q2_minus_90deg_last = cos_q2_minus_90deg;
+        u1_dot_part_2_last = u1_dot_part_2;
+        u1_dot_part_3_last = u1_dot_part_3;
+        u1_p2_last = u1_p2;
+        u1_dot_part_6_last = u1_dot_part_6;
+        u1_dot_2_last = u1_dot_2;
+        u2_dot_part_2_last = u2_dot_part_2;
+        u2_dot_2_last = u2_dot_2;
+        s1_last = s1;
+        c1_last = c1;
+        u5_dot_part_6_last = u5_dot_part_6;
+        u5_dot_part_7_last = u5_dot_part_7;
+        u5_dot_part_9_last = u5_dot_part_9;
+        u5_dot_part_11_last = u5_dot_part_11;
+    }
+}
+
 /// Newton–Euler equations in q2-90° of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct NewtonEulerQ290deg;
@@ -681,6 +1262,16 @@ impl<S: Scalar> System<S> for NewtonEulerQ290deg {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        48 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

@@ -7,6 +7,7 @@
 //! The accelerations divide by cos(q2), by I1.
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3.
@@ -276,6 +277,253 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
     energy
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 9 convolutions and 12 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 6]],
+    work: &mut [Factors<S, 16>],
+) {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1_0, q2_0, _, u1_0, u2_0, u3] = x[0];
+    // Constant in time.
+    // i3_u3 = I3*u3
+    let i3_u3 = I3 * u3;
+    // minus_i1 = -I1
+    let minus_i1 = -I1;
+    // m_l_g = m*l*g
+    let m_l_g = m * l * g;
+    // weight = 1/I1
+    let weight = S::int(1) / I1;
+    // Order 0.
+    let (s2_0, c2_0) = q2_0.sin_cos();
+    let over_c2 = S::int(1) / c2_0;
+    let (s1_0, c1_0) = q1_0.sin_cos();
+    // cos_q1_sin_q2 = s2*c1
+    let cos_q1_sin_q2_0 = s2_0 * c1_0;
+    // q1_dot_2 = u1/c2
+    let q1_dot_2_0 = u1_0 * over_c2;
+    // u1_tan_q2 = s2*q1_dot_2
+    let u1_tan_q2_0 = s2_0 * q1_dot_2_0;
+    // u2_dot_part = i3_u3 + minus_i1*u1_tan_q2
+    let u2_dot_part_0 = u1_tan_q2_0.mul_add(minus_i1, i3_u3);
+    // u2_dot_part_2 = u1*u2_dot_part
+    let u2_dot_part_2_0 = u1_0 * u2_dot_part_0;
+    // u2_dot_part_3 = m_l_g*cos_q1_sin_q2 + u2_dot_part_2
+    let u2_dot_part_3_0 = m_l_g * cos_q1_sin_q2_0 + u2_dot_part_2_0;
+    // u1_dot_part = u2*u2_dot_part
+    let u1_dot_part_0 = u2_0 * u2_dot_part_0;
+    // u1_dot_part_2 = m_l_g*s1 - u1_dot_part
+    let u1_dot_part_2_0 = m_l_g * s1_0 - u1_dot_part_0;
+    // q3_dot_2 = u3 - u1_tan_q2
+    let q3_dot_2_0 = u3 - u1_tan_q2_0;
+    // Order 1: the rates, and what follows from them.
+    let q1_1 = q1_dot_2_0;
+    let q2_1 = u2_0;
+    let q3_1 = q3_dot_2_0;
+    let u1_1 = weight * u1_dot_part_2_0;
+    let u2_1 = weight * u2_dot_part_3_0;
+    if x.len() > 1 {
+        x[1] = [q1_1, q2_1, q3_1, u1_1, u2_1, S::int(0)];
+    }
+    let s2_1 = q2_1 * c2_0;
+    let c2_1 = -q2_1 * s2_0;
+    let s1_1 = q1_1 * c1_0;
+    let c1_1 = -q1_1 * s1_0;
+    let cos_q1_sin_q2_1 = c1_1.mul_add(s2_0, s2_1 * c1_0);
+    let q1_dot_2_1 = c2_1.mul_add(-(q1_dot_2_0 * over_c2), u1_1 * over_c2);
+    let u1_tan_q2_1 = q1_dot_2_1.mul_add(s2_0, s2_1 * q1_dot_2_0);
+    let u2_dot_part_1 = minus_i1 * u1_tan_q2_1;
+    let u2_dot_part_2_1 = u2_dot_part_1.mul_add(u1_0, u1_1 * u2_dot_part_0);
+    let u2_dot_part_3_1 = m_l_g * cos_q1_sin_q2_1 + u2_dot_part_2_1;
+    let u1_dot_part_1 = u2_dot_part_1.mul_add(u2_0, u2_1 * u2_dot_part_0);
+    let u1_dot_part_2_1 = m_l_g * s1_1 - u1_dot_part_1;
+    let q3_dot_2_1 = -u1_tan_q2_1;
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                q2_1,
+                q2_1,
+                q1_1,
+                q1_1,
+                s2_1,
+                c2_1,
+                s2_1,
+                u1_1,
+                u2_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                c2_1,
+                s2_1,
+                c1_1,
+                s1_1,
+                c1_1,
+                q1_dot_2_1,
+                q1_dot_2_1,
+                u2_dot_part_1,
+                u2_dot_part_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q1_last = q1_1;
+    let mut q2_last = q2_1;
+    let mut u1_last = u1_1;
+    let mut u2_last = u2_1;
+    let mut s2_last = s2_1;
+    let mut c2_last = c2_1;
+    let mut s1_last = s1_1;
+    let mut c1_last = c1_1;
+    let mut q1_dot_2_last = q1_dot_2_1;
+    let mut u2_dot_part_last = u2_dot_part_1;
+    let mut next = [S::int(0); 16];
+    // Rates at order k - 1.
+    let mut q1_rate = q1_dot_2_1;
+    let mut q2_rate = u2_1;
+    let mut q3_rate = q3_dot_2_1;
+    let mut u1_rate = weight * u1_dot_part_2_1;
+    let mut u2_rate = weight * u2_dot_part_3_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q1 = q1_rate * over_k;
+        let q2 = q2_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let u1 = u1_rate * over_k;
+        let u2 = u2_rate * over_k;
+        x[k] = [q1, q2, q3, u1, u2, S::int(0)];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
+                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
+                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[2])),
+                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[3])),
+                s2_1.mul_add(c1_last, s2_last.mul_add(c1_1, next[4])),
+                c2_1.mul_add(q1_dot_2_last, c2_last.mul_add(q1_dot_2_1, next[5])),
+                s2_1.mul_add(q1_dot_2_last, s2_last.mul_add(q1_dot_2_1, next[6])),
+                u1_1.mul_add(u2_dot_part_last, u1_last.mul_add(u2_dot_part_1, next[7])),
+                u2_1.mul_add(u2_dot_part_last, u2_last.mul_add(u2_dot_part_1, next[8])),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ]
+        };
+        // s2 = sin(q2)
+        let s2 = q2.mul_add(c2_0, sums[0] * over_k);
+        // c2 = cos(q2)
+        let c2 = -q2.mul_add(s2_0, sums[1] * over_k);
+        // s1 = sin(q1)
+        let s1 = q1.mul_add(c1_0, sums[2] * over_k);
+        // c1 = cos(q1)
+        let c1 = -q1.mul_add(s1_0, sums[3] * over_k);
+        // cos_q1_sin_q2 = s2*c1
+        let cos_q1_sin_q2 = c1.mul_add(s2_0, s2.mul_add(c1_0, sums[4]));
+        // q1_dot_2 = u1/c2
+        let q1_dot_2 = c2.mul_add(-(q1_dot_2_0 * over_c2), (u1 - sums[5]) * over_c2);
+        // u1_tan_q2 = s2*q1_dot_2
+        let u1_tan_q2 = q1_dot_2.mul_add(s2_0, s2.mul_add(q1_dot_2_0, sums[6]));
+        // u2_dot_part = i3_u3 + minus_i1*u1_tan_q2
+        let u2_dot_part = minus_i1 * u1_tan_q2;
+        // u2_dot_part_2 = u1*u2_dot_part
+        let u2_dot_part_2 = u2_dot_part
+            .mul_add(u1_0, u1.mul_add(u2_dot_part_0, sums[7]));
+        // u2_dot_part_3 = m_l_g*cos_q1_sin_q2 + u2_dot_part_2
+        let u2_dot_part_3 = m_l_g * cos_q1_sin_q2 + u2_dot_part_2;
+        // u1_dot_part = u2*u2_dot_part
+        let u1_dot_part = u2_dot_part.mul_add(u2_0, u2.mul_add(u2_dot_part_0, sums[8]));
+        // u1_dot_part_2 = m_l_g*s1 - u1_dot_part
+        let u1_dot_part_2 = m_l_g * s1 - u1_dot_part;
+        // q3_dot_2 = u3 - u1_tan_q2
+        let q3_dot_2 = -u1_tan_q2;
+        q1_rate = q1_dot_2;
+        q2_rate = u2;
+        q3_rate = q3_dot_2;
+        u1_rate = weight * u1_dot_part_2;
+        u2_rate = weight * u2_dot_part_3;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * q2,
+                count * q2,
+                count * q1,
+                count * q1,
+                s2,
+                c2,
+                s2,
+                u1,
+                u2,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                c2,
+                s2,
+                c1,
+                s1,
+                c1,
+                q1_dot_2,
+                q1_dot_2,
+                u2_dot_part,
+                u2_dot_part,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+        count_last = count;
+        q1_last = q1;
+        q2_last = q2;
+        u1_last = u1;
+        u2_last = u2;
+        s2_last = s2;
+        c2_last = c2;
+        s1_last = s1;
+        c1_last = c1;
+        q1_dot_2_last = q1_dot_2;
+        u2_dot_part_last = u2_dot_part;
+    }
+}
+
 /// Kane's method of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct Kane;
@@ -341,6 +589,16 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        32 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

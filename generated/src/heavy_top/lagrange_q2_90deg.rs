@@ -7,6 +7,7 @@
 //! The accelerations divide by I1, by sin(q2_minus_90deg).
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3.
@@ -462,6 +463,355 @@ pub fn motion_variables<S: Scalar>(
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 12 convolutions and 20 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 6]],
+    work: &mut [Factors<S, 16>],
+) {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1_0, q2_minus_90deg_0, _, q1_dot_0, q2_dot_0, q3_dot_0] = x[0];
+    // Shared terms.
+    // I3/I1; used 3 times
+    let i1_inv_i3 = I3 / I1;
+    // Constant in time.
+    // i3_by_i1 = I3/I1
+    let i3_by_i1 = i1_inv_i3;
+    // i3_by_i1_minus_2 = I3/I1 - 2
+    let i3_by_i1_minus_2 = i1_inv_i3 - S::int(2);
+    // m_l_g_by_i1 = m*l*g/I1
+    let m_l_g_by_i1 = m * l * g / I1;
+    // i3_by_i1_minus_1 = I3/I1 - 1
+    let i3_by_i1_minus_1 = i1_inv_i3 - S::int(1);
+    // Order 0.
+    let (s1_0, c1_0) = q1_0.sin_cos();
+    let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
+    let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
+    // q1_ddot_part = q1_dot*cos_q2_minus_90deg
+    let q1_ddot_part_0 = q1_dot_0 * cos_q2_minus_90deg_0;
+    // q1_ddot_part_2 = i3_by_i1*q3_dot + i3_by_i1_minus_2*q1_ddot_part
+    let q1_ddot_part_2_0 = q1_ddot_part_0.mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot_0);
+    // q1_ddot_part_3 = q2_dot*q1_ddot_part_2
+    let q1_ddot_part_3_0 = q2_dot_0 * q1_ddot_part_2_0;
+    // q1_ddot_part_4 = m_l_g_by_i1*s1 - q1_ddot_part_3
+    let q1_ddot_part_4_0 = m_l_g_by_i1 * s1_0 - q1_ddot_part_3_0;
+    // q1_ddot_part_5 = q1_ddot_part_4/sin_q2_minus_90deg
+    let q1_ddot_part_5_0 = q1_ddot_part_4_0 * over_sin_q2_minus_90deg;
+    // q3_ddot_part = q1_ddot_part_5*cos_q2_minus_90deg
+    let q3_ddot_part_0 = q1_ddot_part_5_0 * cos_q2_minus_90deg_0;
+    // q3_ddot_part_2 = q1_dot*sin_q2_minus_90deg
+    let q3_ddot_part_2_0 = q1_dot_0 * sin_q2_minus_90deg_0;
+    // q3_ddot_part_3 = q2_dot*q3_ddot_part_2
+    let q3_ddot_part_3_0 = q2_dot_0 * q3_ddot_part_2_0;
+    // q3_dot_dot = q3_ddot_part + q3_ddot_part_3
+    let q3_dot_dot_0 = q3_ddot_part_3_0 + q3_ddot_part_0;
+    // q2_ddot_part = c1*cos_q2_minus_90deg
+    let q2_ddot_part_0 = c1_0 * cos_q2_minus_90deg_0;
+    // q2_ddot_part_2 = i3_by_i1*q3_dot + i3_by_i1_minus_1*q1_ddot_part
+    let q2_ddot_part_2_0 = q1_ddot_part_0.mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot_0);
+    // q2_ddot_part_3 = q2_ddot_part_2*q3_ddot_part_2
+    let q2_ddot_part_3_0 = q2_ddot_part_2_0 * q3_ddot_part_2_0;
+    // q2_dot_dot = m_l_g_by_i1*q2_ddot_part - q2_ddot_part_3
+    let q2_dot_dot_0 = m_l_g_by_i1 * q2_ddot_part_0 - q2_ddot_part_3_0;
+    // Order 1: the rates, and what follows from them.
+    let q1_1 = q1_dot_0;
+    let q2_minus_90deg_1 = q2_dot_0;
+    let q3_1 = q3_dot_0;
+    let q1_dot_1 = -q1_ddot_part_5_0;
+    let q2_dot_1 = q2_dot_dot_0;
+    let q3_dot_1 = q3_dot_dot_0;
+    if x.len() > 1 {
+        x[1] = [q1_1, q2_minus_90deg_1, q3_1, q1_dot_1, q2_dot_1, q3_dot_1];
+    }
+    let s1_1 = q1_1 * c1_0;
+    let c1_1 = -q1_1 * s1_0;
+    let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
+    let cos_q2_minus_90deg_1 = -q2_minus_90deg_1 * sin_q2_minus_90deg_0;
+    let q1_ddot_part_1 = cos_q2_minus_90deg_1
+        .mul_add(q1_dot_0, q1_dot_1 * cos_q2_minus_90deg_0);
+    let q1_ddot_part_2_1 = q1_ddot_part_1.mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot_1);
+    let q1_ddot_part_3_1 = q1_ddot_part_2_1
+        .mul_add(q2_dot_0, q2_dot_1 * q1_ddot_part_2_0);
+    let q1_ddot_part_4_1 = m_l_g_by_i1 * s1_1 - q1_ddot_part_3_1;
+    let q1_ddot_part_5_1 = sin_q2_minus_90deg_1
+        .mul_add(
+            -(q1_ddot_part_5_0 * over_sin_q2_minus_90deg),
+            q1_ddot_part_4_1 * over_sin_q2_minus_90deg,
+        );
+    let q3_ddot_part_1 = q1_ddot_part_5_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * q1_ddot_part_5_0);
+    let q3_ddot_part_2_1 = sin_q2_minus_90deg_1
+        .mul_add(q1_dot_0, q1_dot_1 * sin_q2_minus_90deg_0);
+    let q3_ddot_part_3_1 = q3_ddot_part_2_1
+        .mul_add(q2_dot_0, q2_dot_1 * q3_ddot_part_2_0);
+    let q3_dot_dot_1 = q3_ddot_part_3_1 + q3_ddot_part_1;
+    let q2_ddot_part_1 = cos_q2_minus_90deg_1.mul_add(c1_0, c1_1 * cos_q2_minus_90deg_0);
+    let q2_ddot_part_2_1 = q1_ddot_part_1.mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot_1);
+    let q2_ddot_part_3_1 = q2_ddot_part_2_1
+        .mul_add(q3_ddot_part_2_0, q3_ddot_part_2_1 * q2_ddot_part_2_0);
+    let q2_dot_dot_1 = m_l_g_by_i1 * q2_ddot_part_1 - q2_ddot_part_3_1;
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                q1_1,
+                q1_1,
+                q2_minus_90deg_1,
+                q2_minus_90deg_1,
+                q1_dot_1,
+                q2_dot_1,
+                sin_q2_minus_90deg_1,
+                q1_ddot_part_5_1,
+                q1_dot_1,
+                q2_dot_1,
+                c1_1,
+                q2_ddot_part_2_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                c1_1,
+                s1_1,
+                cos_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                cos_q2_minus_90deg_1,
+                q1_ddot_part_2_1,
+                q1_ddot_part_5_1,
+                cos_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                q3_ddot_part_2_1,
+                cos_q2_minus_90deg_1,
+                q3_ddot_part_2_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q1_last = q1_1;
+    let mut q2_minus_90deg_last = q2_minus_90deg_1;
+    let mut q1_dot_last = q1_dot_1;
+    let mut q2_dot_last = q2_dot_1;
+    let mut s1_last = s1_1;
+    let mut c1_last = c1_1;
+    let mut sin_q2_minus_90deg_last = sin_q2_minus_90deg_1;
+    let mut cos_q2_minus_90deg_last = cos_q2_minus_90deg_1;
+    let mut q1_ddot_part_2_last = q1_ddot_part_2_1;
+    let mut q1_ddot_part_5_last = q1_ddot_part_5_1;
+    let mut q3_ddot_part_2_last = q3_ddot_part_2_1;
+    let mut q2_ddot_part_2_last = q2_ddot_part_2_1;
+    let mut next = [S::int(0); 16];
+    // Rates at order k - 1.
+    let mut q1_rate = q1_dot_1;
+    let mut q2_minus_90deg_rate = q2_dot_1;
+    let mut q3_rate = q3_dot_1;
+    let mut q1_dot_rate = -q1_ddot_part_5_1;
+    let mut q2_dot_rate = q2_dot_dot_1;
+    let mut q3_dot_rate = q3_dot_dot_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q1 = q1_rate * over_k;
+        let q2_minus_90deg = q2_minus_90deg_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let q1_dot = q1_dot_rate * over_k;
+        let q2_dot = q2_dot_rate * over_k;
+        let q3_dot = q3_dot_rate * over_k;
+        x[k] = [q1, q2_minus_90deg, q3, q1_dot, q2_dot, q3_dot];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[0])),
+                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[1])),
+                q2_minus_90deg_1
+                    .mul_add(
+                        cos_q2_minus_90deg_last,
+                        (count_last * q2_minus_90deg_last)
+                            .mul_add(cos_q2_minus_90deg_1, next[2]),
+                    ),
+                q2_minus_90deg_1
+                    .mul_add(
+                        sin_q2_minus_90deg_last,
+                        (count_last * q2_minus_90deg_last)
+                            .mul_add(sin_q2_minus_90deg_1, next[3]),
+                    ),
+                q1_dot_1
+                    .mul_add(
+                        cos_q2_minus_90deg_last,
+                        q1_dot_last.mul_add(cos_q2_minus_90deg_1, next[4]),
+                    ),
+                q2_dot_1
+                    .mul_add(
+                        q1_ddot_part_2_last,
+                        q2_dot_last.mul_add(q1_ddot_part_2_1, next[5]),
+                    ),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        q1_ddot_part_5_last,
+                        sin_q2_minus_90deg_last.mul_add(q1_ddot_part_5_1, next[6]),
+                    ),
+                q1_ddot_part_5_1
+                    .mul_add(
+                        cos_q2_minus_90deg_last,
+                        q1_ddot_part_5_last.mul_add(cos_q2_minus_90deg_1, next[7]),
+                    ),
+                q1_dot_1
+                    .mul_add(
+                        sin_q2_minus_90deg_last,
+                        q1_dot_last.mul_add(sin_q2_minus_90deg_1, next[8]),
+                    ),
+                q2_dot_1
+                    .mul_add(
+                        q3_ddot_part_2_last,
+                        q2_dot_last.mul_add(q3_ddot_part_2_1, next[9]),
+                    ),
+                c1_1
+                    .mul_add(
+                        cos_q2_minus_90deg_last,
+                        c1_last.mul_add(cos_q2_minus_90deg_1, next[10]),
+                    ),
+                q2_ddot_part_2_1
+                    .mul_add(
+                        q3_ddot_part_2_last,
+                        q2_ddot_part_2_last.mul_add(q3_ddot_part_2_1, next[11]),
+                    ),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ]
+        };
+        // s1 = sin(q1)
+        let s1 = q1.mul_add(c1_0, sums[0] * over_k);
+        // c1 = cos(q1)
+        let c1 = -q1.mul_add(s1_0, sums[1] * over_k);
+        // sin_q2_minus_90deg = sin(q2_minus_90deg)
+        let sin_q2_minus_90deg = q2_minus_90deg
+            .mul_add(cos_q2_minus_90deg_0, sums[2] * over_k);
+        // cos_q2_minus_90deg = cos(q2_minus_90deg)
+        let cos_q2_minus_90deg = -q2_minus_90deg
+            .mul_add(sin_q2_minus_90deg_0, sums[3] * over_k);
+        // q1_ddot_part = q1_dot*cos_q2_minus_90deg
+        let q1_ddot_part = cos_q2_minus_90deg
+            .mul_add(q1_dot_0, q1_dot.mul_add(cos_q2_minus_90deg_0, sums[4]));
+        // q1_ddot_part_2 = i3_by_i1*q3_dot + i3_by_i1_minus_2*q1_ddot_part
+        let q1_ddot_part_2 = q1_ddot_part.mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot);
+        // q1_ddot_part_3 = q2_dot*q1_ddot_part_2
+        let q1_ddot_part_3 = q1_ddot_part_2
+            .mul_add(q2_dot_0, q2_dot.mul_add(q1_ddot_part_2_0, sums[5]));
+        // q1_ddot_part_4 = m_l_g_by_i1*s1 - q1_ddot_part_3
+        let q1_ddot_part_4 = m_l_g_by_i1 * s1 - q1_ddot_part_3;
+        // q1_ddot_part_5 = q1_ddot_part_4/sin_q2_minus_90deg
+        let q1_ddot_part_5 = q1_ddot_part_4
+            .mul_add(
+                over_sin_q2_minus_90deg,
+                -(sin_q2_minus_90deg.mul_add(q1_ddot_part_5_0, sums[6])
+                    * over_sin_q2_minus_90deg),
+            );
+        // q3_ddot_part = q1_ddot_part_5*cos_q2_minus_90deg
+        let q3_ddot_part = q1_ddot_part_5
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(q1_ddot_part_5_0, sums[7]),
+            );
+        // q3_ddot_part_2 = q1_dot*sin_q2_minus_90deg
+        let q3_ddot_part_2 = sin_q2_minus_90deg
+            .mul_add(q1_dot_0, q1_dot.mul_add(sin_q2_minus_90deg_0, sums[8]));
+        // q3_ddot_part_3 = q2_dot*q3_ddot_part_2
+        let q3_ddot_part_3 = q3_ddot_part_2
+            .mul_add(q2_dot_0, q2_dot.mul_add(q3_ddot_part_2_0, sums[9]));
+        // q3_dot_dot = q3_ddot_part + q3_ddot_part_3
+        let q3_dot_dot = q3_ddot_part_3 + q3_ddot_part;
+        // q2_ddot_part = c1*cos_q2_minus_90deg
+        let q2_ddot_part = cos_q2_minus_90deg
+            .mul_add(c1_0, c1.mul_add(cos_q2_minus_90deg_0, sums[10]));
+        // q2_ddot_part_2 = i3_by_i1*q3_dot + i3_by_i1_minus_1*q1_ddot_part
+        let q2_ddot_part_2 = q1_ddot_part.mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot);
+        // q2_ddot_part_3 = q2_ddot_part_2*q3_ddot_part_2
+        let q2_ddot_part_3 = q2_ddot_part_2
+            .mul_add(
+                q3_ddot_part_2_0,
+                q3_ddot_part_2.mul_add(q2_ddot_part_2_0, sums[11]),
+            );
+        // q2_dot_dot = m_l_g_by_i1*q2_ddot_part - q2_ddot_part_3
+        let q2_dot_dot = m_l_g_by_i1 * q2_ddot_part - q2_ddot_part_3;
+        q1_rate = q1_dot;
+        q2_minus_90deg_rate = q2_dot;
+        q3_rate = q3_dot;
+        q1_dot_rate = -q1_ddot_part_5;
+        q2_dot_rate = q2_dot_dot;
+        q3_dot_rate = q3_dot_dot;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * q1,
+                count * q1,
+                count * q2_minus_90deg,
+                count * q2_minus_90deg,
+                q1_dot,
+                q2_dot,
+                sin_q2_minus_90deg,
+                q1_ddot_part_5,
+                q1_dot,
+                q2_dot,
+                c1,
+                q2_ddot_part_2,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                c1,
+                s1,
+                cos_q2_minus_90deg,
+                sin_q2_minus_90deg,
+                cos_q2_minus_90deg,
+                q1_ddot_part_2,
+                q1_ddot_part_5,
+                cos_q2_minus_90deg,
+                sin_q2_minus_90deg,
+                q3_ddot_part_2,
+                cos_q2_minus_90deg,
+                q3_ddot_part_2,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+        count_last = count;
+        q1_last = q1;
+        q2_minus_90deg_last = q2_minus_90deg;
+        q1_dot_last = q1_dot;
+        q2_dot_last = q2_dot;
+        s1_last = s1;
+        c1_last = c1;
+        sin_q2_minus_90deg_last = sin_q2_minus_90deg;
+        cos_q2_minus_90deg_last = cos_q2_minus_90deg;
+        q1_ddot_part_2_last = q1_ddot_part_2;
+        q1_ddot_part_5_last = q1_ddot_part_5;
+        q3_ddot_part_2_last = q3_ddot_part_2;
+        q2_ddot_part_2_last = q2_ddot_part_2;
+    }
+}
+
 /// Lagrange's equations in q2-90° of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct LagrangeQ290deg;
@@ -527,6 +877,16 @@ impl<S: Scalar> System<S> for LagrangeQ290deg {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        32 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -7,6 +7,7 @@
 //! The accelerations divide by l.
 
 use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows theta.
@@ -203,6 +204,135 @@ pub fn motion_variables<S: Scalar>(
     [theta_dot_value]
 }
 
+/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+///
+/// 2 convolutions and 0 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    x: &mut [[S; 2]],
+    work: &mut [Factors<S, 8>],
+) {
+    let Parameters { l, g, .. } = *p;
+    let [theta_0, theta_dot_0] = x[0];
+    // Constant in time.
+    // minus_g_by_l = -g/l
+    let minus_g_by_l = -g / l;
+    // Order 0.
+    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
+    // Order 1: the rates, and what follows from them.
+    let theta_1 = theta_dot_0;
+    let theta_dot_1 = minus_g_by_l * sin_theta_0;
+    if x.len() > 1 {
+        x[1] = [theta_1, theta_dot_1];
+    }
+    let sin_theta_1 = theta_1 * cos_theta_0;
+    let cos_theta_1 = -theta_1 * sin_theta_0;
+    if x.len() > 2 {
+        // Factors of the convolutions: left, right.
+        work[1] = [
+            [
+                theta_1,
+                theta_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                cos_theta_1,
+                sin_theta_1,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut theta_last = theta_1;
+    let mut sin_theta_last = sin_theta_1;
+    let mut cos_theta_last = cos_theta_1;
+    let mut next = [S::int(0); 8];
+    // Rates at order k - 1.
+    let mut theta_rate = theta_dot_1;
+    let mut theta_dot_rate = minus_g_by_l * sin_theta_1;
+    for k in 2..x.len() {
+        let over_k = S::ratio(1, k as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let theta = theta_rate * over_k;
+        let theta_dot = theta_dot_rate * over_k;
+        x[k] = [theta, theta_dot];
+        if k + 1 == x.len() {
+            break;
+        }
+        let count = S::int(k as i64);
+        let sums = if k % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&work[..k]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                theta_1
+                    .mul_add(
+                        cos_theta_last,
+                        (count_last * theta_last).mul_add(cos_theta_1, next[0]),
+                    ),
+                theta_1
+                    .mul_add(
+                        sin_theta_last,
+                        (count_last * theta_last).mul_add(sin_theta_1, next[1]),
+                    ),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ]
+        };
+        // sin_theta = sin(theta)
+        let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
+        // cos_theta = cos(theta)
+        let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
+        theta_rate = theta_dot;
+        theta_dot_rate = minus_g_by_l * sin_theta;
+        // Factors of the convolutions: left, right.
+        work[k] = [
+            [
+                count * theta,
+                count * theta,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+            [
+                cos_theta,
+                sin_theta,
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+                S::int(0),
+            ],
+        ];
+        count_last = count;
+        theta_last = theta;
+        sin_theta_last = sin_theta;
+        cos_theta_last = cos_theta;
+    }
+}
+
 /// Lagrange's equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct Lagrange;
@@ -268,6 +398,16 @@ impl<S: Scalar> System<S> for Lagrange {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        16 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(
