@@ -10,6 +10,7 @@
 mod block;
 mod file;
 mod in_order;
+mod lanes;
 mod row;
 mod shard;
 mod summary;

@@ -1,5 +1,6 @@
 //! Blocks of points, each run by one thread.
 
+use super::lanes::{self, Request};
 use super::row::{Ended, Row};
 use crate::How;
 use crate::catalogue::{By, Code, code};
@@ -13,6 +14,7 @@ use std::sync::{Mutex, PoisonError};
 use tripos_derive::Model;
 use tripos_derive::scene::{Family, Grid, Scene, Solve};
 use tripos_sim::{Options, SimError, Solution, Warning};
+use tripos_traits::InLanes;
 
 /// What all points of a sweep share.
 pub struct Sweep<'a> {
@@ -77,7 +79,8 @@ impl<'a> Sweep<'a> {
     pub fn worker(&'a self) -> Result<Worker<'a>, Failure> {
         let family = Family::new(self.scene, self.model, self.grid)?;
         let (code, balance) = self.originals.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        Ok(Worker { sweep: self, family, code, balance })
+        let lanes = lanes::equations(self, &code);
+        Ok(Worker { sweep: self, family, code, balance, lanes })
     }
 }
 
@@ -103,6 +106,8 @@ pub struct Worker<'a> {
     family: Family<'a>,
     code: Code,
     balance: Balance,
+    /// The equations in lanes, where runs can share them.
+    lanes: Option<InLanes<'static>>,
 }
 
 impl Worker<'_> {
@@ -110,29 +115,57 @@ impl Worker<'_> {
     ///
     /// A run may share its work with the others of its block, as lanes do, if it shares no result with them.
     pub fn run_block(&mut self, points: Range<u64>, done: &(impl Fn() + ?Sized)) -> Vec<Row> {
+        let read = |point: u64| {
+            let (values, scene) = self.family.point(point);
+            let scene = scene.map_err(Failure::from).and_then(|mut scene| {
+                self.sweep.how.change(&mut scene)?;
+                Ok(scene)
+            });
+            (point, values, scene)
+        };
+        let scenes: Vec<_> = points.map(read).collect();
+        let solutions = self.side_by_side(scenes.iter().map(|(.., scene)| scene.as_ref().ok()));
         let mut rows = Vec::new();
-        for point in points {
+        for ((point, values, scene), solution) in scenes.into_iter().zip(solutions) {
             if self.sweep.stop.load(Ordering::Relaxed) {
                 break;
             }
-            let (values, scene) = self.family.point(point);
-            let outcome = scene.map_err(Failure::from).and_then(|scene| self.run(scene));
+            let outcome = scene.and_then(|scene| self.run(&scene, solution));
             rows.push(Row { point, values, outcome: outcome.map_err(|failure| reason(&failure)) });
             done();
         }
         rows
     }
 
-    /// One run, of the scene at a point.
-    fn run(&self, mut scene: Scene) -> Result<Ended, Failure> {
-        let Sweep { model, by, how, .. } = *self.sweep;
-        how.change(&mut scene)?;
-        let problem = Problem::new(model, &scene, by, &self.code, Some(self.sweep.solve))?;
-        let y0 = problem.start()?;
-        let mut events = events(&problem, &self.balance);
-        let solution = problem.integrate(&y0, &options_of_ends(&scene)?, &mut events);
-        drop(events);
-        let solution = solution.map_err(|error| refused(&scene, &error))?;
+    /// Solutions of the scenes that can run in lanes; none for the others.
+    fn side_by_side<'s>(&self, scenes: impl ExactSizeIterator<Item = Option<&'s Scene>>) -> Vec<Option<Solution>> {
+        let mut solutions: Vec<Option<Solution>> = (0..scenes.len()).map(|_| None).collect();
+        let Some(equations) = self.lanes else { return solutions };
+        let problem = |scene| self.problem(scene).ok();
+        let requests = scenes.enumerate().filter_map(|(at, scene)| Some((at, Request::new(&problem(scene?)?)?)));
+        let (places, requests): (Vec<usize>, Vec<Request>) = requests.unzip();
+        for (at, solution) in places.into_iter().zip(lanes::run(equations, &requests)) {
+            solutions[at] = solution;
+        }
+        solutions
+    }
+
+    fn problem<'s>(&'s self, scene: &'s Scene) -> Result<Problem<'s>, Failure> {
+        Problem::new(self.sweep.model, scene, self.sweep.by, &self.code, Some(self.sweep.solve))
+    }
+
+    /// One run, of the scene at a point, unless it was run already.
+    fn run(&self, scene: &Scene, solution: Option<Solution>) -> Result<Ended, Failure> {
+        let problem = self.problem(scene)?;
+        let solution = match solution {
+            Some(solution) => solution,
+            None => {
+                let y0 = problem.start()?;
+                let mut events = events(&problem, &self.balance);
+                let solution = problem.integrate(&y0, &options_of_ends(scene)?, &mut events);
+                solution.map_err(|error| refused(scene, &error))?
+            }
+        };
         Ok(self.ended(&problem, &solution))
     }
 

@@ -23,14 +23,16 @@ pub fn width(list: &Recurrences) -> usize {
 /// What the function uses.
 #[must_use]
 pub fn imports(list: &Recurrences) -> TokenStream {
-    if list.convolutions() > 0 {
-        quote!(
-            use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
-        )
-    } else {
-        quote!(
+    match list.convolutions() {
+        0 => quote!(
             use tripos_traits::series::{Factors, SLACK, rows};
-        )
+        ),
+        n if n == width(list) => quote!(
+            use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+        ),
+        _ => quote!(
+            use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
+        ),
     }
 }
 

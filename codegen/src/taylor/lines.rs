@@ -231,9 +231,8 @@ impl Text<'_> {
         }
         let padding = width(self.list) - self.slots.len();
         let width = Literal::usize_unsuffixed(width(self.list));
-        let pad = |mut list: Vec<TokenStream>| {
-            list.extend(std::iter::repeat_n(quote!(S::int(0)), padding));
-            quote!([#(#list),*])
+        let pad = |list: Vec<TokenStream>| {
+            if padding == 0 { quote!([#(#list),*]) } else { quote!(padded([#(#list),*])) }
         };
         let [left, right] = factors.map(pad);
         let [left_1, right_1] = first.map(pad);

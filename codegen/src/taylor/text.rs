@@ -13,7 +13,7 @@ use tripos_derive::algebra::view::view;
 use tripos_derive::algebra::{Arena, Expr, Function as Elementary, Node};
 
 /// Names in scope of the function's body beside those of every generated function.
-const IN_SCOPE: [&str; 13] = [
+const IN_SCOPE: [&str; 14] = [
     "x",
     "work",
     "k",
@@ -24,6 +24,7 @@ const IN_SCOPE: [&str; 13] = [
     "pair",
     "count_last",
     "pair_sums",
+    "padded",
     "rows",
     "Factors",
     "SLACK",

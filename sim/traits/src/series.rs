@@ -32,6 +32,16 @@ pub fn rows<S, const W: usize>(work: &mut [S]) -> &mut [Factors<S, W>] {
     work[skip..].as_chunks_mut().0.as_chunks_mut().0
 }
 
+/// A row that begins with these values; the rest is zero.
+#[inline(always)]
+#[must_use]
+#[expect(clippy::inline_always, reason = "a row is built where it is stored")]
+pub fn padded<S: Scalar, const N: usize, const W: usize>(values: [S; N]) -> [S; W] {
+    let mut row = [S::int(0); W];
+    row[..N].copy_from_slice(&values);
+    row
+}
+
 /// For k the length of the history, where `history[j]` holds the factors of order j: Σ left_j right_{k−j} over 0 < j < k,
 /// and Σ left_j right_{k+1−j} over 1 < j < k, for each convolution. The factors of order 0 are not read.
 #[inline]
