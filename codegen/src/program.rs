@@ -115,12 +115,18 @@ pub fn program(
         }
         let Some(step) = step else { continue };
         if is_shared_symbol(arena, step.symbol) {
+            let value = lines.resolve(arena, &mut names, operand(arena, step.value, &shared));
+            // What has a name already, a tangent for instance, keeps it.
+            if let View::Shared(name) = &value {
+                variables.insert(arena, step.symbol, name);
+                shared.insert(step.symbol, name.clone());
+                continue;
+            }
             let held = arena.symbol_name(step.symbol).and_then(|name| identifier(name.trim_start_matches('#'), 24));
             let name = match held {
                 Some(word) => names.allocator.unique(&word),
                 None => names.descriptive(arena, &variables, step.value, &needs),
             };
-            let value = lines.resolve(arena, &mut names, operand(arena, step.value, &shared));
             let meaning = variables.spell(&text(arena, step.value));
             let comment = match uses.get(&step.symbol) {
                 Some(n) if *n > 1 => format!("{meaning}; used {n} times"),
