@@ -188,11 +188,14 @@ fn sines_of_sums_come_from_those_of_the_parts() {
         composed(&["sin(p)*cos(q)", "sin(p - q)"]),
         ["#1 = sin(p)*cos(q)", "#sin(p - q) = #1 - cos(p)*sin(q)", "#1", "#sin(p - q)"]
     );
-    // Three differences of three angles: the angles themselves, and nothing else.
+    // Of three differences of three angles one is the sum of the others.
     let angles = ["sin(p - q)", "sin(q - r)", "sin(p - r)"];
-    let text = composed(&angles).join("\n");
-    let of = |angle: &str| text.matches(&format!("sin({angle})")).count();
-    assert!(of("p") > 0 && of("q") > 0 && of("r") > 0, "{text}");
+    let lines = composed(&angles);
+    assert_eq!(lines.iter().filter(|line| line.starts_with("#sin(")).count(), 1, "{lines:?}");
+    // Six of four angles need three of them.
+    let angles = ["sin(p - q)", "sin(q - r)", "sin(p - r)", "sin(p - s)", "sin(q - s)", "sin(r - s)"];
+    let lines = composed(&angles);
+    assert_eq!(lines.iter().filter(|line| line.starts_with("#sin(")).count(), 3, "{lines:?}");
     // Two angles are no cheaper than one sum of them.
     let mut arena = Arena::new();
     let alone = parse_free(&mut arena, "sin(p + q)*cos(p + q)").unwrap();

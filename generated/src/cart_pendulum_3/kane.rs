@@ -7,7 +7,7 @@
 //! The accelerations divide by d1, by s3, by s15, by s22.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u0, u1, u2, u3.
@@ -1558,7 +1558,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 q3_1,
                 q3_1,
                 c3_1,
@@ -1611,12 +1611,8 @@ pub fn taylor<S: Scalar>(
                 u1_dot_2_1,
                 u2_dot_2_1,
                 u0_dot_2_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c3_1,
                 s3_2_1,
                 c3_1,
@@ -1669,11 +1665,7 @@ pub fn taylor<S: Scalar>(
                 cos_q1_minus_q3_1,
                 cos_q2_minus_q3_1,
                 c3_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -1750,7 +1742,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 q3_1.mul_add(c3_last, (count_last * q3_last).mul_add(c3_1, next[0])),
                 q3_1.mul_add(s3_2_last, (count_last * q3_last).mul_add(s3_2_1, next[1])),
                 (c3_1 + c3_1).mul_add(c3_last, next[2]),
@@ -1936,11 +1928,7 @@ pub fn taylor<S: Scalar>(
                         u2_dot_2_last.mul_add(cos_q2_minus_q3_1, next[50]),
                     ),
                 u0_dot_2_1.mul_add(c3_last, u0_dot_2_last.mul_add(c3_1, next[51])),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // s3_2 = sin(q3)
         let s3_2 = q3.mul_add(c3_0, sums[0] * over_k);
@@ -2196,7 +2184,7 @@ pub fn taylor<S: Scalar>(
         u3_rate = weight_3 * u3_dot_part_4;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * q3,
                 count * q3,
                 c3,
@@ -2249,12 +2237,8 @@ pub fn taylor<S: Scalar>(
                 u1_dot_2,
                 u2_dot_2,
                 u0_dot_2,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c3,
                 s3_2,
                 c3,
@@ -2307,11 +2291,7 @@ pub fn taylor<S: Scalar>(
                 cos_q1_minus_q3,
                 cos_q2_minus_q3,
                 c3,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         q1_last = q1;

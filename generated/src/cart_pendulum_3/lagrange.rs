@@ -7,7 +7,7 @@
 //! The accelerations divide by d1, by s3, by s15, by s22.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q0, q1, q2, q3.
@@ -1654,7 +1654,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 q3_1,
                 q3_1,
                 c3_1,
@@ -1707,12 +1707,8 @@ pub fn taylor<S: Scalar>(
                 q1_dot_dot_1,
                 q2_dot_dot_1,
                 q0_dot_dot_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c3_1,
                 s3_2_1,
                 c3_1,
@@ -1765,11 +1761,7 @@ pub fn taylor<S: Scalar>(
                 cos_q1_minus_q3_1,
                 cos_q2_minus_q3_1,
                 c3_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -1846,7 +1838,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 q3_1.mul_add(c3_last, (count_last * q3_last).mul_add(c3_1, next[0])),
                 q3_1.mul_add(s3_2_last, (count_last * q3_last).mul_add(s3_2_1, next[1])),
                 (c3_1 + c3_1).mul_add(c3_last, next[2]),
@@ -2035,11 +2027,7 @@ pub fn taylor<S: Scalar>(
                         q2_dot_dot_last.mul_add(cos_q2_minus_q3_1, next[50]),
                     ),
                 q0_dot_dot_1.mul_add(c3_last, q0_dot_dot_last.mul_add(c3_1, next[51])),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // s3_2 = sin(q3)
         let s3_2 = q3.mul_add(c3_0, sums[0] * over_k);
@@ -2296,7 +2284,7 @@ pub fn taylor<S: Scalar>(
         q3_dot_rate = weight_3 * q3_ddot_part_4;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * q3,
                 count * q3,
                 c3,
@@ -2349,12 +2337,8 @@ pub fn taylor<S: Scalar>(
                 q1_dot_dot,
                 q2_dot_dot,
                 q0_dot_dot,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c3,
                 s3_2,
                 c3,
@@ -2407,11 +2391,7 @@ pub fn taylor<S: Scalar>(
                 cos_q1_minus_q3,
                 cos_q2_minus_q3,
                 c3,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         q1_last = q1;

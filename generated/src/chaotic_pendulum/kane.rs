@@ -7,7 +7,7 @@
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2, by IBzz.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows omega, alpha.
@@ -352,7 +352,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 phi_1,
                 phi_1,
                 theta_1,
@@ -364,13 +364,8 @@ pub fn taylor<S: Scalar>(
                 alpha_1,
                 omega_dot_part_1,
                 omega_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 cos_phi_1,
                 sin_phi_1,
                 cos_theta_1,
@@ -382,12 +377,7 @@ pub fn taylor<S: Scalar>(
                 omega_dot_part_2_1,
                 omega_dot_part_5_1,
                 omega_dot_part_2_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -429,7 +419,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 phi_1
                     .mul_add(
                         cos_phi_last,
@@ -473,12 +463,7 @@ pub fn taylor<S: Scalar>(
                         omega_dot_part_2_last,
                         omega_last.mul_add(omega_dot_part_2_1, next[10]),
                     ),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // sin_phi = sin(phi)
         let sin_phi = phi.mul_add(cos_phi_0, sums[0] * over_k);
@@ -521,7 +506,7 @@ pub fn taylor<S: Scalar>(
         alpha_rate = ibxx_minus_ibyy_by_ibzz * alpha_dot_part;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * phi,
                 count * phi,
                 count * theta,
@@ -533,13 +518,8 @@ pub fn taylor<S: Scalar>(
                 alpha,
                 omega_dot_part,
                 omega,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 cos_phi,
                 sin_phi,
                 cos_theta,
@@ -551,12 +531,7 @@ pub fn taylor<S: Scalar>(
                 omega_dot_part_2,
                 omega_dot_part_5,
                 omega_dot_part_2,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         theta_last = theta;

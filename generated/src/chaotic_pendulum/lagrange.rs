@@ -7,7 +7,7 @@
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2, by IBzz.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows theta, phi.
@@ -422,7 +422,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 phi_1,
                 phi_1,
                 sin_phi_1,
@@ -434,13 +434,8 @@ pub fn taylor<S: Scalar>(
                 phi_dot_1,
                 theta_ddot_part_1,
                 theta_dot_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 cos_phi_1,
                 sin_phi_1,
                 sin_phi_1,
@@ -452,12 +447,7 @@ pub fn taylor<S: Scalar>(
                 theta_ddot_part_2_1,
                 theta_ddot_part_5_1,
                 theta_ddot_part_2_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -499,7 +489,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 phi_1
                     .mul_add(
                         cos_phi_last,
@@ -544,12 +534,7 @@ pub fn taylor<S: Scalar>(
                         theta_ddot_part_2_last,
                         theta_dot_last.mul_add(theta_ddot_part_2_1, next[10]),
                     ),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // sin_phi = sin(phi)
         let sin_phi = phi.mul_add(cos_phi_0, sums[0] * over_k);
@@ -593,7 +578,7 @@ pub fn taylor<S: Scalar>(
         phi_dot_rate = ibxx_minus_ibyy_by_ibzz * phi_ddot_part;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * phi,
                 count * phi,
                 sin_phi,
@@ -605,13 +590,8 @@ pub fn taylor<S: Scalar>(
                 phi_dot,
                 theta_ddot_part,
                 theta_dot,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 cos_phi,
                 sin_phi,
                 sin_phi,
@@ -623,12 +603,7 @@ pub fn taylor<S: Scalar>(
                 theta_ddot_part_2,
                 theta_ddot_part_5,
                 theta_ddot_part_2,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         theta_last = theta;

@@ -7,7 +7,7 @@
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2), by IBzz.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rod force a1, rod force a2, rod force a3, rod moment a1, rod moment a2, rod moment a3, plate force b1, plate force b2, plate force b3, plate moment b1, plate moment b2, plate moment b3.
@@ -445,7 +445,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 phi_1,
                 phi_1,
                 theta_1,
@@ -456,14 +456,8 @@ pub fn taylor<S: Scalar>(
                 alpha_1,
                 omega_dot_part_1,
                 omega_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 cos_phi_1,
                 sin_phi_1,
                 cos_theta_1,
@@ -474,13 +468,7 @@ pub fn taylor<S: Scalar>(
                 omega_dot_part_2_1,
                 omega_dot_part_5_1,
                 omega_dot_part_2_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -522,7 +510,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 phi_1
                     .mul_add(
                         cos_phi_last,
@@ -565,13 +553,7 @@ pub fn taylor<S: Scalar>(
                         omega_dot_part_2_last,
                         omega_last.mul_add(omega_dot_part_2_1, next[9]),
                     ),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // sin_phi = sin(phi)
         let sin_phi = phi.mul_add(cos_phi_0, sums[0] * over_k);
@@ -612,7 +594,7 @@ pub fn taylor<S: Scalar>(
         alpha_rate = ibxx_minus_ibyy_by_ibzz * alpha_dot_part;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * phi,
                 count * phi,
                 count * theta,
@@ -623,14 +605,8 @@ pub fn taylor<S: Scalar>(
                 alpha,
                 omega_dot_part,
                 omega,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 cos_phi,
                 sin_phi,
                 cos_theta,
@@ -641,13 +617,7 @@ pub fn taylor<S: Scalar>(
                 omega_dot_part_2,
                 omega_dot_part_5,
                 omega_dot_part_2,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         theta_last = theta;

@@ -34,10 +34,8 @@ pub fn mass_matrix<S: Scalar>(
     let c2_m_r = m_r * c2;
     // tan(q2)
     let t2 = s2 / c2;
-    // tan(q2); used 2 times
-    let c2_inv_s2 = t2;
-    // m_r*c2_inv_s2; used 2 times
-    let m_r_c2_inv_s2 = m_r * c2_inv_s2;
+    // m_r*t2; used 2 times
+    let m_r_t2 = m_r * t2;
     // Entries that are not zero; upper triangle.
     // M11 = 5*M*R^2/4
     let m11 = S::ratio(5, 4) * r_m_r;
@@ -46,11 +44,11 @@ pub fn mass_matrix<S: Scalar>(
     // M15 = -M*R*cos(q1)*cos(q2)
     let m15 = -c2_m_r * c1;
     // M22 = M*R^2*(1 + 4*tan(q2)^2)/4
-    let m22 = S::ratio(1, 4) * r_m_r + r_m_r * c2_inv_s2 * c2_inv_s2;
+    let m22 = S::ratio(1, 4) * r_m_r + r_m_r * t2 * t2;
     // M24 = -M*R*cos(q1)*tan(q2)
-    let m24 = -m_r_c2_inv_s2 * c1;
+    let m24 = -m_r_t2 * c1;
     // M25 = -M*R*sin(q1)*tan(q2)
-    let m25 = -m_r_c2_inv_s2 * s1;
+    let m25 = -m_r_t2 * s1;
     // M33 = M*R^2/2
     let m33 = S::ratio(1, 2) * r_m_r;
     // M44 = M
@@ -540,11 +538,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let m_r = M * R;
     // tan(q2)
     let t2 = s2 / c2;
-    // tan(q2); used 2 times
-    let c2_inv_s2 = t2;
-    // 5*u1^2 + u2^2*(1 + 4*c2_inv_s2^2)
-    let energy_part = S::int(5) * u1 * u1
-        + u2 * u2 * (S::int(1) + S::int(4) * c2_inv_s2 * c2_inv_s2);
+    // 5*u1^2 + u2^2*(1 + 4*t2^2)
+    let energy_part = S::int(5) * u1 * u1 + u2 * u2 * (S::int(1) + S::int(4) * t2 * t2);
     // Values.
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
@@ -552,7 +547,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let energy = S::ratio(1, 2) * M * (u5.mul_add(u5, u4 * u4))
         + m_r
             * (u1 * c2 * ((-u5).mul_add(c1, u4 * s1))
-                - u2 * c2_inv_s2 * (u5.mul_add(s1, u4 * c1)))
+                - u2 * t2 * (u5.mul_add(s1, u4 * c1)))
         + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part);
     energy
 }

@@ -7,7 +7,7 @@
 //! The accelerations divide by cos(q2), by R, by 4*cos(q2)^2 - 5.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3, q4, q5.
@@ -781,7 +781,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 q2_1,
                 q2_1,
                 q2_dot_1,
@@ -804,10 +804,8 @@ pub fn taylor<S: Scalar>(
                 s1_1,
                 s1_1,
                 c1_1,
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c2_1,
                 s2_1,
                 q3_dot_1,
@@ -830,9 +828,7 @@ pub fn taylor<S: Scalar>(
                 q5_ddot_part_5_1,
                 q5_ddot_part_3_1,
                 q5_ddot_part_5_1,
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -892,7 +888,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
                 q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
                 q2_dot_1.mul_add(q3_dot_last, q2_dot_last.mul_add(q3_dot_1, next[2])),
@@ -961,9 +957,7 @@ pub fn taylor<S: Scalar>(
                         q5_ddot_part_5_last,
                         c1_last.mul_add(q5_ddot_part_5_1, next[21]),
                     ),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // s2 = sin(q2)
         let s2 = q2.mul_add(c2_0, sums[0] * over_k);
@@ -1057,7 +1051,7 @@ pub fn taylor<S: Scalar>(
         q5_dot_rate = R * q5_ddot_part_7;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * q2,
                 count * q2,
                 q2_dot,
@@ -1080,10 +1074,8 @@ pub fn taylor<S: Scalar>(
                 s1,
                 s1,
                 c1,
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c2,
                 s2,
                 q3_dot,
@@ -1106,9 +1098,7 @@ pub fn taylor<S: Scalar>(
                 q5_ddot_part_5,
                 q5_ddot_part_3,
                 q5_ddot_part_5,
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         q1_last = q1;

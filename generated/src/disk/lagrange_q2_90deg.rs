@@ -7,7 +7,7 @@
 //! The accelerations divide by sin(q2_minus_90deg), by R, by 4*sin(q2_minus_90deg)^2 - 5.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3, q4, q5.
@@ -837,7 +837,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 q2_minus_90deg_1,
                 q2_minus_90deg_1,
                 q2_dot_1,
@@ -860,10 +860,8 @@ pub fn taylor<S: Scalar>(
                 s1_1,
                 s1_1,
                 c1_1,
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 cos_q2_minus_90deg_1,
                 sin_q2_minus_90deg_1,
                 q3_dot_1,
@@ -886,9 +884,7 @@ pub fn taylor<S: Scalar>(
                 q5_ddot_part_7_1,
                 q5_ddot_part_5_1,
                 q5_ddot_part_7_1,
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -948,7 +944,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 q2_minus_90deg_1
                     .mul_add(
                         cos_q2_minus_90deg_last,
@@ -1038,9 +1034,7 @@ pub fn taylor<S: Scalar>(
                         q5_ddot_part_7_last,
                         c1_last.mul_add(q5_ddot_part_7_1, next[21]),
                     ),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // sin_q2_minus_90deg = sin(q2_minus_90deg)
         let sin_q2_minus_90deg = q2_minus_90deg
@@ -1157,7 +1151,7 @@ pub fn taylor<S: Scalar>(
         q5_dot_rate = R * q5_ddot_part_9;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * q2_minus_90deg,
                 count * q2_minus_90deg,
                 q2_dot,
@@ -1180,10 +1174,8 @@ pub fn taylor<S: Scalar>(
                 s1,
                 s1,
                 c1,
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 cos_q2_minus_90deg,
                 sin_q2_minus_90deg,
                 q3_dot,
@@ -1206,9 +1198,7 @@ pub fn taylor<S: Scalar>(
                 q5_ddot_part_7,
                 q5_ddot_part_5,
                 q5_ddot_part_7,
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         q1_last = q1;

@@ -95,25 +95,23 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let u2_m_r = u2 * m_r;
     // tan(q2)
     let t2 = s2 / c2;
-    // tan(q2); used 3 times
-    let c2_inv_s2 = t2;
     // M*g; used 2 times
     let m_g = M * g;
     // u1*m_r; used 2 times
     let u1_m_r = u1 * m_r;
-    // u2*c2_inv_s2; used 2 times
-    let u2_c2_inv_s2 = u2 * c2_inv_s2;
-    // u2_m_r*u2_c2_inv_s2; used 2 times
-    let u2_m_r_u2_c2_inv_s2 = u2_m_r * u2_c2_inv_s2;
-    // R*(u2_c2_inv_s2 - 2*u3)/4; used 2 times
-    let f4_part = S::ratio(1, 4) * R * ((-u3).mul_add(S::int(2), u2_c2_inv_s2));
+    // u2*t2; used 2 times
+    let u2_t2 = u2 * t2;
+    // u2_m_r*u2_t2; used 2 times
+    let u2_m_r_u2_t2 = u2_m_r * u2_t2;
+    // R*(u2_t2 - 2*u3)/4; used 2 times
+    let f4_part = S::ratio(1, 4) * R * ((-u3).mul_add(S::int(2), u2_t2));
     // Values.
     // f1 = -M*R*u1*u2*(2 + tan(q2)^2)
-    let f1 = -u1 * u2_m_r * (c2_inv_s2.mul_add(c2_inv_s2, S::int(2)));
+    let f1 = -u1 * u2_m_r * (t2.mul_add(t2, S::int(2)));
     // f2 = M*(R*(u1^2 + u2^2*tan(q2)^2) - g*cos(q2))
-    let f2 = (-m_g).mul_add(c2, u1 * u1_m_r) + c2_inv_s2 * u2_m_r_u2_c2_inv_s2;
+    let f2 = (-m_g).mul_add(c2, u1 * u1_m_r) + t2 * u2_m_r_u2_t2;
     // f3 = -M*sin(q2)*(g + R*u2^2/cos(q2))
-    let f3 = (-m_g).mul_add(s2, -u2_m_r_u2_c2_inv_s2);
+    let f3 = (-m_g).mul_add(s2, -u2_m_r_u2_t2);
     // f4 = M*R^2*u2*(u2*tan(q2) - 2*u3)/4
     let f4 = u2_m_r * f4_part;
     // f5 = M*R^2*u1*(2*u3 - u2*tan(q2))/4
@@ -550,11 +548,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let m_r = M * R;
     // tan(q2)
     let t2 = s2 / c2;
-    // tan(q2); used 2 times
-    let c2_inv_s2 = t2;
-    // 5*u1^2 + u2^2*(1 + 4*c2_inv_s2^2)
-    let energy_part = S::int(5) * u1 * u1
-        + u2 * u2 * (S::int(1) + S::int(4) * c2_inv_s2 * c2_inv_s2);
+    // 5*u1^2 + u2^2*(1 + 4*t2^2)
+    let energy_part = S::int(5) * u1 * u1 + u2 * u2 * (S::int(1) + S::int(4) * t2 * t2);
     // Values.
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
@@ -562,7 +557,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let energy = S::ratio(1, 2) * M * (u5.mul_add(u5, u4 * u4))
         + m_r
             * (u1 * c2 * ((-u5).mul_add(c1, u4 * s1))
-                - u2 * c2_inv_s2 * (u5.mul_add(s1, u4 * c1)))
+                - u2 * t2 * (u5.mul_add(s1, u4 * c1)))
         + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part);
     energy
 }

@@ -7,7 +7,7 @@
 //! The accelerations divide by sin(q2_minus_90deg), by I1.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3.
@@ -364,7 +364,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 q1_1,
                 q1_1,
                 q2_minus_90deg_1,
@@ -374,15 +374,8 @@ pub fn taylor<S: Scalar>(
                 c1_1,
                 u1_1,
                 u2_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c1_1,
                 s1_1,
                 cos_q2_minus_90deg_1,
@@ -392,14 +385,7 @@ pub fn taylor<S: Scalar>(
                 cos_q2_minus_90deg_1,
                 u2_dot_part_3_1,
                 u2_dot_part_3_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -441,7 +427,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[0])),
                 q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[1])),
                 q2_minus_90deg_1
@@ -481,14 +467,7 @@ pub fn taylor<S: Scalar>(
                         u2_dot_part_3_last,
                         u2_last.mul_add(u2_dot_part_3_1, next[8]),
                     ),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // s1 = sin(q1)
         let s1 = q1.mul_add(c1_0, sums[0] * over_k);
@@ -536,7 +515,7 @@ pub fn taylor<S: Scalar>(
         u2_rate = weight * u2_dot_part_6;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * q1,
                 count * q1,
                 count * q2_minus_90deg,
@@ -546,15 +525,8 @@ pub fn taylor<S: Scalar>(
                 c1,
                 u1,
                 u2,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c1,
                 s1,
                 cos_q2_minus_90deg,
@@ -564,14 +536,7 @@ pub fn taylor<S: Scalar>(
                 cos_q2_minus_90deg,
                 u2_dot_part_3,
                 u2_dot_part_3,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         q1_last = q1;

@@ -7,7 +7,7 @@
 //! The accelerations divide by I1, by cos(q2).
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3.
@@ -507,7 +507,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 q2_1,
                 q2_1,
                 q1_1,
@@ -520,12 +520,8 @@ pub fn taylor<S: Scalar>(
                 q2_dot_1,
                 s2_1,
                 q2_ddot_part_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c2_1,
                 s2_1,
                 c1_1,
@@ -538,11 +534,7 @@ pub fn taylor<S: Scalar>(
                 q1_cos_q2_1,
                 c1_1,
                 q1_cos_q2_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -588,7 +580,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
                 q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
                 q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[2])),
@@ -610,11 +602,7 @@ pub fn taylor<S: Scalar>(
                         q1_cos_q2_last,
                         q2_ddot_part_last.mul_add(q1_cos_q2_1, next[11]),
                     ),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // s2 = sin(q2)
         let s2 = q2.mul_add(c2_0, sums[0] * over_k);
@@ -662,7 +650,7 @@ pub fn taylor<S: Scalar>(
         q3_dot_rate = q3_dot_dot;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * q2,
                 count * q2,
                 count * q1,
@@ -675,12 +663,8 @@ pub fn taylor<S: Scalar>(
                 q2_dot,
                 s2,
                 q2_ddot_part,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c2,
                 s2,
                 c1,
@@ -693,11 +677,7 @@ pub fn taylor<S: Scalar>(
                 q1_cos_q2,
                 c1,
                 q1_cos_q2,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         q1_last = q1;

@@ -7,7 +7,7 @@
 //! The accelerations divide by I1, by sin(q2_minus_90deg).
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3.
@@ -555,7 +555,7 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
+            padded([
                 q1_1,
                 q1_1,
                 q2_minus_90deg_1,
@@ -568,12 +568,8 @@ pub fn taylor<S: Scalar>(
                 q2_dot_1,
                 c1_1,
                 q2_ddot_part_2_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c1_1,
                 s1_1,
                 cos_q2_minus_90deg_1,
@@ -586,11 +582,7 @@ pub fn taylor<S: Scalar>(
                 q3_ddot_part_2_1,
                 cos_q2_minus_90deg_1,
                 q3_ddot_part_2_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -636,7 +628,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[0])),
                 q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[1])),
                 q2_minus_90deg_1
@@ -691,11 +683,7 @@ pub fn taylor<S: Scalar>(
                         q3_ddot_part_2_last,
                         q2_ddot_part_2_last.mul_add(q3_ddot_part_2_1, next[11]),
                     ),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // s1 = sin(q1)
         let s1 = q1.mul_add(c1_0, sums[0] * over_k);
@@ -759,7 +747,7 @@ pub fn taylor<S: Scalar>(
         q3_dot_rate = q3_dot_dot;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
+            padded([
                 count * q1,
                 count * q1,
                 count * q2_minus_90deg,
@@ -772,12 +760,8 @@ pub fn taylor<S: Scalar>(
                 q2_dot,
                 c1,
                 q2_ddot_part_2,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            ]),
+            padded([
                 c1,
                 s1,
                 cos_q2_minus_90deg,
@@ -790,11 +774,7 @@ pub fn taylor<S: Scalar>(
                 q3_ddot_part_2,
                 cos_q2_minus_90deg,
                 q3_ddot_part_2,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
         count_last = count;
         q1_last = q1;

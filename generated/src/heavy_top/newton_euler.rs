@@ -7,7 +7,7 @@
 //! The accelerations divide by cos(q2), by I1.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows top force b1, top force b2, top force b3, top moment b1, top moment b2, top moment b3.
@@ -418,25 +418,8 @@ pub fn taylor<S: Scalar>(
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
         work[1] = [
-            [
-                q2_1,
-                q2_1,
-                q1_1,
-                q1_1,
-                c2_1,
-                s2_1,
-                u1_1,
-                s2_1,
-                u2_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
+            padded([q2_1, q2_1, q1_1, q1_1, c2_1, s2_1, u1_1, s2_1, u2_1]),
+            padded([
                 c2_1,
                 s2_1,
                 c1_1,
@@ -446,14 +429,7 @@ pub fn taylor<S: Scalar>(
                 u2_dot_part_1,
                 c1_1,
                 u2_dot_part_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            ]),
         ];
     }
     let mut count_last = S::int(1);
@@ -495,7 +471,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
                 q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
                 q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[2])),
@@ -505,14 +481,7 @@ pub fn taylor<S: Scalar>(
                 u1_1.mul_add(u2_dot_part_last, u1_last.mul_add(u2_dot_part_1, next[6])),
                 s2_1.mul_add(c1_last, s2_last.mul_add(c1_1, next[7])),
                 u2_1.mul_add(u2_dot_part_last, u2_last.mul_add(u2_dot_part_1, next[8])),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // s2 = sin(q2)
         let s2 = q2.mul_add(c2_0, sums[0] * over_k);
@@ -548,42 +517,8 @@ pub fn taylor<S: Scalar>(
         u2_rate = weight * u2_dot_part_3;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
-                count * q2,
-                count * q2,
-                count * q1,
-                count * q1,
-                c2,
-                s2,
-                u1,
-                s2,
-                u2,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
-                c2,
-                s2,
-                c1,
-                s1,
-                q1_dot_2,
-                q1_dot_2,
-                u2_dot_part,
-                c1,
-                u2_dot_part,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            padded([count * q2, count * q2, count * q1, count * q1, c2, s2, u1, s2, u2]),
+            padded([c2, s2, c1, s1, q1_dot_2, q1_dot_2, u2_dot_part, c1, u2_dot_part]),
         ];
         count_last = count;
         q1_last = q1;

@@ -7,7 +7,7 @@
 //! The accelerations divide by l.
 
 use super::Parameters;
-use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows omega.
@@ -172,28 +172,7 @@ pub fn taylor<S: Scalar>(
     let cos_theta_1 = -theta_1 * sin_theta_0;
     if x.len() > 2 {
         // Factors of the convolutions: left, right.
-        work[1] = [
-            [
-                theta_1,
-                theta_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
-                cos_theta_1,
-                sin_theta_1,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-        ];
+        work[1] = [padded([theta_1, theta_1]), padded([cos_theta_1, sin_theta_1])];
     }
     let mut count_last = S::int(1);
     let mut theta_last = theta_1;
@@ -221,7 +200,7 @@ pub fn taylor<S: Scalar>(
             pair[0]
         } else {
             // Those terms, which also have coefficients of order 1.
-            [
+            padded([
                 theta_1
                     .mul_add(
                         cos_theta_last,
@@ -232,13 +211,7 @@ pub fn taylor<S: Scalar>(
                         sin_theta_last,
                         (count_last * theta_last).mul_add(sin_theta_1, next[1]),
                     ),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ]
+            ])
         };
         // sin_theta = sin(theta)
         let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
@@ -248,26 +221,8 @@ pub fn taylor<S: Scalar>(
         omega_rate = minus_g_by_l * sin_theta;
         // Factors of the convolutions: left, right.
         work[k] = [
-            [
-                count * theta,
-                count * theta,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
-            [
-                cos_theta,
-                sin_theta,
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-                S::int(0),
-            ],
+            padded([count * theta, count * theta]),
+            padded([cos_theta, sin_theta]),
         ];
         count_last = count;
         theta_last = theta;

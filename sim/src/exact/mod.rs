@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use tripos_sim::exact::Pendulum;
-//! use tripos_traits::{DoubleDouble, Real};
+//! use tripos_traits::{DoubleDouble, Scalar};
 //!
 //! let [one, three, g] = ["1", "3", "9.81"].map(DoubleDouble::decimal);
 //! let pendulum = Pendulum::new(g / one, three, DoubleDouble::int(0)); // 1 m long, released at rest from 3 rad
