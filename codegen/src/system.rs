@@ -65,17 +65,7 @@ pub fn system(model: &Model, e: &Equations, eliminated: bool, taylor: Option<usi
     } else {
         TokenStream::new()
     };
-    let taylor = taylor.map(|width| {
-        let room = Literal::usize_unsuffixed(2 * width);
-        quote! {
-            fn has_taylor(&self) -> bool { true }
-            fn taylor_work(&self, order: usize) -> usize { #room * order + SLACK }
-            fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            }
-        }
-    });
+    let taylor = taylor.map(series);
     quote! {
         #[doc = #about]
         #[derive(Clone, Copy, Debug)]
@@ -110,6 +100,19 @@ pub fn system(model: &Model, e: &Equations, eliminated: bool, taylor: Option<usi
         #[inline(always)]
         fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
             slice.try_into().expect("a slice of the length that System states")
+        }
+    }
+}
+
+/// The methods that hand the room for `width` convolutions to the recurrences.
+fn series(width: usize) -> TokenStream {
+    let room = Literal::usize_unsuffixed(2 * width);
+    quote! {
+        fn has_taylor(&self) -> bool { true }
+        fn taylor_work(&self, order: usize) -> usize { #room * order + SLACK }
+        fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+            let x = &mut x.as_chunks_mut().0[..=order];
+            taylor(&Parameters::from_slice(p), x, rows(work));
         }
     }
 }

@@ -53,7 +53,7 @@ pub fn expression(view: &View, cost: &mut Cost) -> TokenStream {
         View::Number(text) => number(text, "1"),
         View::Name(name) | View::Shared(name) => ident(name),
         View::Pi => quote!(S::pi()),
-        View::Sum(terms) => sum(terms, cost),
+        View::Sum(terms) => sum(terms, cost).0,
         View::Product(factors) => product(factors, cost),
         View::Fraction(above, below) => fraction(above, below, cost),
         View::Power(base, n) => power(base, *n, cost),
@@ -100,8 +100,8 @@ fn number(numerator: &str, denominator: &str) -> TokenStream {
 
 /// Terms from left to right. A product of plain factors is fused with what stands before it, where the scalar type can:
 /// one in a sum and none inside another, since nested calls are hard to read and gain little. If only the first term is a
-/// product, it is fused with the second.
-fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
+/// product, it is fused with the second. Also whether all of it is one call, which binds as tightly as a name.
+fn sum(terms: &[(bool, View)], cost: &mut Cost) -> (TokenStream, bool) {
     let mut order: Vec<&(bool, View)> = terms.iter().collect();
     if let [first, second, ..] = order.as_slice()
         && is_plain_product(&first.1)
@@ -109,7 +109,7 @@ fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
     {
         order.swap(0, 1);
     }
-    let mut tokens = TokenStream::new();
+    let (mut tokens, mut call) = (TokenStream::new(), false);
     let mut fused = order.iter().any(|(_, term)| !is_flat(term));
     for (at, (negative, term)) in order.into_iter().enumerate() {
         cost.operations += usize::from(at > 0 || (*negative && terms[0].0));
@@ -117,9 +117,10 @@ fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
             let (left, right) = halves(term, cost);
             let left = if *negative { quote!((- #left)) } else { left };
             tokens = quote!(#left.mul_add(#right, #tokens));
-            fused = true;
+            (fused, call) = (true, true);
             continue;
         }
+        call = false;
         let loose = matches!(term, View::Sum(_));
         let term = expression(term, cost);
         let term = if loose { quote!((#term)) } else { term };
@@ -129,7 +130,7 @@ fn sum(terms: &[(bool, View)], cost: &mut Cost) -> TokenStream {
             (_, false) => tokens.extend(quote!(+ #term)),
         }
     }
-    tokens
+    (tokens, call)
 }
 
 fn is_plain(view: &View) -> bool {
@@ -173,18 +174,22 @@ fn halves(term: &View, cost: &mut Cost) -> (TokenStream, TokenStream) {
 }
 
 fn factor(view: &View, cost: &mut Cost) -> TokenStream {
-    let tokens = expression(view, cost);
-    if matches!(view, View::Sum(_) | View::Fraction(..)) { quote!((#tokens)) } else { tokens }
+    let (tokens, bound) = match view {
+        View::Sum(terms) => sum(terms, cost),
+        View::Fraction(..) => (expression(view, cost), false),
+        _ => (expression(view, cost), true),
+    };
+    if bound { tokens } else { quote!((#tokens)) }
 }
 
 /// A formula that a method is called on.
 fn receiver(view: &View, cost: &mut Cost) -> TokenStream {
-    let tokens = expression(view, cost);
-    if matches!(view, View::Name(_) | View::Shared(_) | View::Call(..) | View::Root(_)) {
-        tokens
-    } else {
-        quote!((#tokens))
-    }
+    let (tokens, bound) = match view {
+        View::Sum(terms) => sum(terms, cost),
+        View::Name(_) | View::Shared(_) | View::Call(..) | View::Root(_) => (expression(view, cost), true),
+        _ => (expression(view, cost), false),
+    };
+    if bound { tokens } else { quote!((#tokens)) }
 }
 
 fn product(factors: &[View], cost: &mut Cost) -> TokenStream {

@@ -114,7 +114,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
             - sin_q1_minus_q2 * m2_plus_m3_l1_u2_sq);
     // f3 = l1*((m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - m3*l2*u3^2*sin(q2 - q3))
     let f3 = l1
-        * (m2_plus_m3 * (sin_q1_minus_q2.mul_add(l0_u1_sq, g * s2))
+        * (m2_plus_m3 * sin_q1_minus_q2.mul_add(l0_u1_sq, g * s2)
             - sin_q2_minus_q3 * u3_sq_m3_l2);
     // f4 = m3*l2*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))
     let f4 = m3_l2
@@ -279,7 +279,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
     // u3' = m3*l2*(g*sin(q3) + u0'*cos(q3) + l0*(u1^2*sin(q1 - q3) - u1'*cos(q1 - q3)) + l1*(u2^2*sin(q2 -
     //   q3) - u2'*cos(q2 - q3)))/d1
-    let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, r6_part_2)) - u1_dot * l7
+    let u3_dot = d1_inv_m3_l2 * u0_dot.mul_add(c3, r6_part_2) - u1_dot * l7
         - u2_dot * l11;
     [u0_dot, u1_dot, u2_dot, u3_dot]
 }
@@ -445,7 +445,7 @@ pub fn derivative<S: Scalar>(
     let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
     // u3' = m3*l2*(g*sin(q3) + u0'*cos(q3) + l0*(u1^2*sin(q1 - q3) - u1'*cos(q1 - q3)) + l1*(u2^2*sin(q2 -
     //   q3) - u2'*cos(q2 - q3)))/d1
-    let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, r6_part_2)) - u1_dot * l7
+    let u3_dot = d1_inv_m3_l2 * u0_dot.mul_add(c3, r6_part_2) - u1_dot * l7
         - u2_dot * l11;
     // Values.
     // q0' = u0
@@ -723,7 +723,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // u1_dot_by_q1 = (u2'*s16 - r17)*(s8_by_q1 - s4_by_q1*(s4/s3 + l14))/s15^2 + (u2'*(s5*s4_by_q1/s3 -
     //   s9_by_q1) - r6*s4_by_q1/s3 - l14*r6_by_q1 + r10_by_q1 + s16*(r23*s22_by_q1/s22 - r23_by_q1)/s22)/s15
-    let u1_dot_by_q1 = l14_s15_inv * ((u1_dot * s4_by_q1).mul_add(S::int(2), -r6_by_q1))
+    let u1_dot_by_q1 = l14_s15_inv * (u1_dot * s4_by_q1).mul_add(S::int(2), -r6_by_q1)
         + r10_by_q1 * s15_inv - u0_dot_part * s4_by_q1_s15_inv
         - u1_dot * s8_by_q1_s15_inv + u1_dot_by_q1_part * l21_s22_inv
         - s9_by_q1 * u2_dot_s15_inv;
@@ -865,7 +865,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let l18_s3_by_q3 = l18 * s3_by_q3;
     // Elimination, step by step.
     // s19_by_q3 = s5*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*s5_by_q3 + s12_by_q3
-    let s19_by_q3 = s12_by_q3 + l18 * ((-s5_by_q3).mul_add(S::int(2), l18_s3_by_q3));
+    let s19_by_q3 = s12_by_q3 + l18 * (-s5_by_q3).mul_add(S::int(2), l18_s3_by_q3);
     // r20_by_q3 = r6*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*r6_by_q3 + r13_by_q3
     let r20_by_q3 = r13_by_q3 - l18 * r6_by_q3 + r6_s3_inv * (l18_s3_by_q3 - s5_by_q3);
     // Shared terms.
@@ -873,7 +873,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let l21_s15_by_q3 = l21 * s15_by_q3;
     // Elimination, step by step.
     // s22_by_q3 = s16*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*s16_by_q3 + s19_by_q3
-    let s22_by_q3 = s19_by_q3 + l21 * ((-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3));
+    let s22_by_q3 = s19_by_q3 + l21 * (-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3);
     // r23_by_q3 = r17*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*r17_by_q3 + r20_by_q3
     let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3
         + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
@@ -883,11 +883,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // u1_dot_by_q3 = s15_by_q3*(u2'*s16 - r17)/s15^2 + (r17_by_q3 - u2'*s16_by_q3 + s16*(r23*s22_by_q3/s22
     //   - r23_by_q3)/s22)/s15
-    let u1_dot_by_q3 = s15_inv * ((-u1_dot).mul_add(s15_by_q3, r17_by_q3))
+    let u1_dot_by_q3 = s15_inv * (-u1_dot).mul_add(s15_by_q3, r17_by_q3)
         - s16_by_q3 * u2_dot_s15_inv + l21_s22_inv * u1_dot_by_q3_part;
     // u0_dot_by_q3 = (s3_by_q3*(u1'*s4 - r6 + u2'*s5)/s3 - u1'*s4_by_q3 - u2'*s5_by_q3 + r6_by_q3 +
     //   s5*(r23*s22_by_q3/s22 - r23_by_q3)/s22 - s4*u1_dot_by_q3)/s3
-    let u0_dot_by_q3 = s3_inv * ((-s3_by_q3).mul_add(u0_dot_part, r6_by_q3))
+    let u0_dot_by_q3 = s3_inv * (-s3_by_q3).mul_add(u0_dot_part, r6_by_q3)
         - l14 * u1_dot_by_q3 - s5_by_q3 * u2_dot_s3_inv + u1_dot_s3_inv * s15_by_q3_part
         + l18_s22_inv * u1_dot_by_q3_part;
     // u3_dot_by_q3 = m3*l2*(cos(q3)*(g + u0_dot_by_q3) - u0'*sin(q3) - l1*(u2'*sin(q2 - q3) + cos(q2 -
@@ -905,7 +905,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // r10_by_u1 = -2*m3*l0*l2*u1*l7*sin(q1 - q3)
     let r10_by_u1 = -s8_by_q1_part_2 * u1_scaled;
     // r13_by_u1 = 2*l0*u1*(l1*sin(q1 - q2)*(m2 + m3) - m3*l2*l11*sin(q1 - q3))
-    let r13_by_u1 = u1_scaled * ((-l0_sin_q1_minus_q3).mul_add(l11_m3_l2, r10_part));
+    let r13_by_u1 = u1_scaled * (-l0_sin_q1_minus_q3).mul_add(l11_m3_l2, r10_part);
     // Shared terms.
     // s22_inv*l21_by_q1_part; used 3 times
     let u2_dot_by_u1_part = s22_inv * l21_by_q1_part;
@@ -1108,7 +1108,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     // m3*l2_u3; used 2 times
     let m3_l2_u3 = m3 * l2_u3;
     // energy_part_2*cos(q3) - l1_u2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let energy_part_3 = -l1_u2 * (c2.mul_add(c3, s2 * s3_2)) + energy_part_2 * c3;
+    let energy_part_3 = -l1_u2 * c2.mul_add(c3, s2 * s3_2) + energy_part_2 * c3;
     // energy_part*l0_u1^2 + l2_u3*m3_l2_u3
     let energy_part_4 = l2_u3.mul_add(m3_l2_u3, energy_part * l0_u1 * l0_u1);
     // u0^2*(m0 + energy_part) + l1_u2*m2_plus_m3_l1_u2
@@ -1119,9 +1119,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     // T = u0^2*(m0 + m1 + m2 + m3)/2 + l0^2*u1^2*(m1 + m2 + m3)/2 - l0*u0*u1*cos(q1)*(m1 + m2 + m3) +
     //   l1^2*u2^2*(m2 + m3)/2 - l1*u0*u2*cos(q2)*(m2 + m3) + l0*l1*u1*u2*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2^2*u3^2/2 - m3*l2*u0*u3*cos(q3) + m3*l0*l2*u1*u3*cos(q1 - q3) + m3*l1*l2*u2*u3*cos(q2 - q3)
-    let energy = m2_plus_m3_l1_u2 * ((-energy_part_2).mul_add(c2, s1_l0_u1 * s2))
-        - u0 * energy_part * c1_l0_u1
-        + m3_l2_u3 * (s1_l0_u1.mul_add(s3_2, -energy_part_3))
+    let energy = m2_plus_m3_l1_u2 * (-energy_part_2).mul_add(c2, s1_l0_u1 * s2)
+        - u0 * energy_part * c1_l0_u1 + m3_l2_u3 * s1_l0_u1.mul_add(s3_2, -energy_part_3)
         + S::ratio(1, 2) * energy_part_6;
     energy
 }

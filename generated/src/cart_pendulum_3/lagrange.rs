@@ -114,7 +114,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
             - sin_q1_minus_q2 * f1_part_2);
     // f3 = l1*((m2 + m3)*(g*sin(q2) + l0*q1'^2*sin(q1 - q2)) - m3*l2*q3'^2*sin(q2 - q3))
     let f3 = l1
-        * (m2_plus_m3 * (sin_q1_minus_q2.mul_add(l0_q1_dot_sq, g * s2))
+        * (m2_plus_m3 * sin_q1_minus_q2.mul_add(l0_q1_dot_sq, g * s2)
             - sin_q2_minus_q3 * q3_dot_sq_m3_l2);
     // f4 = m3*l2*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3))
     let f4 = m3_l2
@@ -284,7 +284,7 @@ pub fn accelerations<S: Scalar>(
     let q0_ddot = (-q1_ddot).mul_add(l14, r6 * s3_inv) - q2_ddot * l18;
     // q3'' = m3*l2*(g*sin(q3) + q0''*cos(q3) + l0*(q1'^2*sin(q1 - q3) - q1''*cos(q1 - q3)) +
     //   l1*(q2'^2*sin(q2 - q3) - q2''*cos(q2 - q3)))/d1
-    let q3_ddot = d1_inv_m3_l2 * (q0_ddot.mul_add(c3, r6_part_2)) - q1_ddot * l7
+    let q3_ddot = d1_inv_m3_l2 * q0_ddot.mul_add(c3, r6_part_2) - q1_ddot * l7
         - q2_ddot * l11;
     [q0_ddot, q1_ddot, q2_ddot, q3_ddot]
 }
@@ -450,7 +450,7 @@ pub fn derivative<S: Scalar>(
     let q0_ddot = (-q1_ddot).mul_add(l14, r6 * s3_inv) - q2_ddot * l18;
     // q3'' = m3*l2*(g*sin(q3) + q0''*cos(q3) + l0*(q1'^2*sin(q1 - q3) - q1''*cos(q1 - q3)) +
     //   l1*(q2'^2*sin(q2 - q3) - q2''*cos(q2 - q3)))/d1
-    let q3_ddot = d1_inv_m3_l2 * (q0_ddot.mul_add(c3, r6_part_2)) - q1_ddot * l7
+    let q3_ddot = d1_inv_m3_l2 * q0_ddot.mul_add(c3, r6_part_2) - q1_ddot * l7
         - q2_ddot * l11;
     // Values.
     // q0' = q0'
@@ -732,10 +732,10 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q1_ddot_by_q1 = (q2''*s16 - r17)*(s8_by_q1 - s4_by_q1*(s4/s3 + l14))/s15^2 + (q2''*(s5*s4_by_q1/s3 -
     //   s9_by_q1) - r6*s4_by_q1/s3 - l14*r6_by_q1 + r10_by_q1 + s16*(r23*s22_by_q1/s22 - r23_by_q1)/s22)/s15
-    let q1_ddot_by_q1 = l14_s15_inv
-        * ((q1_ddot * s4_by_q1).mul_add(S::int(2), -r6_by_q1)) + r10_by_q1 * s15_inv
-        - q0_ddot_part * s4_by_q1_s15_inv - q1_ddot * s8_by_q1_s15_inv
-        + q1_ddot_by_q1_part * l21_s22_inv - s9_by_q1 * q2_ddot_s15_inv;
+    let q1_ddot_by_q1 = l14_s15_inv * (q1_ddot * s4_by_q1).mul_add(S::int(2), -r6_by_q1)
+        + r10_by_q1 * s15_inv - q0_ddot_part * s4_by_q1_s15_inv
+        - q1_ddot * s8_by_q1_s15_inv + q1_ddot_by_q1_part * l21_s22_inv
+        - s9_by_q1 * q2_ddot_s15_inv;
     // Shared terms.
     // l18*s22_inv; used 3 times
     let l18_s22_inv = l18 * s22_inv;
@@ -876,7 +876,7 @@ pub fn jacobian<S: Scalar>(
     let l18_s3_by_q3 = l18 * s3_by_q3;
     // Elimination, step by step.
     // s19_by_q3 = s5*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*s5_by_q3 + s12_by_q3
-    let s19_by_q3 = s12_by_q3 + l18 * ((-s5_by_q3).mul_add(S::int(2), l18_s3_by_q3));
+    let s19_by_q3 = s12_by_q3 + l18 * (-s5_by_q3).mul_add(S::int(2), l18_s3_by_q3);
     // r20_by_q3 = r6*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*r6_by_q3 + r13_by_q3
     let r20_by_q3 = r13_by_q3 - l18 * r6_by_q3 + r6_s3_inv * (l18_s3_by_q3 - s5_by_q3);
     // Shared terms.
@@ -884,7 +884,7 @@ pub fn jacobian<S: Scalar>(
     let l21_s15_by_q3 = l21 * s15_by_q3;
     // Elimination, step by step.
     // s22_by_q3 = s16*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*s16_by_q3 + s19_by_q3
-    let s22_by_q3 = s19_by_q3 + l21 * ((-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3));
+    let s22_by_q3 = s19_by_q3 + l21 * (-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3);
     // r23_by_q3 = r17*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*r17_by_q3 + r20_by_q3
     let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3
         + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
@@ -894,11 +894,11 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q1_ddot_by_q3 = s15_by_q3*(q2''*s16 - r17)/s15^2 + (r17_by_q3 - q2''*s16_by_q3 +
     //   s16*(r23*s22_by_q3/s22 - r23_by_q3)/s22)/s15
-    let q1_ddot_by_q3 = s15_inv * ((-q1_ddot).mul_add(s15_by_q3, r17_by_q3))
+    let q1_ddot_by_q3 = s15_inv * (-q1_ddot).mul_add(s15_by_q3, r17_by_q3)
         - s16_by_q3 * q2_ddot_s15_inv + l21_s22_inv * q1_ddot_by_q3_part;
     // q0_ddot_by_q3 = (s3_by_q3*(q1''*s4 - r6 + q2''*s5)/s3 - q1''*s4_by_q3 - q2''*s5_by_q3 + r6_by_q3 +
     //   s5*(r23*s22_by_q3/s22 - r23_by_q3)/s22 - s4*q1_ddot_by_q3)/s3
-    let q0_ddot_by_q3 = s3_inv * ((-s3_by_q3).mul_add(q0_ddot_part, r6_by_q3))
+    let q0_ddot_by_q3 = s3_inv * (-s3_by_q3).mul_add(q0_ddot_part, r6_by_q3)
         - l14 * q1_ddot_by_q3 - s5_by_q3 * q2_ddot_s3_inv
         + q1_ddot_s3_inv * s15_by_q3_part + l18_s22_inv * q1_ddot_by_q3_part;
     // q3_ddot_by_q3 = m3*l2*(cos(q3)*(g + q0_ddot_by_q3) - q0''*sin(q3) - l1*(q2''*sin(q2 - q3) + cos(q2 -
@@ -917,7 +917,7 @@ pub fn jacobian<S: Scalar>(
     let r10_by_q1_dot = -s8_by_q1_part_2 * q1_dot_scaled;
     // r13_by_q1_dot = 2*l0*q1'*(l1*sin(q1 - q2)*(m2 + m3) - m3*l2*l11*sin(q1 - q3))
     let r13_by_q1_dot = q1_dot_scaled
-        * ((-l0_sin_q1_minus_q3).mul_add(l11_m3_l2, r10_part));
+        * (-l0_sin_q1_minus_q3).mul_add(l11_m3_l2, r10_part);
     // Shared terms.
     // s22_inv*l21_by_q1_part; used 3 times
     let q2_ddot_by_q1_dot_part = s22_inv * l21_by_q1_part;
@@ -1134,7 +1134,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) 
     // m3*l2_q3_dot; used 2 times
     let m3_l2_q3_dot = m3 * l2_q3_dot;
     // energy_part_2*cos(q3) - l1_q2_dot*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let energy_part_3 = -l1_q2_dot * (c2.mul_add(c3, s2 * s3_2)) + energy_part_2 * c3;
+    let energy_part_3 = -l1_q2_dot * c2.mul_add(c3, s2 * s3_2) + energy_part_2 * c3;
     // energy_part*l0_q1_dot^2 + l2_q3_dot*m3_l2_q3_dot
     let energy_part_4 = l2_q3_dot
         .mul_add(m3_l2_q3_dot, energy_part * l0_q1_dot * l0_q1_dot);
@@ -1148,9 +1148,9 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) 
     //   l1^2*q2'^2*(m2 + m3)/2 - l1*q0'*q2'*cos(q2)*(m2 + m3) + l0*l1*q1'*q2'*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2^2*q3'^2/2 - m3*l2*q0'*q3'*cos(q3) + m3*l0*l2*q1'*q3'*cos(q1 - q3) + m3*l1*l2*q2'*q3'*cos(q2 -
     //   q3)
-    let energy = m2_plus_m3_l1_q2_dot * ((-energy_part_2).mul_add(c2, s1_l0_q1_dot * s2))
+    let energy = m2_plus_m3_l1_q2_dot * (-energy_part_2).mul_add(c2, s1_l0_q1_dot * s2)
         - q0_dot * energy_part * c1_l0_q1_dot
-        + m3_l2_q3_dot * (s1_l0_q1_dot.mul_add(s3_2, -energy_part_3))
+        + m3_l2_q3_dot * s1_l0_q1_dot.mul_add(s3_2, -energy_part_3)
         + S::ratio(1, 2) * energy_part_6;
     energy
 }

@@ -149,9 +149,9 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 8] {
     // f6 = m2*(l0*u1^2*cos(q1) - g + l1*u2^2*cos(q2))
     let f6 = -m2 * f6_part;
     // f7 = -m3*(l0*u1^2*sin(q1) + l1*u2^2*sin(q2) + l2*u3^2*sin(q3))
-    let f7 = -m3 * (l2_u3_sq.mul_add(s3_2, f5_part));
+    let f7 = -m3 * l2_u3_sq.mul_add(s3_2, f5_part);
     // f8 = m3*(l0*u1^2*cos(q1) - g + l1*u2^2*cos(q2) + l2*u3^2*cos(q3))
-    let f8 = m3 * (l2_u3_sq.mul_add(c3, -f6_part));
+    let f8 = m3 * l2_u3_sq.mul_add(c3, -f6_part);
     [f1, f2, f3, f4, f5, f6, f7, f8]
 }
 
@@ -194,7 +194,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // l0*cos(q1); used 4 times
     let l0_c1 = l0 * c1;
     // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 3 times
-    let s4_part = l0 * (c1.mul_add(c3, s1 * s3_2));
+    let s4_part = l0 * c1.mul_add(c3, s1 * s3_2);
     // Elimination, step by step.
     // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3)))
     let s4 = (-l2__m3_l2).mul_add(s4_part, -s3_part * l0_c1);
@@ -228,7 +228,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // g*sin(q3) + r6_part*cos(q3)
     let r6_part_2 = r6_part.mul_add(c3, g * s3_2);
     // sin(q3)*(l0_c1*u1_sq + l1_u2_sq*cos(q2)) - r6_part_2; used 4 times
-    let r6_part_3 = s3_2 * (l1_u2_sq.mul_add(c2, l0_c1 * u1_sq)) - r6_part_2;
+    let r6_part_3 = s3_2 * l1_u2_sq.mul_add(c2, l0_c1 * u1_sq) - r6_part_2;
     // u3^2; used 2 times
     let u3_sq = u3 * u3;
     // m3_l2*u3_sq; used 2 times
@@ -257,13 +257,13 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
         + l0_s1 * s2_l1_m2_plus_m3;
     // Shared terms.
     // l0*l1_m2_plus_m3*(cos(q1)*sin(q2) - sin(q1)*cos(q2)); used 2 times
-    let r10_part = l0 * l1_m2_plus_m3 * ((-s1).mul_add(c2, c1 * s2));
+    let r10_part = l0 * l1_m2_plus_m3 * (-s1).mul_add(c2, c1 * s2);
     // Elimination, step by step.
     // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) +
     //   m3*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q1)*cos(q3) -
     //   cos(q1)*sin(q3)) + u1^2*l7*(sin(q1)*cos(q3) - cos(q1)*sin(q3))))) - m3*l2*l7*(g*sin(q3) +
     //   l1*u2^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
-    let r10 = m3_l2_u3_sq * ((-l0_s1).mul_add(c3, l0_c1 * s3_2)) + g * s3_part * l0_s1
+    let r10 = m3_l2_u3_sq * (-l0_s1).mul_add(c3, l0_c1 * s3_2) + g * s3_part * l0_s1
         + r6_part_3 * l7_m3_l2 + u2_sq * r10_part;
     // l11 = m3*l1*l2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/d1
     let l11 = l1 * d1_inv_m3_l2 * s5_part;
@@ -273,7 +273,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     //   l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
     //   u2^2*l11*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))) - l2*l11*(g*sin(q3) + l0*u1^2*(sin(q1)*cos(q3) -
     //   cos(q1)*sin(q3))))
-    let r13 = l1_m3_l2 * u3_sq * ((-s2).mul_add(c3, c2 * s3_2)) + l11 * m3_l2 * r6_part_3
+    let r13 = l1_m3_l2 * u3_sq * (-s2).mul_add(c3, c2 * s3_2) + l11 * m3_l2 * r6_part_3
         + g * s2_l1_m2_plus_m3 - u1_sq * r10_part;
     // Shared terms.
     // 1/s3; used 3 times
@@ -311,7 +311,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
     // u3' = m3*l2*(sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))) +
     //   cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))))/d1
-    let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, -r6_part_3)) - u1_dot * l7
+    let u3_dot = d1_inv_m3_l2 * u0_dot.mul_add(c3, -r6_part_3) - u1_dot * l7
         - u2_dot * l11;
     [u0_dot, u1_dot, u2_dot, u3_dot]
 }
@@ -359,7 +359,7 @@ pub fn derivative<S: Scalar>(
     // l0*cos(q1); used 4 times
     let l0_c1 = l0 * c1;
     // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 3 times
-    let s4_part = l0 * (c1.mul_add(c3, s1 * s3_2));
+    let s4_part = l0 * c1.mul_add(c3, s1 * s3_2);
     // Elimination, step by step.
     // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + m3*l2*l2_*(sin(q1)*sin(q3) + cos(q1)*cos(q3)))
     let s4 = (-l2__m3_l2).mul_add(s4_part, -s3_part * l0_c1);
@@ -393,7 +393,7 @@ pub fn derivative<S: Scalar>(
     // g*sin(q3) + r6_part*cos(q3)
     let r6_part_2 = r6_part.mul_add(c3, g * s3_2);
     // sin(q3)*(l0_c1*u1_sq + l1_u2_sq*cos(q2)) - r6_part_2; used 4 times
-    let r6_part_3 = s3_2 * (l1_u2_sq.mul_add(c2, l0_c1 * u1_sq)) - r6_part_2;
+    let r6_part_3 = s3_2 * l1_u2_sq.mul_add(c2, l0_c1 * u1_sq) - r6_part_2;
     // u3^2; used 2 times
     let u3_sq = u3 * u3;
     // m3_l2*u3_sq; used 2 times
@@ -422,13 +422,13 @@ pub fn derivative<S: Scalar>(
         + l0_s1 * s2_l1_m2_plus_m3;
     // Shared terms.
     // l0*l1_m2_plus_m3*(cos(q1)*sin(q2) - sin(q1)*cos(q2)); used 2 times
-    let r10_part = l0 * l1_m2_plus_m3 * ((-s1).mul_add(c2, c1 * s2));
+    let r10_part = l0 * l1_m2_plus_m3 * (-s1).mul_add(c2, c1 * s2);
     // Elimination, step by step.
     // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) +
     //   m3*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q1)*cos(q3) -
     //   cos(q1)*sin(q3)) + u1^2*l7*(sin(q1)*cos(q3) - cos(q1)*sin(q3))))) - m3*l2*l7*(g*sin(q3) +
     //   l1*u2^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
-    let r10 = m3_l2_u3_sq * ((-l0_s1).mul_add(c3, l0_c1 * s3_2)) + g * s3_part * l0_s1
+    let r10 = m3_l2_u3_sq * (-l0_s1).mul_add(c3, l0_c1 * s3_2) + g * s3_part * l0_s1
         + r6_part_3 * l7_m3_l2 + u2_sq * r10_part;
     // l11 = m3*l1*l2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/d1
     let l11 = l1 * d1_inv_m3_l2 * s5_part;
@@ -438,7 +438,7 @@ pub fn derivative<S: Scalar>(
     //   l0*u1^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)) +
     //   u2^2*l11*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))) - l2*l11*(g*sin(q3) + l0*u1^2*(sin(q1)*cos(q3) -
     //   cos(q1)*sin(q3))))
-    let r13 = l1_m3_l2 * u3_sq * ((-s2).mul_add(c3, c2 * s3_2)) + l11 * m3_l2 * r6_part_3
+    let r13 = l1_m3_l2 * u3_sq * (-s2).mul_add(c3, c2 * s3_2) + l11 * m3_l2 * r6_part_3
         + g * s2_l1_m2_plus_m3 - u1_sq * r10_part;
     // Shared terms.
     // 1/s3; used 3 times
@@ -476,7 +476,7 @@ pub fn derivative<S: Scalar>(
     let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
     // u3' = m3*l2*(sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))) +
     //   cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))))/d1
-    let u3_dot = d1_inv_m3_l2 * (u0_dot.mul_add(c3, -r6_part_3)) - u1_dot * l7
+    let u3_dot = d1_inv_m3_l2 * u0_dot.mul_add(c3, -r6_part_3) - u1_dot * l7
         - u2_dot * l11;
     // Values.
     // q0' = u0
@@ -532,7 +532,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
     // l0*(sin(q1)*sin(q3) + cos(q1)*cos(q3)); used 6 times
-    let s4_part = l0 * (c1.mul_add(c3, s1 * s3_2));
+    let s4_part = l0 * c1.mul_add(c3, s1 * s3_2);
     // l0*s3_part; used 3 times
     let l0_s3_part = l0 * s3_part;
     // l0_s3_part*cos(q1); used 2 times
@@ -544,7 +544,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let s4 = -s4_part_2;
     // Shared terms.
     // l1*(sin(q2)*sin(q3) + cos(q2)*cos(q3)); used 7 times
-    let s5_part = l1 * (c2.mul_add(c3, s2 * s3_2));
+    let s5_part = l1 * c2.mul_add(c3, s2 * s3_2);
     // l1*m2_plus_m3; used 4 times
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
     // l1_m2_plus_m3*cos(q2); used 2 times
@@ -556,11 +556,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let s5 = -s5_part_2;
     // Shared terms.
     // l0*(sin(q1)*cos(q3) - cos(q1)*sin(q3)); used 7 times
-    let r6_part = l0 * ((-c1).mul_add(s3_2, s1 * c3));
+    let r6_part = l0 * (-c1).mul_add(s3_2, s1 * c3);
     // u1^2; used 7 times
     let u1_sq = u1 * u1;
     // l1*(sin(q2)*cos(q3) - cos(q2)*sin(q3)); used 7 times
-    let r6_part_2 = l1 * ((-c2).mul_add(s3_2, s2 * c3));
+    let r6_part_2 = l1 * (-c2).mul_add(s3_2, s2 * c3);
     // u2^2; used 8 times
     let u2_sq = u2 * u2;
     // r6_part*u1_sq + r6_part_2*u2_sq
@@ -593,7 +593,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l0*l1_m2_plus_m3; used 2 times
     let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // l0_l1_m2_plus_m3*(sin(q1)*sin(q2) + cos(q1)*cos(q2)); used 3 times
-    let s9_part = l0_l1_m2_plus_m3 * (c1.mul_add(c2, s1 * s2));
+    let s9_part = l0_l1_m2_plus_m3 * c1.mul_add(c2, s1 * s2);
     // s5_part*l7_m3_l2 - s9_part; used 2 times
     let s9_part_2 = s5_part.mul_add(l7_m3_l2, -s9_part);
     // Elimination, step by step.
@@ -602,7 +602,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let s9 = -s9_part_2;
     // Shared terms.
     // l0_l1_m2_plus_m3*(cos(q1)*sin(q2) - sin(q1)*cos(q2)); used 5 times
-    let r10_part = l0_l1_m2_plus_m3 * ((-s1).mul_add(c2, c1 * s2));
+    let r10_part = l0_l1_m2_plus_m3 * (-s1).mul_add(c2, c1 * s2);
     // Elimination, step by step.
     // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) +
     //   m3*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) - l2*(u3^2*(sin(q1)*cos(q3) -
@@ -752,7 +752,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // u1_dot_by_q1 = (u2'*s16 - r17)*(s8_by_q1 - s4_by_q1*(s4/s3 + l14))/s15^2 + (u2'*(s5*s4_by_q1/s3 -
     //   s9_by_q1) - r6*s4_by_q1/s3 - l14*r6_by_q1 + r10_by_q1 + s16*(r23*s22_by_q1/s22 - r23_by_q1)/s22)/s15
-    let u1_dot_by_q1 = l14_s15_inv * ((u1_dot * s4_by_q1).mul_add(S::int(2), -r6_by_q1))
+    let u1_dot_by_q1 = l14_s15_inv * (u1_dot * s4_by_q1).mul_add(S::int(2), -r6_by_q1)
         + r10_by_q1 * s15_inv - u0_dot_part * s4_by_q1_s15_inv
         - u1_dot * s8_by_q1_s15_inv + u1_dot_by_q1_part * l21_s22_inv
         - s9_by_q1 * u2_dot_s15_inv;
@@ -911,7 +911,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let l18_s3_by_q3 = l18 * s3_by_q3;
     // Elimination, step by step.
     // s19_by_q3 = s5*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*s5_by_q3 + s12_by_q3
-    let s19_by_q3 = s12_by_q3 + l18 * ((-s5_by_q3).mul_add(S::int(2), l18_s3_by_q3));
+    let s19_by_q3 = s12_by_q3 + l18 * (-s5_by_q3).mul_add(S::int(2), l18_s3_by_q3);
     // r20_by_q3 = r6*(s5*s3_by_q3/s3 - s5_by_q3)/s3 - l18*r6_by_q3 + r13_by_q3
     let r20_by_q3 = r13_by_q3 - l18 * r6_by_q3 + r6_s3_inv * (l18_s3_by_q3 - s5_by_q3);
     // Shared terms.
@@ -919,7 +919,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let l21_s15_by_q3 = l21 * s15_by_q3;
     // Elimination, step by step.
     // s22_by_q3 = s16*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*s16_by_q3 + s19_by_q3
-    let s22_by_q3 = s19_by_q3 + l21 * ((-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3));
+    let s22_by_q3 = s19_by_q3 + l21 * (-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3);
     // r23_by_q3 = r17*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*r17_by_q3 + r20_by_q3
     let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3
         + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
@@ -929,11 +929,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Elimination, step by step.
     // u1_dot_by_q3 = s15_by_q3*(u2'*s16 - r17)/s15^2 + (r17_by_q3 - u2'*s16_by_q3 + s16*(r23*s22_by_q3/s22
     //   - r23_by_q3)/s22)/s15
-    let u1_dot_by_q3 = s15_inv * ((-u1_dot).mul_add(s15_by_q3, r17_by_q3))
+    let u1_dot_by_q3 = s15_inv * (-u1_dot).mul_add(s15_by_q3, r17_by_q3)
         - s16_by_q3 * u2_dot_s15_inv + l21_s22_inv * u1_dot_by_q3_part;
     // u0_dot_by_q3 = (s3_by_q3*(u1'*s4 - r6 + u2'*s5)/s3 - u1'*s4_by_q3 - u2'*s5_by_q3 + r6_by_q3 +
     //   s5*(r23*s22_by_q3/s22 - r23_by_q3)/s22 - s4*u1_dot_by_q3)/s3
-    let u0_dot_by_q3 = s3_inv * ((-s3_by_q3).mul_add(u0_dot_part, r6_by_q3))
+    let u0_dot_by_q3 = s3_inv * (-s3_by_q3).mul_add(u0_dot_part, r6_by_q3)
         - l14 * u1_dot_by_q3 - s5_by_q3 * u2_dot_s3_inv + u1_dot_s3_inv * s15_by_q3_part
         + l18_s22_inv * u1_dot_by_q3_part;
     // u3_dot_by_q3 = m3*l2*(cos(q3)*(g - l1*(u2'*sin(q2) + cos(q2)*(u2^2 + (r23_by_q3 -
@@ -953,7 +953,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let r10_by_u1 = -r6_part_l7_m3_l2 * u1_scaled;
     // r13_by_u1 = 2*l0*u1*(m2*l1*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + m3*(l1*(sin(q1)*cos(q2) -
     //   cos(q1)*sin(q2)) + l2*l11*(cos(q1)*sin(q3) - sin(q1)*cos(q3))))
-    let r13_by_u1 = -u1_scaled * (r6_part.mul_add(l11_m3_l2, r10_part));
+    let r13_by_u1 = -u1_scaled * r6_part.mul_add(l11_m3_l2, r10_part);
     // Shared terms.
     // s22_inv*l21_by_q1_part; used 3 times
     let u2_dot_by_u1_part = s22_inv * l21_by_q1_part;
@@ -1160,7 +1160,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     // m3*l2_u3; used 2 times
     let m3_l2_u3 = m3 * l2_u3;
     // energy_part_2*cos(q3) - l1_u2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let energy_part_3 = -l1_u2 * (c2.mul_add(c3, s2 * s3_2)) + energy_part_2 * c3;
+    let energy_part_3 = -l1_u2 * c2.mul_add(c3, s2 * s3_2) + energy_part_2 * c3;
     // energy_part*l0_u1^2 + l2_u3*m3_l2_u3
     let energy_part_4 = l2_u3.mul_add(m3_l2_u3, energy_part * l0_u1 * l0_u1);
     // u0^2*(m0 + energy_part) + l1_u2*m2_plus_m3_l1_u2
@@ -1171,9 +1171,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     // T = u0^2*(m0 + m1 + m2 + m3)/2 + l0^2*u1^2*(m1 + m2 + m3)/2 - l0*u0*u1*cos(q1)*(m1 + m2 + m3) +
     //   l1^2*u2^2*(m2 + m3)/2 - l1*u0*u2*cos(q2)*(m2 + m3) + l0*l1*u1*u2*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2^2*u3^2/2 - m3*l2*u0*u3*cos(q3) + m3*l0*l2*u1*u3*cos(q1 - q3) + m3*l1*l2*u2*u3*cos(q2 - q3)
-    let energy = m2_plus_m3_l1_u2 * ((-energy_part_2).mul_add(c2, s1_l0_u1 * s2))
-        - u0 * energy_part * c1_l0_u1
-        + m3_l2_u3 * (s1_l0_u1.mul_add(s3_2, -energy_part_3))
+    let energy = m2_plus_m3_l1_u2 * (-energy_part_2).mul_add(c2, s1_l0_u1 * s2)
+        - u0 * energy_part * c1_l0_u1 + m3_l2_u3 * s1_l0_u1.mul_add(s3_2, -energy_part_3)
         + S::ratio(1, 2) * energy_part_6;
     energy
 }

@@ -49,7 +49,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) -> [S; 
     let f1_part = theta_dot * sin_phi * cos_phi * (IBxx - IByy);
     // Values.
     // f1 = 2*theta'*phi'*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
-    let f1 = -g * sin_theta * (mB.mul_add(lB, mA * lA)) - S::int(2) * phi_dot * f1_part;
+    let f1 = -g * sin_theta * mB.mul_add(lB, mA * lA) - S::int(2) * phi_dot * f1_part;
     // f2 = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)
     let f2 = theta_dot * f1_part;
     [f1, f2]
@@ -172,7 +172,7 @@ pub fn jacobian<S: Scalar>(
     let sin_phi_sq = sin_phi * sin_phi;
     // 1/(theta_ddot_by_theta_part_3 + IBxx*sin_phi_sq); used 2 times
     let theta_ddot_by_phi_part = S::int(1)
-        / (IBxx.mul_add(sin_phi_sq, theta_ddot_by_theta_part_3));
+        / IBxx.mul_add(sin_phi_sq, theta_ddot_by_theta_part_3);
     // 2*theta_ddot_by_phi_part; used 2 times
     let theta_ddot_by_phi_part_2 = S::int(2) * theta_ddot_by_phi_part;
     // sin(phi)*cos(phi); used 3 times
@@ -195,18 +195,18 @@ pub fn jacobian<S: Scalar>(
     let theta_ddot_by_phi = -theta_ddot_by_phi_part_2
         * (theta_ddot_by_phi_part_4 * (cos_phi_sq - sin_phi_sq)
             + theta_ddot_by_phi_part * sin_phi_cos_phi * ibyy_minus_ibxx
-                * (theta_ddot_by_phi_part_4
+                * theta_ddot_by_phi_part_4
                     .mul_add(
                         sin_phi_cos_phi_scaled,
                         theta_ddot_by_theta_part_4 * sin_theta,
-                    )));
+                    ));
     // Shared terms.
     // theta_ddot_by_phi_part_3/IBzz; used 2 times
     let phi_ddot_by_phi_part = theta_ddot_by_phi_part_3 / IBzz;
     // Elimination, step by step.
     // phi_ddot_by_phi = theta'^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
     let phi_ddot_by_phi = theta_dot * phi_ddot_by_phi_part
-        * (cos_phi_sq.mul_add(S::int(2), -S::int(1)));
+        * cos_phi_sq.mul_add(S::int(2), -S::int(1));
     // Shared terms.
     // theta_ddot_by_phi_part_2*sin_phi_cos_phi; used 2 times
     let theta_ddot_by_theta_dot_part = theta_ddot_by_phi_part_2 * sin_phi_cos_phi;
@@ -288,7 +288,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
     let (_, cos_theta) = theta.sin_cos();
     // Values.
     // V = -g*cos(theta)*(mA*lA + mB*lB)
-    let energy = -g * cos_theta * (mB.mul_add(lB, mA * lA));
+    let energy = -g * cos_theta * mB.mul_add(lB, mA * lA);
     energy
 }
 
@@ -361,7 +361,7 @@ pub fn taylor<S: Scalar>(
     // weight = mA*lA^2 + mB*lB^2 + IAxx
     let weight = mA * lA * lA + mB * lB * lB + IAxx;
     // g_ma_la_plus_mb_lb = g*(mA*lA + mB*lB)
-    let g_ma_la_plus_mb_lb = g * (mB.mul_add(lB, mA * lA));
+    let g_ma_la_plus_mb_lb = g * mB.mul_add(lB, mA * lA);
     // weight_2 = 2*IBxx - 2*IByy
     let weight_2 = (-IByy).mul_add(S::int(2), S::int(2) * IBxx);
     // ibxx_minus_ibyy_by_ibzz = (IBxx - IByy)/IBzz

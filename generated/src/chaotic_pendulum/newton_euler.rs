@@ -139,13 +139,13 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 12] 
     // f_1 = -mA*g*sin(theta)
     let f_1 = -mA * g_sin_theta;
     // f_3 = mA*(g*cos(theta) + lA*omega^2)
-    let f_3 = mA * (lA.mul_add(omega_sq, g_cos_theta));
+    let f_3 = mA * lA.mul_add(omega_sq, g_cos_theta);
     // f_7 = -mB*g*sin(theta)*cos(phi)
     let f_7 = -mb_g_sin_theta * cos_phi;
     // f_8 = mB*g*sin(theta)*sin(phi)
     let f_8 = mb_g_sin_theta * sin_phi;
     // f_9 = mB*(g*cos(theta) + lB*omega^2)
-    let f_9 = mB * (lB.mul_add(omega_sq, g_cos_theta));
+    let f_9 = mB * lB.mul_add(omega_sq, g_cos_theta);
     // f_10 = omega*alpha*cos(phi)*(IByy - IBxx - IBzz)
     let f_10 = -omega_alpha * cos_phi * (IBzz + ibxx_minus_ibyy);
     // f_11 = omega*alpha*sin(phi)*(IByy - IBxx + IBzz)
@@ -275,7 +275,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let sin_phi_cos_phi_scaled = S::int(2) * sin_phi_cos_phi;
     // omega_dot_by_phi_part_3*(cos_phi_sq - sin(phi)^2)
     let omega_dot_by_phi_part_4 = omega_dot_by_phi_part_3
-        * ((-sin_phi).mul_add(sin_phi, cos_phi_sq));
+        * (-sin_phi).mul_add(sin_phi, cos_phi_sq);
     // Elimination, step by step.
     // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) - IByy*sin(phi)*cos(phi))*(g*sin(theta)*(mA*lA + mB*lB)
     //   + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
@@ -283,8 +283,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
     let omega_dot_by_phi = -omega_dot_by_phi_part
         * (omega_dot_by_theta_part * ibyy_minus_ibxx * sin_phi_cos_phi
-            * (omega_dot_by_phi_part_3
-                .mul_add(sin_phi_cos_phi_scaled, omega_dot_by_theta_part_2 * sin_theta))
+            * omega_dot_by_phi_part_3
+                .mul_add(sin_phi_cos_phi_scaled, omega_dot_by_theta_part_2 * sin_theta)
             + omega_dot_by_phi_part_4);
     // Shared terms.
     // omega_dot_by_phi_part_2/IBzz; used 2 times
@@ -292,7 +292,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     // Elimination, step by step.
     // alpha_dot_by_phi = omega^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
     let alpha_dot_by_phi = omega * alpha_dot_by_phi_part
-        * (cos_phi_sq.mul_add(S::int(2), -S::int(1)));
+        * cos_phi_sq.mul_add(S::int(2), -S::int(1));
     // Shared terms.
     // omega_dot_by_phi_part*sin_phi_cos_phi; used 2 times
     let omega_dot_by_omega_part = omega_dot_by_phi_part * sin_phi_cos_phi;
@@ -368,7 +368,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
     let (_, cos_theta) = theta.sin_cos();
     // Values.
     // V = -g*cos(theta)*(mA*lA + mB*lB)
-    let energy = -g * cos_theta * (mB.mul_add(lB, mA * lA));
+    let energy = -g * cos_theta * mB.mul_add(lB, mA * lA);
     energy
 }
 
@@ -388,7 +388,7 @@ pub fn taylor<S: Scalar>(
     // ibyy_minus_ibxx = IByy - IBxx
     let ibyy_minus_ibxx = IByy - IBxx;
     // g_ma_la_plus_mb_lb = g*(mA*lA + mB*lB)
-    let g_ma_la_plus_mb_lb = g * (mB.mul_add(lB, mA * lA));
+    let g_ma_la_plus_mb_lb = g * mB.mul_add(lB, mA * lA);
     // weight_2 = 2*IBxx - 2*IByy
     let weight_2 = (-IByy).mul_add(S::int(2), S::int(2) * IBxx);
     // ibxx_minus_ibyy_by_ibzz = (IBxx - IByy)/IBzz

@@ -97,7 +97,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     // f1_part_2^2; used 2 times
     let f1_part_2_sq = f1_part_2 * f1_part_2;
     // f1_part*(u1^2 + u2_f1_part_2^2); used 2 times
-    let f4_part = f1_part * (u2_f1_part_2.mul_add(u2_f1_part_2, u1 * u1));
+    let f4_part = f1_part * u2_f1_part_2.mul_add(u2_f1_part_2, u1 * u1);
     // u1*u2_m_r*(1 + f1_part_2_sq); used 2 times
     let f4_part_2 = u1 * u2_m_r * (S::int(1) + f1_part_2_sq);
     // Values.
@@ -105,7 +105,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let f1 = (-g).mul_add(f1_part, R * u2_m_r * f1_part_3_scaled);
     // f2 = M*R^2*u1*(2*u3 - u2*(7 + 4/tan(q2_minus_90deg)^2)/tan(q2_minus_90deg))/4
     let f2 = -R * u1
-        * ((f1_part * u2_f1_part_2).mul_add(f1_part_2_sq, m_r * f1_part_3_scaled));
+        * (f1_part * u2_f1_part_2).mul_add(f1_part_2_sq, m_r * f1_part_3_scaled);
     // f4 = -M*R*(u2^2*sin(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) +
     //   u1*(u1*sin(q1)*cos(q2_minus_90deg) + u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)))
     let f4 = (-f4_part_2).mul_add(c1, -f4_part * s1);
@@ -141,19 +141,19 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
     let u1_dot = (S::int(4) * cos_q2_minus_90deg
-        * (u1_sq.mul_add(sin_q2_minus_90deg, g / R)) + u2 * u1_dot_part_2)
+        * u1_sq.mul_add(sin_q2_minus_90deg, g / R) + u2 * u1_dot_part_2)
         / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
     let u2_dot = u1 * u1_dot_part_2;
     // Shared terms.
     // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
     let u5_dot_part = u1_dot_part
-        * (u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg)) + u1 * u2;
+        * u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg) + u1 * u2;
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
     let u5_dot_part_2 = -cos_q2_minus_90deg
-        * (u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq)) + u1_dot * sin_q2_minus_90deg;
+        * u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq) + u1_dot * sin_q2_minus_90deg;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -200,19 +200,19 @@ pub fn derivative<S: Scalar>(
     // u1' = (2*u2*u3 + cos(q2_minus_90deg)*(4*g/R + 4*u1^2*sin(q2_minus_90deg) +
     //   u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
     let u1_dot = (S::int(4) * cos_q2_minus_90deg
-        * (u1_sq.mul_add(sin_q2_minus_90deg, g / R)) + u2 * u1_dot_part_3)
+        * u1_sq.mul_add(sin_q2_minus_90deg, g / R) + u2 * u1_dot_part_3)
         / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
     // u2' = u1*(2*u3 + u2/tan(q2_minus_90deg))
     let u2_dot = u1 * u1_dot_part_3;
     // Shared terms.
     // u1*u2 + u1_dot_part*(u2'*cos(q2_minus_90deg) + u1*u2_u1_dot_part); used 2 times
     let u5_dot_part = u1_dot_part
-        * (u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg)) + u1 * u2;
+        * u1.mul_add(u2_u1_dot_part, u2_dot * cos_q2_minus_90deg) + u1 * u2;
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1_sq + u2_u1_dot_part^2); used 2 times
     let u5_dot_part_2 = -cos_q2_minus_90deg
-        * (u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq)) + u1_dot * sin_q2_minus_90deg;
+        * u2_u1_dot_part.mul_add(u2_u1_dot_part, u1_sq) + u1_dot * sin_q2_minus_90deg;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -258,7 +258,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
     // 1/(sin_q2_minus_90deg_scaled*sin(q2_minus_90deg) - 5); used 4 times
     let u1_dot_part = S::int(1)
-        / (sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5)));
+        / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
     // u2*u1_dot_part; used 3 times
     let u2_u1_dot_part = u2 * u1_dot_part;
     // 2*u3; used 3 times
@@ -333,13 +333,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   cos(q2_minus_90deg)*(4*u1^2 - u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + 4*sin(q2_minus_90deg)*(g/R +
     //   u1^2*sin(q2_minus_90deg)))/(5 - 4*sin(q2_minus_90deg)^2))))/(5 - 4*sin(q2_minus_90deg)^2)
     let u1_dot_by_q2_minus_90deg = -u1_dot_part_2
-        * (u2_u1_dot_part_3
+        * u2_u1_dot_part_3
             .mul_add(
                 u1_dot_by_q2_minus_90deg_part,
                 S::int(16) * u3 * u2_u1_dot_part * sin_q2_minus_90deg,
-            )) + u1_dot_part_2_scaled * u1_u2_dot_part
-        - (sin_q2_minus_90deg_scaled.mul_add(u1_dot_part_5, u2_sq))
-            * (u1_dot_part_2.mul_add(u1_dot_part_2_scaled_2, u1_dot_part));
+            ) + u1_dot_part_2_scaled * u1_u2_dot_part
+        - sin_q2_minus_90deg_scaled.mul_add(u1_dot_part_5, u2_sq)
+            * u1_dot_part_2.mul_add(u1_dot_part_2_scaled_2, u1_dot_part);
     // Shared terms.
     // u1_dot_part_3*u2_u1_dot_part_3; used 2 times
     let u2_dot_by_q2_minus_90deg_part = u1_dot_part_3 * u2_u1_dot_part_3;
@@ -352,8 +352,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // u1_dot_part_3*(u2'*r_u1_dot_part_3 + u2_u1_dot_part_3*u5_dot_by_q2_minus_90deg_part) -
     //   u2_dot_by_q2_minus_90deg*u5_dot_by_q1_part; used 2 times
     let u5_dot_by_q2_minus_90deg_part_2 = u1_dot_part_3
-        * (u2_u1_dot_part_3
-            .mul_add(u5_dot_by_q2_minus_90deg_part, u2_dot * r_u1_dot_part_3))
+        * u2_u1_dot_part_3
+            .mul_add(u5_dot_by_q2_minus_90deg_part, u2_dot * r_u1_dot_part_3)
         - u2_dot_by_q2_minus_90deg * u5_dot_by_q1_part;
     // 2*u2_u1_dot_part_3; used 3 times
     let u2_u1_dot_part_3_scaled = S::int(2) * u2_u1_dot_part_3;
@@ -589,10 +589,10 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     // Values.
     // T = M*(4*u4^2 + 4*u5^2 + R*(8*u1*sin(q2_minus_90deg)*(u5*cos(q1) - u4*sin(q1)) + 8*u2*(u4*cos(q1) +
     //   u5*sin(q1))/tan(q2_minus_90deg) + R*(5*u1^2 + 2*u3^2 + u2^2*(1 + 4/tan(q2_minus_90deg)^2))))/8
-    let energy = S::ratio(1, 2) * M * (u5.mul_add(u5, u4 * u4))
+    let energy = S::ratio(1, 2) * M * u5.mul_add(u5, u4 * u4)
         + m_r
-            * (u2 * energy_part * cos_q2_minus_90deg * (u5.mul_add(s1, u4 * c1))
-                - u1 * sin_q2_minus_90deg * ((-u5).mul_add(c1, u4 * s1)))
+            * (u2 * energy_part * cos_q2_minus_90deg * u5.mul_add(s1, u4 * c1)
+                - u1 * sin_q2_minus_90deg * (-u5).mul_add(c1, u4 * s1))
         + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part_2);
     energy
 }

@@ -95,7 +95,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     // m_r*sin(q2); used 2 times
     let s2_m_r = m_r * s2;
     // s2_m_r*(q1'^2 + q2'^2); used 2 times
-    let f4_part = s2_m_r * (q2_dot.mul_add(q2_dot, q1_dot * q1_dot));
+    let f4_part = s2_m_r * q2_dot.mul_add(q2_dot, q1_dot * q1_dot);
     // 2*q2'*q1_dot_c2_m_r; used 2 times
     let q2_dot_q1_dot_c2_m_r_scaled = S::int(2) * q2_dot * q1_dot_c2_m_r;
     // Values.
@@ -147,8 +147,8 @@ pub fn accelerations<S: Scalar>(
     let q1_dot_c2 = q1_dot * c2;
     // Elimination, step by step.
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = (S::int(4) * s2 * ((-q2_dot_sq).mul_add(c2, g / R))
-        + q1_dot_c2 * (q3_dot.mul_add(S::int(2), q1_dot * s2)))
+    let q2_ddot = (S::int(4) * s2 * (-q2_dot_sq).mul_add(c2, g / R)
+        + q1_dot_c2 * q3_dot.mul_add(S::int(2), q1_dot * s2))
         / (S::int(5) - S::int(4) * c2 * c2);
     // Shared terms.
     // q1''*sin(q2); used 2 times
@@ -158,7 +158,7 @@ pub fn accelerations<S: Scalar>(
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // q2''*cos(q2) - sin(q2)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part_2 = -s2 * (q1_dot.mul_add(q1_dot, q2_dot_sq)) + q2_ddot * c2;
+    let q5_ddot_part_2 = -s2 * q1_dot.mul_add(q1_dot, q2_dot_sq) + q2_ddot * c2;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -202,8 +202,8 @@ pub fn derivative<S: Scalar>(
     let q1_dot_c2 = q1_dot * c2;
     // Elimination, step by step.
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
-    let q2_ddot = (S::int(4) * s2 * ((-q2_dot_sq).mul_add(c2, g / R))
-        + q1_dot_c2 * (q3_dot.mul_add(S::int(2), q1_dot * s2)))
+    let q2_ddot = (S::int(4) * s2 * (-q2_dot_sq).mul_add(c2, g / R)
+        + q1_dot_c2 * q3_dot.mul_add(S::int(2), q1_dot * s2))
         / (S::int(5) - S::int(4) * c2 * c2);
     // Shared terms.
     // q1''*sin(q2); used 2 times
@@ -213,7 +213,7 @@ pub fn derivative<S: Scalar>(
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // q2''*cos(q2) - sin(q2)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part_2 = -s2 * (q1_dot.mul_add(q1_dot, q2_dot_sq)) + q2_ddot * c2;
+    let q5_ddot_part_2 = -s2 * q1_dot.mul_add(q1_dot, q2_dot_sq) + q2_ddot * c2;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -335,13 +335,13 @@ pub fn jacobian<S: Scalar>(
     // q2_ddot_by_q2 = (4*g*cos(q2)*(4*cos(q2)^2 - 3) + R*(4*q2'^2*(5 - 6*cos(q2)^2) +
     //   q1'*(q1'*(6*cos(q2)^2 - 5) - 2*q3'*sin(q2)*(5 + 4*cos(q2)^2))))/(R*(4*cos(q2)^2 - 5)^2)
     let q2_ddot_by_q2 = q2_ddot_part
-        * ((-q2_ddot_part_2)
-            .mul_add(q2_ddot_part_2, S::int(6) * s2_q2_ddot_part_2 * s2_q2_ddot_part_2))
+        * (-q2_ddot_part_2)
+            .mul_add(q2_ddot_part_2, S::int(6) * s2_q2_ddot_part_2 * s2_q2_ddot_part_2)
         + S::int(4) * r_inv_g
-            * ((-c2_s2_q2_ddot_part_2)
-                .mul_add(s2_q2_ddot_part_2_scaled, q2_ddot_part_2 * c2_q2_ddot_part_2))
+            * (-c2_s2_q2_ddot_part_2)
+                .mul_add(s2_q2_ddot_part_2_scaled, q2_ddot_part_2 * c2_q2_ddot_part_2)
         + q1_dot * s2_q2_ddot_part_2 * q3_dot_scaled
-            * ((-q2_ddot_part_2).mul_add(S::int(9), s2_q2_ddot_part_2_scaled * s2));
+            * (-q2_ddot_part_2).mul_add(S::int(9), s2_q2_ddot_part_2_scaled * s2);
     // Shared terms.
     // q1_dot_q2_dot_scaled - q1_ddot_by_q2; used 2 times
     let q5_ddot_by_q2_part = q1_dot_q2_dot_scaled - q1_ddot_by_q2;
@@ -357,7 +357,7 @@ pub fn jacobian<S: Scalar>(
     let q4_ddot_by_q2 = (-q2_ddot).mul_add(s1_r_s2, q1_ddot * c1_r_c2)
         - c1_r_s2 * q5_ddot_by_q2_part + s1_r_c2 * q5_ddot_by_q2_part_2;
     // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
-    let q3_ddot_by_q2 = s2 * (q1_dot.mul_add(q2_dot, -q1_ddot_by_q2)) - q1_ddot * c2;
+    let q3_ddot_by_q2 = s2 * q1_dot.mul_add(q2_dot, -q1_ddot_by_q2) - q1_ddot * c2;
     // q2_ddot_by_q1_dot = 2*cos(q2)*(q1'*sin(q2) + q3')/(5 - 4*cos(q2)^2)
     let q2_ddot_by_q1_dot = (-c2_q2_ddot_part_2)
         .mul_add(q3_dot_scaled, -c2_s2_q2_ddot_part_2 * q1_dot_scaled);
@@ -519,17 +519,17 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     // q2'^2 + q1_dot_s2^2
     let energy_part = q1_dot_s2.mul_add(q1_dot_s2, q2_dot * q2_dot);
     // q1'^2 + 2*q3'*(q3' + 2*q1_dot_s2)
-    let energy_part_2 = S::int(2) * q3_dot * (q1_dot_s2.mul_add(S::int(2), q3_dot))
+    let energy_part_2 = S::int(2) * q3_dot * q1_dot_s2.mul_add(S::int(2), q3_dot)
         + q1_dot * q1_dot;
     // Values.
     // T = M*R^2*q1'^2*(6 - 5*cos(q2)^2)/8 + 5*M*R^2*q2'^2/8 + M*R^2*q3'^2/4 + M*R^2*q1'*q3'*sin(q2)/2 +
     //   M*q4'^2/2 - M*R*q1'*q4'*cos(q1)*sin(q2) - M*R*q2'*q4'*sin(q1)*cos(q2) + M*q5'^2/2 -
     //   M*R*q1'*q5'*sin(q1)*sin(q2) + M*R*q2'*q5'*cos(q1)*cos(q2)
-    let energy = S::ratio(1, 2) * M * (q5_dot.mul_add(q5_dot, q4_dot * q4_dot))
+    let energy = S::ratio(1, 2) * M * q5_dot.mul_add(q5_dot, q4_dot * q4_dot)
         - m_r
-            * (q2_dot * c2 * ((-q5_dot).mul_add(c1, q4_dot * s1))
-                + q1_dot_s2 * (q5_dot.mul_add(s1, q4_dot * c1)))
-        + S::ratio(1, 8) * R * m_r * (energy_part.mul_add(S::int(5), energy_part_2));
+            * (q2_dot * c2 * (-q5_dot).mul_add(c1, q4_dot * s1)
+                + q1_dot_s2 * q5_dot.mul_add(s1, q4_dot * c1))
+        + S::ratio(1, 8) * R * m_r * energy_part.mul_add(S::int(5), energy_part_2);
     energy
 }
 

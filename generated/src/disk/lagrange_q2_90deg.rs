@@ -96,7 +96,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     // m_r*cos(q2_minus_90deg); used 2 times
     let f2_part = m_r * cos_q2_minus_90deg;
     // f2_part*(q1'^2 + q2'^2); used 2 times
-    let f4_part = f2_part * (q2_dot.mul_add(q2_dot, q1_dot * q1_dot));
+    let f4_part = f2_part * q2_dot.mul_add(q2_dot, q1_dot * q1_dot);
     // 2*q2'*q1_dot_f1_part; used 2 times
     let f4_part_2 = S::int(2) * q2_dot * q1_dot_f1_part;
     // Values.
@@ -148,12 +148,12 @@ pub fn accelerations<S: Scalar>(
     // q2'' = (4*g*cos(q2_minus_90deg) + R*sin(q2_minus_90deg)*(4*q2'^2*cos(q2_minus_90deg) - q1'*(2*q3' +
     //   q1'*cos(q2_minus_90deg))))/(R*(5 - 4*sin(q2_minus_90deg)^2))
     let q2_ddot = (R * sin_q2_minus_90deg
-        * (q1_dot * (q1_dot.mul_add(cos_q2_minus_90deg, S::int(2) * q3_dot))
+        * (q1_dot * q1_dot.mul_add(cos_q2_minus_90deg, S::int(2) * q3_dot)
             - q2_dot_sq * cos_q2_minus_90deg_scaled) - g * cos_q2_minus_90deg_scaled)
         / (R * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5)));
     // Shared terms.
     // q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part = cos_q2_minus_90deg * (q1_dot.mul_add(q1_dot, q2_dot_sq))
+    let q5_ddot_part = cos_q2_minus_90deg * q1_dot.mul_add(q1_dot, q2_dot_sq)
         + q2_ddot * sin_q2_minus_90deg;
     // q1''*cos(q2_minus_90deg); used 2 times
     let q5_ddot_part_2 = q1_ddot * cos_q2_minus_90deg;
@@ -164,10 +164,10 @@ pub fn accelerations<S: Scalar>(
     // Elimination, step by step.
     // q5'' = R*(cos(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   sin(q1)*(q1''*cos(q2_minus_90deg) - 2*q1'*q2'*sin(q2_minus_90deg)))
-    let q5_ddot = R * (q5_ddot_part_4.mul_add(s1, q5_ddot_part * c1));
+    let q5_ddot = R * q5_ddot_part_4.mul_add(s1, q5_ddot_part * c1);
     // q4'' = -R*(sin(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   cos(q1)*(2*q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)))
-    let q4_ddot = R * ((-q5_ddot_part).mul_add(s1, q5_ddot_part_4 * c1));
+    let q4_ddot = R * (-q5_ddot_part).mul_add(s1, q5_ddot_part_4 * c1);
     // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
     let q3_ddot = q2_dot.mul_add(q5_ddot_part_3, -q5_ddot_part_2);
     [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot]
@@ -204,12 +204,12 @@ pub fn derivative<S: Scalar>(
     // q2'' = (4*g*cos(q2_minus_90deg) + R*sin(q2_minus_90deg)*(4*q2'^2*cos(q2_minus_90deg) - q1'*(2*q3' +
     //   q1'*cos(q2_minus_90deg))))/(R*(5 - 4*sin(q2_minus_90deg)^2))
     let q2_ddot = (R * sin_q2_minus_90deg
-        * (q1_dot * (q1_dot.mul_add(cos_q2_minus_90deg, S::int(2) * q3_dot))
+        * (q1_dot * q1_dot.mul_add(cos_q2_minus_90deg, S::int(2) * q3_dot)
             - q2_dot_sq * cos_q2_minus_90deg_scaled) - g * cos_q2_minus_90deg_scaled)
         / (R * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5)));
     // Shared terms.
     // q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2_dot_sq); used 2 times
-    let q5_ddot_part = cos_q2_minus_90deg * (q1_dot.mul_add(q1_dot, q2_dot_sq))
+    let q5_ddot_part = cos_q2_minus_90deg * q1_dot.mul_add(q1_dot, q2_dot_sq)
         + q2_ddot * sin_q2_minus_90deg;
     // q1''*cos(q2_minus_90deg); used 2 times
     let q5_ddot_part_2 = q1_ddot * cos_q2_minus_90deg;
@@ -220,10 +220,10 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // q5'' = R*(cos(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   sin(q1)*(q1''*cos(q2_minus_90deg) - 2*q1'*q2'*sin(q2_minus_90deg)))
-    let q5_ddot = R * (q5_ddot_part_4.mul_add(s1, q5_ddot_part * c1));
+    let q5_ddot = R * q5_ddot_part_4.mul_add(s1, q5_ddot_part * c1);
     // q4'' = -R*(sin(q1)*(q2''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'^2 + q2'^2)) +
     //   cos(q1)*(2*q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)))
-    let q4_ddot = R * ((-q5_ddot_part).mul_add(s1, q5_ddot_part_4 * c1));
+    let q4_ddot = R * (-q5_ddot_part).mul_add(s1, q5_ddot_part_4 * c1);
     // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
     let q3_ddot = q2_dot.mul_add(q5_ddot_part_3, -q5_ddot_part_2);
     // Values.
@@ -280,7 +280,7 @@ pub fn jacobian<S: Scalar>(
     let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
     // 1/(sin_q2_minus_90deg_scaled*sin(q2_minus_90deg) - 5); used 2 times
     let q2_ddot_part_2 = S::int(1)
-        / (sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5)));
+        / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
     // q2_ddot_part_2*sin(q2_minus_90deg); used 3 times
     let q2_ddot_part_3 = q2_ddot_part_2 * sin_q2_minus_90deg;
     // q2_ddot_part_3*cos(q2_minus_90deg); used 3 times
@@ -339,7 +339,7 @@ pub fn jacobian<S: Scalar>(
     // Shared terms.
     // 1/(1 + cos_q2_minus_90deg_scaled*cos(q2_minus_90deg)); used 3 times
     let q2_ddot_by_q2_minus_90deg_part = S::int(1)
-        / (cos_q2_minus_90deg_scaled.mul_add(cos_q2_minus_90deg, S::int(1)));
+        / cos_q2_minus_90deg_scaled.mul_add(cos_q2_minus_90deg, S::int(1));
     // q2_ddot_by_q2_minus_90deg_part*cos(q2_minus_90deg); used 2 times
     let q2_ddot_by_q2_minus_90deg_part_2 = q2_ddot_by_q2_minus_90deg_part
         * cos_q2_minus_90deg;
@@ -356,11 +356,11 @@ pub fn jacobian<S: Scalar>(
     //   - 4*cos(q2_minus_90deg)^2))) + 4*q2'^2*(6*cos(q2_minus_90deg)^2 - 1)) +
     //   4*g*sin(q2_minus_90deg)*(4*cos(q2_minus_90deg)^2 - 1))/(R*(1 + 4*cos(q2_minus_90deg)^2)^2)
     let q2_ddot_by_q2_minus_90deg = q2_ddot_part
-        * (q2_ddot_by_q2_minus_90deg_part_3
-            .mul_add(S::int(6), -q2_ddot_by_q2_minus_90deg_part_4))
+        * q2_ddot_by_q2_minus_90deg_part_3
+            .mul_add(S::int(6), -q2_ddot_by_q2_minus_90deg_part_4)
         + sin_q2_minus_90deg_scaled * r_inv_g
-            * (q2_ddot_by_q2_minus_90deg_part_3
-                .mul_add(S::int(4), -q2_ddot_by_q2_minus_90deg_part_4))
+            * q2_ddot_by_q2_minus_90deg_part_3
+                .mul_add(S::int(4), -q2_ddot_by_q2_minus_90deg_part_4)
         - S::int(18) * q2_ddot_by_q2_minus_90deg_part * q2_ddot_by_q2_minus_90deg_part_2
             * q1_dot_q3_dot
         + S::int(8) * q2_ddot_by_q2_minus_90deg_part_3 * q1_dot_q3_dot
@@ -390,7 +390,7 @@ pub fn jacobian<S: Scalar>(
     // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)
     let q3_ddot_by_q2_minus_90deg = cos_q2_minus_90deg
-        * (q1_dot.mul_add(q2_dot, -q1_ddot_by_q2_minus_90deg))
+        * q1_dot.mul_add(q2_dot, -q1_ddot_by_q2_minus_90deg)
         + q1_ddot * sin_q2_minus_90deg;
     // q2_ddot_by_q1_dot = 2*sin(q2_minus_90deg)*(q3' + q1'*cos(q2_minus_90deg))/(4*sin(q2_minus_90deg)^2 -
     //   5)
@@ -561,17 +561,17 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     // q2'^2 + energy_part^2
     let energy_part_2 = energy_part.mul_add(energy_part, q2_dot * q2_dot);
     // q1'^2 + 2*q3'*(q3' + 2*energy_part)
-    let energy_part_3 = S::int(2) * q3_dot * (energy_part.mul_add(S::int(2), q3_dot))
+    let energy_part_3 = S::int(2) * q3_dot * energy_part.mul_add(S::int(2), q3_dot)
         + q1_dot * q1_dot;
     // Values.
     // T = M*(4*q4'^2 - R*(8*q2'*sin(q2_minus_90deg)*(q5'*cos(q1) - q4'*sin(q1)) +
     //   8*q1'*cos(q2_minus_90deg)*(q4'*cos(q1) + q5'*sin(q1)) + R*(q1'*(q1'*(5*sin(q2_minus_90deg)^2 - 6) -
     //   4*q3'*cos(q2_minus_90deg)) - 5*q2'^2 - 2*q3'^2)) + 4*q5'^2)/8
-    let energy = S::ratio(1, 2) * M * (q5_dot.mul_add(q5_dot, q4_dot * q4_dot))
+    let energy = S::ratio(1, 2) * M * q5_dot.mul_add(q5_dot, q4_dot * q4_dot)
         + m_r
-            * (q2_dot * sin_q2_minus_90deg * ((-q5_dot).mul_add(c1, q4_dot * s1))
-                - energy_part * (q5_dot.mul_add(s1, q4_dot * c1)))
-        + S::ratio(1, 8) * R * m_r * (energy_part_2.mul_add(S::int(5), energy_part_3));
+            * (q2_dot * sin_q2_minus_90deg * (-q5_dot).mul_add(c1, q4_dot * s1)
+                - energy_part * q5_dot.mul_add(s1, q4_dot * c1))
+        + S::ratio(1, 8) * R * m_r * energy_part_2.mul_add(S::int(5), energy_part_3);
     energy
 }
 

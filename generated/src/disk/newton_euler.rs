@@ -104,10 +104,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     // u2_m_r*u2_t2; used 2 times
     let u2_m_r_u2_t2 = u2_m_r * u2_t2;
     // R*(u2_t2 - 2*u3)/4; used 2 times
-    let f4_part = S::ratio(1, 4) * R * ((-u3).mul_add(S::int(2), u2_t2));
+    let f4_part = S::ratio(1, 4) * R * (-u3).mul_add(S::int(2), u2_t2);
     // Values.
     // f1 = -M*R*u1*u2*(2 + tan(q2)^2)
-    let f1 = -u1 * u2_m_r * (t2.mul_add(t2, S::int(2)));
+    let f1 = -u1 * u2_m_r * t2.mul_add(t2, S::int(2));
     // f2 = M*(R*(u1^2 + u2^2*tan(q2)^2) - g*cos(q2))
     let f2 = (-m_g).mul_add(c2, u1 * u1_m_r) + t2 * u2_m_r_u2_t2;
     // f3 = -M*sin(q2)*(g + R*u2^2/cos(q2))
@@ -143,17 +143,17 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     let u1_dot_part = (-u3).mul_add(S::int(2), u2_c2_inv * s2);
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = (S::int(4) * s2 * ((-u1_sq).mul_add(c2, g / R)) - u2 * u1_dot_part)
+    let u1_dot = (S::int(4) * s2 * (-u1_sq).mul_add(c2, g / R) - u2 * u1_dot_part)
         / (S::int(4) * c2 * c2 - S::int(5));
     // u2' = u1*(2*u3 - u2*tan(q2))
     let u2_dot = -u1 * u1_dot_part;
     // Shared terms.
     // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2)); used 2 times
-    let u5_dot_part = c2_inv * ((-u2_dot).mul_add(s2, u1 * u2_c2_inv)) + u1 * u2;
+    let u5_dot_part = c2_inv * (-u2_dot).mul_add(s2, u1 * u2_c2_inv) + u1 * u2;
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2); used 2 times
-    let u5_dot_part_2 = s2 * (u2_c2_inv.mul_add(u2_c2_inv, u1_sq)) + u1_dot * c2;
+    let u5_dot_part_2 = s2 * u2_c2_inv.mul_add(u2_c2_inv, u1_sq) + u1_dot * c2;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -196,17 +196,17 @@ pub fn derivative<S: Scalar>(
     let u1_dot_part = (-u3).mul_add(S::int(2), s2_u2_c2_inv);
     // Elimination, step by step.
     // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
-    let u1_dot = (S::int(4) * s2 * ((-u1_sq).mul_add(c2, g / R)) - u2 * u1_dot_part)
+    let u1_dot = (S::int(4) * s2 * (-u1_sq).mul_add(c2, g / R) - u2 * u1_dot_part)
         / (S::int(4) * c2 * c2 - S::int(5));
     // u2' = u1*(2*u3 - u2*tan(q2))
     let u2_dot = -u1 * u1_dot_part;
     // Shared terms.
     // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2)); used 2 times
-    let u5_dot_part = c2_inv * ((-u2_dot).mul_add(s2, u1 * u2_c2_inv)) + u1 * u2;
+    let u5_dot_part = c2_inv * (-u2_dot).mul_add(s2, u1 * u2_c2_inv) + u1 * u2;
     // R*sin(q1); used 2 times
     let r_s1 = R * s1;
     // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2); used 2 times
-    let u5_dot_part_2 = s2 * (u2_c2_inv.mul_add(u2_c2_inv, u1_sq)) + u1_dot * c2;
+    let u5_dot_part_2 = s2 * u2_c2_inv.mul_add(u2_c2_inv, u1_sq) + u1_dot * c2;
     // R*cos(q1); used 2 times
     let r_c1 = R * c1;
     // Elimination, step by step.
@@ -315,13 +315,12 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // u1_dot_by_q2 = (5*R*u2^2 + 4*cos(q2)^2*(g*cos(q2)*(3 - 4*cos(q2)^2) + R*(u1^2*(6*cos(q2)^2 - 5) +
     //   u2*(u2*(2*cos(q2)^2 - 3) + 4*u3*sin(q2)*cos(q2)))))/(R*cos(q2)^2*(4*cos(q2)^2 - 5)^2)
     let u1_dot_by_q2 = S::int(16) * c2_s2_u1_dot_part
-        * (u3.mul_add(u2_u1_dot_part, u1_dot_part_2))
+        * u3.mul_add(u2_u1_dot_part, u1_dot_part_2)
         - S::int(4) * u2_u1_dot_part * u2_u1_dot_part
         - S::int(8) * u2_s2_u1_dot_part * u2_s2_u1_dot_part
         - S::int(24) * s2_u1_dot_part * s2_u1_dot_part * u1_sq
         + u1_dot_part * u1_dot_part
-            * ((-u1_dot_by_q2_part)
-                .mul_add(S::int(4), S::int(5) * u2_c2_inv * u2_c2_inv));
+            * (-u1_dot_by_q2_part).mul_add(S::int(4), S::int(5) * u2_c2_inv * u2_c2_inv);
     // Shared terms.
     // c2_inv*u2_c2_inv; used 2 times
     let c2_inv_u2_c2_inv = c2_inv * u2_c2_inv;
@@ -333,7 +332,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u5_dot_by_q2_part = u1_scaled * s2_r_c2_inv;
     // c2_inv*(u2_c2_inv*u5_dot_by_q2_part - u2'*r_c2_inv) - u2_dot_by_q2*s2_r_c2_inv; used 2 times
     let u5_dot_by_q2_part_2 = c2_inv
-        * ((-u2_dot).mul_add(r_c2_inv, u2_c2_inv * u5_dot_by_q2_part))
+        * (-u2_dot).mul_add(r_c2_inv, u2_c2_inv * u5_dot_by_q2_part)
         - u2_dot_by_q2 * s2_r_c2_inv;
     // 2*u2_c2_inv; used 3 times
     let u2_c2_inv_scaled = S::int(2) * u2_c2_inv;
@@ -554,10 +553,9 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
     //   M*R*u2*u5*sin(q1)*tan(q2)
-    let energy = S::ratio(1, 2) * M * (u5.mul_add(u5, u4 * u4))
+    let energy = S::ratio(1, 2) * M * u5.mul_add(u5, u4 * u4)
         + m_r
-            * (u1 * c2 * ((-u5).mul_add(c1, u4 * s1))
-                - u2 * t2 * (u5.mul_add(s1, u4 * c1)))
+            * (u1 * c2 * (-u5).mul_add(c1, u4 * s1) - u2 * t2 * u5.mul_add(s1, u4 * c1))
         + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_part);
     energy
 }

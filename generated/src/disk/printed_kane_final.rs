@@ -87,7 +87,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     // f1 = -4*g*sin(q2) - R*u2^2*tan(q2) - 3*R*u2*u3
     let f1 = (-(g * s2)).mul_add(S::int(4), -R * u2 * u2 * t2) - S::int(3) * R * u2 * u3;
     // f2 = 2*R*u1*u2*tan(q2)*(3 + 2*tan(q2)^2) + 3*R*u1*u3
-    let f2 = S::int(2) * R * u1 * u2 * t2 * (c2_inv2_s2_sq.mul_add(S::int(2), S::int(3)))
+    let f2 = S::int(2) * R * u1 * u2 * t2 * c2_inv2_s2_sq.mul_add(S::int(2), S::int(3))
         + S::int(3) * R * u1 * u3;
     // f4 = -R*u1^2*sin(q1)*sin(q2) - R*u2^2*sin(q1)*sin(q2)*(1 + tan(q2)^2) - R*u1*u2*cos(q1)*(2 +
     //   tan(q2)^2)

@@ -81,14 +81,14 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let t2 = s2 / c2;
     // Values.
     // f1 = -M*R*u1*u2*(2 + tan(q2)^2)
-    let f1 = -M * R * u1 * u2 * (t2.mul_add(t2, S::int(2)));
+    let f1 = -M * R * u1 * u2 * t2.mul_add(t2, S::int(2));
     // f2 = M*R*u1^2 - M*g*cos(q2) + M*R*u2^2*tan(q2)^2
     let f2 = (-(M * g)).mul_add(c2, M * R * u1 * u1) + M * R * u2 * u2 * t2 * t2;
     // f3 = -M*g*sin(q2) - M*R*u2^2*tan(q2)
     let f3 = (-(M * g)).mul_add(s2, -M * R * u2 * u2 * t2);
     // f4 = M*R^2*u2^2*tan(q2) - 2*M*R^2*u2*u3 + M*R^2*u2*(u2*tan(q2) - u3)
     let f4 = M * R * R * u2 * u2 * t2 - S::int(2) * M * R * R * u2 * u3
-        + M * R * R * u2 * (u2.mul_add(t2, -u3));
+        + M * R * R * u2 * u2.mul_add(t2, -u3);
     // f5 = 3*u1*u3 - 2*u1*u2*tan(q2)
     let f5 = (-(u1 * u2 * t2)).mul_add(S::int(2), S::int(3) * u1 * u3);
     [f1, f2, f3, f4, f5, zero]

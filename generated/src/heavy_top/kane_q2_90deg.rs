@@ -271,7 +271,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> 
     let [u1, u2, u3] = *u;
     // Shared terms.
     // I1*(u1^2 + u2^2) + I3*u3^2
-    let energy_part = I1 * (u2.mul_add(u2, u1 * u1)) + I3 * u3 * u3;
+    let energy_part = I1 * u2.mul_add(u2, u1 * u1) + I3 * u3 * u3;
     // Values.
     // T = I1*(u1^2 + u2^2)/2 + I3*u3^2/2
     let energy = S::ratio(1, 2) * energy_part;

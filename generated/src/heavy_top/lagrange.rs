@@ -61,7 +61,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     let m_l_g = m * l * g;
     // Values.
     // f1 = cos(q2)*(m*l*g*sin(q1) - q2'*(I3*(2*q1'*sin(q2) + q3') - 2*I1*q1'*sin(q2)))
-    let f1 = c2 * ((-q3_dot).mul_add(i3_q2_dot, m_l_g * s1))
+    let f1 = c2 * (-q3_dot).mul_add(i3_q2_dot, m_l_g * s1)
         - S::int(2) * q2_dot * f1_part;
     // f2 = m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2))
     let f2 = q1_dot.mul_add(f1_part, I3 * q3_dot * q1_dot_c2) + m_l_g * c1 * s2;
@@ -100,8 +100,7 @@ pub fn accelerations<S: Scalar>(
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
     let q1_ddot = i1_inv
-        * (-q2_dot * ((-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part)) + m_l_g * s1)
-        / c2;
+        * (-q2_dot * (-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part) + m_l_g * s1) / c2;
     // Shared terms.
     // q1'*cos(q2); used 2 times
     let q1_dot_c2 = q1_dot * c2;
@@ -143,8 +142,7 @@ pub fn derivative<S: Scalar>(
     // Elimination, step by step.
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
     let q1_ddot = i1_inv
-        * (-q2_dot * ((-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part)) + m_l_g * s1)
-        / c2;
+        * (-q2_dot * (-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_part) + m_l_g * s1) / c2;
     // Shared terms.
     // q1'*cos(q2); used 2 times
     let q1_dot_c2 = q1_dot * c2;
@@ -219,7 +217,7 @@ pub fn jacobian<S: Scalar>(
     // Elimination, step by step.
     // q1_ddot_by_q2 = (2*q1'*q2' + (m*l*g*sin(q1)*sin(q2) - I3*q2'*(q1' + q3'*sin(q2)))/I1)/cos(q2)^2
     let q1_ddot_by_q2 = c2_inv
-        * (q2_dot_c2_inv * ((-q3_dot_i3_i1_inv).mul_add(s2, q1_dot * q1_ddot_by_q2_part))
+        * (q2_dot_c2_inv * (-q3_dot_i3_i1_inv).mul_add(s2, q1_dot * q1_ddot_by_q2_part)
             + c2_inv_m_l_g_i1_inv * s2_s1);
     // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
     let q3_ddot_by_q2 = (-q1_ddot).mul_add(c2, q2_dot * q1_dot_s2) - q1_ddot_by_q2 * s2;

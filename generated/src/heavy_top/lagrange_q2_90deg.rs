@@ -63,7 +63,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     // Values.
     // f1 = -sin(q2_minus_90deg)*(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   2*q1'*cos(q2_minus_90deg))))
-    let f1 = sin_q2_minus_90deg * ((-m_l_g).mul_add(s1, q3_dot * i3_q2_dot))
+    let f1 = sin_q2_minus_90deg * (-m_l_g).mul_add(s1, q3_dot * i3_q2_dot)
         + S::int(2) * q2_dot * f1_part_2;
     // f2 = m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
     //   I3*(q3' + q1'*cos(q2_minus_90deg)))
@@ -105,7 +105,7 @@ pub fn accelerations<S: Scalar>(
     // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
     let q1_ddot = i1_inv
-        * (q2_dot * ((-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2)) - m_l_g * s1)
+        * (q2_dot * (-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2) - m_l_g * s1)
         / sin_q2_minus_90deg;
     // Shared terms.
     // q1'*sin(q2_minus_90deg); used 2 times
@@ -152,7 +152,7 @@ pub fn derivative<S: Scalar>(
     // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
     let q1_ddot = i1_inv
-        * (q2_dot * ((-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2)) - m_l_g * s1)
+        * (q2_dot * (-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2) - m_l_g * s1)
         / sin_q2_minus_90deg;
     // Shared terms.
     // q1'*sin(q2_minus_90deg); used 2 times
@@ -236,8 +236,8 @@ pub fn jacobian<S: Scalar>(
     //   q3'*cos(q2_minus_90deg)))/I1)/sin(q2_minus_90deg)^2
     let q1_ddot_by_q2_minus_90deg = q1_ddot_part
         * (q2_dot_q1_ddot_part
-            * ((-q3_dot_i3_i1_inv)
-                .mul_add(cos_q2_minus_90deg, q1_dot * q1_ddot_by_q2_minus_90deg_part))
+            * (-q3_dot_i3_i1_inv)
+                .mul_add(cos_q2_minus_90deg, q1_dot * q1_ddot_by_q2_minus_90deg_part)
             + q1_ddot_part_5 * cos_q2_minus_90deg);
     // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)
@@ -359,8 +359,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) 
     let energy_part_2 = q1_dot * sin_q2_minus_90deg;
     // I3*(q3'^2 + energy_part*(2*q3' + energy_part)) + I1*(q2'^2 + energy_part_2^2)
     let energy_part_3 = I3
-        * (energy_part * (q3_dot.mul_add(S::int(2), energy_part)) + q3_dot * q3_dot)
-        + I1 * (energy_part_2.mul_add(energy_part_2, q2_dot * q2_dot));
+        * (energy_part * q3_dot.mul_add(S::int(2), energy_part) + q3_dot * q3_dot)
+        + I1 * energy_part_2.mul_add(energy_part_2, q2_dot * q2_dot);
     // Values.
     // T = I3*(q3'^2 + q1'*cos(q2_minus_90deg)*(2*q3' + q1'*cos(q2_minus_90deg)))/2 + I1*(q2'^2 +
     //   q1'^2*sin(q2_minus_90deg)^2)/2

@@ -109,14 +109,14 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     // m_l*u1_c2_inv_s2; used 2 times
     let m_l_u1_c2_inv_s2 = m_l * u1_c2_inv_s2;
     // I3*u3 + u1_c2_inv_s2*(l*m_l - I1); used 2 times
-    let f4_part = u1_c2_inv_s2 * (l.mul_add(m_l, -I1)) + I3 * u3;
+    let f4_part = u1_c2_inv_s2 * l.mul_add(m_l, -I1) + I3 * u3;
     // Values.
     // f1 = m*sin(q2)*(g*cos(q1) - l*u1^2/cos(q2))
     let f1 = (-u1).mul_add(m_l_u1_c2_inv_s2, c1_m_g * s2);
     // f2 = -m*(g*sin(q1) + l*u1*u2*tan(q2))
     let f2 = (-u2).mul_add(m_l_u1_c2_inv_s2, -m_g * s1);
     // f3 = m*(l*(u1^2 + u2^2) - g*cos(q1)*cos(q2))
-    let f3 = m_l * (u2.mul_add(u2, u1 * u1)) - c1_m_g * c2;
+    let f3 = m_l * u2.mul_add(u2, u1 * u1) - c1_m_g * c2;
     // f4 = -u2*(u1*tan(q2)*(m*l^2 - I1) + I3*u3)
     let f4 = -u2 * f4_part;
     // f5 = u1*(u1*tan(q2)*(m*l^2 - I1) + I3*u3)
@@ -320,7 +320,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> 
     let [u1, u2, u3] = *u;
     // Shared terms.
     // I1*(u1^2 + u2^2) + I3*u3^2
-    let energy_part = I1 * (u2.mul_add(u2, u1 * u1)) + I3 * u3 * u3;
+    let energy_part = I1 * u2.mul_add(u2, u1 * u1) + I3 * u3 * u3;
     // Values.
     // T = I1*u1^2/2 + I1*u2^2/2 + I3*u3^2/2
     let energy = S::ratio(1, 2) * energy_part;

@@ -106,11 +106,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     let f4_part = f1_part * cos_q2_minus_90deg * (I1 - m * l * l) + I3 * u3;
     // Values.
     // f1 = m*cos(q2_minus_90deg)*(g*cos(q1) + l*u1^2/sin(q2_minus_90deg))
-    let f1 = m * cos_q2_minus_90deg * (u1.mul_add(l_f1_part, g_c1));
+    let f1 = m * cos_q2_minus_90deg * u1.mul_add(l_f1_part, g_c1);
     // f2 = m*(l*u1*u2/tan(q2_minus_90deg) - g*sin(q1))
-    let f2 = m * ((-g).mul_add(s1, u2 * l_f1_part * cos_q2_minus_90deg));
+    let f2 = m * (-g).mul_add(s1, u2 * l_f1_part * cos_q2_minus_90deg);
     // f3 = m*(l*(u1^2 + u2^2) + g*cos(q1)*sin(q2_minus_90deg))
-    let f3 = m * (l * (u2.mul_add(u2, u1 * u1)) + g_c1 * sin_q2_minus_90deg);
+    let f3 = m * (l * u2.mul_add(u2, u1 * u1) + g_c1 * sin_q2_minus_90deg);
     // f4 = -u2*(I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg))
     let f4 = -u2 * f4_part;
     // f5 = u1*(I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg))
@@ -331,7 +331,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> 
     let [u1, u2, u3] = *u;
     // Shared terms.
     // I1*(u1^2 + u2^2) + I3*u3^2
-    let energy_part = I1 * (u2.mul_add(u2, u1 * u1)) + I3 * u3 * u3;
+    let energy_part = I1 * u2.mul_add(u2, u1 * u1) + I3 * u3 * u3;
     // Values.
     // T = I1*(u1^2 + u2^2)/2 + I3*u3^2/2
     let energy = S::ratio(1, 2) * energy_part;

@@ -59,7 +59,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
     // f1 = m*l*omega^2*sin(theta)
     let f1 = m * l_omega_sq * sin_theta;
     // f2 = -m*(g + l*omega^2*cos(theta))
-    let f2 = -m * (l_omega_sq.mul_add(cos_theta, g));
+    let f2 = -m * l_omega_sq.mul_add(cos_theta, g);
     [f1, f2, zero]
 }
 
