@@ -191,11 +191,11 @@ fn sines_of_sums_come_from_those_of_the_parts() {
     // Of three differences of three angles one is the sum of the others.
     let angles = ["sin(p - q)", "sin(q - r)", "sin(p - r)"];
     let lines = composed(&angles);
-    assert_eq!(lines.iter().filter(|line| line.starts_with("#sin(")).count(), 1, "{lines:?}");
+    assert_eq!(lines.iter().filter(|line| line.contains(" = ")).count(), 1, "{lines:?}");
     // Six of four angles need three of them.
     let angles = ["sin(p - q)", "sin(q - r)", "sin(p - r)", "sin(p - s)", "sin(q - s)", "sin(r - s)"];
     let lines = composed(&angles);
-    assert_eq!(lines.iter().filter(|line| line.starts_with("#sin(")).count(), 3, "{lines:?}");
+    assert_eq!(lines.iter().filter(|line| line.starts_with("#sin(") && line.contains(" = ")).count(), 3, "{lines:?}");
     // Two angles are no cheaper than one sum of them.
     let mut arena = Arena::new();
     let alone = parse_free(&mut arena, "sin(p + q)*cos(p + q)").unwrap();
