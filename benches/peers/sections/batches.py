@@ -15,7 +15,11 @@ TOLERANCES = [10.0 ** (-k / 2) for k in range(8, 27)]
 # Runs of the search for a tolerance; what is sampled in all.
 FEW, SAMPLE, MOST_ROUNDS = 64, 16, 5
 
-TRIPOS = {"Tripos, DOP853, one by one, native": "lagrange dop853"}
+TRIPOS = {
+    "Tripos, DOP853, one by one, native": "lagrange dop853",
+    "Tripos, Taylor, one by one, native": "lagrange taylor",
+    "Tripos, DOP853 in lanes, native": "lagrange lanes",
+}
 LOOPS, VECTORS = "C by hand, loops", "C by hand, vector types"
 BATCH, ENSEMBLE = "heyoka, batches of {}", "heyoka, ensemble of batches of {}"
 WIDTHS = (8, 16)

@@ -9,10 +9,10 @@ use std::io::{BufRead, Write};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lanes, Scalar, System};
 
 /// What a call takes, each an arm of `served`.
-const KINDS: [&str; 1] = ["one"];
+const KINDS: [&str; 3] = ["one", "4 lanes", "8 lanes"];
 
 /// States of a pass.
 const STATES: usize = 128;
@@ -34,6 +34,16 @@ impl Packed for f64 {
     }
     fn number(&self, _at: usize) -> f64 {
         *self
+    }
+}
+
+impl<const W: usize> Packed for Lanes<W> {
+    const WIDTH: usize = W;
+    fn pack(numbers: &[f64]) -> Self {
+        Lanes(std::array::from_fn(|at| numbers[at]))
+    }
+    fn number(&self, at: usize) -> f64 {
+        self.0[at]
     }
 }
 
@@ -134,6 +144,8 @@ macro_rules! served {
         let equations = emitted::$module::lagrange::Lagrange;
         match $kind {
             "one" => Bench::<_, f64, N, { 2 * N }>::new(equations, $text).map(Bench::serve),
+            "4 lanes" => Bench::<_, Lanes<4>, N, { 2 * N }>::new(equations, $text).map(Bench::serve),
+            "8 lanes" => Bench::<_, Lanes<8>, N, { 2 * N }>::new(equations, $text).map(Bench::serve),
             _ => None,
         }
     }};

@@ -1,9 +1,10 @@
-//! The disk by generated code and this project's DOP853: a worker of `benches/peers/run.py`, which documents the lines it
+//! The disk by generated code and this project's methods: a worker of `benches/peers/run.py`, which documents the lines it
 //! reads and answers.
 //!
 //! `peer EQUATIONS METHOD` integrates by one of [`METHODS`], which `peer methods` lists. `lagrange` and `kane` know their
 //! equations when they are compiled; `eliminated-lagrange` and `eliminated-kane` go through [`Eliminated`] and a virtual call, as
-//! a program does that learns at run time which model to run. States are put and answered as q and q̇.
+//! a program does that learns at run time which model to run. `lagrange lanes` runs batches in lanes, by DOP853. States are put and
+//! answered as q and q̇.
 
 use std::hint::black_box;
 use std::io::{BufRead, Write};
@@ -11,13 +12,16 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use tripos::disk::{kane, lagrange};
+use tripos_sim::batch::{self, Plan, Trajectory};
 use tripos_sim::{
     AbsoluteTolerance, Eliminated, Failure, Lent, Method, Options, Output, RightHandSide, Solution, Stop, integrate,
 };
-use tripos_traits::{DoubleDouble, Real, Scalar, System};
+use tripos_traits::{Derivative, DoubleDouble, InLanes, Real, Scalar, System};
 
 /// The methods that runs can be made by, in the order of the rows of the results.
-const METHODS: &[Method] = &[Method::Dop853];
+const METHODS: &[Method] = &[Method::Dop853, Method::Taylor];
+/// The word for batches in lanes.
+const LANES: &str = "lanes";
 
 /// Coordinates; as many rates follow them in a state.
 const N: usize = 5;
@@ -75,6 +79,8 @@ impl<S: Real> Equations<'_, S> {
 struct Known<E> {
     equations: E,
     parameters: Vec<f64>,
+    /// Working space of the Taylor coefficients.
+    work: Vec<f64>,
 }
 
 impl<E: System<f64>> RightHandSide for Known<E> {
@@ -83,6 +89,16 @@ impl<E: System<f64>> RightHandSide for Known<E> {
         let ((q, v), (q_dot, v_dot)) = (y.split_at(N), dydt.split_at_mut(N));
         self.equations.derivative(&self.parameters, q, v, q_dot, v_dot);
         Ok(())
+    }
+
+    #[inline]
+    fn taylor(&mut self, _t: f64, order: usize, x: &mut [f64]) -> Option<Result<(), Failure>> {
+        let room = self.equations.taylor_work(order);
+        if self.work.len() < room {
+            self.work.resize(room, 0.0);
+        }
+        self.equations.taylor(&self.parameters, order, x, &mut self.work);
+        Some(Ok(()))
     }
 }
 
@@ -98,9 +114,8 @@ fn run<S: Real, R: RightHandSide<S>>(rhs: &mut R, y0: &[S], method: Method, tole
     integrate(Lent(rhs), (0.0, SPAN), y0, &options, &mut []).expect("the question makes sense")
 }
 
-/// One run from each of these starts, q and q̇ in turn: the steps tried in all, and the ends. The one place that a batch is
-/// integrated in.
-fn batch<R: RightHandSide>(worker: &mut Worker<'_, R>, starts: &[f64], tolerance: f64) -> (u64, Vec<Vec<f64>>) {
+/// One run from each of these starts, q and q̇ in turn: the steps tried in all, and the ends.
+fn one_by_one<R: RightHandSide>(worker: &mut Worker<'_, R>, starts: &[f64], tolerance: f64) -> (u64, Vec<Vec<f64>>) {
     let mut steps = 0;
     let ends = starts.chunks_exact(2 * N).map(|start| {
         let solution = run(&mut worker.rhs, &worker.equations.state(start), worker.method, tolerance);
@@ -109,6 +124,19 @@ fn batch<R: RightHandSide>(worker: &mut Worker<'_, R>, starts: &[f64], tolerance
     });
     let ends = ends.collect();
     (steps, ends)
+}
+
+/// The same in lanes, by Lagrange's equations.
+fn side_by_side(equations: &Equations<'_, f64>, starts: &[f64], tolerance: f64) -> (u64, Vec<Vec<f64>>) {
+    let starts: Vec<Vec<f64>> = starts.chunks_exact(2 * N).map(|start| equations.state(start)).collect();
+    let parameters = &equations.parameters;
+    let trajectories: Vec<Trajectory<'_>> = starts.iter().map(|start| Trajectory { parameters, start }).collect();
+    let (atol, step_limit) = (AbsoluteTolerance::Uniform(tolerance), Options::default().step_limit);
+    let plan = Plan { span: (0.0, SPAN), rtol: tolerance, atol, max_step: None, step_limit };
+    let in_lanes = InLanes::of(&Derivative(lagrange::Lagrange));
+    let outcomes = batch::integrate(in_lanes, &plan, &trajectories).expect("the question makes sense");
+    let steps = outcomes.iter().map(|outcome| outcome.steps + outcome.rejected).sum();
+    (steps, outcomes.iter().map(|outcome| equations.rates(&outcome.y_end)).collect())
 }
 
 /// Starts of runs in a file, as doubles one after the other.
@@ -143,6 +171,8 @@ struct Worker<'a, R> {
     rhs: R,
     equations: Equations<'a, f64>,
     method: Method,
+    /// Whether batches are run in lanes.
+    lanes: bool,
 }
 
 impl<R: RightHandSide> Worker<'_, R> {
@@ -163,7 +193,11 @@ impl<R: RightHandSide> Worker<'_, R> {
         let starts = read_starts(path)?;
         let starts = starts.get(..2 * N * count)?;
         let begin = Instant::now();
-        let (steps, ends) = batch(self, starts, tolerance);
+        let (steps, ends) = if self.lanes {
+            side_by_side(&self.equations, starts, tolerance)
+        } else {
+            one_by_one(self, starts, tolerance)
+        };
         let seconds = begin.elapsed().as_secs_f64();
         let sample = (0..SAMPLE).flat_map(|k| ends[k * count / SAMPLE].iter().copied());
         Some([seconds, steps as f64].into_iter().chain(sample).collect())
@@ -211,26 +245,29 @@ fn main() -> ExitCode {
             }
             return ExitCode::SUCCESS;
         }
+        [which, name] if *name == LANES => (which.to_string(), Some(&Method::Dop853)),
         [which, name] => (which.to_string(), METHODS.iter().find(|method| method.name() == *name)),
         _ => (String::new(), None),
     };
+    let lanes = arguments.get(1).is_some_and(|word| word == LANES);
     let (values, _) = question::<f64>();
+    let work = Vec::new();
     let system: &dyn System<f64> = if which.ends_with("kane") { &kane::Kane } else { &lagrange::Lagrange };
     let parameters = black_box(values.clone());
     let equations = Equations { system, parameters: values.clone() };
     match (which.as_str(), method.copied()) {
         ("lagrange", Some(method)) => {
-            Worker { rhs: Known { equations: lagrange::Lagrange, parameters }, equations, method }.serve()
+            Worker { rhs: Known { equations: lagrange::Lagrange, parameters, work }, equations, method, lanes }.serve()
         }
         ("kane", Some(method)) => {
-            Worker { rhs: Known { equations: kane::Kane, parameters }, equations, method }.serve()
+            Worker { rhs: Known { equations: kane::Kane, parameters, work }, equations, method, lanes: false }.serve()
         }
         ("eliminated-lagrange" | "eliminated-kane", Some(method)) => {
             let rhs = Eliminated::new(system, &values).expect("these equations were solved for");
-            Worker { rhs, equations, method }.serve()
+            Worker { rhs, equations, method, lanes: false }.serve()
         }
         _ => {
-            eprintln!("usage: peer lagrange | kane | eliminated-lagrange | eliminated-kane METHOD, or peer methods");
+            eprintln!("usage: peer lagrange | kane | eliminated-lagrange | eliminated-kane METHOD, peer lagrange lanes, or peer methods");
             ExitCode::from(2)
         }
     }
