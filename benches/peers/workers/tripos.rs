@@ -267,7 +267,9 @@ fn main() -> ExitCode {
             Worker { rhs, equations, method, lanes: false }.serve()
         }
         _ => {
-            eprintln!("usage: peer lagrange | kane | eliminated-lagrange | eliminated-kane METHOD, peer lagrange lanes, or peer methods");
+            eprintln!(
+                "usage: peer lagrange | kane | eliminated-lagrange | eliminated-kane METHOD, peer lagrange lanes, or peer methods"
+            );
             ExitCode::from(2)
         }
     }

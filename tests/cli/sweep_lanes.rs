@@ -1,0 +1,77 @@
+//! Sweeps in lanes: the runs of a scene on which nothing is watched share the registers of the processor, and nothing else.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+type Row = HashMap<String, String>;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
+}
+
+/// A pendulum without events; the span follows the length, so that points differ in it.
+const SCENE: &str = "span = [0, \"10*sqrt(l/g)\"]\n[start]\ntheta = 2\nomega = 0\n[integration]\nmethod = \"dop853\"\nrtol = 1e-9\natol = 1e-11\n";
+
+fn tripos(arguments: &[&str]) -> std::process::Output {
+    Command::new(env!("CARGO_BIN_EXE_tripos")).args(arguments).current_dir(root()).output().unwrap()
+}
+
+fn scene(folder: &Path, text: &str) -> String {
+    let path = folder.join("scene.toml");
+    std::fs::write(&path, format!("model = '{}'\n{text}", root().join("models/pendulum").display())).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+fn sweep(folder: &Path, text: &str, more: &[&str]) -> String {
+    let (path, out) = (scene(folder, text), folder.join("out.csv"));
+    let output = tripos(&[&["sweep", &path, "--overwrite", "--out", out.to_str().unwrap()], more].concat());
+    assert!(output.status.success() || output.status.code() == Some(3), "{}", String::from_utf8_lossy(&output.stderr));
+    std::fs::read_to_string(out).unwrap()
+}
+
+fn rows(text: &str) -> Vec<Row> {
+    csv::Reader::from_reader(text.as_bytes()).deserialize().map(Result::unwrap).collect()
+}
+
+fn number(row: &Row, column: &str) -> f64 {
+    row[column].parse().unwrap()
+}
+
+/// Goal: lanes make the runs that the scalar method makes. Method: the same sweep with an event that never comes, which keeps runs
+/// out of lanes. 1e-9: a hundred times the tolerance on rounding, which a pendulum at 2 rad multiplies by less than 50 in 10 s; both
+/// take the same steps.
+#[test]
+fn rows_in_lanes_are_the_runs_to_rounding() {
+    let folder = tempfile::tempdir().unwrap();
+    let over = ["--over", "l=0.2:3:23", "--over", "theta=-1,0.5,2,3.1"];
+    let watched = format!("{SCENE}\n[[events]]\nname = \"never\"\nzero = \"2 + cos(theta)\"\n");
+    let (lanes, alone) = (rows(&sweep(folder.path(), SCENE, &over)), rows(&sweep(folder.path(), &watched, &over)));
+    assert_eq!((lanes.len(), alone.len()), (92, 92));
+    let mut differing = 0;
+    for (a, b) in lanes.iter().zip(&alone) {
+        assert_eq!((&a["stop"], &a["steps"], &a["rejected"]), (&b["stop"], &b["steps"], &b["rejected"]));
+        for column in ["t_end", "theta", "omega"] {
+            let (a, b) = (number(a, column), number(b, column));
+            assert!((a - b).abs() <= 1e-9, "{column}: {a} and {b}");
+            differing += usize::from(a.to_bits() != b.to_bits());
+        }
+    }
+    assert!(differing > 0, "without a difference in the last digits these runs were not made in lanes");
+}
+
+/// Goal: a row is the same whichever rows share its registers. Method: shards of sizes that are no multiple of the lanes, with
+/// points that cannot start among them.
+#[test]
+fn rows_in_lanes_do_not_depend_on_their_neighbours() {
+    let folder = tempfile::tempdir().unwrap();
+    let over = ["--over", "l=-0.2:3:37", "--threads"];
+    let whole = sweep(folder.path(), SCENE, &[over.as_slice(), &["2"]].concat());
+    assert!(whole.contains("no-start"), "{whole}");
+    let mut joined: Vec<String> = whole.lines().take(1).map(str::to_owned).collect();
+    for shard in 1..=5 {
+        let part = sweep(folder.path(), SCENE, &[over.as_slice(), &["1", "--shard", &format!("{shard}/5")]].concat());
+        joined.extend(part.lines().skip(1).map(str::to_owned));
+    }
+    assert_eq!(whole.lines().collect::<Vec<_>>(), joined);
+}
