@@ -7,8 +7,40 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::Model;
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Names in scope of every generated function body.
-const IN_SCOPE: [&str; 11] = ["p", "q", "u", "q_dot", "v_dot", "out", "zero", "S", "Parameters", "Scalar", "System"];
+/// Names in scope of the bodies of generated functions, and those that a pattern takes for something else.
+const IN_SCOPE: [&str; 29] = [
+    "p",
+    "q",
+    "u",
+    "q_dot",
+    "v_dot",
+    "out",
+    "zero",
+    "S",
+    "Parameters",
+    "Scalar",
+    "System",
+    // Of the recurrences.
+    "series",
+    "history",
+    "order",
+    "count",
+    "count_last",
+    "over_k",
+    "sums",
+    "next",
+    "pair",
+    "pair_sums",
+    "padded",
+    "rows",
+    "Factors",
+    "SLACK",
+    // Constants and variants that a name cannot hide.
+    "None",
+    "Some",
+    "Ok",
+    "Err",
+];
 
 /// Gives each name out once.
 #[derive(Clone)]
@@ -36,7 +68,8 @@ impl Allocator {
 
     /// `wanted`, with an underscore behind it if that is a keyword, or with a number if it is taken.
     pub fn unique(&mut self, wanted: &str) -> String {
-        let usable = syn::parse_str::<syn::Ident>(wanted).is_ok() && wanted != "_";
+        // `gen` is a keyword since the edition of 2024.
+        let usable = syn::parse_str::<syn::Ident>(wanted).is_ok() && !["_", "gen"].contains(&wanted);
         let candidates = std::iter::once(if usable { wanted.to_owned() } else { format!("{wanted}_") });
         let candidates = candidates.chain((2..).map(|n| format!("{wanted}_{n}")));
         let found = candidates.into_iter().find(|name| !self.taken.contains(name)).expect("numbers do not end");

@@ -201,4 +201,8 @@ fn sines_of_sums_come_from_those_of_the_parts() {
     let alone = parse_free(&mut arena, "sin(p + q)*cos(p + q)").unwrap();
     let reading = Reading { products: Products::Factored, angles: Angles::Composed };
     assert!(share(&mut arena, &mut Simplifier::default(), reading, &[], &[alone]).is_none());
+    // Inside another function they are defined before it.
+    let lines = composed(&["sin(p)*cos(q)*sqrt(2 - cos(p - q))"]);
+    assert_eq!(lines[0], "#cos(p - q) = cos(p)*cos(q) + sin(p)*sin(q)", "{lines:?}");
+    assert_eq!(lines.len(), 2, "{lines:?}");
 }

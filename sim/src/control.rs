@@ -50,8 +50,9 @@ impl Rules {
     /// Longest step as a part of the span, unless the caller says otherwise.
     pub(crate) fn longest_part(self) -> f64 {
         match self {
-            Self::Ode45 { .. } => 0.1,
-            Self::Hairer { .. } | Self::Proposed => 1.0,
+            // A polynomial is its own Taylor series, and events are looked for at some places of each step.
+            Self::Ode45 { .. } | Self::Proposed => 0.1,
+            Self::Hairer { .. } => 1.0,
         }
     }
 

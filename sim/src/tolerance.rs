@@ -128,12 +128,13 @@ impl ErrorTest {
         norm
     }
 
-    /// The largest quotients |xᵢ| / wᵢ of two vectors of finite numbers.
+    /// The largest quotients |xᵢ| / wᵢ of two vectors of finite numbers, leaving out components without a weight: the
+    /// step has to show what they become.
     pub(crate) fn largest_of_two<S: Real>(&self, a: &[S], b: &[S], y: &[S]) -> [f64; 2] {
         let mut norms = [0.0; 2];
         for (((a, b), y), absolute) in a.iter().zip(b).zip(y).zip(&self.absolute) {
-            let weight = larger(larger(self.relative * y.to_f64().abs(), *absolute), f64::MIN_POSITIVE);
-            let inverse = 1.0 / weight;
+            let weight = larger(self.relative * y.to_f64().abs(), *absolute);
+            let inverse = if weight > 0.0 { 1.0 / weight } else { 0.0 };
             norms = [larger(a.to_f64().abs() * inverse, norms[0]), larger(b.to_f64().abs() * inverse, norms[1])];
         }
         norms

@@ -90,7 +90,9 @@ fn try_one_step(problem: &Problem<'_>) -> Result<(), Failure> {
     let Ok(y0) = problem.start() else { return Ok(()) };
     let options = Options { step_limit: 1, ..options_of_ends(problem.scene)? };
     match problem.integrate(&y0, &options, &mut []) {
-        Err(error @ (SimError::NoStep { .. } | SimError::NoJacobian { .. })) => Err(refused(problem.scene, &error)),
+        Err(error @ (SimError::NoStep { .. } | SimError::NoJacobian { .. } | SimError::NoSeries { .. })) => {
+            Err(refused(problem.scene, &error))
+        }
         Err(_) => Ok(()),
         Ok(solution) => {
             let raised = solution.warnings.iter().filter(|w| matches!(w, Warning::RtolRaised { .. }));

@@ -49,7 +49,7 @@ pub fn taylor(writer: &Writer<'_>, list: &Recurrences) -> Function {
     let (p, unpack_p) = signature_p;
     let unpack = text.unpack();
     let convolves = list.convolutions() > 0;
-    let work = format_ident!("{}", if convolves { "work" } else { "_work" });
+    let work = format_ident!("{}", if convolves { "history" } else { "_history" });
     let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
     let counts = format!(
         " {} and {} an order.",
@@ -57,10 +57,10 @@ pub fn taylor(writer: &Writer<'_>, list: &Recurrences) -> Function {
         plural(list.linear_operations(), "linear operation")
     );
     let tokens = quote! {
-        #[doc = " Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`."]
+        #[doc = " Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`."]
         #[doc = ""]
         #[doc = #counts]
-        pub fn taylor<S: Scalar>(#p: &Parameters<S>, x: &mut [[S; #states]], #work: &mut [Factors<S, #width>]) {
+        pub fn taylor<S: Scalar>(#p: &Parameters<S>, series: &mut [[S; #states]], #work: &mut [Factors<S, #width>]) {
             #unpack_p
             #unpack
             #constants
@@ -126,6 +126,6 @@ impl Text<'_> {
                 _ => quote!(_),
             }
         });
-        quote!(let [#(#patterns),*] = x[0];)
+        quote!(let [#(#patterns),*] = series[0];)
     }
 }

@@ -96,9 +96,11 @@ impl Text<'_> {
             tokens.extend(value);
             if let Some(name) = self.over.get(&at) {
                 let name = format_ident!("{name}");
-                let twice = matches!(s.rule, Rule::Root(_));
-                let divisor = if twice { quote!((#z + #z)) } else { quote!(#z) };
-                tokens.extend(quote!(let #name = S::int(1) / #divisor;));
+                tokens.extend(quote!(let #name = S::int(1) / #z;));
+            }
+            if let Some(name) = self.over_twice.get(&at) {
+                let name = format_ident!("{name}");
+                tokens.extend(quote!(let #name = S::int(1) / (#z + #z);));
             }
         }
         tokens
@@ -159,19 +161,19 @@ impl Text<'_> {
         quote! {
             #heading_1
             #rates_0
-            if x.len() > 1 {
-                x[1] = #row_1;
+            if series.len() > 1 {
+                series[1] = #row_1;
             }
             #(#one)*
             #ends
             #heading_rates
             #rates_1
-            for k in 2..x.len() {
-                let over_k = S::ratio(1, k as i64);
+            for order in 2..series.len() {
+                let over_k = S::ratio(1, order as i64);
                 #heading_k
                 #states
-                x[k] = #row_k;
-                if k + 1 == x.len() {
+                series[order] = #row_k;
+                if order + 1 == series.len() {
                     break;
                 }
                 #sums
@@ -217,7 +219,7 @@ impl Text<'_> {
             factors[0].push(if weighted { quote!(count * #left) } else { left });
             factors[1].push(right);
             if weighted && counted.is_empty() {
-                counted = quote!(let count = S::int(k as i64););
+                counted = quote!(let count = S::int(order as i64););
                 before.extend(quote!(let mut count_last = S::int(1);));
                 after.extend(quote!(count_last = count;));
             }
@@ -243,18 +245,18 @@ impl Text<'_> {
         let kept = comment("Factors of the convolutions: left, right.");
         [
             quote! {
-                if x.len() > 2 {
+                if series.len() > 2 {
                     #kept
-                    work[1] = [#left_1, #right_1];
+                    history[1] = [#left_1, #right_1];
                 }
                 #before
                 let mut next = [S::int(0); #width];
             },
             quote! {
                 #counted
-                let sums = if k % 2 == 0 {
+                let sums = if order % 2 == 0 {
                     #pair
-                    let pair = pair_sums(&work[..k]);
+                    let pair = pair_sums(&history[..order]);
                     next = pair[1];
                     pair[0]
                 } else {
@@ -262,7 +264,7 @@ impl Text<'_> {
                     #ends
                 };
             },
-            quote!(#kept work[k] = [#left, #right];),
+            quote!(#kept history[order] = [#left, #right];),
             quote!(#after),
         ]
     }
@@ -317,7 +319,7 @@ impl Text<'_> {
                 }
             }
             Rule::Root(x) => {
-                let (x_k, over) = (name(*x), self.over(at));
+                let (x_k, over) = (name(*x), self.over_twice(at));
                 if one { quote!(#x_k * #over) } else { quote!((#x_k - #sum) * #over) }
             }
             Rule::Forward { of, slope, negative, .. } => {

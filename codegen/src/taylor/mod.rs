@@ -1,8 +1,8 @@
 //! Recurrences of the Taylor coefficients of a motion: automatic differentiation in time of the program that computes
 //! the derivative of the state.
 //!
-//! The flow: steps and rates → a form with few products of what changes in time ([`factor`]) → one operation at a time
-//! ([`lower`], products shared by [`products`]) → [`Recurrences`] → Rust text ([`function`]), or interpretation
+//! The flow: steps and rates → a form with few products of what changes in time (`factor`) → one operation at a time
+//! (`lower`, products shared by `products`) → [`Recurrences`] → Rust text ([`function`]), or interpretation
 //! ([`Tape`]). What is linear costs an operation an order; every other operation is a convolution, so convolutions
 //! are what is counted. The recurrences are those of A. Jorba & M. Zou, "A software package for the numerical integration of
 //! ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117, §2.

@@ -12,24 +12,6 @@ use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::view::view;
 use tripos_derive::algebra::{Arena, Expr, Function as Elementary, Node};
 
-/// Names in scope of the function's body beside those of every generated function.
-const IN_SCOPE: [&str; 14] = [
-    "x",
-    "work",
-    "k",
-    "count",
-    "over_k",
-    "sums",
-    "next",
-    "pair",
-    "count_last",
-    "pair_sums",
-    "padded",
-    "rows",
-    "Factors",
-    "SLACK",
-];
-
 /// Names of everything the function computes.
 pub(super) struct Text<'a> {
     pub(super) arena: &'a Arena,
@@ -39,6 +21,8 @@ pub(super) struct Text<'a> {
     pub(super) names: Vec<String>,
     /// Of each series that is divided by: what it is multiplied with instead.
     pub(super) over: FxHashMap<usize, String>,
+    /// The same for its double, which a root divides by.
+    pub(super) over_twice: FxHashMap<usize, String>,
     /// Of each weight that is no number and no symbol.
     pub(super) weights: FxHashMap<Expr, String>,
     /// The rate of each state of the series, while orders are computed.
@@ -52,27 +36,24 @@ pub(super) struct Text<'a> {
 impl<'a> Text<'a> {
     pub(super) fn new(writer: &'a Writer<'_>, list: &'a Recurrences) -> Self {
         let (arena, mut variables) = (writer.arena, writer.variables.clone());
-        for name in IN_SCOPE {
-            variables.allocator.unique(name);
-        }
         let mut names = Names { allocator: variables.allocator.clone(), circular: FxHashMap::default() };
         let series = names_of(arena, &variables, &mut names, list);
         variables.allocator = names.allocator;
         let allocator = &mut variables.allocator;
-        let mut over = FxHashMap::default();
+        let (mut over, mut over_twice) = (FxHashMap::default(), FxHashMap::default());
         let mut rates = FxHashMap::default();
         for (at, s) in list.series.iter().enumerate() {
-            let divisor = match s.rule {
-                Rule::Quotient(_, y) | Rule::Backward { slope: y, .. } => Some((y, "over")),
-                Rule::Root(_) => Some((at, "over_twice")),
+            match s.rule {
+                Rule::Quotient(_, y) | Rule::Backward { slope: y, .. } => {
+                    over.entry(y).or_insert_with(|| allocator.unique(&format!("over_{}", series[y])));
+                }
+                Rule::Root(_) => {
+                    over_twice.insert(at, allocator.unique(&format!("over_twice_{}", series[at])));
+                }
                 Rule::State(_) => {
                     rates.insert(at, allocator.unique(&format!("{}_rate", series[at])));
-                    None
                 }
-                _ => None,
-            };
-            if let Some((y, stem)) = divisor {
-                over.entry(y).or_insert_with(|| allocator.unique(&format!("{stem}_{}", series[y])));
+                _ => {}
             }
         }
         let mut weights = FxHashMap::default();
@@ -84,7 +65,7 @@ impl<'a> Text<'a> {
         }
         let convolving = (0..list.series.len()).filter(|at| list.series[*at].rule.convolves());
         let slots = convolving.enumerate().map(|(slot, at)| (at, slot)).collect();
-        Self { arena, list, variables, names: series, over, weights, rates, depths: depths(list), slots }
+        Self { arena, list, variables, names: series, over, over_twice, weights, rates, depths: depths(list), slots }
     }
 
     /// Whether anything reads the value of a series at order 0.
@@ -118,6 +99,11 @@ impl<'a> Text<'a> {
 
     pub(super) fn over(&self, at: usize) -> TokenStream {
         let name = format_ident!("{}", self.over[&at]);
+        quote!(#name)
+    }
+
+    pub(super) fn over_twice(&self, at: usize) -> TokenStream {
+        let name = format_ident!("{}", self.over_twice[&at]);
         quote!(#name)
     }
 

@@ -140,5 +140,5 @@ pub fn share(
     let values: Vec<Expr> = values.iter().map(|e| reading.products.read(arena, simplifier, *e)).collect();
     let network = Network::new(arena, &steps, &values);
     let network = Extraction::new(network).run();
-    Some(rebuild::rebuild(arena, &network))
+    rebuild::rebuild(arena, &network)
 }

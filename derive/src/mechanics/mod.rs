@@ -316,7 +316,7 @@ pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, Der
 /// Derives the equations of motion of a model, and shows what they come from, step by step.
 ///
 /// # Errors
-/// As [`derive`].
+/// As [`derive()`].
 pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<DerivationInSteps, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;

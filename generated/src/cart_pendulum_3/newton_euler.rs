@@ -1197,16 +1197,16 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     energy
 }
 
-/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 64 convolutions and 144 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
-    x: &mut [[S; 8]],
-    work: &mut [Factors<S, 64>],
+    series: &mut [[S; 8]],
+    history: &mut [Factors<S, 64>],
 ) {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
-    let [_, q1_0, q2_0, q3_0, u0_0, u1_0, u2_0, u3_0] = x[0];
+    let [_, q1_0, q2_0, q3_0, u0_0, u1_0, u2_0, u3_0] = series[0];
     // Shared terms.
     // m2*g; used 2 times
     let m2_g = m2 * g;
@@ -1516,8 +1516,8 @@ pub fn taylor<S: Scalar>(
     let u1_1 = u1_dot_2_0;
     let u2_1 = u2_dot_2_0;
     let u3_1 = weight_3 * u3_dot_part_9_0;
-    if x.len() > 1 {
-        x[1] = [q0_1, q1_1, q2_1, q3_1, u0_1, u1_1, u2_1, u3_1];
+    if series.len() > 1 {
+        series[1] = [q0_1, q1_1, q2_1, q3_1, u0_1, u1_1, u2_1, u3_1];
     }
     let s3_2_1 = q3_1 * c3_0;
     let c3_1 = -q3_1 * s3_2_0;
@@ -1667,9 +1667,9 @@ pub fn taylor<S: Scalar>(
         ) + u0_dot_2_1;
     let u3_dot_part_8_1 = u3_dot_part_7_1.mul_add(c3_0, c3_1 * u3_dot_part_7_0);
     let u3_dot_part_9_1 = u3_dot_part_4_1 + u3_dot_part_8_1;
-    if x.len() > 2 {
+    if series.len() > 2 {
         // Factors of the convolutions: left, right.
-        work[1] = [
+        history[1] = [
             [
                 q3_1,
                 q3_1,
@@ -1863,8 +1863,8 @@ pub fn taylor<S: Scalar>(
     let mut u1_rate = u1_dot_2_1;
     let mut u2_rate = u2_dot_2_1;
     let mut u3_rate = weight_3 * u3_dot_part_9_1;
-    for k in 2..x.len() {
-        let over_k = S::ratio(1, k as i64);
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
         let q0 = q0_rate * over_k;
         let q1 = q1_rate * over_k;
@@ -1874,15 +1874,15 @@ pub fn taylor<S: Scalar>(
         let u1 = u1_rate * over_k;
         let u2 = u2_rate * over_k;
         let u3 = u3_rate * over_k;
-        x[k] = [q0, q1, q2, q3, u0, u1, u2, u3];
-        if k + 1 == x.len() {
+        series[order] = [q0, q1, q2, q3, u0, u1, u2, u3];
+        if order + 1 == series.len() {
             break;
         }
-        let count = S::int(k as i64);
-        let sums = if k % 2 == 0 {
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
             // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
             //   k.
-            let pair = pair_sums(&work[..k]);
+            let pair = pair_sums(&history[..order]);
             next = pair[1];
             pair[0]
         } else {
@@ -2317,7 +2317,7 @@ pub fn taylor<S: Scalar>(
         u2_rate = u2_dot_2;
         u3_rate = weight_3 * u3_dot_part_9;
         // Factors of the convolutions: left, right.
-        work[k] = [
+        history[order] = [
             [
                 count * q3,
                 count * q3,

@@ -347,16 +347,16 @@ pub fn motion_variables<S: Scalar>(
     [theta_dot_value, phi_dot_value]
 }
 
-/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 11 convolutions and 8 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
-    x: &mut [[S; 4]],
-    work: &mut [Factors<S, 16>],
+    series: &mut [[S; 4]],
+    history: &mut [Factors<S, 16>],
 ) {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
-    let [theta_0, phi_0, theta_dot_0, phi_dot_0] = x[0];
+    let [theta_0, phi_0, theta_dot_0, phi_dot_0] = series[0];
     // Constant in time.
     // weight = mA*lA^2 + mB*lB^2 + IAxx
     let weight = mA * lA * lA + mB * lB * lB + IAxx;
@@ -395,8 +395,8 @@ pub fn taylor<S: Scalar>(
     let phi_1 = phi_dot_0;
     let theta_dot_1 = -theta_ddot_part_5_0;
     let phi_dot_1 = ibxx_minus_ibyy_by_ibzz * phi_ddot_part_0;
-    if x.len() > 1 {
-        x[1] = [theta_1, phi_1, theta_dot_1, phi_dot_1];
+    if series.len() > 1 {
+        series[1] = [theta_1, phi_1, theta_dot_1, phi_dot_1];
     }
     let sin_phi_1 = phi_1 * cos_phi_0;
     let cos_phi_1 = -phi_1 * sin_phi_0;
@@ -419,9 +419,9 @@ pub fn taylor<S: Scalar>(
         );
     let phi_ddot_part_1 = theta_ddot_part_2_1
         .mul_add(theta_dot_0, theta_dot_1 * theta_ddot_part_2_0);
-    if x.len() > 2 {
+    if series.len() > 2 {
         // Factors of the convolutions: left, right.
-        work[1] = [
+        history[1] = [
             padded([
                 phi_1,
                 phi_1,
@@ -469,22 +469,22 @@ pub fn taylor<S: Scalar>(
     let mut phi_rate = phi_dot_1;
     let mut theta_dot_rate = -theta_ddot_part_5_1;
     let mut phi_dot_rate = ibxx_minus_ibyy_by_ibzz * phi_ddot_part_1;
-    for k in 2..x.len() {
-        let over_k = S::ratio(1, k as i64);
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
         let theta = theta_rate * over_k;
         let phi = phi_rate * over_k;
         let theta_dot = theta_dot_rate * over_k;
         let phi_dot = phi_dot_rate * over_k;
-        x[k] = [theta, phi, theta_dot, phi_dot];
-        if k + 1 == x.len() {
+        series[order] = [theta, phi, theta_dot, phi_dot];
+        if order + 1 == series.len() {
             break;
         }
-        let count = S::int(k as i64);
-        let sums = if k % 2 == 0 {
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
             // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
             //   k.
-            let pair = pair_sums(&work[..k]);
+            let pair = pair_sums(&history[..order]);
             next = pair[1];
             pair[0]
         } else {
@@ -577,7 +577,7 @@ pub fn taylor<S: Scalar>(
         theta_dot_rate = -theta_ddot_part_5;
         phi_dot_rate = ibxx_minus_ibyy_by_ibzz * phi_ddot_part;
         // Factors of the convolutions: left, right.
-        work[k] = [
+        history[order] = [
             padded([
                 count * phi,
                 count * phi,

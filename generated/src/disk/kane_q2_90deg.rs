@@ -612,16 +612,16 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
     energy
 }
 
-/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 24 convolutions and 38 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
-    x: &mut [[S; 10]],
-    work: &mut [Factors<S, 24>],
+    series: &mut [[S; 10]],
+    history: &mut [Factors<S, 24>],
 ) {
     let Parameters { R, g, .. } = *p;
-    let [q1_0, q2_minus_90deg_0, _, _, _, u1_0, u2_0, u3, u4_0, u5_0] = x[0];
+    let [q1_0, q2_minus_90deg_0, _, _, _, u1_0, u2_0, u3, u4_0, u5_0] = series[0];
     // Constant in time.
     // weight = 4*g/R
     let weight = S::int(4) * g / R;
@@ -706,8 +706,8 @@ pub fn taylor<S: Scalar>(
     let u2_1 = u2_dot_2_0;
     let u4_1 = R * u4_dot_part_3_0;
     let u5_1 = minus_r * u5_dot_part_13_0;
-    if x.len() > 1 {
-        x[1] = [
+    if series.len() > 1 {
+        series[1] = [
             q1_1,
             q2_minus_90deg_1,
             q3_1,
@@ -774,9 +774,9 @@ pub fn taylor<S: Scalar>(
     let u4_dot_part_2_1 = u5_dot_part_7_1.mul_add(c1_0, c1_1 * u5_dot_part_7_0);
     let u4_dot_part_3_1 = u4_dot_part_1 - u4_dot_part_2_1;
     let q3_dot_2_1 = u2_dot_part_1;
-    if x.len() > 2 {
+    if series.len() > 2 {
         // Factors of the convolutions: left, right.
-        work[1] = [
+        history[1] = [
             [
                 q2_minus_90deg_1,
                 q2_minus_90deg_1,
@@ -862,8 +862,8 @@ pub fn taylor<S: Scalar>(
     let mut u2_rate = u2_dot_2_1;
     let mut u4_rate = R * u4_dot_part_3_1;
     let mut u5_rate = minus_r * u5_dot_part_13_1;
-    for k in 2..x.len() {
-        let over_k = S::ratio(1, k as i64);
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
         let q1 = q1_rate * over_k;
         let q2_minus_90deg = q2_minus_90deg_rate * over_k;
@@ -874,15 +874,15 @@ pub fn taylor<S: Scalar>(
         let u2 = u2_rate * over_k;
         let u4 = u4_rate * over_k;
         let u5 = u5_rate * over_k;
-        x[k] = [q1, q2_minus_90deg, q3, q4, q5, u1, u2, S::int(0), u4, u5];
-        if k + 1 == x.len() {
+        series[order] = [q1, q2_minus_90deg, q3, q4, q5, u1, u2, S::int(0), u4, u5];
+        if order + 1 == series.len() {
             break;
         }
-        let count = S::int(k as i64);
-        let sums = if k % 2 == 0 {
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
             // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
             //   k.
-            let pair = pair_sums(&work[..k]);
+            let pair = pair_sums(&history[..order]);
             next = pair[1];
             pair[0]
         } else {
@@ -1115,7 +1115,7 @@ pub fn taylor<S: Scalar>(
         u4_rate = R * u4_dot_part_3;
         u5_rate = minus_r * u5_dot_part_13;
         // Factors of the convolutions: left, right.
-        work[k] = [
+        history[order] = [
             [
                 count * q2_minus_90deg,
                 count * q2_minus_90deg,

@@ -637,16 +637,16 @@ pub fn motion_variables<S: Scalar>(
     [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value]
 }
 
-/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 22 convolutions and 36 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
-    x: &mut [[S; 10]],
-    work: &mut [Factors<S, 24>],
+    series: &mut [[S; 10]],
+    history: &mut [Factors<S, 24>],
 ) {
     let Parameters { R, g, .. } = *p;
-    let [q1_0, q2_0, _, _, _, q1_dot_0, q2_dot_0, q3_dot_0, q4_dot_0, q5_dot_0] = x[0];
+    let [q1_0, q2_0, _, _, _, q1_dot_0, q2_dot_0, q3_dot_0, q4_dot_0, q5_dot_0] = series[0];
     // Constant in time.
     // weight = 4*g/R
     let weight = S::int(4) * g / R;
@@ -725,8 +725,8 @@ pub fn taylor<S: Scalar>(
     let q3_dot_1 = q3_dot_dot_0;
     let q4_dot_1 = minus_r * q4_ddot_part_3_0;
     let q5_dot_1 = R * q5_ddot_part_7_0;
-    if x.len() > 1 {
-        x[1] = [
+    if series.len() > 1 {
+        series[1] = [
             q1_1,
             q2_1,
             q3_1,
@@ -778,9 +778,9 @@ pub fn taylor<S: Scalar>(
     let q4_ddot_part_2_1 = q5_ddot_part_5_1.mul_add(c1_0, c1_1 * q5_ddot_part_5_0);
     let q4_ddot_part_3_1 = -q4_ddot_part_2_1 + q4_ddot_part_1;
     let q3_dot_dot_1 = S::int(2) * q2_q3_tan_q2_1 - q1_q2_cos_q2_1;
-    if x.len() > 2 {
+    if series.len() > 2 {
         // Factors of the convolutions: left, right.
-        work[1] = [
+        history[1] = [
             padded([
                 q2_1,
                 q2_1,
@@ -862,8 +862,8 @@ pub fn taylor<S: Scalar>(
     let mut q3_dot_rate = q3_dot_dot_1;
     let mut q4_dot_rate = minus_r * q4_ddot_part_3_1;
     let mut q5_dot_rate = R * q5_ddot_part_7_1;
-    for k in 2..x.len() {
-        let over_k = S::ratio(1, k as i64);
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
         let q1 = q1_rate * over_k;
         let q2 = q2_rate * over_k;
@@ -875,15 +875,15 @@ pub fn taylor<S: Scalar>(
         let q3_dot = q3_dot_rate * over_k;
         let q4_dot = q4_dot_rate * over_k;
         let q5_dot = q5_dot_rate * over_k;
-        x[k] = [q1, q2, q3, q4, q5, q1_dot, q2_dot, q3_dot, q4_dot, q5_dot];
-        if k + 1 == x.len() {
+        series[order] = [q1, q2, q3, q4, q5, q1_dot, q2_dot, q3_dot, q4_dot, q5_dot];
+        if order + 1 == series.len() {
             break;
         }
-        let count = S::int(k as i64);
-        let sums = if k % 2 == 0 {
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
             // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
             //   k.
-            let pair = pair_sums(&work[..k]);
+            let pair = pair_sums(&history[..order]);
             next = pair[1];
             pair[0]
         } else {
@@ -1050,7 +1050,7 @@ pub fn taylor<S: Scalar>(
         q4_dot_rate = minus_r * q4_ddot_part_3;
         q5_dot_rate = R * q5_ddot_part_7;
         // Factors of the convolutions: left, right.
-        work[k] = [
+        history[order] = [
             padded([
                 count * q2,
                 count * q2,

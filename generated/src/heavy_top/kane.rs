@@ -277,16 +277,16 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
     energy
 }
 
-/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 9 convolutions and 12 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
-    x: &mut [[S; 6]],
-    work: &mut [Factors<S, 16>],
+    series: &mut [[S; 6]],
+    history: &mut [Factors<S, 16>],
 ) {
     let Parameters { m, l, I1, I3, g } = *p;
-    let [q1_0, q2_0, _, u1_0, u2_0, u3] = x[0];
+    let [q1_0, q2_0, _, u1_0, u2_0, u3] = series[0];
     // Constant in time.
     // i3_u3 = I3*u3
     let i3_u3 = I3 * u3;
@@ -324,8 +324,8 @@ pub fn taylor<S: Scalar>(
     let q3_1 = q3_dot_2_0;
     let u1_1 = weight * u1_dot_part_2_0;
     let u2_1 = weight * u2_dot_part_3_0;
-    if x.len() > 1 {
-        x[1] = [q1_1, q2_1, q3_1, u1_1, u2_1, S::int(0)];
+    if series.len() > 1 {
+        series[1] = [q1_1, q2_1, q3_1, u1_1, u2_1, S::int(0)];
     }
     let s2_1 = q2_1 * c2_0;
     let c2_1 = -q2_1 * s2_0;
@@ -340,9 +340,9 @@ pub fn taylor<S: Scalar>(
     let u1_dot_part_1 = u2_dot_part_1.mul_add(u2_0, u2_1 * u2_dot_part_0);
     let u1_dot_part_2_1 = m_l_g * s1_1 - u1_dot_part_1;
     let q3_dot_2_1 = -u1_tan_q2_1;
-    if x.len() > 2 {
+    if series.len() > 2 {
         // Factors of the convolutions: left, right.
-        work[1] = [
+        history[1] = [
             padded([q2_1, q2_1, q1_1, q1_1, s2_1, c2_1, s2_1, u1_1, u2_1]),
             padded([
                 c2_1,
@@ -375,23 +375,23 @@ pub fn taylor<S: Scalar>(
     let mut q3_rate = q3_dot_2_1;
     let mut u1_rate = weight * u1_dot_part_2_1;
     let mut u2_rate = weight * u2_dot_part_3_1;
-    for k in 2..x.len() {
-        let over_k = S::ratio(1, k as i64);
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
         let q1 = q1_rate * over_k;
         let q2 = q2_rate * over_k;
         let q3 = q3_rate * over_k;
         let u1 = u1_rate * over_k;
         let u2 = u2_rate * over_k;
-        x[k] = [q1, q2, q3, u1, u2, S::int(0)];
-        if k + 1 == x.len() {
+        series[order] = [q1, q2, q3, u1, u2, S::int(0)];
+        if order + 1 == series.len() {
             break;
         }
-        let count = S::int(k as i64);
-        let sums = if k % 2 == 0 {
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
             // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
             //   k.
-            let pair = pair_sums(&work[..k]);
+            let pair = pair_sums(&history[..order]);
             next = pair[1];
             pair[0]
         } else {
@@ -441,7 +441,7 @@ pub fn taylor<S: Scalar>(
         u1_rate = weight * u1_dot_part_2;
         u2_rate = weight * u2_dot_part_3;
         // Factors of the convolutions: left, right.
-        work[k] = [
+        history[order] = [
             padded([count * q2, count * q2, count * q1, count * q1, s2, c2, s2, u1, u2]),
             padded([c2, s2, c1, s1, c1, q1_dot_2, q1_dot_2, u2_dot_part, u2_dot_part]),
         ];

@@ -421,16 +421,16 @@ pub fn motion_variables<S: Scalar>(
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
-/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 12 convolutions and 20 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
-    x: &mut [[S; 6]],
-    work: &mut [Factors<S, 16>],
+    series: &mut [[S; 6]],
+    history: &mut [Factors<S, 16>],
 ) {
     let Parameters { m, l, I1, I3, g } = *p;
-    let [q1_0, q2_0, _, q1_dot_0, q2_dot_0, q3_dot_0] = x[0];
+    let [q1_0, q2_0, _, q1_dot_0, q2_dot_0, q3_dot_0] = series[0];
     // Shared terms.
     // I3/I1; used 3 times
     let i1_inv_i3 = I3 / I1;
@@ -480,8 +480,8 @@ pub fn taylor<S: Scalar>(
     let q1_dot_1 = q1_dot_dot_0;
     let q2_dot_1 = q2_dot_dot_0;
     let q3_dot_1 = q3_dot_dot_0;
-    if x.len() > 1 {
-        x[1] = [q1_1, q2_1, q3_1, q1_dot_1, q2_dot_1, q3_dot_1];
+    if series.len() > 1 {
+        series[1] = [q1_1, q2_1, q3_1, q1_dot_1, q2_dot_1, q3_dot_1];
     }
     let s2_1 = q2_1 * c2_0;
     let c2_1 = -q2_1 * s2_0;
@@ -502,9 +502,9 @@ pub fn taylor<S: Scalar>(
     let q2_ddot_part_2_1 = q2_ddot_part_1
         .mul_add(q1_cos_q2_0, q1_cos_q2_1 * q2_ddot_part_0);
     let q2_dot_dot_1 = m_l_g_by_i1 * cos_q1_sin_q2_1 + q2_ddot_part_2_1;
-    if x.len() > 2 {
+    if series.len() > 2 {
         // Factors of the convolutions: left, right.
-        work[1] = [
+        history[1] = [
             padded([
                 q2_1,
                 q2_1,
@@ -556,8 +556,8 @@ pub fn taylor<S: Scalar>(
     let mut q1_dot_rate = q1_dot_dot_1;
     let mut q2_dot_rate = q2_dot_dot_1;
     let mut q3_dot_rate = q3_dot_dot_1;
-    for k in 2..x.len() {
-        let over_k = S::ratio(1, k as i64);
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
         let q1 = q1_rate * over_k;
         let q2 = q2_rate * over_k;
@@ -565,15 +565,15 @@ pub fn taylor<S: Scalar>(
         let q1_dot = q1_dot_rate * over_k;
         let q2_dot = q2_dot_rate * over_k;
         let q3_dot = q3_dot_rate * over_k;
-        x[k] = [q1, q2, q3, q1_dot, q2_dot, q3_dot];
-        if k + 1 == x.len() {
+        series[order] = [q1, q2, q3, q1_dot, q2_dot, q3_dot];
+        if order + 1 == series.len() {
             break;
         }
-        let count = S::int(k as i64);
-        let sums = if k % 2 == 0 {
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
             // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
             //   k.
-            let pair = pair_sums(&work[..k]);
+            let pair = pair_sums(&history[..order]);
             next = pair[1];
             pair[0]
         } else {
@@ -647,7 +647,7 @@ pub fn taylor<S: Scalar>(
         q2_dot_rate = q2_dot_dot;
         q3_dot_rate = q3_dot_dot;
         // Factors of the convolutions: left, right.
-        work[k] = [
+        history[order] = [
             padded([
                 count * q2,
                 count * q2,

@@ -147,16 +147,16 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 1]) -> S {
     energy
 }
 
-/// Taylor coefficients of the motion in time: `x[k]` is the one of order k, from the state `x[0]`.
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 2 convolutions and 0 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
-    x: &mut [[S; 2]],
-    work: &mut [Factors<S, 8>],
+    series: &mut [[S; 2]],
+    history: &mut [Factors<S, 8>],
 ) {
     let Parameters { l, g, .. } = *p;
-    let [theta_0, omega_0] = x[0];
+    let [theta_0, omega_0] = series[0];
     // Constant in time.
     // minus_g_by_l = -g/l
     let minus_g_by_l = -g / l;
@@ -165,14 +165,14 @@ pub fn taylor<S: Scalar>(
     // Order 1: the rates, and what follows from them.
     let theta_1 = omega_0;
     let omega_1 = minus_g_by_l * sin_theta_0;
-    if x.len() > 1 {
-        x[1] = [theta_1, omega_1];
+    if series.len() > 1 {
+        series[1] = [theta_1, omega_1];
     }
     let sin_theta_1 = theta_1 * cos_theta_0;
     let cos_theta_1 = -theta_1 * sin_theta_0;
-    if x.len() > 2 {
+    if series.len() > 2 {
         // Factors of the convolutions: left, right.
-        work[1] = [padded([theta_1, theta_1]), padded([cos_theta_1, sin_theta_1])];
+        history[1] = [padded([theta_1, theta_1]), padded([cos_theta_1, sin_theta_1])];
     }
     let mut count_last = S::int(1);
     let mut theta_last = theta_1;
@@ -182,20 +182,20 @@ pub fn taylor<S: Scalar>(
     // Rates at order k - 1.
     let mut theta_rate = omega_1;
     let mut omega_rate = minus_g_by_l * sin_theta_1;
-    for k in 2..x.len() {
-        let over_k = S::ratio(1, k as i64);
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
         let theta = theta_rate * over_k;
         let omega = omega_rate * over_k;
-        x[k] = [theta, omega];
-        if k + 1 == x.len() {
+        series[order] = [theta, omega];
+        if order + 1 == series.len() {
             break;
         }
-        let count = S::int(k as i64);
-        let sums = if k % 2 == 0 {
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
             // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
             //   k.
-            let pair = pair_sums(&work[..k]);
+            let pair = pair_sums(&history[..order]);
             next = pair[1];
             pair[0]
         } else {
@@ -220,7 +220,7 @@ pub fn taylor<S: Scalar>(
         theta_rate = omega;
         omega_rate = minus_g_by_l * sin_theta;
         // Factors of the convolutions: left, right.
-        work[k] = [
+        history[order] = [
             padded([count * theta, count * theta]),
             padded([cos_theta, sin_theta]),
         ];

@@ -2,12 +2,14 @@
 
 use super::network::{Atom, Factors, Network, Term, Value, is_unit};
 use crate::algebra::Rational;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Terms in one sum above which its pairs of terms are not looked at: they grow with the square.
 const LONGEST: usize = 300;
+/// Places of sums of two terms that are looked at; what comes later shares products only.
+const MOST_PLACES: usize = 100_000;
 
 /// What several terms may have in common.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -47,6 +49,8 @@ pub(super) struct Extraction {
     index: FxHashMap<Divisor, usize>,
     divisors: Vec<Divisor>,
     candidates: Vec<Candidate>,
+    /// Places of sums of two terms so far.
+    pairs: usize,
     /// The divisor that a sum is the definition of.
     definition_of: FxHashMap<Atom, usize>,
     /// (operations saved, the oldest first); bounds from above, which are weighed again when they come up.
@@ -60,6 +64,7 @@ impl Extraction {
             index: FxHashMap::default(),
             divisors: Vec::new(),
             candidates: Vec::new(),
+            pairs: 0,
             definition_of: FxHashMap::default(),
             queue: BinaryHeap::new(),
         };
@@ -100,7 +105,8 @@ impl Extraction {
                 self.enter(Divisor::Scaled(magnitude(&term.k), *a), (sum, at, at), own);
             }
         }
-        if others.len() <= LONGEST {
+        if others.len() <= LONGEST && self.pairs < MOST_PLACES {
+            self.pairs += others.len();
             for other in others {
                 let (divisor, _) = split(self.term(sum, *other), &term);
                 self.enter(divisor, (sum, *other, at), own);
@@ -153,11 +159,11 @@ impl Extraction {
     /// Places that are still there and do not overlap.
     fn places(&self, id: usize) -> Vec<Place> {
         let mut list: Vec<Place> = Vec::new();
+        let mut taken: FxHashSet<(Atom, usize)> = FxHashSet::default();
         for place in &self.candidates[id].places {
             let (sum, i, j) = *place;
-            let free = |p: &Place| p.0 != sum || (p.1 != i && p.1 != j && p.2 != i && p.2 != j);
-            // Other places in the same sum stand at the end, or a little before.
-            if self.is_there(*place) && list.iter().rev().take(64).all(free) {
+            if self.is_there(*place) && !taken.contains(&(sum, i)) && !taken.contains(&(sum, j)) {
+                taken.extend([(sum, i), (sum, j)]);
                 list.push(*place);
             }
         }

@@ -56,6 +56,8 @@ pub(super) struct Network {
     pub steps: Vec<Atom>,
     /// The outputs, in order.
     pub values: Vec<Atom>,
+    /// Steps whose symbols stand inside a leaf, as in √(…) of one.
+    pub inside: FxHashMap<Atom, Vec<Atom>>,
     /// Terms that are atoms.
     known: FxHashMap<Expr, Atom>,
     inverses: FxHashMap<Atom, Atom>,
@@ -135,7 +137,7 @@ impl Network {
         };
         let mut list: Factors = Vec::with_capacity(factors.len());
         for (base, n) in factors {
-            let mut atom = self.atom(*base);
+            let mut atom = self.atom(arena, *base);
             if *n < 0 {
                 atom = self.inverse(atom);
             }
@@ -145,11 +147,15 @@ impl Network {
         list
     }
 
-    fn atom(&mut self, e: Expr) -> Atom {
+    fn atom(&mut self, arena: &Arena, e: Expr) -> Atom {
         if let Some(known) = self.known.get(&e) {
             return *known;
         }
         let at = self.push(Value::Leaf(e));
+        let is_symbol = |part: &Expr| matches!(arena.node(*part), Node::Symbol(_));
+        let symbols = arena.reachable(&[e]).into_iter().filter(is_symbol);
+        let steps: Vec<Atom> = symbols.filter_map(|symbol| self.known.get(&symbol).copied()).collect();
+        self.inside.insert(at, steps);
         self.known.insert(e, at);
         at
     }

@@ -3,18 +3,20 @@
 use super::network::{Atom, Network, Term, Value, is_unit};
 use super::{Shared, is_shared_symbol};
 use crate::algebra::elimination::Definition;
-use crate::algebra::{Arena, Expr, Rational};
+use crate::algebra::{Arena, Expr, PowerError, Rational};
 use rustc_hash::FxHashSet;
 
 /// The steps and values of a network: what is used more than once, and what cannot stand inside another term, gets a
 /// symbol of its own.
-pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Shared {
+/// `None` if a term has an exponent that the store cannot hold.
+pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
     let mut builder = Builder {
         arena,
         network,
         uses: uses(network),
         built: vec![None; network.atoms.len()],
         named: 0,
+        too_large: false,
         steps: Vec::new(),
     };
     // What sharing put among the steps is computed if something needs it.
@@ -25,7 +27,7 @@ pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Shared {
         }
     }
     let values = network.values.iter().map(|value| builder.define(*value)).collect();
-    Shared { steps: builder.steps, values }
+    (!builder.too_large).then_some(Shared { steps: builder.steps, values })
 }
 
 /// How often each atom stands in a term, a power counted as often as it is taken, or is wanted itself.
@@ -50,7 +52,7 @@ fn uses(network: &Network) -> Vec<usize> {
 
 fn operands(network: &Network, atom: Atom) -> Vec<(Atom, usize)> {
     match &network.atoms[atom as usize].value {
-        Value::Leaf(_) => Vec::new(),
+        Value::Leaf(_) => network.inside.get(&atom).into_iter().flatten().map(|step| (*step, 1)).collect(),
         Value::Inverse(of) => vec![(*of, 1)],
         Value::Sum(_) => {
             network.terms(atom).flat_map(|(_, term)| term.factors.iter().map(|(a, n)| (*a, *n as usize))).collect()
@@ -66,6 +68,8 @@ struct Builder<'a> {
     built: Vec<Option<Expr>>,
     /// Symbols given out.
     named: usize,
+    /// Whether an exponent was beyond what the store holds.
+    too_large: bool,
     steps: Vec<Definition>,
 }
 
@@ -95,7 +99,8 @@ impl Builder<'_> {
             Value::Leaf(e) => *e,
             Value::Inverse(of) => {
                 let below = self.built[*of as usize].unwrap_or(Expr::ONE);
-                self.arena.pow(below, -1).unwrap_or(Expr::ZERO)
+                let inverse = self.arena.pow(below, -1);
+                self.or_too_large(inverse)
             }
             Value::Sum(_) => self.sum(atom),
         };
@@ -153,6 +158,12 @@ impl Builder<'_> {
             .iter()
             .map(|(atom, n)| (self.built[*atom as usize].unwrap_or(Expr::ONE), i32::try_from(*n).unwrap_or(i32::MAX)))
             .collect();
-        self.arena.try_product(&factors).unwrap_or(Expr::ZERO)
+        let product = self.arena.try_product(&factors);
+        self.or_too_large(product)
+    }
+
+    fn or_too_large(&mut self, power: Result<Expr, PowerError>) -> Expr {
+        self.too_large |= power.is_err();
+        power.unwrap_or(Expr::ZERO)
     }
 }
