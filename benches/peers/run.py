@@ -2,7 +2,7 @@
 """Measures Tripos against its peers, side by side: `python3 benches/peers/run.py [--rounds N] [--only SECTION,…]`.
 
 Sections: derivation, rhs, runs, batches, first-result. In each all compute the same numbers, or nothing is measured, and
-all take turns. Writes the tables to standard output and, if all sections were run, to benches/peers/results.md.
+all take turns. Writes the tables to standard output, and those of each section to benches/peers/results/SECTION.md.
 
 Needs Python 3.11 or newer with `venv`, a C and a C++ compiler, cargo, and a network the first time; for SymForce the headers of Eigen.
 Everything made is in target/peers.
@@ -32,6 +32,7 @@ sys.dont_write_bytecode = True  # nothing is written beside the sources
 
 import build
 
+RESULTS = build.HERE / "results"
 SECTIONS = {
     "derivation": "sections.derivation",
     "rhs": "sections.rates",
@@ -45,18 +46,18 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=31, help="samples of each time (31)")
     parser.add_argument("--only", type=sections, default=list(SECTIONS), help=f"some of {','.join(SECTIONS)}")
-    parser.add_argument("--dry", action="store_true", help="leave results.md as it is")
+    parser.add_argument("--dry", action="store_true", help="leave results/ as it is")
     arguments = parser.parse_args()
-    begin, loads = time.monotonic(), [os.getloadavg()[0]]
-    blocks = []
     for name in arguments.only:
-        blocks += [*importlib.import_module(SECTIONS[name]).section(arguments.rounds), ""]
-    loads.append(os.getloadavg()[0])
-    minutes = (time.monotonic() - begin) / 60
-    text = "\n".join([*head(arguments), *blocks, *tail(arguments.rounds, loads, minutes)]) + "\n"
-    print(text)
-    if not arguments.dry and arguments.only == list(SECTIONS):
-        (build.HERE / "results.md").write_text(text)
+        begin, loads = time.monotonic(), [os.getloadavg()[0]]
+        block = importlib.import_module(SECTIONS[name]).section(arguments.rounds)
+        loads.append(os.getloadavg()[0])
+        minutes = (time.monotonic() - begin) / 60
+        text = "\n".join([*head(arguments, name), *block, "", *tail(arguments.rounds, loads, minutes)]) + "\n"
+        print(text)
+        if not arguments.dry:
+            RESULTS.mkdir(exist_ok=True)
+            (RESULTS / f"{name}.md").write_text(text)
 
 
 def sections(text):
@@ -67,18 +68,15 @@ def sections(text):
     return [name for name in SECTIONS if name in asked]
 
 
-def head(arguments):
-    only = "" if arguments.only == list(SECTIONS) else f" --only {','.join(arguments.only)}"
-    yield "# Tripos and its peers"
-    yield ""
-    yield f"Written by `python3 benches/peers/run.py --rounds {arguments.rounds}{only}` on {datetime.date.today()}."
+def head(arguments, name):
+    yield f"Written by `python3 benches/peers/run.py --rounds {arguments.rounds} --only {name}` on {datetime.date.today()}."
     yield ""
 
 
 def tail(rounds, loads, minutes):
     yield "## How it was measured"
     yield ""
-    yield f"- Medians of {rounds} samples, fewer where a section says so, taken in turns within a section; {minutes:.0f} minutes in"
+    yield f"- Medians of {rounds} samples, fewer where the text says so, taken in turns; {minutes:.0f} minutes in"
     yield f"  all; load average {loads[0]:.1f} before, {loads[1]:.1f} after."
     yield "- `native`: built with `-C target-cpu=native`, as the C programs are with `-march=native`. gcc then fuses"
     yield f"  multiplications with additions, unless told not to (`{build.UNFUSED}`); Tripos does where it asks for that. Parameters"
