@@ -46,6 +46,7 @@ pub mod mechanics;
 pub mod model;
 pub mod prove;
 mod read;
+pub mod reduce;
 pub mod reference;
 pub mod report;
 pub mod scene;

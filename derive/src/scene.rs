@@ -5,9 +5,10 @@ mod extended;
 mod family;
 mod integration;
 mod ladder;
+mod outputs;
 mod values;
 
-use crate::algebra::Expr;
+use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::Model;
 use crate::read::{Located, Reader};
@@ -87,11 +88,22 @@ pub struct Figure {
     pub caption: String,
 }
 
+/// What a scene wants to see.
+#[derive(Clone, Debug)]
+pub struct SceneOutput {
+    /// Its name: the formula as it is written, or the key beside it.
+    pub name: String,
+    /// In parameters, q, q̇, u, u̇, reactions and energies.
+    pub value: Expr,
+}
+
 /// The start of a scene as its file states it, beyond the precision of a double.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Exact {
     /// The parameters, in the order of the model.
     pub parameters: Vec<Extended>,
+    /// The parameters as rational numbers, where they are such.
+    pub rational: Vec<Option<Rational>>,
     /// The coordinates.
     pub q: Vec<Extended>,
     /// What moves.
@@ -136,14 +148,32 @@ pub struct Scene {
     pub integration: Integration,
     /// Other values of one number of the start, for stability tests.
     pub ladder: Option<Ladder>,
+    /// What to show: every coordinate and speed, if the file does not say.
+    pub outputs: Vec<SceneOutput>,
+    /// Whether the file says what to show.
+    pub states_outputs: bool,
+    /// Parameters that stay letters in the scene's own equations, by place, since runs vary them.
+    pub free: Vec<usize>,
     /// What to notice.
     pub events: Vec<SceneEvent>,
     /// What to draw.
     pub figures: Vec<Figure>,
 }
 
-const KEYS: [&str; 10] =
-    ["model", "title", "about", "parameters", "start", "ladder", "span", "integration", "events", "figures"];
+const KEYS: [&str; 12] = [
+    "model",
+    "title",
+    "about",
+    "parameters",
+    "free",
+    "start",
+    "ladder",
+    "span",
+    "integration",
+    "outputs",
+    "events",
+    "figures",
+];
 
 /// The model file that a scene file belongs to: its key `model`, relative to the scene, or
 /// `../model.toml`.
@@ -170,6 +200,8 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     values.reader.allow(table, "a scene file", &KEYS);
     let numbers = values.scene_numbers(table);
     let ladder = values.ladder(table, &numbers.p, &numbers.start.exact);
+    let (outputs, states_outputs) = values.outputs(table);
+    let free = values.free(table);
     let events = values.events(table);
     let figures = values.figures(table);
     let title = values.text(table, "title").unwrap_or_default();
@@ -187,6 +219,9 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
         span: numbers.span.expect("reported if missing"),
         integration: numbers.integration,
         ladder,
+        outputs,
+        states_outputs,
+        free,
         events,
         figures,
     })

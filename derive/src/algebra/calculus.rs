@@ -53,6 +53,11 @@ impl Substitution {
         Self { map: pairs.iter().copied().collect(), undefined: None }
     }
 
+    /// Gives a symbol a value before the first expression that mentions it is rewritten.
+    pub fn set(&mut self, symbol: Expr, value: Expr) {
+        self.map.insert(symbol, value);
+    }
+
     /// `e` rewritten. A quotient whose divisor becomes the literal 0 is left as it was and noted in
     /// [`Self::undefined`].
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Expr {

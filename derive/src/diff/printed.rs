@@ -37,6 +37,7 @@ pub fn printed_equations(model: &Model, derivations: &mut Derivations, report: &
             matrix: motion.matrix,
             forcing: motion.right,
             symmetric: false,
+            definitions: Vec::new(),
             projection: Vec::new(),
             coordinate_rates: motion.coordinate_rates,
             ..derived.clone()

@@ -32,7 +32,9 @@ pub fn accelerations(
             unknowns,
             symmetric: equations.symmetric,
         };
-        return eliminate(arena, simplifier, system);
+        let mut solved = eliminate(arena, simplifier, system)?;
+        solved.steps.splice(0..0, equations.definitions.iter().copied());
+        return Ok(solved);
     }
     let (mut matrix, mut right) = (Vec::new(), Vec::new());
     for multipliers in &equations.projection {
@@ -73,7 +75,8 @@ pub fn jacobian(
     solved: &Elimination,
 ) -> Jacobian {
     let n = equations.variables.len();
-    let mut steps = needed(arena, &solved.steps, &equations.unknowns[..n]);
+    let of_state = [&equations.unknowns[..n], &equations.coordinate_rates].concat();
+    let mut steps = needed(arena, &solved.steps, &of_state);
     let accelerations = steps.clone();
     let mut columns = Vec::new();
     for &variable in equations.coordinates.iter().chain(&equations.variables) {

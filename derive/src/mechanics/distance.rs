@@ -69,8 +69,8 @@ pub fn in_distance(model: &Model, derivation: Derivation, distance: Distance) ->
     Derivation { arena, equations }
 }
 
-/// Every expression of the equations.
-fn visit(e: &mut Equations, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
+/// Changes every expression of the equations.
+pub fn visit(e: &mut Equations, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
     let vectors = [
         &mut e.forcing,
         &mut e.coordinate_rates,
@@ -81,7 +81,8 @@ fn visit(e: &mut Equations, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena
     ];
     let matrices = e.matrix.iter_mut().chain(&mut e.projection);
     let scalars = [&mut e.kinetic_energy, &mut e.potential_energy];
-    let all = vectors.into_iter().chain(matrices).flatten().chain(scalars);
+    let definitions = e.definitions.iter_mut().map(|d| &mut d.value);
+    let all = vectors.into_iter().chain(matrices).flatten().chain(scalars).chain(definitions);
     for value in all {
         change(value, arena);
     }

@@ -28,6 +28,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         name: Formulation::Kane.name().to_owned(),
         title: Formulation::Kane.title().to_owned(),
         formulation: Formulation::Kane,
+        definitions: Vec::new(),
         coordinates: model.q(),
         variables: model.u(),
         unknowns: rates.clone(),

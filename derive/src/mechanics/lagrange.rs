@@ -37,6 +37,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         name: Formulation::Lagrange.name().to_owned(),
         title: Formulation::Lagrange.title().to_owned(),
         formulation: Formulation::Lagrange,
+        definitions: Vec::new(),
         coordinates: model.q(),
         variables: model.q_dot(),
         unknowns: model.coordinates.iter().map(|c| c.second_rate).collect(),

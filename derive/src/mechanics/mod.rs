@@ -11,6 +11,7 @@ mod quantities;
 mod vector;
 
 pub use accelerations::{Jacobian, accelerations, jacobian};
+pub(crate) use distance::visit;
 pub use distance::{Distance, distances, in_distance};
 pub use energy::Momentum;
 pub use kinematics::{Kinematics, Load, Velocities, motion_rates, rates_to_speeds, speeds_to_rates};
@@ -19,6 +20,7 @@ pub use newton_euler::{Balance, balances, partial_velocities};
 pub use quantities::{Energy, Owner, Quantities, Quantity, QuantityError, QuantityKind, Row, VectorName};
 pub use vector::{Frames, Vector};
 
+use crate::algebra::elimination::Definition;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;
@@ -78,6 +80,9 @@ pub struct Equations {
     pub title: String,
     /// The method they come from; it tells what the motion variables are.
     pub formulation: Formulation,
+    /// Symbols that stand for terms in parameters, q and v in everything below, each after those that it mentions: none but in
+    /// reduced equations.
+    pub definitions: Vec<Definition>,
     /// The generalized coordinates q, or the distance that stands for one ([`in_distance`]).
     pub coordinates: Vec<Expr>,
     /// The motion variables v that are integrated beside q: u, or q̇ for Lagrange.

@@ -50,6 +50,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         name: Formulation::NewtonEuler.name().to_owned(),
         title: Formulation::NewtonEuler.title().to_owned(),
         formulation: Formulation::NewtonEuler,
+        definitions: Vec::new(),
         coordinates: model.q(),
         variables: model.u(),
         unknowns,

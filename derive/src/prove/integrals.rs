@@ -25,6 +25,8 @@ pub struct Integral {
     pub name: String,
     /// Its value in q and u.
     pub expression: Expr,
+    /// The symmetry q′ = ξ(q) whose momentum it is; none for the energy.
+    pub field: Option<Vec<Expr>>,
     /// Whether its rate is zero along Kane's equations, by identity.
     pub verdict: Verdict,
 }
@@ -113,7 +115,7 @@ impl Search<'_> {
                 arena.sub(s.symbol, offset)
             })
             .collect();
-        self.keep(kinematics, comparer, name, energy, &multipliers);
+        self.keep(kinematics, comparer, (name, None), energy, &multipliers);
     }
 
     fn momentum(
@@ -139,7 +141,7 @@ impl Search<'_> {
             let terms: Vec<Expr> = coefficients.iter().zip(&field.xi).map(|(j, x)| arena.mul(*j, *x)).collect();
             multipliers.push(arena.sum(&terms));
         }
-        self.keep(kinematics, comparer, &field.name, momentum, &multipliers);
+        self.keep(kinematics, comparer, (&field.name, Some(&field.xi)), momentum, &multipliers);
     }
 
     /// Keeps an integral unless it is a function of those found; a second name of a known one is noted.
@@ -147,7 +149,7 @@ impl Search<'_> {
         &mut self,
         kinematics: &mut Kinematics,
         comparer: &mut Comparer,
-        name: &str,
+        (name, field): (&str, Option<&[Expr]>),
         value: Expr,
         multipliers: &[Expr],
     ) {
@@ -176,7 +178,7 @@ impl Search<'_> {
         if !name.starts_with("energy") {
             self.gradients = gradients;
         }
-        self.found.push(Integral { name: name.to_owned(), expression: value, verdict });
+        self.found.push(Integral { name: name.to_owned(), expression: value, field: field.map(<[Expr]>::to_vec), verdict });
     }
 
     /// dI/dt − λᵀ (M u̇ − f) = 0, coefficient by coefficient of u̇.

@@ -60,6 +60,11 @@ pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
     }
 }
 
+/// The first integrals of a model, each proved; nothing else is.
+pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
+    integrals::find(model, derivations, &mut Comparer::default()).0
+}
+
 /// One verdict for many: the first that is not "equal", else the weakest engine.
 pub(crate) fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     let mut engine = Engine::NormalForm;

@@ -218,7 +218,8 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         let motion = if by_rates { Motion::Rates(extended(&rates)) } else { Motion::Speeds(extended(&exact_u)) };
-        let exact = Exact { parameters: extended(parameters), q: extended(&exact_q), motion };
+        let rational = parameters.iter().map(|p| p.exact.clone()).collect();
+        let exact = Exact { parameters: extended(parameters), rational, q: extended(&exact_q), motion };
         Some(Start { q, u, exact })
     }
 
@@ -364,6 +365,11 @@ impl<'a> Values<'a, '_> {
 
     /// A formula in everything that has a value during a run.
     pub fn motion_formula(&mut self, formula: &Located) -> Option<Expr> {
+        self.motion_formula_with(formula, &[])
+    }
+
+    /// The same, with accelerations and other names that a model's own hide, if there are such.
+    pub fn motion_formula_with(&mut self, formula: &Located, others: &[&str]) -> Option<Expr> {
         let model = &mut *self.model;
         let mut known: Vec<(String, Expr)> = Vec::new();
         known.extend(model.parameters.iter().map(|p| (p.name.clone(), p.symbol)));
@@ -373,11 +379,18 @@ impl<'a> Values<'a, '_> {
         known.extend(model.speeds.iter().map(|s| (s.name.clone(), s.symbol)));
         known.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
         known.extend(model.constraints.iter().map(|c| (c.fixes.clone(), c.value)));
-        let result = parse(&mut model.arena, &formula.text, &mut |_, name| {
-            let found = known.iter().find(|(n, _)| n == name).map(|(_, e)| *e);
-            found.ok_or_else(|| {
-                (format!("unknown name `{name}`"), Some(nearest(name, known.iter().map(|(n, _)| n.as_str()))))
-            })
+        if !others.is_empty() {
+            known.extend(model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate)));
+        }
+        let result = parse(&mut model.arena, &formula.text, &mut |arena, name| {
+            if let Some((_, e)) = known.iter().find(|(n, _)| n == name) {
+                return Ok(*e);
+            }
+            if others.contains(&name) {
+                return Ok(arena.symbol(name));
+            }
+            let names = known.iter().map(|(n, _)| n.as_str()).chain(others.iter().copied());
+            Err((format!("unknown name `{name}`"), Some(nearest(name, names))))
         });
         match result {
             Ok(e) => Some(e),

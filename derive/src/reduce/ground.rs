@@ -1,0 +1,294 @@
+//! What reductions start from: a model's equations, its momenta and its energy, with the parameters of a scene as numbers.
+
+use super::relative::Relative;
+use super::slice::Wanted;
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::linear::LinearForm;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::mechanics::{
+    Derivations, DeriveError, Equations, Formulation, derive_all, motion_rates, rates_to_speeds, visit,
+};
+use crate::model::{Model, Unit};
+use crate::prove::{Integral, first_integrals};
+use crate::reduce::pivots::solve_rows;
+use crate::scene::Scene;
+
+/// Coordinates above which first integrals are not searched.
+const MOST_COORDINATES: usize = 12;
+/// Momenta of which every choice is tried.
+const MOST_TRIED: usize = 5;
+
+/// The momentum of a symmetry, linear in the speeds: row · u + rest.
+#[derive(Clone)]
+pub struct Momentum {
+    /// What it is.
+    pub name: String,
+    /// Its value in q and u.
+    pub value: Expr,
+    /// Its coefficients of the speeds.
+    pub row: Vec<Expr>,
+    /// What is left at rest.
+    pub rest: Expr,
+    /// The symmetry q′ = ξ(q).
+    pub field: Vec<Expr>,
+    /// The same in speeds.
+    pub direction: Vec<Expr>,
+    /// Its unit.
+    pub unit: Unit,
+    /// A function of q whose rate the momentum is, if there is one: a mass times a coordinate of a mass centre.
+    pub position: Option<Expr>,
+    /// The unit of that.
+    pub position_unit: Unit,
+}
+
+/// A model's equations by Kane's method and what its motions conserve.
+#[derive(Clone)]
+pub struct Ground {
+    /// The model.
+    pub model: Model,
+    /// The store of all terms below.
+    pub arena: Arena,
+    /// Remembers what was simplified.
+    pub simplifier: Simplifier,
+    /// The coordinates; one may be the distance from a singular surface.
+    pub q: Vec<Expr>,
+    /// What these are in the coordinates of the model.
+    pub q_start: Vec<Expr>,
+    /// What the speeds of the equations are in those of the model.
+    pub u_start: Vec<Expr>,
+    /// Variables that stand as differences.
+    pub relatives: Vec<Relative>,
+    /// The equations.
+    pub kane: Equations,
+    /// The force balance that determines reactions, if the model names them all.
+    pub balance: Option<Equations>,
+    /// Momenta of symmetries.
+    pub momenta: Vec<Momentum>,
+    /// The energy, if it is conserved.
+    pub energy: Option<Expr>,
+    /// Parameters that stand as numbers.
+    pub folded: Vec<(String, Rational)>,
+}
+
+impl Ground {
+    /// Derives the equations of a model and finds what its motions conserve.
+    ///
+    /// # Errors
+    /// [`DeriveError`] if Kane's equations cannot be derived.
+    pub fn new(model: &Model) -> Result<Self, DeriveError> {
+        let mut derivations = derive_all(model)?;
+        let kane = match derivations.list.iter().find(|(f, _)| *f == Formulation::Kane) {
+            Some((_, Ok(kane))) => kane.clone(),
+            Some((_, Err(error))) => return Err(error.clone()),
+            None => return Err(DeriveError::NotLinear),
+        };
+        let balance = derivations.get(Formulation::NewtonEuler).cloned();
+        let integrals = match model.coordinates.len() {
+            0..=MOST_COORDINATES => first_integrals(model, &mut derivations),
+            _ => Vec::new(),
+        };
+        let energy = integrals.iter().find(|i| i.field.is_none()).map(|i| i.expression);
+        let momenta = integrals.iter().filter_map(|i| momentum(model, &mut derivations, i)).collect();
+        let crate::mechanics::Kinematics { arena, simplifier, .. } = derivations.kinematics;
+        let (q, q_start, u_start) = (model.q(), model.q(), model.u());
+        let (relatives, folded) = (Vec::new(), Vec::new());
+        let model = model.clone();
+        Ok(Self { model, arena, simplifier, q, q_start, u_start, relatives, kane, balance, momenta, energy, folded })
+    }
+
+    /// Puts the numbers of the scene in the place of the parameters that it does not leave free, where they are short and exact.
+    pub(super) fn fold(&mut self, scene: &Scene) {
+        let parameters = self.model.parameters.iter().enumerate();
+        let fixed = parameters.filter(|(at, _)| !scene.free.contains(at)).filter_map(|(at, p)| {
+            let value = scene.exact.rational.get(at)?.clone()?;
+            value.small().map(|_| (p.name.clone(), p.symbol, value))
+        });
+        let mut values: Vec<(String, Expr, Rational)> = fixed.collect();
+        // A number under which a term loses its divisor stays a letter.
+        loop {
+            let mut trial = self.clone();
+            let pairs: Vec<_> = values.iter().map(|(_, p, x)| (*p, trial.arena.number(x.clone()))).collect();
+            let mut put = Substitution::new(&pairs);
+            trial.change(&mut |arena, _, e| put.apply(arena, e));
+            if put.undefined.is_none() {
+                trial.folded = values.into_iter().map(|(name, _, value)| (name, value)).collect();
+                trial.change(&mut |arena, simplifier, e| simplifier.simplify(arena, e));
+                *self = trial;
+                return;
+            }
+            let zero = values.iter().position(|(_, _, value)| value.is_zero()).unwrap_or(values.len() - 1);
+            values.remove(zero);
+        }
+    }
+
+    /// Rewrites every term.
+    pub(super) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
+        let Self { arena, simplifier, model, kane, balance, momenta, energy, .. } = self;
+        for equations in [Some(kane), balance.as_mut()].into_iter().flatten() {
+            visit(equations, &mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
+        }
+        let speeds = model.speeds.iter_mut().map(|s| &mut s.definition);
+        let conditions = model.domain.iter_mut().map(|c| &mut c.positive);
+        let fixed = model.constraints.iter_mut().map(|c| &mut c.value);
+        let rates = model.kinematic_equations.rates.iter_mut().chain(&mut model.kinematic_equations.divisors);
+        let of_momenta = momenta.iter_mut().flat_map(|m| {
+            m.row.iter_mut().chain(&mut m.field).chain(&mut m.direction).chain(&mut m.position).chain([&mut m.value, &mut m.rest])
+        });
+        for e in speeds.chain(conditions).chain(fixed).chain(rates).chain(of_momenta).chain(energy) {
+            *e = rewrite(arena, simplifier, *e);
+        }
+    }
+
+    /// What the scene wants to see and to watch, in q and u; reactions from the force balance.
+    pub(super) fn wanted(&mut self, scene: &Scene) -> Result<Wanted, DeriveError> {
+        let mut rewrite = self.names(scene)?;
+        let mut output = |ground: &mut Self, e: Expr| {
+            let e = rewrite.apply(&mut ground.arena, e);
+            let e = rates_to_speeds(&ground.model).apply(&mut ground.arena, e);
+            ground.simplifier.simplify(&mut ground.arena, e)
+        };
+        let outputs = scene.outputs.iter().map(|o| (o.name.clone(), output(self, o.value))).collect();
+        let conditions: Vec<Expr> = self.model.domain.iter().map(|c| c.positive).collect();
+        let events: Vec<Expr> = scene.events.iter().map(|e| e.function).collect();
+        let conditions = conditions.into_iter().map(|e| output(self, e)).collect();
+        let events = events.into_iter().map(|e| output(self, e)).collect();
+        Ok(Wanted { outputs, conditions, events })
+    }
+
+    /// Names that scenes may use beside those of the state: parameters as numbers, energies, reactions.
+    fn names(&mut self, scene: &Scene) -> Result<Substitution, DeriveError> {
+        let mut pairs = Vec::new();
+        for (name, value) in &self.folded {
+            if let Some(p) = self.model.parameters.iter().find(|p| p.name == *name) {
+                pairs.push((p.symbol, self.arena.number(value.clone())));
+            }
+        }
+        let (kinetic, potential) = (self.kane.kinetic_energy, self.kane.potential_energy);
+        let total = self.arena.add(kinetic, potential);
+        let energies = [("kinetic_energy", kinetic), ("potential_energy", potential), ("total_energy", total)];
+        pairs.extend(energies.into_iter().filter_map(|(name, e)| Some((self.arena.find_symbol(name)?, e))));
+        let mentioned = |e: Expr| self.model.reactions.iter().any(|r| self.arena.mentions(e, r.symbol));
+        let conditions = self.model.domain.iter().map(|c| c.positive);
+        let values = scene.outputs.iter().map(|o| o.value).chain(scene.events.iter().map(|e| e.function));
+        if values.chain(conditions).any(mentioned) {
+            pairs.extend(self.reactions()?);
+        }
+        Ok(Substitution::new(&pairs))
+    }
+
+    /// Each reaction in q and u.
+    fn reactions(&mut self) -> Result<Vec<(Expr, Expr)>, DeriveError> {
+        let missing = DeriveError::ReactionCount { equations: 0, speeds: self.model.speeds.len(), reactions: 0 };
+        let balance = self.balance.clone().ok_or(missing)?;
+        let n = balance.variables.len();
+        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
+        let rows: Vec<Vec<Expr>> = balance.matrix.iter().map(|row| row[n..].to_vec()).collect();
+        let mut right = Vec::new();
+        for (row, f) in balance.matrix.iter().zip(&balance.forcing) {
+            let products: Vec<Expr> = row[..n].iter().zip(&balance.unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
+            let sum = arena.sum(&products);
+            right.push(vec![arena.sub(*f, sum)]);
+        }
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let solved = solve_rows(arena, simplifier, rows, right, &states, &(0..balance.unknowns.len() - n).collect::<Vec<_>>());
+        let mut values = balance.unknowns[n..].to_vec();
+        for k in (0..solved.pivots.len()).rev() {
+            let value = solved.unknown(arena, k, 0, &values);
+            values[solved.pivots[k].1] = simplifier.simplify(arena, value);
+        }
+        Ok(balance.unknowns[n..].iter().copied().zip(values).collect())
+    }
+
+    /// Which momenta may be used together, as lists of places: all commuting choices of a few, the largest of many.
+    pub(super) fn choices(&mut self) -> Vec<Vec<usize>> {
+        let count = self.momenta.len();
+        let mut commute = vec![vec![true; count]; count];
+        for a in 0..count {
+            for b in 0..a {
+                let together = self.commute(a, b);
+                (commute[a][b], commute[b][a]) = (together, together);
+            }
+        }
+        let allowed = |choice: &Vec<usize>| choice.iter().all(|a| choice.iter().all(|b| commute[*a][*b]));
+        if count <= MOST_TRIED {
+            let subsets = (0..1_usize << count).map(|bits| (0..count).filter(|at| bits >> at & 1 == 1).collect());
+            return subsets.filter(allowed).collect();
+        }
+        let mut list = vec![Vec::new()];
+        for first in 0..count {
+            let mut choice = Vec::new();
+            for at in (first..count).chain(0..first) {
+                choice.push(at);
+                if !allowed(&choice) {
+                    choice.pop();
+                }
+            }
+            choice.sort_unstable();
+            list.push(choice);
+        }
+        list.sort();
+        list.dedup();
+        list
+    }
+
+    /// Whether the bracket of two symmetries vanishes: [ξ, η]_i = ξ·∂η_i − η·∂ξ_i.
+    fn commute(&mut self, a: usize, b: usize) -> bool {
+        let arena = &mut self.arena;
+        let along = |field: &[Expr]| {
+            Differential::along(&self.q.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())
+        };
+        let (one, other) = (&self.momenta[a].field, &self.momenta[b].field);
+        let (mut by_one, mut by_other) = (along(one), along(other));
+        one.iter().zip(other).all(|(x, y)| {
+            let (first, second) = (by_one.apply(arena, *y), by_other.apply(arena, *x));
+            let bracket = arena.sub(first, second);
+            zero_test(arena, bracket) == ZeroTest::Zero
+        })
+    }
+}
+
+/// An integral that is linear in the speeds.
+fn momentum(model: &Model, derivations: &mut Derivations, integral: &Integral) -> Option<Momentum> {
+    let field = integral.field.clone()?;
+    let arena = &mut derivations.kinematics.arena;
+    let (row, rest) = LinearForm::new(&model.u()).coefficients(arena, integral.expression).ok()?;
+    let simplifier = &mut derivations.kinematics.simplifier;
+    let row: Vec<Expr> = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
+    let mut form = LinearForm::new(&model.q_dot());
+    let mut direction = Vec::new();
+    for speed in &model.speeds {
+        let (coefficients, _) = form.coefficients(arena, speed.definition).ok()?;
+        let terms: Vec<Expr> = coefficients.iter().zip(&field).map(|(j, x)| arena.mul(*j, *x)).collect();
+        let sum = arena.sum(&terms);
+        let short = simplifier.simplify(arena, sum);
+        direction.push(if zero_test(arena, short) == ZeroTest::Zero { Expr::ZERO } else { short });
+    }
+    let position = position(model, derivations, integral.expression);
+    let unit = |e: Expr| model.unit_of(&derivations.kinematics.arena, e).unwrap_or_default();
+    let (unit_of_value, position_unit) = (unit(integral.expression), position.map(unit).unwrap_or_default());
+    let (name, value) = (integral.name.clone(), integral.expression);
+    Some(Momentum { name, value, row, rest, field, direction, unit: unit_of_value, position, position_unit })
+}
+
+/// Σ m r · e along an inertial axis e, if its rate is the momentum.
+fn position(model: &Model, derivations: &mut Derivations, momentum: Expr) -> Option<Expr> {
+    let kinematics = &mut derivations.kinematics;
+    for axis in 0..3 {
+        let mut terms = Vec::new();
+        for body in &model.bodies {
+            let place = kinematics.positions[body.centre].clone();
+            let component = kinematics.frames.component(&mut kinematics.arena, &place, 0, axis);
+            terms.push(kinematics.arena.mul(body.mass, component));
+        }
+        let sum = kinematics.arena.sum(&terms);
+        let position = kinematics.simplifier.simplify(&mut kinematics.arena, sum);
+        let rate = motion_rates(model).apply(&mut kinematics.arena, position);
+        let difference = kinematics.arena.sub(rate, momentum);
+        if zero_test(&kinematics.arena, difference) == ZeroTest::Zero {
+            return Some(position);
+        }
+    }
+    None
+}

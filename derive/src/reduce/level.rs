@@ -1,0 +1,182 @@
+//! The motion on a level set of momenta: speeds that the momenta determine, and equations for the others.
+//!
+//! With A u + b = c solved as u = P(q; c) + Z(q) u_R, Kane's equations multiplied by Zᵀ read  (Zᵀ M Z) u̇_R = Zᵀ(f − M (Ṗ + Ż u_R)).
+//! The rows of A are momenta of symmetries ξ, so that ξᵀ times the same equations says that c is constant; together they are all
+//! of the equations wherever A has full rank.
+
+use super::Ground;
+use super::pivots::{Solved, solve_rows};
+use super::surface::Surface;
+use crate::algebra::calculus::Differential;
+use crate::algebra::elimination::{Definition, fresh_symbol};
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr};
+
+/// A momentum that is held fixed.
+#[derive(Clone)]
+pub struct Held {
+    /// Its place among the momenta of the ground.
+    pub momentum: usize,
+    /// The symbol of its value.
+    pub symbol: Expr,
+    /// What the symbol is, in q and u: the momentum, or what is left of it on a singular surface.
+    pub of_state: Expr,
+    /// What the symbol is, in words.
+    pub about: String,
+}
+
+/// Equations on a level set.
+#[derive(Clone)]
+pub struct Level {
+    /// What is held.
+    pub held: Vec<Held>,
+    /// The speeds that stay, by place.
+    pub kept: Vec<usize>,
+    /// The other speeds, each in q, what is held, the kept speeds and those defined before it.
+    pub definitions: Vec<Definition>,
+    /// Every u̇ in q, u and the rates of the kept speeds.
+    pub accelerations: Vec<Expr>,
+    /// Zᵀ M Z, in q.
+    pub matrix: Vec<Vec<Expr>>,
+    /// Zᵀ(f − M (Ṗ + Ż u_R)), in q and u.
+    pub forcing: Vec<Expr>,
+    /// What the speeds are divided by.
+    pub divisors: Vec<Expr>,
+}
+
+impl Ground {
+    /// The equations on the level set of these momenta; nothing if their symmetries move more speeds than they are.
+    pub(super) fn level(&mut self, momenta: &[usize], surface: Option<&Surface>) -> Option<Level> {
+        let n = self.kane.variables.len();
+        if momenta.len() > n {
+            return None;
+        }
+        let mut held: Vec<Held> = momenta.iter().map(|at| self.hold(*at)).collect();
+        // With as many speeds as symmetries, M on these speeds is positive definite, and the momenta determine them wherever the
+        // symmetries themselves are independent. Other speeds could be solved for, but would bring singularities of their own.
+        let moved = |at: usize| momenta.iter().any(|m| self.momenta[*m].direction[at] != Expr::ZERO);
+        let (solved_for, kept): (Vec<usize>, Vec<usize>) = (0..n).partition(|at| moved(*at));
+        if solved_for.len() != momenta.len() {
+            return None;
+        }
+        let rows: Vec<Vec<Expr>> = momenta.iter().map(|at| self.momenta[*at].row.clone()).collect();
+        let right = held.iter().map(|h| self.right_of(h)).collect();
+        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let mut solved = solve_rows(arena, simplifier, rows, right, &states, &solved_for);
+        if solved.pivots.len() < momenta.len() {
+            return None;
+        }
+        let z = directions(arena, simplifier, &solved, &kept, n);
+        if let Some(surface) = surface {
+            surface.separate(arena, simplifier, &mut solved, &mut held);
+        }
+        Some(self.equations_on(held, kept, &solved, &z))
+    }
+
+    fn hold(&mut self, at: usize) -> Held {
+        let momentum = &self.momenta[at];
+        let wanted = symbol_of(&momentum.name, at);
+        let (of_state, about) = (momentum.value, momentum.name.split(';').next().unwrap_or_default().to_owned());
+        Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about }
+    }
+
+    /// What a momentum's row times u is, c − b, and what it times u̇ is: minus the change of the row and of b along the motion.
+    fn right_of(&mut self, held: &Held) -> Vec<Expr> {
+        let momentum = &self.momenta[held.momentum];
+        let arena = &mut self.arena;
+        let along: Vec<(Expr, Expr)> = self.q.iter().copied().zip(self.kane.coordinate_rates.iter().copied()).collect();
+        let mut change = Differential::along(&along);
+        let mut terms = vec![change.apply(arena, momentum.rest)];
+        for (entry, u) in momentum.row.iter().zip(&self.kane.variables) {
+            let slope = change.apply(arena, *entry);
+            terms.push(arena.mul(slope, *u));
+        }
+        let sum = arena.sum(&terms);
+        let back = arena.neg(sum);
+        let at_level = arena.sub(held.symbol, momentum.rest);
+        [at_level, back].map(|e| self.simplifier.simplify(arena, e)).to_vec()
+    }
+
+    fn equations_on(&mut self, held: Vec<Held>, kept: Vec<usize>, solved: &Solved, z: &[Vec<Expr>]) -> Level {
+        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
+        let mut short = |arena: &mut Arena, e: Expr| simplifier.simplify(arena, e);
+        let (variables, unknowns) = (&self.kane.variables, &self.kane.unknowns);
+        let mut definitions = Vec::new();
+        let mut drifts = vec![Expr::ZERO; variables.len()];
+        let mut accelerations = unknowns.clone();
+        for k in (0..solved.pivots.len()).rev() {
+            let (_, column) = solved.pivots[k];
+            let value = solved.unknown(arena, k, 0, variables);
+            definitions.push(Definition { symbol: variables[column], value: short(arena, value) });
+            let drift = solved.unknown(arena, k, 1, &drifts);
+            drifts[column] = short(arena, drift);
+            let acceleration = solved.unknown(arena, k, 1, &accelerations);
+            accelerations[column] = short(arena, acceleration);
+        }
+        let m = &self.kane.matrix;
+        let (mut matrix, mut forcing) = (Vec::new(), Vec::new());
+        for a in 0..kept.len() {
+            let mut projected = Vec::new();
+            for j in 0..m.len() {
+                let terms: Vec<Expr> = (0..m.len()).map(|i| arena.mul(z[i][a], m[i][j])).collect();
+                let sum = arena.sum(&terms);
+                projected.push(short(arena, sum));
+            }
+            let mut row = Vec::new();
+            for b in 0..kept.len() {
+                let terms: Vec<Expr> = projected.iter().zip(z).map(|(p, z)| arena.mul(*p, z[b])).collect();
+                let sum = arena.sum(&terms);
+                row.push(short(arena, sum));
+            }
+            matrix.push(row);
+            let mut terms: Vec<Expr> = self.kane.forcing.iter().zip(z).map(|(f, z)| arena.mul(*f, z[a])).collect();
+            for (p, drift) in projected.iter().zip(&drifts) {
+                let term = arena.mul(*p, *drift);
+                terms.push(arena.neg(term));
+            }
+            let sum = arena.sum(&terms);
+            forcing.push(short(arena, sum));
+        }
+        let mut divisors: Vec<Expr> = solved.divisors.iter().copied().filter(|d| arena.as_number(*d).is_none()).collect();
+        divisors.dedup();
+        Level { held, kept, definitions, accelerations, matrix, forcing, divisors }
+    }
+}
+
+/// Z: for each speed its coefficients of the kept ones.
+fn directions(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    solved: &Solved,
+    kept: &[usize],
+    n: usize,
+) -> Vec<Vec<Expr>> {
+    let unit = |place: usize| kept.iter().map(|k| if *k == place { Expr::ONE } else { Expr::ZERO }).collect();
+    let mut z: Vec<Vec<Expr>> = (0..n).map(unit).collect();
+    for (row, column) in solved.pivots.iter().rev() {
+        for direction in 0..kept.len() {
+            let others = (0..n).filter(|at| at != column && solved.rows[*row][*at] != Expr::ZERO);
+            let terms: Vec<Expr> = others.map(|at| arena.mul(solved.rows[*row][at], z[at][direction])).collect();
+            let sum = arena.sum(&terms);
+            let back = arena.neg(sum);
+            z[*column][direction] = simplifier.simplify(arena, back);
+        }
+    }
+    z
+}
+
+/// `p_q3` for the momentum of a coordinate, `momentum2` for others.
+fn symbol_of(name: &str, at: usize) -> String {
+    let named = name.split(';').map(str::trim);
+    let of_coordinate = named.clone().find_map(|n| n.strip_prefix("momentum p_")?.split(' ').next());
+    let axis = |n: &str| n.split(' ').nth(3).map(str::to_owned);
+    let along = |prefix: &str, letter: &str| {
+        named.clone().find_map(|n| Some(format!("{letter}_{}", axis(n.strip_prefix(prefix).map(|_| n)?)?)))
+    };
+    of_coordinate
+        .map(|q| format!("p_{q}"))
+        .or_else(|| along("linear momentum along", "P"))
+        .or_else(|| along("angular momentum about", "H"))
+        .unwrap_or_else(|| format!("momentum{}", at + 1))
+}

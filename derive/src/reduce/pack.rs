@@ -1,0 +1,224 @@
+//! A reduced system as a model and equations like any others, with the account of what was left out.
+
+use super::level::Level;
+use super::slice::{Flow, Variable};
+use super::{Ground, Output, Quantity, Reduction};
+use crate::algebra::Expr;
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::print::text;
+use crate::mechanics::{Derivation, Equations, Formulation};
+use crate::model::{Condition, Coordinate, KinematicEquations, Parameter, Speed, Unit};
+use crate::scene::Scene;
+
+/// The reduced system of a scene.
+pub fn pack(mut ground: Ground, level: &Level, mut flow: Flow, scene: &Scene) -> Reduction {
+    flow.strip_energy(&mut ground, level);
+    let states = quantities(&ground, &flow.core);
+    let quadratures = quantities(&ground, &flow.quadratures);
+    let constants = constants(&mut ground, level, &flow);
+    let omitted = super::ledger::omissions(&mut ground, level, &flow, scene);
+    let equations = equations(&mut ground, level, &flow);
+    let outputs = flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
+    let folded = ground.folded.clone();
+    let mut divisors = equations.divisors.clone();
+    divisors.dedup();
+    let has_energy = flow.energy.is_some();
+    let time = flow.time;
+    let model = model(ground, &flow, &constants, &equations);
+    let derivation = Derivation { arena: model.arena.clone(), equations };
+    Reduction { model, derivation, states, quadratures, constants, outputs, folded, omitted, divisors, has_energy, time }
+}
+
+/// Variables with their values at the start.
+fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
+    let quantity = |v: &Variable| {
+        let name = ground.arena.symbol_name(v.symbol).unwrap_or_default().to_owned();
+        let model = &ground.model;
+        let (of_start, own, about, unit) = if v.is_speed {
+            let speed = &model.speeds[v.place];
+            (ground.u_start[v.place], speed.symbol, "generalized speed", &speed.unit)
+        } else {
+            let coordinate = &model.coordinates[v.place];
+            (ground.q_start[v.place], coordinate.symbol, coordinate.about.as_str(), &coordinate.unit)
+        };
+        let about = if of_start == own { about.to_owned() } else { text(&ground.arena, of_start) };
+        Quantity { name, symbol: v.symbol, about, unit: unit.clone(), of_start }
+    };
+    list.iter().map(quantity).collect()
+}
+
+/// What is held, and the mass centre's place at the start, as far as the system mentions them.
+fn constants(ground: &mut Ground, level: &Level, flow: &Flow) -> Vec<Quantity> {
+    let held = level.held.iter().map(|h| (h.symbol, h.about.clone(), ground.momenta[h.momentum].unit.clone(), h.of_state));
+    let places = flow.carried.iter().map(|c| {
+        let about = format!("{} at the start", text(&ground.arena, c.position));
+        let unit = ground.momenta[level.held[c.held].momentum].position_unit.clone();
+        (c.symbol, about, unit, c.position)
+    });
+    let all: Vec<(Expr, String, Unit, Expr)> = held.chain(places).collect();
+    let mentioned = flow.dependence.mentioned(&ground.arena, &flow.terms());
+    let mut back = back(ground);
+    all.into_iter()
+        .filter(|(symbol, ..)| mentioned.contains(symbol))
+        .map(|(symbol, about, unit, of_state)| {
+            let of_start = back.apply(&mut ground.arena, of_state);
+            let name = ground.arena.symbol_name(symbol).unwrap_or_default().to_owned();
+            Quantity { name, symbol, about, unit, of_start }
+        })
+        .collect()
+}
+
+/// From the variables of the equations to those of the model.
+fn back(ground: &Ground) -> Substitution {
+    let coordinates = ground.q.iter().copied().zip(ground.q_start.iter().copied());
+    let speeds = ground.kane.variables.iter().copied().zip(ground.u_start.iter().copied());
+    Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())
+}
+
+impl Flow {
+    /// Takes from the energy what is constant and not of the system: the energy of a mass centre that no output shows.
+    fn strip_energy(&mut self, ground: &mut Ground, level: &Level) {
+        let Some(energy) = self.energy.take() else { return };
+        let terms = self.terms();
+        let own = self.dependence.mentioned(&ground.arena, &terms);
+        let pairs: Vec<(Expr, Expr)> =
+            level.held.iter().filter(|h| !own.contains(&h.symbol)).map(|h| (h.symbol, Expr::ZERO)).collect();
+        let whole = self.dependence.whole(&mut ground.arena, energy);
+        let mut without = Substitution::new(&pairs);
+        let rest = without.apply(&mut ground.arena, whole);
+        let difference = ground.arena.sub(whole, rest);
+        let constant = self.core.iter().chain(&self.quadratures).all(|v| {
+            let slope = Differential::partial(v.symbol).apply(&mut ground.arena, difference);
+            zero_test(&ground.arena, slope) == ZeroTest::Zero
+        });
+        let short = without.apply(&mut ground.arena, energy);
+        // A constant that stands in a definition which only the energy uses is written out first.
+        let mentioned = self.dependence.mentioned(&ground.arena, &[short]);
+        let clean = pairs.iter().all(|(symbol, _)| !mentioned.contains(symbol));
+        self.energy = match (constant && without.undefined.is_none(), clean) {
+            (true, true) => Some(short),
+            (true, false) => Some(ground.simplifier.simplify(&mut ground.arena, rest)),
+            (false, _) => Some(energy),
+        };
+    }
+
+    /// Everything that the reduced system computes.
+    pub(super) fn terms(&self) -> Vec<Expr> {
+        let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate);
+        let wanted = &self.wanted;
+        let outputs = wanted.outputs.iter().map(|(_, e)| *e);
+        rates.chain(outputs).chain(wanted.conditions.iter().copied()).chain(wanted.events.iter().copied()).chain(self.energy).collect()
+    }
+}
+
+/// v̇ = rates, solved as they are.
+fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
+    let all = || flow.core.iter().chain(&flow.quadratures);
+    let speeds: Vec<&Variable> = all().filter(|v| v.is_speed).collect();
+    let coordinates: Vec<&Variable> = all().filter(|v| !v.is_speed).collect();
+    let variables: Vec<Expr> = speeds.iter().map(|v| v.symbol).collect();
+    let unknowns: Vec<Expr> = speeds.iter().map(|v| ground.kane.unknowns[v.place]).collect();
+    let n = speeds.len();
+    let identity = |i: usize| (0..n).map(|j| if i == j { Expr::ONE } else { Expr::ZERO }).collect();
+    // The accelerations as they were solved for, unless all of the system is there: then as a linear system, which code
+    // generation eliminates in its own way.
+    let (mut matrix, mut forcing): (Vec<Vec<Expr>>, Vec<Expr>) =
+        ((0..n).map(identity).collect(), speeds.iter().map(|v| v.rate).collect());
+    let mut terms = flow.terms();
+    if speeds.iter().map(|v| v.place).eq(level.kept.iter().copied()) {
+        let whole = [level.matrix.concat(), level.forcing.clone()].concat();
+        let mentioned = flow.dependence.mentioned(&ground.arena, &whole);
+        if !flow.dropped.iter().any(|v| mentioned.contains(&v.symbol)) {
+            (matrix, forcing) = (level.matrix.clone(), level.forcing.clone());
+            terms.retain(|e| !speeds.iter().any(|v| v.rate == *e));
+            terms.extend(whole);
+        }
+    }
+    let arena = &mut ground.arena;
+    let (kinetic_energy, potential_energy) = flow.energy.map_or((Expr::ZERO, Expr::ZERO), |energy| {
+        let at_rest: Vec<(Expr, Expr)> = variables.iter().map(|u| (*u, Expr::ZERO)).collect();
+        let potential = Substitution::new(&at_rest).apply(arena, energy);
+        let potential = ground.simplifier.simplify(arena, potential);
+        let kinetic = arena.sub(energy, potential);
+        (ground.simplifier.simplify(arena, kinetic), potential)
+    });
+    let present: Vec<Expr> = all().map(|v| v.symbol).collect();
+    let divides = |d: &&Expr| present.iter().any(|s| arena.mentions(**d, *s));
+    let definitions = flow.used(arena, &terms);
+    let mut divisors: Vec<Expr> = level.divisors.iter().chain(&ground.kane.divisors).filter(divides).copied().collect();
+    divisors.sort_unstable();
+    divisors.dedup();
+    Equations {
+        definitions,
+        name: "reduced".to_owned(),
+        title: "Reduced equations".to_owned(),
+        formulation: Formulation::Kane,
+        coordinates: coordinates.iter().map(|v| v.symbol).collect(),
+        unknowns: unknowns.clone(),
+        rows: variables.iter().map(|u| format!("along {}", text(arena, *u))).collect(),
+        matrix,
+        forcing,
+        symmetric: true,
+        projection: Vec::new(),
+        coordinate_rates: coordinates.iter().map(|v| v.rate).collect(),
+        generalized_speeds: variables.clone(),
+        generalized_speed_rates: unknowns,
+        motion_variables: variables.clone(),
+        variables,
+        kinetic_energy,
+        potential_energy,
+        divisors,
+    }
+}
+
+fn model(ground: Ground, flow: &Flow, constants: &[Quantity], equations: &Equations) -> crate::Model {
+    let Ground { model: whole, mut arena, folded, kane, .. } = ground;
+    let free = whole.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name)).cloned();
+    let held = constants.iter().map(|c| Parameter {
+        name: c.name.clone(),
+        symbol: c.symbol,
+        unit: c.unit.clone(),
+        value: None,
+        positive: false,
+        about: c.about.clone(),
+    });
+    let parameters = free.chain(held).collect();
+    let all = || flow.core.iter().chain(&flow.quadratures);
+    let coordinates = all().filter(|v| !v.is_speed).map(|v| {
+        let old = &whole.coordinates[v.place];
+        let name = arena.symbol_name(v.symbol).unwrap_or_default().to_owned();
+        if v.symbol == old.symbol {
+            return old.clone();
+        }
+        let (rate, second_rate) = (arena.symbol(&format!("{name}'")), arena.symbol(&format!("{name}''")));
+        Coordinate { name, symbol: v.symbol, rate, second_rate, unit: old.unit.clone(), about: old.about.clone() }
+    });
+    let coordinates = coordinates.collect();
+    let speeds: Vec<Speed> = all()
+        .filter(|v| v.is_speed)
+        .map(|v| {
+            let (old, name) = (&whole.speeds[v.place], arena.symbol_name(v.symbol).unwrap_or_default().to_owned());
+            Speed { name, symbol: v.symbol, rate: kane.unknowns[v.place], definition: v.symbol, unit: old.unit.clone() }
+        })
+        .collect();
+    let conditions = whole.domain.iter().zip(&flow.wanted.conditions);
+    let domain = conditions.map(|(c, e)| Condition { positive: *e, ..c.clone() }).collect();
+    let kinematic_equations =
+        KinematicEquations { rates: equations.coordinate_rates.clone(), divisors: equations.divisors.clone() };
+    crate::Model {
+        arena,
+        parameters,
+        coordinates,
+        speeds,
+        bodies: Vec::new(),
+        gravity: None,
+        forces: Vec::new(),
+        torques: Vec::new(),
+        reactions: Vec::new(),
+        constraints: Vec::new(),
+        domain,
+        kinematic_equations,
+        ..whole
+    }
+}

@@ -1,0 +1,85 @@
+//! Rows solved for some of their columns, simple pivots first.
+
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::range::never_zero;
+use crate::algebra::simplify::{Simplifier, cost};
+use crate::algebra::{Arena, Expr};
+
+/// Independent rows in echelon form: row r of pivot (r, c) reads  x_c + Σ entry x_other = right, where the others are no pivots of
+/// rows before it.
+pub struct Solved {
+    /// The (row, column) of each pivot, in order.
+    pub pivots: Vec<(usize, usize)>,
+    /// The rows, divided by their pivots.
+    pub rows: Vec<Vec<Expr>>,
+    /// The right-hand sides of each row.
+    pub right: Vec<Vec<Expr>>,
+    /// The pivots that the rows were divided by.
+    pub divisors: Vec<Expr>,
+}
+
+/// Gaussian elimination with pivots wherever they are simplest: numbers, then what has no state in it, then what is never
+/// zero, then the shortest, and in these columns. It ends when each row has its pivot or is zero there.
+pub fn solve_rows(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    mut rows: Vec<Vec<Expr>>,
+    mut right: Vec<Vec<Expr>>,
+    states: &[Expr],
+    columns: &[usize],
+) -> Solved {
+    let (mut pivots, mut divisors): (Vec<(usize, usize)>, Vec<Expr>) = (Vec::new(), Vec::new());
+    while let Some((row, column)) = simplest(arena, &rows, &pivots, (states, columns)) {
+        let pivot = rows[row][column];
+        divisors.push(pivot);
+        for entry in rows[row].iter_mut().chain(&mut right[row]) {
+            let quotient = arena.div(*entry, pivot).expect("a pivot is not zero");
+            *entry = simplifier.simplify(arena, quotient);
+        }
+        pivots.push((row, column));
+        let (pivot_row, pivot_right) = (rows[row].clone(), right[row].clone());
+        for at in (0..rows.len()).filter(|at| pivots.iter().all(|(r, _)| r != at)) {
+            let factor = rows[at][column];
+            if factor == Expr::ZERO {
+                continue;
+            }
+            let targets = rows[at].iter_mut().chain(&mut right[at]);
+            for (target, p) in targets.zip(pivot_row.iter().chain(&pivot_right)) {
+                let product = arena.mul(factor, *p);
+                let difference = arena.sub(*target, product);
+                *target = simplifier.simplify(arena, difference);
+            }
+        }
+    }
+    Solved { pivots, rows, right, divisors }
+}
+
+impl Solved {
+    /// The unknown of the k-th pivot from the others: right − Σ entry x, `x` being a value for each column.
+    pub fn unknown(&self, arena: &mut Arena, k: usize, side: usize, x: &[Expr]) -> Expr {
+        let (row, column) = self.pivots[k];
+        let others = (0..x.len()).filter(|at| *at != column && self.rows[row][*at] != Expr::ZERO);
+        let terms: Vec<Expr> = others.map(|at| arena.mul(self.rows[row][at], x[at])).collect();
+        let moved = arena.sum(&terms);
+        arena.sub(self.right[row][side], moved)
+    }
+}
+
+fn simplest(arena: &Arena, rows: &[Vec<Expr>], pivots: &[(usize, usize)], (states, columns): (&[Expr], &[usize])) -> Option<(usize, usize)> {
+    let class = |e: Expr| match e {
+        e if arena.as_number(e).is_some() => 0,
+        e if !states.iter().any(|s| arena.mentions(e, *s)) => 1,
+        e if never_zero(arena, e) => 2,
+        _ => 3,
+    };
+    let free = |at: usize, column: usize| columns.contains(&column) && pivots.iter().all(|(r, c)| *r != at && *c != column);
+    let mut places: Vec<_> = rows
+        .iter()
+        .enumerate()
+        .flat_map(|(at, row)| row.iter().enumerate().map(move |(column, e)| (at, column, *e)))
+        .filter(|(at, column, e)| *e != Expr::ZERO && free(*at, *column))
+        .map(|(at, column, e)| ((class(e), cost(arena, e)), at, column, e))
+        .collect();
+    places.sort_by_key(|(order, at, column, _)| (*order, *at, *column));
+    places.into_iter().find(|(.., e)| zero_test(arena, *e) == ZeroTest::NonZero).map(|(_, at, column, _)| (at, column))
+}

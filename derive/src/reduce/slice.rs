@@ -1,0 +1,381 @@
+//! What the outputs depend on, by meaning.
+//!
+//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. Where it does not, any value may stand for q₁, and what mentions
+//! it only by form loses its terms.
+
+use super::Ground;
+use super::level::Level;
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::elimination::{Definition, LinearSystem, eliminate};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::simplify::{Simplifier, cost_of_all};
+use crate::algebra::{Arena, Expr};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// What a scene wants to see and to watch.
+#[derive(Clone, Debug)]
+pub struct Wanted {
+    /// Names and values of the outputs.
+    pub outputs: Vec<(String, Expr)>,
+    /// The conditions of the domain.
+    pub conditions: Vec<Expr>,
+    /// The functions of the events.
+    pub events: Vec<Expr>,
+}
+
+impl Wanted {
+    /// Each value rewritten.
+    pub fn map(&self, mut rewrite: impl FnMut(Expr) -> Expr) -> Self {
+        Self {
+            outputs: self.outputs.iter().map(|(name, e)| (name.clone(), rewrite(*e))).collect(),
+            conditions: self.conditions.iter().map(|e| rewrite(*e)).collect(),
+            events: self.events.iter().map(|e| rewrite(*e)).collect(),
+        }
+    }
+
+    fn values(&self) -> Vec<Expr> {
+        let outputs = self.outputs.iter().map(|(_, e)| *e);
+        outputs.chain(self.conditions.iter().copied()).chain(self.events.iter().copied()).collect()
+    }
+}
+
+/// A variable that the equations have, and its rate.
+#[derive(Clone, Copy, Debug)]
+pub struct Variable {
+    /// Its symbol.
+    pub symbol: Expr,
+    /// Its rate in variables, what is held and parameters.
+    pub rate: Expr,
+    /// Whether it is a speed.
+    pub is_speed: bool,
+    /// Its place among the model's coordinates or speeds.
+    pub place: usize,
+}
+
+/// A position that a held momentum carries on at a constant rate, solved for a coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried {
+    /// The coordinate.
+    pub coordinate: Expr,
+    /// Its value in other variables, time, what is held and the position at the start.
+    pub value: Expr,
+    /// The symbol of the position at the start.
+    pub symbol: Expr,
+    /// The position in q.
+    pub position: Expr,
+    /// Which of what is held moves it.
+    pub held: usize,
+}
+
+/// The least closed set of variables that what is wanted depends on.
+#[derive(Clone)]
+pub struct Flow {
+    /// The variables on which others depend: coordinates first.
+    pub core: Vec<Variable>,
+    /// Those on which nothing depends but what is wanted, each after those it depends on.
+    pub quadratures: Vec<Variable>,
+    /// Variables of the model that are not there.
+    pub dropped: Vec<Variable>,
+    /// What stands for longer terms, and what terms depend on.
+    pub dependence: Dependence,
+    /// What is wanted, in the variables that are there.
+    pub wanted: Wanted,
+    /// The energy, if it is conserved and a function of the variables that are there.
+    pub energy: Option<Expr>,
+    /// Coordinates computed from the motion of a mass centre.
+    pub carried: Vec<Carried>,
+    /// The time since the start.
+    pub time: Expr,
+    /// Each variable and its rate before what it does not depend on was taken out.
+    pub raw: Vec<(Expr, Expr)>,
+}
+
+/// Values that are put for a variable on which a term does not depend, in turn: at some the term has no value.
+const STANDINS: [(i64, i64); 4] = [(0, 1), (1, 1), (1, 2), (2, 1)];
+
+/// Finds out what terms depend on by meaning, definitions included.
+#[derive(Clone)]
+pub struct Dependence {
+    /// Each symbol that stands for a term, after those that its term mentions.
+    pub definitions: Vec<Definition>,
+    inline: Substitution,
+    known: FxHashMap<(Expr, Expr), bool>,
+}
+
+impl Dependence {
+    /// With these definitions.
+    pub fn new(arena: &mut Arena, definitions: Vec<Definition>) -> Self {
+        let mut inline = Substitution::default();
+        for definition in &definitions {
+            let value = inline.apply(arena, definition.value);
+            inline.set(definition.symbol, value);
+        }
+        Self { definitions, inline, known: FxHashMap::default() }
+    }
+
+    /// The term in variables alone.
+    pub fn whole(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        self.inline.apply(arena, e)
+    }
+
+    /// Whether a term in variables alone depends on a symbol, by meaning; if that cannot be decided, it does.
+    fn on(&mut self, arena: &mut Arena, whole: Expr, symbol: Expr) -> bool {
+        if !arena.mentions(whole, symbol) {
+            return false;
+        }
+        if let Some(known) = self.known.get(&(whole, symbol)) {
+            return *known;
+        }
+        let slope = Differential::partial(symbol).apply(arena, whole);
+        let answer = zero_test(arena, slope) != ZeroTest::Zero;
+        self.known.insert((whole, symbol), answer);
+        answer
+    }
+
+    /// The symbols that a term mentions, directly or in the definitions that it uses.
+    pub fn mentioned(&self, arena: &Arena, list: &[Expr]) -> FxHashSet<Expr> {
+        let mut found: FxHashSet<Expr> = FxHashSet::default();
+        found.extend(arena.reachable(list));
+        for definition in self.definitions.iter().rev() {
+            if found.contains(&definition.symbol) {
+                found.extend(arena.reachable(&[definition.value]));
+            }
+        }
+        found
+    }
+
+    /// The same term without the variables that it mentions and does not depend on; definitions that mention such are
+    /// written out.
+    pub fn settle(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, variables: &[Expr]) -> Expr {
+        let whole = self.whole(arena, e);
+        let mut e = e;
+        loop {
+            let mentioned = self.mentioned(arena, &[e]);
+            let idle: Vec<Expr> = variables.iter().copied().filter(|v| mentioned.contains(v)).collect();
+            let idle: Vec<Expr> = idle.into_iter().filter(|v| !self.on(arena, whole, *v)).collect();
+            if idle.is_empty() {
+                return e;
+            }
+            let parts = arena.reachable(&[e]);
+            let through = |d: &&Definition| {
+                parts.binary_search(&d.symbol).is_ok() && {
+                    let inside = self.mentioned(arena, &[d.value]);
+                    idle.iter().any(|v| inside.contains(v))
+                }
+            };
+            let found = self.definitions.iter().rev().find(through).copied();
+            let next = match found {
+                Some(definition) => {
+                    let written = Substitution::new(&[(definition.symbol, definition.value)]).apply(arena, e);
+                    simplifier.simplify(arena, written)
+                }
+                None => idle.iter().fold(e, |e, v| put_any(arena, simplifier, e, *v)),
+            };
+            if next == e && found.is_none() {
+                // What is left hangs together with definitions: they are all written out, and if that was so, it stays.
+                let all = simplifier.simplify(arena, whole);
+                let all = idle.iter().fold(all, |e, v| put_any(arena, simplifier, e, *v));
+                return all;
+            }
+            e = next;
+        }
+    }
+}
+
+/// The term with a number in the place of a symbol on which it does not depend.
+fn put_any(arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, symbol: Expr) -> Expr {
+    if !arena.mentions(e, symbol) {
+        return e;
+    }
+    for (n, d) in STANDINS {
+        let number = arena.ratio(n, d);
+        let mut put = Substitution::new(&[(symbol, number)]);
+        let candidate = put.apply(arena, e);
+        let difference = arena.sub(candidate, e);
+        if put.undefined.is_none() && zero_test(arena, difference) == ZeroTest::Zero {
+            return simplifier.simplify(arena, candidate);
+        }
+    }
+    e
+}
+
+impl Flow {
+    /// What is needed of a level for what is wanted.
+    pub(super) fn new(ground: &mut Ground, level: &Level, wanted: &Wanted) -> Self {
+        let (mut variables, definitions) = ground.variables(level);
+        let symbols: Vec<Expr> = variables.iter().map(|v| v.symbol).collect();
+        let solved: Vec<(Expr, Expr)> =
+            level.kept.iter().map(|k| ground.kane.unknowns[*k]).zip(variables[ground.q.len()..].iter().map(|v| v.rate)).collect();
+        let mut solved = Substitution::new(&solved);
+        let accelerations: Vec<(Expr, Expr)> = ground.kane.unknowns.iter().copied().zip(level.accelerations.iter().copied()).collect();
+        let mut accelerations = Substitution::new(&accelerations);
+        let time = ground.time();
+        let (arena, simplifier, energy) = (&mut ground.arena, &mut ground.simplifier, ground.energy);
+        let mut dependence = Dependence::new(arena, definitions);
+        let mut put = |e: Expr| {
+            let moved = accelerations.apply(arena, e);
+            let moved = solved.apply(arena, moved);
+            let short = simplifier.simplify(arena, moved);
+            dependence.settle(arena, simplifier, short, &symbols)
+        };
+        let wanted = wanted.map(&mut put);
+        let energy = energy.map(&mut put);
+        let mut raw = Vec::new();
+        for variable in &mut variables {
+            raw.push((variable.symbol, dependence.whole(arena, variable.rate)));
+            variable.rate = dependence.settle(arena, simplifier, variable.rate, &symbols);
+        }
+        let (core, quadratures, carried) = Default::default();
+        let mut flow = Self { core, quadratures, dropped: variables, dependence, wanted, energy, carried, time, raw };
+        flow.close(&ground.arena);
+        flow.carry(ground, level);
+        let present: Vec<Expr> = flow.core.iter().chain(&flow.quadratures).map(|v| v.symbol).collect();
+        let others: Vec<Expr> = symbols.into_iter().filter(|s| !present.contains(s)).collect();
+        flow.energy = flow.energy.filter(|e| {
+            let mentioned = flow.dependence.mentioned(&ground.arena, &[*e]);
+            !others.iter().any(|s| mentioned.contains(s))
+        });
+        flow
+    }
+
+    /// Whether a variable is among the states.
+    pub fn is_core(&self, symbol: Expr) -> bool {
+        self.core.iter().any(|v| v.symbol == symbol)
+    }
+
+    /// States, all that is integrated, and operations.
+    pub(super) fn weight(&self, ground: &Ground) -> (usize, usize, usize) {
+        let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate).collect::<Vec<_>>();
+        let used = self.used(&ground.arena, &rates);
+        let rates: Vec<Expr> = rates.into_iter().chain(used.iter().map(|d| d.value)).collect();
+        let integrated = self.core.len() + self.quadratures.len();
+        (self.core.len(), integrated, cost_of_all(&ground.arena, &rates))
+    }
+
+    /// Sorts all variables anew into those that are needed, for their own sake or for others, and those that are not.
+    pub(super) fn close(&mut self, arena: &Arena) {
+        let mut all: Vec<Variable> = self.core.drain(..).chain(self.quadratures.drain(..)).chain(self.dropped.drain(..)).collect();
+        all.sort_by_key(|v| (v.is_speed, v.place));
+        let mut needed = vec![false; all.len()];
+        let of_rates: Vec<FxHashSet<Expr>> =
+            all.iter().map(|v| self.dependence.mentioned(arena, &[v.rate])).collect();
+        let mut open = vec![self.dependence.mentioned(arena, &self.wanted.values())];
+        while let Some(mentioned) = open.pop() {
+            for (at, variable) in all.iter().enumerate() {
+                if !needed[at] && mentioned.contains(&variable.symbol) {
+                    needed[at] = true;
+                    open.push(of_rates[at].clone());
+                }
+            }
+        }
+        let mut of_rates: FxHashMap<Expr, FxHashSet<Expr>> = all.iter().map(|v| v.symbol).zip(of_rates).collect();
+        let (mut kept, dropped): (Vec<_>, Vec<_>) = all.into_iter().zip(needed).partition(|(_, needed)| *needed);
+        self.dropped = dropped.into_iter().map(|(v, _)| v).collect();
+        let mut peeled = Vec::new();
+        while let Some(at) = (0..kept.len()).find(|at| {
+            let symbol = kept[*at].0.symbol;
+            !kept.iter().any(|(other, _)| of_rates[&other.symbol].contains(&symbol))
+        }) {
+            let gone = kept.remove(at).0;
+            of_rates.remove(&gone.symbol);
+            peeled.push(gone);
+        }
+        peeled.reverse();
+        self.quadratures = peeled;
+        self.core = kept.into_iter().map(|(v, _)| v).collect();
+    }
+
+    /// The definitions that these terms use, in order.
+    pub(super) fn used(&self, arena: &Arena, terms: &[Expr]) -> Vec<Definition> {
+        let mentioned = self.dependence.mentioned(arena, terms);
+        self.dependence.definitions.iter().copied().filter(|d| mentioned.contains(&d.symbol)).collect()
+    }
+
+    /// Coordinates that no rate depends on and that the uniform motion of a mass centre gives.
+    fn carry(&mut self, ground: &mut Ground, level: &Level) {
+        for (held, h) in level.held.iter().enumerate() {
+            let momentum = &ground.momenta[h.momentum];
+            // What is left of a momentum on a singular surface is no rate of a position.
+            let Some(position) = momentum.position.filter(|_| h.of_state == momentum.value) else { continue };
+            let found = self.quadratures.iter().find_map(|v| {
+                let others = self.core.iter().chain(&self.quadratures);
+                let rates: Vec<Expr> = others.filter(|o| o.symbol != v.symbol).map(|o| o.rate).collect();
+                let free = !self.dependence.mentioned(&ground.arena, &rates).contains(&v.symbol);
+                (free && !v.is_speed).then_some(())?;
+                ground.carried_coordinate(v.symbol, position, h.symbol, self.time).map(|(value, symbol)| Carried {
+                    coordinate: v.symbol,
+                    value,
+                    symbol,
+                    position,
+                    held,
+                })
+            });
+            let Some(carried) = found else { continue };
+            let mut put = Substitution::new(&[(carried.coordinate, carried.value)]);
+            let (arena, simplifier) = (&mut ground.arena, &mut ground.simplifier);
+            self.wanted = self.wanted.map(|e| {
+                let moved = put.apply(arena, e);
+                simplifier.simplify(arena, moved)
+            });
+            self.carried.push(carried);
+            self.close(&ground.arena);
+        }
+    }
+}
+
+impl Ground {
+    /// Coordinates and kept speeds with their rates, and what these are defined by.
+    fn variables(&mut self, level: &Level) -> (Vec<Variable>, Vec<Definition>) {
+        let mut list: Vec<Variable> = Vec::new();
+        for (place, (symbol, rate)) in self.q.iter().zip(&self.kane.coordinate_rates).enumerate() {
+            list.push(Variable { symbol: *symbol, rate: *rate, is_speed: false, place });
+        }
+        let unknowns: Vec<Expr> = level.kept.iter().map(|k| self.kane.unknowns[*k]).collect();
+        let system =
+            LinearSystem { matrix: &level.matrix, right: &level.forcing, unknowns: &unknowns, symmetric: true };
+        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
+        let solved = eliminate(arena, simplifier, system).unwrap_or_default();
+        let (mut written, mut definitions) = (Substitution::default(), level.definitions.clone());
+        for step in &solved.steps {
+            let value = written.apply(arena, step.value);
+            if unknowns.contains(&step.symbol) {
+                written.set(step.symbol, value);
+            } else {
+                definitions.push(Definition { symbol: step.symbol, value });
+            }
+        }
+        for (k, unknown) in level.kept.iter().zip(&unknowns) {
+            let rate = written.apply(arena, *unknown);
+            list.push(Variable { symbol: self.kane.variables[*k], rate, is_speed: true, place: *k });
+        }
+        (list, definitions)
+    }
+
+    /// The symbol of the time, which no model has among its own.
+    fn time(&mut self) -> Expr {
+        match self.arena.find_symbol("t") {
+            Some(taken) if !self.model.q().contains(&taken) && !self.model.u().contains(&taken) && !self.model.p().contains(&taken) => taken,
+            Some(_) => self.arena.symbol("time"),
+            None => self.arena.symbol("t"),
+        }
+    }
+
+    /// A coordinate from position = start + momentum · t, if it stands in the position with a constant factor.
+    fn carried_coordinate(&mut self, coordinate: Expr, position: Expr, momentum: Expr, time: Expr) -> Option<(Expr, Expr)> {
+        let arena = &mut self.arena;
+        let factor = Differential::partial(coordinate).apply(arena, position);
+        let factor = self.simplifier.simplify(arena, factor);
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        if factor == Expr::ZERO || states.iter().any(|s| arena.mentions(factor, *s)) {
+            return None;
+        }
+        let rest = Substitution::new(&[(coordinate, Expr::ZERO)]).apply(arena, position);
+        let name = arena.symbol_name(coordinate).unwrap_or_default().to_owned();
+        let symbol = crate::algebra::elimination::fresh_symbol(arena, &format!("centre_{name}"));
+        let moved = arena.mul(momentum, time);
+        let there = arena.add(symbol, moved);
+        let difference = arena.sub(there, rest);
+        let value = arena.div(difference, factor)?;
+        Some((self.simplifier.simplify(arena, value), symbol))
+    }
+}
