@@ -21,11 +21,27 @@ pub mod disk;
 
 #[cfg(not(stale))]
 #[rustfmt::skip]
+pub mod euler_top;
+
+#[cfg(not(stale))]
+#[rustfmt::skip]
+pub mod floating_chain;
+
+#[cfg(not(stale))]
+#[rustfmt::skip]
+pub mod free_body;
+
+#[cfg(not(stale))]
+#[rustfmt::skip]
 pub mod heavy_top;
 
 #[cfg(not(stale))]
 #[rustfmt::skip]
 pub mod pendulum;
+
+#[cfg(not(stale))]
+#[rustfmt::skip]
+pub mod spherical_pendulum;
 
 /// Every compiled model, by name.
 #[cfg(not(stale))]
@@ -34,8 +50,12 @@ pub static MODELS: &[tripos_traits::CompiledModel] = &[
     cart_pendulum_3::MODEL,
     chaotic_pendulum::MODEL,
     disk::MODEL,
+    euler_top::MODEL,
+    floating_chain::MODEL,
+    free_body::MODEL,
     heavy_top::MODEL,
     pendulum::MODEL,
+    spherical_pendulum::MODEL,
 ];
 
 #[cfg(stale)]

@@ -1,0 +1,69 @@
+//! Chain of three rods floating in a plane.
+//!
+//! Generated from `models/floating_chain/model.toml`. Do not edit; run `tripos regenerate`.
+//! 5 configuration variables, 0 holonomic constraints, 5 generalized coordinates, 0 nonholonomic constraints, 5 generalized speeds.
+
+#[rustfmt::skip]
+pub mod kane;
+#[rustfmt::skip]
+pub mod lagrange;
+#[rustfmt::skip]
+pub mod newton_euler;
+use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
+
+/// The parameters, in the order of the model file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<S> {
+    /// mass of each rod, kg
+    pub m: S,
+    /// length of each rod, m
+    pub l: S,
+}
+
+impl<S: Scalar> Parameters<S> {
+    /// From values in the order of [`PARAMETERS`].
+    ///
+    /// # Panics
+    /// If `p` has fewer values than there are parameters.
+    #[must_use]
+    #[inline(always)]
+    pub fn from_slice(p: &[S]) -> Self {
+        Self { m: p[0], l: p[1] }
+    }
+}
+
+/// Names of the parameters.
+pub const PARAMETERS: [&str; 2] = ["m", "l"];
+
+/// Names of the generalized coordinates.
+pub const COORDINATES: [&str; 5] = ["x", "y", "theta1", "theta2", "theta3"];
+
+/// Names of the generalized speeds.
+pub const SPEEDS: [&str; 5] = ["u1", "u2", "u3", "u4", "u5"];
+
+/// What a program needs to find these equations and to trust them.
+pub const MODEL: CompiledModel = CompiledModel {
+    name: "floating_chain",
+    text_hash: "c7f43e1c3f694e99",
+    report_hash: "",
+    systems: &[
+        CompiledSystem {
+            name: "kane",
+            double: &kane::Kane,
+            extended: &kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(kane::Kane))),
+        },
+        CompiledSystem {
+            name: "lagrange",
+            double: &lagrange::Lagrange,
+            extended: &lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(lagrange::Lagrange))),
+        },
+        CompiledSystem {
+            name: "newton-euler",
+            double: &newton_euler::NewtonEuler,
+            extended: &newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
+        },
+    ],
+};

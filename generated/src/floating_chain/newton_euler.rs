@@ -1,0 +1,3035 @@
+//! Chain of three rods floating in a plane: Newton–Euler equations, A(q, u) (u', reactions) = b(q, u).
+//!
+//! Generated from `models/floating_chain/model.toml`. Do not edit; run `tripos regenerate`.
+//! 5 coordinates, 5 speeds, 2 parameters, 4 reactions. Unknowns: (u1', u2', u3', u4', u5', pin1_x, pin1_y, pin2_x, pin2_y).
+//! Cost: mass_matrix 50 operations, 3 sines and cosines; forcing 26 operations, 2 sines and cosines; accelerations 128 operations, 3 sines and cosines.
+//! The kinematic equations are singular nowhere.
+//! The accelerations divide by 9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) + cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) - 9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))), by 3*cos(theta1)^2*cos(theta2)^2 - 7 + 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)).
+
+use super::Parameters;
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
+use tripos_traits::{Scalar, System};
+
+/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rod1 force a1, rod1 force a2, rod1 moment a3, rod2 force b1, rod2 force b2, rod2 moment b3, rod3 force c1, rod3 force c2, rod3 moment c3.
+///
+/// 50 operations, 3 sines and cosines.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    _u: &[S; 5],
+) -> [[S; 9]; 9] {
+    let Parameters { m, l } = *p;
+    let [_, _, theta1, theta2, theta3] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta1, cos_theta1) = theta1.sin_cos();
+    let (sin_theta2, cos_theta2) = theta2.sin_cos();
+    let (sin_theta3, cos_theta3) = theta3.sin_cos();
+    // Shared terms.
+    // m*cos(theta1); used 2 times
+    let m_cos_theta1 = m * cos_theta1;
+    // m*sin(theta1); used 2 times
+    let m_sin_theta1 = m * sin_theta1;
+    // m*l; used 3 times
+    let m_l = m * l;
+    // l*m_l/12; used 3 times
+    let l_m_l_scaled = S::ratio(1, 12) * l * m_l;
+    // l/2; used 7 times
+    let l_scaled = S::ratio(1, 2) * l;
+    // m*cos(theta2); used 2 times
+    let m_cos_theta2 = m * cos_theta2;
+    // m*sin(theta2); used 2 times
+    let m_sin_theta2 = m * sin_theta2;
+    // m*l_scaled; used 4 times
+    let m_l_scaled = m * l_scaled;
+    // m_l_scaled*sin(theta1); used 4 times
+    let m43_part = m_l_scaled * sin_theta1;
+    // m_l_scaled*cos(theta1); used 4 times
+    let m43_part_2 = m_l_scaled * cos_theta1;
+    // l_scaled*sin(theta2)
+    let sin_theta2_l_scaled = l_scaled * sin_theta2;
+    // l_scaled*cos(theta2); used 2 times
+    let cos_theta2_l_scaled = l_scaled * cos_theta2;
+    // m*cos(theta3); used 2 times
+    let m_cos_theta3 = m * cos_theta3;
+    // m*sin(theta3); used 2 times
+    let m_sin_theta3 = m * sin_theta3;
+    // -sin(theta2); used 2 times
+    let sin_theta2_scaled = -sin_theta2;
+    // -cos(theta2); used 2 times
+    let cos_theta2_scaled = -cos_theta2;
+    // -cos(theta3); used 2 times
+    let cos_theta3_scaled = -cos_theta3;
+    // -sin_theta2_l_scaled; used 2 times
+    let sin_theta2_l_scaled_scaled = -sin_theta2_l_scaled;
+    // Entries that are not zero.
+    // M11 = m*cos(theta1)
+    let m11 = m_cos_theta1;
+    // M12 = m*sin(theta1)
+    let m12 = m_sin_theta1;
+    // M16 = cos(theta1)
+    let m16 = cos_theta1;
+    // M17 = sin(theta1)
+    let m17 = sin_theta1;
+    // M21 = -m*sin(theta1)
+    let m21 = -m_sin_theta1;
+    // M22 = m*cos(theta1)
+    let m22 = m_cos_theta1;
+    // M26 = -sin(theta1)
+    let m26 = -sin_theta1;
+    // M27 = cos(theta1)
+    let m27 = cos_theta1;
+    // M33 = m*l^2/12
+    let m33 = l_m_l_scaled;
+    // M36 = -l*sin(theta1)/2
+    let m36 = -l_scaled * sin_theta1;
+    // M37 = l*cos(theta1)/2
+    let m37 = l_scaled * cos_theta1;
+    // M41 = m*cos(theta2)
+    let m41 = m_cos_theta2;
+    // M42 = m*sin(theta2)
+    let m42 = m_sin_theta2;
+    // M43 = -m*l*sin(theta1 - theta2)/2
+    let m43 = (-m43_part).mul_add(cos_theta2, m43_part_2 * sin_theta2);
+    // M46 = -cos(theta2)
+    let m46 = cos_theta2_scaled;
+    // M47 = -sin(theta2)
+    let m47 = sin_theta2_scaled;
+    // M48 = cos(theta2)
+    let m48 = cos_theta2;
+    // M49 = sin(theta2)
+    let m49 = sin_theta2;
+    // M51 = -m*sin(theta2)
+    let m51 = -m_sin_theta2;
+    // M52 = m*cos(theta2)
+    let m52 = m_cos_theta2;
+    // M53 = m*l*cos(theta1 - theta2)/2
+    let m53 = m43_part_2.mul_add(cos_theta2, m43_part * sin_theta2);
+    // M54 = m*l/2
+    let m54 = m_l_scaled;
+    // M56 = sin(theta2)
+    let m56 = sin_theta2;
+    // M57 = -cos(theta2)
+    let m57 = cos_theta2_scaled;
+    // M58 = -sin(theta2)
+    let m58 = sin_theta2_scaled;
+    // M59 = cos(theta2)
+    let m59 = cos_theta2;
+    // M64 = m*l^2/12
+    let m64 = l_m_l_scaled;
+    // M66 = -l*sin(theta2)/2
+    let m66 = sin_theta2_l_scaled_scaled;
+    // M67 = l*cos(theta2)/2
+    let m67 = cos_theta2_l_scaled;
+    // M68 = -l*sin(theta2)/2
+    let m68 = sin_theta2_l_scaled_scaled;
+    // M69 = l*cos(theta2)/2
+    let m69 = cos_theta2_l_scaled;
+    // M71 = m*cos(theta3)
+    let m71 = m_cos_theta3;
+    // M72 = m*sin(theta3)
+    let m72 = m_sin_theta3;
+    // M73 = -m*l*sin(theta1 - theta3)/2
+    let m73 = (-m43_part).mul_add(cos_theta3, m43_part_2 * sin_theta3);
+    // M74 = -m*l*sin(theta2 - theta3)
+    let m74 = m_l * (-sin_theta2).mul_add(cos_theta3, cos_theta2 * sin_theta3);
+    // M78 = -cos(theta3)
+    let m78 = cos_theta3_scaled;
+    // M79 = -sin(theta3)
+    let m79 = -sin_theta3;
+    // M81 = -m*sin(theta3)
+    let m81 = -m_sin_theta3;
+    // M82 = m*cos(theta3)
+    let m82 = m_cos_theta3;
+    // M83 = m*l*cos(theta1 - theta3)/2
+    let m83 = m43_part_2.mul_add(cos_theta3, m43_part * sin_theta3);
+    // M84 = m*l*cos(theta2 - theta3)
+    let m84 = m_l * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3);
+    // M85 = m*l/2
+    let m85 = m_l_scaled;
+    // M88 = sin(theta3)
+    let m88 = sin_theta3;
+    // M89 = -cos(theta3)
+    let m89 = cos_theta3_scaled;
+    // M95 = m*l^2/12
+    let m95 = l_m_l_scaled;
+    // M98 = -l*sin(theta3)/2
+    let m98 = -l_scaled * sin_theta3;
+    // M99 = l*cos(theta3)/2
+    let m99 = l_scaled * cos_theta3;
+    [
+        [m11, m12, zero, zero, zero, m16, m17, zero, zero],
+        [m21, m22, zero, zero, zero, m26, m27, zero, zero],
+        [zero, zero, m33, zero, zero, m36, m37, zero, zero],
+        [m41, m42, m43, zero, zero, m46, m47, m48, m49],
+        [m51, m52, m53, m54, zero, m56, m57, m58, m59],
+        [zero, zero, zero, m64, zero, m66, m67, m68, m69],
+        [m71, m72, m73, m74, zero, zero, zero, m78, m79],
+        [m81, m82, m83, m84, m85, zero, zero, m88, m89],
+        [zero, zero, zero, zero, m95, zero, zero, m98, m99],
+    ]
+}
+
+/// Right-hand side of the linear system; unknowns (u1', u2', u3', u4', u5', pin1_x, pin1_y, pin2_x, pin2_y).
+///
+/// 26 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 9] {
+    let Parameters { m, l } = *p;
+    let [_, _, theta1, theta2, theta3] = *q;
+    let [_, _, u3, u4, u5] = *u;
+    let zero = S::int(0);
+    // Shared terms.
+    // m*l; used 2 times
+    let m_l = m * l;
+    // m_l/2; used 4 times
+    let m_l_scaled = S::ratio(1, 2) * m_l;
+    // u4^2; used 3 times
+    let u4_sq = u4 * u4;
+    // u3^2; used 2 times
+    let u3_sq = u3 * u3;
+    // m_l_scaled*u3_sq; used 2 times
+    let m_l_scaled_u3_sq = m_l_scaled * u3_sq;
+    // theta1 - theta2; used 2 times
+    let f4_part = theta1 - theta2;
+    // Sines and cosines.
+    let (sin_theta1_minus_theta2, cos_theta1_minus_theta2) = f4_part.sin_cos();
+    // Shared terms.
+    // 2*u4_sq*cos(theta1 - theta2) + u3_sq; used 2 times
+    let f7_part = (u4_sq * cos_theta1_minus_theta2).mul_add(S::int(2), u3_sq);
+    // m_l*u4_sq*sin(theta1 - theta2); used 2 times
+    let f7_part_2 = m_l * u4_sq * sin_theta1_minus_theta2;
+    // theta1 - theta3; used 2 times
+    let f7_part_3 = theta1 - theta3;
+    // Sines and cosines.
+    let (sin_theta1_minus_theta3, cos_theta1_minus_theta3) = f7_part_3.sin_cos();
+    // Values.
+    // f4 = m*l*(u3^2*cos(theta1 - theta2) + u4^2)/2
+    let f4 = m_l_scaled_u3_sq.mul_add(cos_theta1_minus_theta2, m_l_scaled * u4_sq);
+    // f5 = m*l*u3^2*sin(theta1 - theta2)/2
+    let f5 = m_l_scaled_u3_sq * sin_theta1_minus_theta2;
+    // f7 = m*l*(u3^2*cos(theta1 - theta3) + 2*u4^2*cos(theta2 - theta3) + u5^2)/2
+    let f7 = m_l_scaled * f7_part.mul_add(cos_theta1_minus_theta3, u5 * u5)
+        + f7_part_2 * sin_theta1_minus_theta3;
+    // f8 = m*l*(u3^2*sin(theta1 - theta3) + 2*u4^2*sin(theta2 - theta3))/2
+    let f8 = (-f7_part_2)
+        .mul_add(
+            cos_theta1_minus_theta3,
+            m_l_scaled * f7_part * sin_theta1_minus_theta3,
+        );
+    [zero, zero, zero, f4, f5, zero, f7, f8, zero]
+}
+
+/// The accelerations (u1', u2', u3', u4', u5'), solved for when this code was generated.
+///
+/// 128 operations, 3 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
+    let Parameters { l, .. } = *p;
+    let [_, _, theta1, theta2, theta3] = *q;
+    let [_, _, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (sin_theta2, cos_theta2) = theta2.sin_cos();
+    let (sin_theta1, cos_theta1) = theta1.sin_cos();
+    let (sin_theta3, cos_theta3) = theta3.sin_cos();
+    // Shared terms.
+    // 9*cos(theta2); used 3 times
+    let cos_theta2_scaled = S::int(9) * cos_theta2;
+    // 4 - cos_theta2_scaled*cos(theta2); used 2 times
+    let u5_dot_part = (-cos_theta2_scaled).mul_add(cos_theta2, S::int(4));
+    // cos_theta2_scaled*sin(theta2); used 2 times
+    let u5_dot_part_2 = cos_theta2_scaled * sin_theta2;
+    // 1/(9 - cos(theta3)*(cos_theta2_scaled*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)) -
+    //   5*cos(theta3)) - sin(theta1)*(sin(theta1)*(cos(theta3)^2 + u5_dot_part) + cos(theta1)*(u5_dot_part_2
+    //   - sin(theta3)*cos(theta3)))); used 3 times
+    let u5_dot_part_3 = S::int(1)
+        / (S::int(9)
+            - cos_theta3
+                * (cos_theta2_scaled
+                    * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
+                    - S::int(5) * cos_theta3)
+            - sin_theta1
+                * (sin_theta1 * cos_theta3.mul_add(cos_theta3, u5_dot_part)
+                    + cos_theta1 * (-sin_theta3).mul_add(cos_theta3, u5_dot_part_2)));
+    // u5_dot_part_2 - sin(theta1)*cos(theta1); used 2 times
+    let u5_dot_part_4 = (-sin_theta1).mul_add(cos_theta1, u5_dot_part_2);
+    // u5^2; used 4 times
+    let u5_sq = u5 * u5;
+    // u3^2; used 4 times
+    let u3_sq = u3 * u3;
+    // sin(theta1)*cos(theta2) - cos(theta1)*sin(theta2); used 4 times
+    let u5_dot_part_5 = (-cos_theta1).mul_add(sin_theta2, sin_theta1 * cos_theta2);
+    // u5_dot_part_3*cos(theta3); used 3 times
+    let u5_dot_part_6 = u5_dot_part_3 * cos_theta3;
+    // cos(theta1)*cos(theta2); used 3 times
+    let u5_dot_part_7 = cos_theta1 * cos_theta2;
+    // sin(theta1)*sin(theta2); used 3 times
+    let u5_dot_part_8 = sin_theta1 * sin_theta2;
+    // u5_dot_part_7 + u5_dot_part_8; used 4 times
+    let u5_dot_part_9 = u5_dot_part_7 + u5_dot_part_8;
+    // u5_dot_part_3*sin(theta3); used 3 times
+    let u5_dot_part_10 = u5_dot_part_3 * sin_theta3;
+    // u4^2; used 5 times
+    let u4_sq = u4 * u4;
+    // u4_sq*cos(theta2); used 2 times
+    let cos_theta2_u4_sq = u4_sq * cos_theta2;
+    // u3_sq + u5_dot_part_9*u4_sq; used 2 times
+    let u5_dot_part_11 = u5_dot_part_9.mul_add(u4_sq, u3_sq);
+    // u3_sq*sin(theta1); used 2 times
+    let sin_theta1_u3_sq = u3_sq * sin_theta1;
+    // u5_dot_part_6*u4_sq*(6*sin(theta2) - u5_dot_part_5*cos(theta1)) +
+    //   u5_dot_part_10*u5_dot_part_11*cos(theta1)
+    let u5_dot_part_12 = u5_dot_part_6 * u4_sq
+        * (-u5_dot_part_5).mul_add(cos_theta1, S::int(6) * sin_theta2)
+        + u5_dot_part_10 * u5_dot_part_11 * cos_theta1;
+    // Elimination, step by step.
+    // u5' = (u5^2*(sin(theta1)*cos(theta1) - 9*sin(theta2)*cos(theta2)) -
+    //   3*sin(theta3)*(cos(theta1)*(u3^2*(3*cos(theta2)^2 - 1) - u4^2*(sin(theta1)*sin(theta2) +
+    //   cos(theta1)*cos(theta2))) + cos(theta2)*(3*u3^2*sin(theta1)*sin(theta2) + 7*u4^2)) +
+    //   cos(theta3)*(3*u3^2*(3*cos(theta1)*sin(theta2)*cos(theta2) - sin(theta1)*(3*cos(theta2)^2 - 2)) +
+    //   3*u4^2*(6*sin(theta2) + cos(theta1)*(cos(theta1)*sin(theta2) - sin(theta1)*cos(theta2))) +
+    //   2*u5^2*(sin(theta3)*(4 + cos(theta1)^2 - 9*cos(theta2)^2) + cos(theta3)*(9*sin(theta2)*cos(theta2) -
+    //   sin(theta1)*cos(theta1)))))/(2*(9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)))))
+    let u5_dot = u5_dot_part_6
+        * (u5_sq
+            * (sin_theta3 * cos_theta1.mul_add(cos_theta1, u5_dot_part)
+                + u5_dot_part_4 * cos_theta3) + S::int(3) * sin_theta1_u3_sq)
+        - S::ratio(1, 2) * u5_dot_part_3 * u5_dot_part_4 * u5_sq
+        - S::ratio(9, 2) * u3_sq * cos_theta2
+            * u5_dot_part_9.mul_add(u5_dot_part_10, u5_dot_part_5 * u5_dot_part_6)
+        - S::ratio(21, 2) * u5_dot_part_10 * cos_theta2_u4_sq
+        + S::ratio(3, 2) * u5_dot_part_12;
+    // Shared terms.
+    // u5_dot_part_7^2 + u5_dot_part_8*(2*u5_dot_part_7 + u5_dot_part_8)
+    let u4_dot_part = u5_dot_part_8 * u5_dot_part_7.mul_add(S::int(2), u5_dot_part_8)
+        + u5_dot_part_7 * u5_dot_part_7;
+    // 1/(3*u4_dot_part - 7); used 2 times
+    let u4_dot_part_2 = S::int(1) / u4_dot_part.mul_add(S::int(3), -S::int(7));
+    // u5'*sin(theta3) + u5_sq*cos(theta3); used 3 times
+    let u4_dot_part_3 = u5_sq.mul_add(cos_theta3, u5_dot * sin_theta3);
+    // u5'*cos(theta3) - u5_sq*sin(theta3); used 3 times
+    let u4_dot_part_4 = (-u5_sq).mul_add(sin_theta3, u5_dot * cos_theta3);
+    // u4_dot_part_3*sin(theta1) + u4_dot_part_4*cos(theta1); used 2 times
+    let u4_dot_part_5 = u4_dot_part_4.mul_add(cos_theta1, u4_dot_part_3 * sin_theta1);
+    // u4_dot_part_3*sin(theta2) + u4_dot_part_4*cos(theta2)
+    let u4_dot_part_6 = u4_dot_part_4.mul_add(cos_theta2, u4_dot_part_3 * sin_theta2);
+    // Elimination, step by step.
+    // u4' = (sin(theta1)*(3*u3^2*cos(theta2) + sin(theta1)*sin(theta2)*(3*u4^2*cos(theta2) +
+    //   u5^2*cos(theta3) + u5'*sin(theta3)) + cos(theta1)*(cos(theta2)*(3*u4^2*cos(theta2) +
+    //   u5^2*cos(theta3) + u5'*sin(theta3)) - sin(theta2)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) -
+    //   u5'*cos(theta3)))) + cos(theta2)*(3*u5^2*sin(theta3) - 3*u5'*cos(theta3) +
+    //   cos(theta1)^2*(u5'*cos(theta3) - 3*u4^2*sin(theta2) - u5^2*sin(theta3))) -
+    //   3*sin(theta2)*(u3^2*cos(theta1) + u5^2*cos(theta3) + u5'*sin(theta3)))/(7 -
+    //   3*cos(theta1)^2*cos(theta2)^2 - 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) +
+    //   2*cos(theta1)*cos(theta2)))
+    let u4_dot = S::int(3) * u4_dot_part_2
+        * (-u5_dot_part_5).mul_add(u5_dot_part_11, u4_dot_part_6)
+        - u5_dot_part_9 * u4_dot_part_2 * u4_dot_part_5;
+    // u3' = cos(theta1)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) - 3*u4'*cos(theta2) - u5'*cos(theta3))/3 -
+    //   sin(theta1)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + 3*u4'*sin(theta2) + u5'*sin(theta3))/3
+    let u3_dot = (-u5_dot_part_5).mul_add(u4_sq, -u4_dot * u5_dot_part_9)
+        - S::ratio(1, 3) * u4_dot_part_5;
+    // Shared terms.
+    // l/6; used 2 times
+    let l_scaled = S::ratio(1, 6) * l;
+    // l/2; used 2 times
+    let l_scaled_2 = S::ratio(1, 2) * l;
+    // l/3; used 2 times
+    let l_scaled_3 = S::ratio(1, 3) * l;
+    // Elimination, step by step.
+    // u2' = l*(2*u3^2*sin(theta1) + 3*u4^2*sin(theta2) + u5^2*sin(theta3) - 2*u3'*cos(theta1) -
+    //   3*u4'*cos(theta2) - u5'*cos(theta3))/6
+    let u2_dot = l_scaled_2 * (-u4_dot).mul_add(cos_theta2, u4_sq * sin_theta2)
+        - u4_dot_part_4 * l_scaled
+        + l_scaled_3 * (-u3_dot).mul_add(cos_theta1, sin_theta1_u3_sq);
+    // u1' = l*(2*u3^2*cos(theta1) + 3*u4^2*cos(theta2) + u5^2*cos(theta3) + 2*u3'*sin(theta1) +
+    //   3*u4'*sin(theta2) + u5'*sin(theta3))/6
+    let u1_dot = l_scaled_2 * u4_dot.mul_add(sin_theta2, cos_theta2_u4_sq)
+        + u4_dot_part_3 * l_scaled
+        + l_scaled_3 * u3_sq.mul_add(cos_theta1, u3_dot * sin_theta1);
+    [u1_dot, u2_dot, u3_dot, u4_dot, u5_dot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 128 operations, 3 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+) -> ([S; 5], [S; 5]) {
+    let Parameters { l, .. } = *p;
+    let [_, _, theta1, theta2, theta3] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (sin_theta2, cos_theta2) = theta2.sin_cos();
+    let (sin_theta1, cos_theta1) = theta1.sin_cos();
+    let (sin_theta3, cos_theta3) = theta3.sin_cos();
+    // Shared terms.
+    // 9*cos(theta2); used 3 times
+    let cos_theta2_scaled = S::int(9) * cos_theta2;
+    // 4 - cos_theta2_scaled*cos(theta2); used 2 times
+    let u5_dot_part = (-cos_theta2_scaled).mul_add(cos_theta2, S::int(4));
+    // cos_theta2_scaled*sin(theta2); used 2 times
+    let u5_dot_part_2 = cos_theta2_scaled * sin_theta2;
+    // 1/(9 - cos(theta3)*(cos_theta2_scaled*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)) -
+    //   5*cos(theta3)) - sin(theta1)*(sin(theta1)*(cos(theta3)^2 + u5_dot_part) + cos(theta1)*(u5_dot_part_2
+    //   - sin(theta3)*cos(theta3)))); used 3 times
+    let u5_dot_part_3 = S::int(1)
+        / (S::int(9)
+            - cos_theta3
+                * (cos_theta2_scaled
+                    * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
+                    - S::int(5) * cos_theta3)
+            - sin_theta1
+                * (sin_theta1 * cos_theta3.mul_add(cos_theta3, u5_dot_part)
+                    + cos_theta1 * (-sin_theta3).mul_add(cos_theta3, u5_dot_part_2)));
+    // u5_dot_part_2 - sin(theta1)*cos(theta1); used 2 times
+    let u5_dot_part_4 = (-sin_theta1).mul_add(cos_theta1, u5_dot_part_2);
+    // u5^2; used 4 times
+    let u5_sq = u5 * u5;
+    // u3^2; used 4 times
+    let u3_sq = u3 * u3;
+    // sin(theta1)*cos(theta2) - cos(theta1)*sin(theta2); used 4 times
+    let u5_dot_part_5 = (-cos_theta1).mul_add(sin_theta2, sin_theta1 * cos_theta2);
+    // u5_dot_part_3*cos(theta3); used 3 times
+    let u5_dot_part_6 = u5_dot_part_3 * cos_theta3;
+    // cos(theta1)*cos(theta2); used 3 times
+    let u5_dot_part_7 = cos_theta1 * cos_theta2;
+    // sin(theta1)*sin(theta2); used 3 times
+    let u5_dot_part_8 = sin_theta1 * sin_theta2;
+    // u5_dot_part_7 + u5_dot_part_8; used 4 times
+    let u5_dot_part_9 = u5_dot_part_7 + u5_dot_part_8;
+    // u5_dot_part_3*sin(theta3); used 3 times
+    let u5_dot_part_10 = u5_dot_part_3 * sin_theta3;
+    // u4^2; used 5 times
+    let u4_sq = u4 * u4;
+    // u4_sq*cos(theta2); used 2 times
+    let cos_theta2_u4_sq = u4_sq * cos_theta2;
+    // u3_sq + u5_dot_part_9*u4_sq; used 2 times
+    let u5_dot_part_11 = u5_dot_part_9.mul_add(u4_sq, u3_sq);
+    // u3_sq*sin(theta1); used 2 times
+    let sin_theta1_u3_sq = u3_sq * sin_theta1;
+    // u5_dot_part_6*u4_sq*(6*sin(theta2) - u5_dot_part_5*cos(theta1)) +
+    //   u5_dot_part_10*u5_dot_part_11*cos(theta1)
+    let u5_dot_part_12 = u5_dot_part_6 * u4_sq
+        * (-u5_dot_part_5).mul_add(cos_theta1, S::int(6) * sin_theta2)
+        + u5_dot_part_10 * u5_dot_part_11 * cos_theta1;
+    // Elimination, step by step.
+    // u5' = (u5^2*(sin(theta1)*cos(theta1) - 9*sin(theta2)*cos(theta2)) -
+    //   3*sin(theta3)*(cos(theta1)*(u3^2*(3*cos(theta2)^2 - 1) - u4^2*(sin(theta1)*sin(theta2) +
+    //   cos(theta1)*cos(theta2))) + cos(theta2)*(3*u3^2*sin(theta1)*sin(theta2) + 7*u4^2)) +
+    //   cos(theta3)*(3*u3^2*(3*cos(theta1)*sin(theta2)*cos(theta2) - sin(theta1)*(3*cos(theta2)^2 - 2)) +
+    //   3*u4^2*(6*sin(theta2) + cos(theta1)*(cos(theta1)*sin(theta2) - sin(theta1)*cos(theta2))) +
+    //   2*u5^2*(sin(theta3)*(4 + cos(theta1)^2 - 9*cos(theta2)^2) + cos(theta3)*(9*sin(theta2)*cos(theta2) -
+    //   sin(theta1)*cos(theta1)))))/(2*(9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)))))
+    let u5_dot = u5_dot_part_6
+        * (u5_sq
+            * (sin_theta3 * cos_theta1.mul_add(cos_theta1, u5_dot_part)
+                + u5_dot_part_4 * cos_theta3) + S::int(3) * sin_theta1_u3_sq)
+        - S::ratio(1, 2) * u5_dot_part_3 * u5_dot_part_4 * u5_sq
+        - S::ratio(9, 2) * u3_sq * cos_theta2
+            * u5_dot_part_9.mul_add(u5_dot_part_10, u5_dot_part_5 * u5_dot_part_6)
+        - S::ratio(21, 2) * u5_dot_part_10 * cos_theta2_u4_sq
+        + S::ratio(3, 2) * u5_dot_part_12;
+    // Shared terms.
+    // u5_dot_part_7^2 + u5_dot_part_8*(2*u5_dot_part_7 + u5_dot_part_8)
+    let u4_dot_part = u5_dot_part_8 * u5_dot_part_7.mul_add(S::int(2), u5_dot_part_8)
+        + u5_dot_part_7 * u5_dot_part_7;
+    // 1/(3*u4_dot_part - 7); used 2 times
+    let u4_dot_part_2 = S::int(1) / u4_dot_part.mul_add(S::int(3), -S::int(7));
+    // u5'*sin(theta3) + u5_sq*cos(theta3); used 3 times
+    let u4_dot_part_3 = u5_sq.mul_add(cos_theta3, u5_dot * sin_theta3);
+    // u5'*cos(theta3) - u5_sq*sin(theta3); used 3 times
+    let u4_dot_part_4 = (-u5_sq).mul_add(sin_theta3, u5_dot * cos_theta3);
+    // u4_dot_part_3*sin(theta1) + u4_dot_part_4*cos(theta1); used 2 times
+    let u4_dot_part_5 = u4_dot_part_4.mul_add(cos_theta1, u4_dot_part_3 * sin_theta1);
+    // u4_dot_part_3*sin(theta2) + u4_dot_part_4*cos(theta2)
+    let u4_dot_part_6 = u4_dot_part_4.mul_add(cos_theta2, u4_dot_part_3 * sin_theta2);
+    // Elimination, step by step.
+    // u4' = (sin(theta1)*(3*u3^2*cos(theta2) + sin(theta1)*sin(theta2)*(3*u4^2*cos(theta2) +
+    //   u5^2*cos(theta3) + u5'*sin(theta3)) + cos(theta1)*(cos(theta2)*(3*u4^2*cos(theta2) +
+    //   u5^2*cos(theta3) + u5'*sin(theta3)) - sin(theta2)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) -
+    //   u5'*cos(theta3)))) + cos(theta2)*(3*u5^2*sin(theta3) - 3*u5'*cos(theta3) +
+    //   cos(theta1)^2*(u5'*cos(theta3) - 3*u4^2*sin(theta2) - u5^2*sin(theta3))) -
+    //   3*sin(theta2)*(u3^2*cos(theta1) + u5^2*cos(theta3) + u5'*sin(theta3)))/(7 -
+    //   3*cos(theta1)^2*cos(theta2)^2 - 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) +
+    //   2*cos(theta1)*cos(theta2)))
+    let u4_dot = S::int(3) * u4_dot_part_2
+        * (-u5_dot_part_5).mul_add(u5_dot_part_11, u4_dot_part_6)
+        - u5_dot_part_9 * u4_dot_part_2 * u4_dot_part_5;
+    // u3' = cos(theta1)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) - 3*u4'*cos(theta2) - u5'*cos(theta3))/3 -
+    //   sin(theta1)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + 3*u4'*sin(theta2) + u5'*sin(theta3))/3
+    let u3_dot = (-u5_dot_part_5).mul_add(u4_sq, -u4_dot * u5_dot_part_9)
+        - S::ratio(1, 3) * u4_dot_part_5;
+    // Shared terms.
+    // l/6; used 2 times
+    let l_scaled = S::ratio(1, 6) * l;
+    // l/2; used 2 times
+    let l_scaled_2 = S::ratio(1, 2) * l;
+    // l/3; used 2 times
+    let l_scaled_3 = S::ratio(1, 3) * l;
+    // Elimination, step by step.
+    // u2' = l*(2*u3^2*sin(theta1) + 3*u4^2*sin(theta2) + u5^2*sin(theta3) - 2*u3'*cos(theta1) -
+    //   3*u4'*cos(theta2) - u5'*cos(theta3))/6
+    let u2_dot = l_scaled_2 * (-u4_dot).mul_add(cos_theta2, u4_sq * sin_theta2)
+        - u4_dot_part_4 * l_scaled
+        + l_scaled_3 * (-u3_dot).mul_add(cos_theta1, sin_theta1_u3_sq);
+    // u1' = l*(2*u3^2*cos(theta1) + 3*u4^2*cos(theta2) + u5^2*cos(theta3) + 2*u3'*sin(theta1) +
+    //   3*u4'*sin(theta2) + u5'*sin(theta3))/6
+    let u1_dot = l_scaled_2 * u4_dot.mul_add(sin_theta2, cos_theta2_u4_sq)
+        + u4_dot_part_3 * l_scaled
+        + l_scaled_3 * u3_sq.mul_add(cos_theta1, u3_dot * sin_theta1);
+    // Values.
+    // x' = u1
+    let x_dot_value = u1;
+    // y' = u2
+    let y_dot_value = u2;
+    // theta1' = u3
+    let theta1_dot_value = u3;
+    // theta2' = u4
+    let theta2_dot_value = u4;
+    // theta3' = u5
+    let theta3_dot_value = u5;
+    (
+        [x_dot_value, y_dot_value, theta1_dot_value, theta2_dot_value, theta3_dot_value],
+        [u1_dot, u2_dot, u3_dot, u4_dot, u5_dot],
+    )
+}
+
+/// Jacobian of the derivative by the state; columns x, y, theta1, theta2, theta3, u1, u2, u3, u4, u5.
+///
+/// 544 operations, 3 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10]; 10] {
+    let Parameters { l, .. } = *p;
+    let [_, _, theta1, theta2, theta3] = *q;
+    let [_, _, u3, u4, u5] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta1, cos_theta1) = theta1.sin_cos();
+    let (sin_theta2, cos_theta2) = theta2.sin_cos();
+    let (sin_theta3, cos_theta3) = theta3.sin_cos();
+    // Shared terms.
+    // u5^2; used 9 times
+    let u5_sq = u5 * u5;
+    // sin(theta1)*cos(theta1); used 2 times
+    let u5_dot_part = sin_theta1 * cos_theta1;
+    // 9*cos(theta2); used 4 times
+    let cos_theta2_scaled = S::int(9) * cos_theta2;
+    // cos_theta2_scaled*sin(theta2); used 2 times
+    let u5_dot_part_2 = cos_theta2_scaled * sin_theta2;
+    // u5_dot_part_2 - u5_dot_part; used 4 times
+    let u5_dot_part_3 = u5_dot_part_2 - u5_dot_part;
+    // 4 - cos_theta2_scaled*cos(theta2); used 2 times
+    let u5_dot_part_4 = (-cos_theta2_scaled).mul_add(cos_theta2, S::int(4));
+    // cos(theta1)^2; used 6 times
+    let cos_theta1_sq = cos_theta1 * cos_theta1;
+    // u5_dot_part_4 + cos_theta1_sq; used 2 times
+    let u5_dot_part_5 = u5_dot_part_4 + cos_theta1_sq;
+    // u5_dot_part_3*cos(theta3) + u5_dot_part_5*sin(theta3); used 2 times
+    let u5_dot_part_6 = u5_dot_part_5.mul_add(sin_theta3, u5_dot_part_3 * cos_theta3);
+    // 2*cos(theta3); used 5 times
+    let cos_theta3_scaled = S::int(2) * cos_theta3;
+    // u5_dot_part_6*cos_theta3_scaled - u5_dot_part_3; used 2 times
+    let u5_dot_part_7 = u5_dot_part_6.mul_add(cos_theta3_scaled, -u5_dot_part_3);
+    // cos(theta3)^2; used 2 times
+    let cos_theta3_sq = cos_theta3 * cos_theta3;
+    // -u5_dot_part_4 - cos_theta3_sq; used 2 times
+    let u5_dot_part_8 = -u5_dot_part_4 - cos_theta3_sq;
+    // u5_dot_part_2 - sin(theta3)*cos(theta3); used 2 times
+    let u5_dot_part_9 = (-sin_theta3).mul_add(cos_theta3, u5_dot_part_2);
+    // u5_dot_part_8*sin(theta1) - u5_dot_part_9*cos(theta1); used 2 times
+    let u5_dot_part_10 = (-u5_dot_part_9)
+        .mul_add(cos_theta1, u5_dot_part_8 * sin_theta1);
+    // sin(theta2)*sin(theta3); used 2 times
+    let u5_dot_part_11 = sin_theta2 * sin_theta3;
+    // cos(theta2)*cos(theta3) + u5_dot_part_11; used 2 times
+    let u5_dot_part_12 = cos_theta2.mul_add(cos_theta3, u5_dot_part_11);
+    // 5*cos(theta3) - cos_theta2_scaled*u5_dot_part_12; used 2 times
+    let u5_dot_part_13 = (-cos_theta2_scaled)
+        .mul_add(u5_dot_part_12, S::int(5) * cos_theta3);
+    // 1/(9 + u5_dot_part_10*sin(theta1) + u5_dot_part_13*cos(theta3)); used 6 times
+    let u5_dot_part_14 = S::int(1)
+        / (u5_dot_part_10.mul_add(sin_theta1, S::int(9)) + u5_dot_part_13 * cos_theta3);
+    // u5_dot_part_14/2; used 4 times
+    let u5_dot_part_14_scaled = S::ratio(1, 2) * u5_dot_part_14;
+    // 3*u5_dot_part_14/2; used 2 times
+    let u5_dot_part_14_scaled_2 = S::ratio(3, 2) * u5_dot_part_14;
+    // u4^2; used 11 times
+    let u4_sq = u4 * u4;
+    // cos(theta1)*sin(theta2); used 9 times
+    let u5_dot_part_15 = cos_theta1 * sin_theta2;
+    // sin(theta1)*cos(theta2); used 6 times
+    let u5_dot_part_16 = sin_theta1 * cos_theta2;
+    // u5_dot_part_16 - u5_dot_part_15; used 9 times
+    let u5_dot_part_17 = u5_dot_part_16 - u5_dot_part_15;
+    // u5_dot_part_17*cos(theta1); used 3 times
+    let u5_dot_part_18 = u5_dot_part_17 * cos_theta1;
+    // 6*sin(theta2) - u5_dot_part_18; used 2 times
+    let u5_dot_part_19 = sin_theta2.mul_add(S::int(6), -u5_dot_part_18);
+    // sin(theta1)*sin(theta2); used 11 times
+    let u5_dot_part_20 = sin_theta1 * sin_theta2;
+    // cos(theta1)*cos(theta2) + u5_dot_part_20; used 11 times
+    let u5_dot_part_21 = cos_theta1.mul_add(cos_theta2, u5_dot_part_20);
+    // cos(theta1)*sin(theta3); used 4 times
+    let u5_dot_part_22 = cos_theta1 * sin_theta3;
+    // cos(theta2)*sin(theta3); used 3 times
+    let u5_dot_part_23 = cos_theta2 * sin_theta3;
+    // u5_dot_part_19*cos(theta3) + u5_dot_part_21*u5_dot_part_22
+    let u5_dot_part_24 = u5_dot_part_21
+        .mul_add(u5_dot_part_22, u5_dot_part_19 * cos_theta3);
+    // 7*u5_dot_part_23 - u5_dot_part_24; used 2 times
+    let u5_dot_part_25 = u5_dot_part_23.mul_add(S::int(7), -u5_dot_part_24);
+    // u3^2; used 9 times
+    let u3_sq = u3 * u3;
+    // 3*cos(theta2); used 8 times
+    let cos_theta2_scaled_2 = S::int(3) * cos_theta2;
+    // cos_theta3_scaled*sin(theta1) + u5_dot_part_22
+    let u5_dot_part_26 = cos_theta3_scaled.mul_add(sin_theta1, u5_dot_part_22);
+    // cos_theta2_scaled_2*(u5_dot_part_17*cos(theta3) + u5_dot_part_21*sin(theta3)) - u5_dot_part_26; used
+    //   2 times
+    let u5_dot_part_27 = cos_theta2_scaled_2
+        * u5_dot_part_21.mul_add(sin_theta3, u5_dot_part_17 * cos_theta3)
+        - u5_dot_part_26;
+    // Elimination, step by step.
+    // u5' = (u5^2*(sin(theta1)*cos(theta1) - 9*sin(theta2)*cos(theta2)) -
+    //   3*sin(theta3)*(cos(theta1)*(u3^2*(3*cos(theta2)^2 - 1) - u4^2*(sin(theta1)*sin(theta2) +
+    //   cos(theta1)*cos(theta2))) + cos(theta2)*(3*u3^2*sin(theta1)*sin(theta2) + 7*u4^2)) +
+    //   cos(theta3)*(3*u3^2*(3*cos(theta1)*sin(theta2)*cos(theta2) - sin(theta1)*(3*cos(theta2)^2 - 2)) +
+    //   3*u4^2*(6*sin(theta2) + cos(theta1)*(cos(theta1)*sin(theta2) - sin(theta1)*cos(theta2))) +
+    //   2*u5^2*(sin(theta3)*(4 + cos(theta1)^2 - 9*cos(theta2)^2) + cos(theta3)*(9*sin(theta2)*cos(theta2) -
+    //   sin(theta1)*cos(theta1)))))/(2*(9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)))))
+    let u5_dot = -u5_dot_part_14_scaled_2
+        * u3_sq.mul_add(u5_dot_part_27, u4_sq * u5_dot_part_25)
+        + u5_sq * u5_dot_part_7 * u5_dot_part_14_scaled;
+    // Shared terms.
+    // 2*cos(theta2); used 6 times
+    let cos_theta2_scaled_3 = S::int(2) * cos_theta2;
+    // cos_theta2_scaled_3*cos(theta1); used 3 times
+    let u4_dot_part = cos_theta2_scaled_3 * cos_theta1;
+    // u5_dot_part_20 + u4_dot_part; used 3 times
+    let u4_dot_part_2 = u5_dot_part_20 + u4_dot_part;
+    // cos_theta2_scaled_2*cos(theta2); used 4 times
+    let u4_dot_part_3 = cos_theta2_scaled_2 * cos_theta2;
+    // 1/(3*u5_dot_part_20*u4_dot_part_2 - 7 + cos_theta1_sq*u4_dot_part_3); used 8 times
+    let u4_dot_part_4 = S::int(1)
+        / ((u5_dot_part_20 * u4_dot_part_2).mul_add(S::int(3), -S::int(7))
+            + cos_theta1_sq * u4_dot_part_3);
+    // 3*u4_dot_part_4; used 2 times
+    let u4_dot_part_4_scaled = S::int(3) * u4_dot_part_4;
+    // cos(theta1)*(u5_dot_part_17*cos_theta2_scaled_3 - sin(theta1)); used 2 times
+    let u4_dot_part_5 = cos_theta1
+        * u5_dot_part_17.mul_add(cos_theta2_scaled_3, -sin_theta1);
+    // u5'*cos(theta3) - u5_sq*sin(theta3); used 7 times
+    let u4_dot_part_6 = (-u5_sq).mul_add(sin_theta3, u5_dot * cos_theta3);
+    // u5_dot_part_21*cos(theta1); used 3 times
+    let u4_dot_part_7 = u5_dot_part_21 * cos_theta1;
+    // cos_theta2_scaled_2 - u4_dot_part_7; used 4 times
+    let u4_dot_part_8 = cos_theta2_scaled_2 - u4_dot_part_7;
+    // u5'*sin(theta3) + u5_sq*cos(theta3); used 7 times
+    let u4_dot_part_9 = u5_sq.mul_add(cos_theta3, u5_dot * sin_theta3);
+    // 2*sin(theta2) - u5_dot_part_18; used 4 times
+    let u4_dot_part_10 = sin_theta2.mul_add(S::int(2), -u5_dot_part_18);
+    // u4_sq*cos_theta2_scaled_2; used 3 times
+    let u4_dot_part_11 = u4_sq * cos_theta2_scaled_2;
+    // 3*u3_sq; used 5 times
+    let u3_sq_scaled = S::int(3) * u3_sq;
+    // u4_dot_part_6*u4_dot_part_8 + u4_dot_part_9*u4_dot_part_10
+    let u4_dot_part_12 = u4_dot_part_9
+        .mul_add(u4_dot_part_10, u4_dot_part_6 * u4_dot_part_8);
+    // u4_dot_part_11*sin(theta2) + u5_dot_part_17*u3_sq_scaled
+    let u4_dot_part_13 = u5_dot_part_17
+        .mul_add(u3_sq_scaled, u4_dot_part_11 * sin_theta2);
+    // Elimination, step by step.
+    // u4' = (sin(theta1)*(3*u3^2*cos(theta2) + sin(theta1)*sin(theta2)*(3*u4^2*cos(theta2) +
+    //   u5^2*cos(theta3) + u5'*sin(theta3)) + cos(theta1)*(cos(theta2)*(3*u4^2*cos(theta2) +
+    //   u5^2*cos(theta3) + u5'*sin(theta3)) - sin(theta2)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) -
+    //   u5'*cos(theta3)))) + cos(theta2)*(3*u5^2*sin(theta3) - 3*u5'*cos(theta3) +
+    //   cos(theta1)^2*(u5'*cos(theta3) - 3*u4^2*sin(theta2) - u5^2*sin(theta3))) -
+    //   3*sin(theta2)*(u3^2*cos(theta1) + u5^2*cos(theta3) + u5'*sin(theta3)))/(7 -
+    //   3*cos(theta1)^2*cos(theta2)^2 - 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) +
+    //   2*cos(theta1)*cos(theta2)))
+    let u4_dot = u4_dot_part_4 * (u4_dot_part_12 - u4_dot_part_13)
+        - u4_sq * u4_dot_part_4_scaled * u4_dot_part_5;
+    // Shared terms.
+    // u4_sq*u5_dot_part_17; used 2 times
+    let u4_sq_u5_dot_part_17 = u4_sq * u5_dot_part_17;
+    // u4_dot_part_6*cos(theta1) + u4_dot_part_9*sin(theta1)
+    let u3_dot_part = u4_dot_part_9.mul_add(sin_theta1, u4_dot_part_6 * cos_theta1);
+    // Elimination, step by step.
+    // u3' = cos(theta1)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) - 3*u4'*cos(theta2) - u5'*cos(theta3))/3 -
+    //   sin(theta1)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + 3*u4'*sin(theta2) + u5'*sin(theta3))/3
+    let u3_dot = (-u4_dot).mul_add(u5_dot_part_21, -u4_sq_u5_dot_part_17)
+        - S::ratio(1, 3) * u3_dot_part;
+    // Shared terms.
+    // u4_dot_part_3 - 2; used 2 times
+    let u5_dot_by_theta1_part = u4_dot_part_3 - S::int(2);
+    // 3*u4_sq; used 2 times
+    let u4_sq_scaled = S::int(3) * u4_sq;
+    // sin(theta1)^2 - cos_theta1_sq; used 2 times
+    let u5_dot_by_theta1_part_2 = sin_theta1.mul_add(sin_theta1, -cos_theta1_sq);
+    // 2*u5_sq; used 2 times
+    let u5_sq_scaled = S::int(2) * u5_sq;
+    // u4_sq*u5_dot_part_21; used 2 times
+    let u4_sq_u5_dot_part_21 = u4_sq * u5_dot_part_21;
+    // u3_sq*(u4_dot_part_3 - 1) - u4_sq_u5_dot_part_21; used 2 times
+    let u5_dot_by_theta1_part_3 = u3_sq * (u4_dot_part_3 - S::int(1))
+        - u4_sq_u5_dot_part_21;
+    // u3_sq*cos_theta2_scaled_2; used 3 times
+    let u5_dot_by_theta1_part_4 = u3_sq * cos_theta2_scaled_2;
+    // 3*sin(theta3); used 2 times
+    let sin_theta3_scaled = S::int(3) * sin_theta3;
+    // u3_sq_scaled*(u5_dot_part_15*cos_theta2_scaled_2 - u5_dot_by_theta1_part*sin(theta1)) +
+    //   u5_dot_part_19*u4_sq_scaled + u5_dot_part_6*u5_sq_scaled; used 2 times
+    let u5_dot_by_theta1_part_5 = u3_sq_scaled
+        * (-u5_dot_by_theta1_part)
+            .mul_add(sin_theta1, u5_dot_part_15 * cos_theta2_scaled_2)
+        + u5_dot_part_19 * u4_sq_scaled + u5_dot_part_6 * u5_sq_scaled;
+    // 7*u4_sq + u5_dot_part_20*u3_sq_scaled; used 2 times
+    let u5_dot_by_theta1_part_6 = u5_dot_part_20
+        .mul_add(u3_sq_scaled, S::int(7) * u4_sq);
+    // u5_dot_by_theta1_part_3*cos(theta1) + u5_dot_by_theta1_part_6*cos(theta2); used 2 times
+    let u5_dot_by_theta1_part_7 = u5_dot_by_theta1_part_6
+        .mul_add(cos_theta2, u5_dot_by_theta1_part_3 * cos_theta1);
+    // u5_dot_part_14*(u5_dot_by_theta1_part_5*cos(theta3) - u5_sq*u5_dot_part_3 -
+    //   sin_theta3_scaled*u5_dot_by_theta1_part_7); used 2 times
+    let u5_dot_by_theta1_part_8 = u5_dot_part_14
+        * ((-u5_sq).mul_add(u5_dot_part_3, u5_dot_by_theta1_part_5 * cos_theta3)
+            - sin_theta3_scaled * u5_dot_by_theta1_part_7);
+    // u5_dot_part_14_scaled*u5_dot_by_theta1_part_8; used 2 times
+    let u5_dot_by_theta1_part_9 = u5_dot_part_14_scaled * u5_dot_by_theta1_part_8;
+    // Elimination, step by step.
+    // u5_dot_by_theta1 = (cos(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) +
+    //   sin(theta1)*(cos(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   sin(theta1)*(9*sin(theta2)*cos(theta2) -
+    //   sin(theta3)*cos(theta3))))*(3*sin(theta3)*(cos(theta1)*(u3^2*(3*cos(theta2)^2 - 1) -
+    //   u4^2*(sin(theta1)*sin(theta2) + cos(theta1)*cos(theta2))) +
+    //   cos(theta2)*(3*u3^2*sin(theta1)*sin(theta2) + 7*u4^2)) - u5^2*(sin(theta1)*cos(theta1) -
+    //   9*sin(theta2)*cos(theta2)) - cos(theta3)*(3*u3^2*(3*cos(theta1)*sin(theta2)*cos(theta2) -
+    //   sin(theta1)*(3*cos(theta2)^2 - 2)) + 3*u4^2*(6*sin(theta2) + cos(theta1)*(cos(theta1)*sin(theta2) -
+    //   sin(theta1)*cos(theta2))) + 2*u5^2*(sin(theta3)*(4 + cos(theta1)^2 - 9*cos(theta2)^2) +
+    //   cos(theta3)*(9*sin(theta2)*cos(theta2) - sin(theta1)*cos(theta1)))))/(2*(9 +
+    //   sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))))^2) -
+    //   (3*sin(theta3)*(3*u3^2*cos(theta1)*sin(theta2)*cos(theta2) -
+    //   u4^2*cos(theta1)*(cos(theta1)*sin(theta2) - sin(theta1)*cos(theta2)) -
+    //   sin(theta1)*(u3^2*(3*cos(theta2)^2 - 1) - u4^2*(sin(theta1)*sin(theta2) + cos(theta1)*cos(theta2))))
+    //   + u5^2*(sin(theta1)^2 - cos(theta1)^2) + cos(theta3)*(3*u3^2*(3*sin(theta1)*sin(theta2)*cos(theta2)
+    //   + cos(theta1)*(3*cos(theta2)^2 - 2)) + 3*u4^2*(cos(theta1)*(sin(theta1)*sin(theta2) +
+    //   cos(theta1)*cos(theta2)) - sin(theta1)*(sin(theta1)*cos(theta2) - cos(theta1)*sin(theta2))) +
+    //   2*u5^2*(2*sin(theta1)*cos(theta1)*sin(theta3) + cos(theta3)*(cos(theta1)^2 - sin(theta1)^2))))/(2*(9
+    //   + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)))))
+    let u5_dot_by_theta1 = -u5_dot_part_14_scaled
+        * (cos_theta3
+            * (u3_sq_scaled
+                * u5_dot_by_theta1_part
+                    .mul_add(cos_theta1, u5_dot_part_20 * cos_theta2_scaled_2)
+                + u4_sq_scaled * (-u5_dot_part_17).mul_add(sin_theta1, u4_dot_part_7)
+                + u5_sq_scaled
+                    * (-u5_dot_by_theta1_part_2)
+                        .mul_add(cos_theta3, S::int(2) * u5_dot_part_22 * sin_theta1))
+            + u5_sq * u5_dot_by_theta1_part_2
+            + sin_theta3_scaled
+                * ((-u5_dot_by_theta1_part_3).mul_add(sin_theta1, u4_sq * u5_dot_part_18)
+                    + u5_dot_part_15 * u5_dot_by_theta1_part_4))
+        - u5_dot_by_theta1_part_9
+            * (sin_theta1 * u5_dot_part_9.mul_add(sin_theta1, u5_dot_part_8 * cos_theta1)
+                + u5_dot_part_10 * cos_theta1);
+    // Shared terms.
+    // 3*sin(theta2); used 5 times
+    let sin_theta2_scaled = S::int(3) * sin_theta2;
+    // u4_sq*sin_theta2_scaled; used 2 times
+    let u4_dot_by_theta1_part = u4_sq * sin_theta2_scaled;
+    // u4_dot_by_theta1_part - u4_dot_part_6; used 4 times
+    let u4_dot_by_theta1_part_2 = u4_dot_by_theta1_part - u4_dot_part_6;
+    // u4_dot_part_9 + u4_dot_part_11; used 5 times
+    let u4_dot_by_theta1_part_3 = u4_dot_part_9 + u4_dot_part_11;
+    // u4_dot_by_theta1_part_2*sin(theta2) - u4_dot_by_theta1_part_3*cos(theta2); used 2 times
+    let u4_dot_by_theta1_part_4 = (-u4_dot_by_theta1_part_3)
+        .mul_add(cos_theta2, u4_dot_by_theta1_part_2 * sin_theta2);
+    // u5_dot_by_theta1_part_4 + u5_dot_part_20*u4_dot_by_theta1_part_3 -
+    //   u4_dot_by_theta1_part_4*cos(theta1); used 2 times
+    let u4_dot_by_theta1_part_5 = u5_dot_part_20
+        .mul_add(u4_dot_by_theta1_part_3, u5_dot_by_theta1_part_4)
+        - u4_dot_by_theta1_part_4 * cos_theta1;
+    // sin(theta2)*cos(theta3); used 2 times
+    let u4_dot_by_theta1_part_6 = sin_theta2 * cos_theta3;
+    // u5_dot_by_theta1*sin(theta3); used 2 times
+    let u4_dot_by_theta1_part_7 = u5_dot_by_theta1 * sin_theta3;
+    // 3*cos(theta3); used 3 times
+    let cos_theta3_scaled_2 = S::int(3) * cos_theta3;
+    // -3*u4_dot_part_6 - cos_theta1_sq*u4_dot_by_theta1_part_2; used 2 times
+    let u4_dot_by_theta1_part_8 = (-cos_theta1_sq)
+        .mul_add(u4_dot_by_theta1_part_2, -S::int(3) * u4_dot_part_6);
+    // u3_sq*cos(theta1) + u4_dot_part_9; used 2 times
+    let u4_dot_by_theta1_part_9 = u3_sq.mul_add(cos_theta1, u4_dot_part_9);
+    // u4_dot_part_4*u4_dot_part_4_scaled*(u4_dot_by_theta1_part_5*sin(theta1) +
+    //   u4_dot_by_theta1_part_8*cos(theta2) - sin_theta2_scaled*u4_dot_by_theta1_part_9); used 2 times
+    let u4_dot_by_theta1_part_10 = u4_dot_part_4 * u4_dot_part_4_scaled
+        * (u4_dot_by_theta1_part_8
+            .mul_add(cos_theta2, u4_dot_by_theta1_part_5 * sin_theta1)
+            - sin_theta2_scaled * u4_dot_by_theta1_part_9);
+    // Elimination, step by step.
+    // u4_dot_by_theta1 = 3*(cos(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2))
+    //   - 2*sin(theta1)*cos(theta1)*cos(theta2)^2 + sin(theta1)*sin(theta2)*(cos(theta1)*sin(theta2) -
+    //   2*sin(theta1)*cos(theta2)))*(sin(theta1)*(3*u3^2*cos(theta2) +
+    //   sin(theta1)*sin(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + u5'*sin(theta3)) +
+    //   cos(theta1)*(cos(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + u5'*sin(theta3)) -
+    //   sin(theta2)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) - u5'*cos(theta3)))) +
+    //   cos(theta2)*(3*u5^2*sin(theta3) - 3*u5'*cos(theta3) + cos(theta1)^2*(u5'*cos(theta3) -
+    //   3*u4^2*sin(theta2) - u5^2*sin(theta3))) - 3*sin(theta2)*(u3^2*cos(theta1) + u5^2*cos(theta3) +
+    //   u5'*sin(theta3)))/(3*cos(theta1)^2*cos(theta2)^2 - 7 +
+    //   3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))^2 +
+    //   (cos(theta1)*(3*u3^2*cos(theta2) + sin(theta1)*sin(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) +
+    //   u5'*sin(theta3)) + cos(theta1)*(cos(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) +
+    //   u5'*sin(theta3)) - sin(theta2)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) - u5'*cos(theta3)))) +
+    //   sin(theta1)*(cos(theta1)*sin(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + u5'*sin(theta3)) +
+    //   sin(theta1)*(sin(theta2)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) - u5'*cos(theta3)) -
+    //   cos(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + u5'*sin(theta3))) +
+    //   u5_dot_by_theta1*sin(theta1)*sin(theta2)*sin(theta3) +
+    //   cos(theta1)*(u5_dot_by_theta1*cos(theta2)*sin(theta3) + u5_dot_by_theta1*sin(theta2)*cos(theta3))) +
+    //   cos(theta2)*(u5_dot_by_theta1*cos(theta1)^2*cos(theta3) - 2*sin(theta1)*cos(theta1)*(u5'*cos(theta3)
+    //   - 3*u4^2*sin(theta2) - u5^2*sin(theta3)) - 3*u5_dot_by_theta1*cos(theta3)) +
+    //   3*sin(theta2)*(u3^2*sin(theta1) - u5_dot_by_theta1*sin(theta3)))/(7 - 3*cos(theta1)^2*cos(theta2)^2
+    //   - 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
+    let u4_dot_by_theta1 = u4_dot_by_theta1_part_10
+        * (u5_dot_part_20 * (-cos_theta2_scaled_3).mul_add(sin_theta1, u5_dot_part_15)
+            - u5_dot_part_16 * u4_dot_part + u5_dot_part_15 * u4_dot_part_2)
+        - u4_dot_part_4
+            * (sin_theta1
+                * (u5_dot_part_15 * u4_dot_by_theta1_part_3
+                    + u4_dot_by_theta1_part_4 * sin_theta1
+                    + u5_dot_by_theta1 * cos_theta1
+                        * (u5_dot_part_23 + u4_dot_by_theta1_part_6)
+                    + u5_dot_part_20 * u4_dot_by_theta1_part_7)
+                + u4_dot_by_theta1_part_5 * cos_theta1
+                + sin_theta2_scaled * u3_sq.mul_add(sin_theta1, -u4_dot_by_theta1_part_7)
+                + cos_theta2
+                    * (u5_dot_by_theta1
+                        * cos_theta1_sq.mul_add(cos_theta3, -cos_theta3_scaled_2)
+                        + S::int(2) * u5_dot_part * u4_dot_by_theta1_part_2));
+    // Shared terms.
+    // sin(theta1)*sin(theta3); used 2 times
+    let u3_dot_by_theta1_part = sin_theta1 * sin_theta3;
+    // cos(theta1)*cos(theta3) + u3_dot_by_theta1_part
+    let u3_dot_by_theta1_part_2 = cos_theta1.mul_add(cos_theta3, u3_dot_by_theta1_part);
+    // u3_dot_by_theta1_part_2/3; used 6 times
+    let u3_dot_by_theta1_part_3 = S::ratio(1, 3) * u3_dot_by_theta1_part_2;
+    // u4'*u5_dot_part_17; used 2 times
+    let u3_dot_by_theta1_part_4 = u4_dot * u5_dot_part_17;
+    // u4_dot_part_6*sin(theta1) - u4_dot_part_9*cos(theta1)
+    let u3_dot_by_theta1_part_5 = (-u4_dot_part_9)
+        .mul_add(cos_theta1, u4_dot_part_6 * sin_theta1);
+    // u3_dot_by_theta1_part_5/3; used 2 times
+    let u3_dot_by_theta1_part_6 = S::ratio(1, 3) * u3_dot_by_theta1_part_5;
+    // Elimination, step by step.
+    // u3_dot_by_theta1 = sin(theta1)*(3*u4'*cos(theta2) + u5'*cos(theta3) - sin(theta3)*(u5^2 +
+    //   u5_dot_by_theta1) - 3*sin(theta2)*(u4^2 + u4_dot_by_theta1))/3 - cos(theta1)*(3*u4'*sin(theta2) +
+    //   u5'*sin(theta3) + cos(theta3)*(u5^2 + u5_dot_by_theta1) + 3*cos(theta2)*(u4^2 + u4_dot_by_theta1))/3
+    let u3_dot_by_theta1 = (-u4_dot_by_theta1)
+        .mul_add(u5_dot_part_21, u3_dot_by_theta1_part_4) - u4_sq_u5_dot_part_21
+        - u5_dot_by_theta1 * u3_dot_by_theta1_part_3 + u3_dot_by_theta1_part_6;
+    // Shared terms.
+    // l/3; used 3 times
+    let l_scaled = S::ratio(1, 3) * l;
+    // l_scaled*sin(theta1); used 7 times
+    let sin_theta1_l_scaled = l_scaled * sin_theta1;
+    // l/2; used 2 times
+    let l_scaled_2 = S::ratio(1, 2) * l;
+    // l_scaled_2*cos(theta2); used 7 times
+    let u2_dot_by_theta1_part = l_scaled_2 * cos_theta2;
+    // l/6; used 4 times
+    let l_scaled_3 = S::ratio(1, 6) * l;
+    // l_scaled_3*cos(theta3); used 6 times
+    let u2_dot_by_theta1_part_2 = l_scaled_3 * cos_theta3;
+    // l_scaled*cos(theta1); used 7 times
+    let cos_theta1_l_scaled = l_scaled * cos_theta1;
+    // u3_dot_by_theta1 - u3_sq; used 2 times
+    let u2_dot_by_theta1_part_3 = u3_dot_by_theta1 - u3_sq;
+    // Elimination, step by step.
+    // u2_dot_by_theta1 = l*(2*u3'*sin(theta1) - u5_dot_by_theta1*cos(theta3) -
+    //   3*u4_dot_by_theta1*cos(theta2) + 2*cos(theta1)*(u3^2 - u3_dot_by_theta1))/6
+    let u2_dot_by_theta1 = (-u4_dot_by_theta1)
+        .mul_add(u2_dot_by_theta1_part, u3_dot * sin_theta1_l_scaled)
+        - u5_dot_by_theta1 * u2_dot_by_theta1_part_2
+        - cos_theta1_l_scaled * u2_dot_by_theta1_part_3;
+    // Shared terms.
+    // l_scaled_2*sin(theta2); used 7 times
+    let u1_dot_by_theta1_part = l_scaled_2 * sin_theta2;
+    // l_scaled_3*sin(theta3); used 6 times
+    let u1_dot_by_theta1_part_2 = l_scaled_3 * sin_theta3;
+    // Elimination, step by step.
+    // u1_dot_by_theta1 = l*(2*u3'*cos(theta1) + u5_dot_by_theta1*sin(theta3) +
+    //   3*u4_dot_by_theta1*sin(theta2) + 2*sin(theta1)*(u3_dot_by_theta1 - u3^2))/6
+    let u1_dot_by_theta1 = sin_theta1_l_scaled
+        .mul_add(u2_dot_by_theta1_part_3, u3_dot * cos_theta1_l_scaled)
+        + u4_dot_by_theta1 * u1_dot_by_theta1_part
+        + u5_dot_by_theta1 * u1_dot_by_theta1_part_2;
+    // Shared terms.
+    // cos(theta2)^2; used 2 times
+    let cos_theta2_sq = cos_theta2 * cos_theta2;
+    // sin(theta2)^2 - cos_theta2_sq; used 3 times
+    let u5_dot_by_theta2_part = sin_theta2.mul_add(sin_theta2, -cos_theta2_sq);
+    // u5_dot_part_20*cos_theta2_scaled_3; used 3 times
+    let u5_dot_by_theta2_part_2 = u5_dot_part_20 * cos_theta2_scaled_3;
+    // sin(theta2)*cos(theta2); used 2 times
+    let u5_dot_by_theta2_part_3 = sin_theta2 * cos_theta2;
+    // u4_dot_by_theta1_part_6 - u5_dot_part_23; used 2 times
+    let u5_dot_by_theta2_part_4 = u4_dot_by_theta1_part_6 - u5_dot_part_23;
+    // Elimination, step by step.
+    // u5_dot_by_theta2 = 9*(sin(theta1)*(2*sin(theta1)*sin(theta2)*cos(theta2) +
+    //   cos(theta1)*(cos(theta2)^2 - sin(theta2)^2)) - cos(theta3)*(cos(theta2)*(sin(theta2)*cos(theta3) -
+    //   cos(theta2)*sin(theta3)) + sin(theta2)*(sin(theta2)*sin(theta3) +
+    //   cos(theta2)*cos(theta3))))*(u5^2*(sin(theta1)*cos(theta1) - 9*sin(theta2)*cos(theta2)) -
+    //   3*sin(theta3)*(cos(theta1)*(u3^2*(3*cos(theta2)^2 - 1) - u4^2*(sin(theta1)*sin(theta2) +
+    //   cos(theta1)*cos(theta2))) + cos(theta2)*(3*u3^2*sin(theta1)*sin(theta2) + 7*u4^2)) +
+    //   cos(theta3)*(3*u3^2*(3*cos(theta1)*sin(theta2)*cos(theta2) - sin(theta1)*(3*cos(theta2)^2 - 2)) +
+    //   3*u4^2*(6*sin(theta2) + cos(theta1)*(cos(theta1)*sin(theta2) - sin(theta1)*cos(theta2))) +
+    //   2*u5^2*(sin(theta3)*(4 + cos(theta1)^2 - 9*cos(theta2)^2) + cos(theta3)*(9*sin(theta2)*cos(theta2) -
+    //   sin(theta1)*cos(theta1)))))/(2*(9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))))^2) +
+    //   3*(sin(theta3)*(sin(theta2)*(3*u3^2*sin(theta1)*sin(theta2) + 7*u4^2) -
+    //   3*u3^2*sin(theta1)*cos(theta2)^2 + cos(theta1)*(6*u3^2*sin(theta2)*cos(theta2) +
+    //   u4^2*(sin(theta1)*cos(theta2) - cos(theta1)*sin(theta2)))) + 3*u5^2*(sin(theta2)^2 - cos(theta2)^2)
+    //   + cos(theta3)*(3*u3^2*(cos(theta1)*cos(theta2)^2 - cos(theta1)*sin(theta2)^2 +
+    //   2*sin(theta1)*sin(theta2)*cos(theta2)) + u4^2*(6*cos(theta2) + cos(theta1)*(sin(theta1)*sin(theta2)
+    //   + cos(theta1)*cos(theta2))) + 6*u5^2*(2*sin(theta2)*cos(theta2)*sin(theta3) +
+    //   cos(theta3)*(cos(theta2)^2 - sin(theta2)^2))))/(2*(9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4
+    //   - cos(theta3)^2) + cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) +
+    //   cos(theta3)*(5*cos(theta3) - 9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)))))
+    let u5_dot_by_theta2 = u5_dot_part_14_scaled_2
+        * (cos_theta3
+            * (u4_sq * cos_theta2.mul_add(S::int(6), u4_dot_part_7)
+                + S::int(6) * u5_sq
+                    * (-u5_dot_by_theta2_part)
+                        .mul_add(cos_theta3, u5_dot_part_11 * cos_theta2_scaled_3)
+                + u3_sq_scaled
+                    * ((-u5_dot_part_15).mul_add(sin_theta2, cos_theta2_sq * cos_theta1)
+                        + u5_dot_by_theta2_part_2))
+            + S::int(3) * u5_sq * u5_dot_by_theta2_part
+            + sin_theta3
+                * (u5_dot_by_theta1_part_6 * sin_theta2
+                    - u5_dot_part_16 * u5_dot_by_theta1_part_4
+                    + cos_theta1
+                        * (u3_sq * u5_dot_by_theta2_part_3)
+                            .mul_add(S::int(6), u4_sq_u5_dot_part_17)))
+        + S::ratio(9, 2) * u5_dot_part_14 * u5_dot_by_theta1_part_8
+            * (sin_theta1
+                * (-u5_dot_by_theta2_part).mul_add(cos_theta1, u5_dot_by_theta2_part_2)
+                - cos_theta3
+                    * u5_dot_by_theta2_part_4
+                        .mul_add(cos_theta2, u5_dot_part_12 * sin_theta2));
+    // Shared terms.
+    // u4_dot_part_11 - u5_dot_by_theta2*cos(theta3); used 2 times
+    let u4_dot_by_theta2_part = (-u5_dot_by_theta2).mul_add(cos_theta3, u4_dot_part_11);
+    // u5_dot_by_theta2*sin(theta3); used 2 times
+    let u4_dot_by_theta2_part_2 = u5_dot_by_theta2 * sin_theta3;
+    // u4_dot_by_theta1_part - u4_dot_by_theta2_part_2; used 2 times
+    let u4_dot_by_theta2_part_3 = u4_dot_by_theta1_part - u4_dot_by_theta2_part_2;
+    // Elimination, step by step.
+    // u4_dot_by_theta2 = 3*(sin(theta1)*cos(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2))
+    //   - 2*cos(theta1)^2*sin(theta2)*cos(theta2) + sin(theta1)*sin(theta2)*(sin(theta1)*cos(theta2) -
+    //   2*cos(theta1)*sin(theta2)))*(sin(theta1)*(3*u3^2*cos(theta2) +
+    //   sin(theta1)*sin(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + u5'*sin(theta3)) +
+    //   cos(theta1)*(cos(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + u5'*sin(theta3)) -
+    //   sin(theta2)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) - u5'*cos(theta3)))) +
+    //   cos(theta2)*(3*u5^2*sin(theta3) - 3*u5'*cos(theta3) + cos(theta1)^2*(u5'*cos(theta3) -
+    //   3*u4^2*sin(theta2) - u5^2*sin(theta3))) - 3*sin(theta2)*(u3^2*cos(theta1) + u5^2*cos(theta3) +
+    //   u5'*sin(theta3)))/(3*cos(theta1)^2*cos(theta2)^2 - 7 +
+    //   3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))^2 +
+    //   (sin(theta2)*(3*u5^2*sin(theta3) - 3*u5'*cos(theta3) + cos(theta1)^2*(u5'*cos(theta3) -
+    //   3*u4^2*sin(theta2) - u5^2*sin(theta3))) + 3*cos(theta2)*(u3^2*cos(theta1) + u5^2*cos(theta3) +
+    //   u5'*sin(theta3)) + 3*u5_dot_by_theta2*sin(theta2)*sin(theta3) + sin(theta1)*(3*u3^2*sin(theta2) -
+    //   sin(theta1)*cos(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + u5'*sin(theta3)) +
+    //   sin(theta1)*sin(theta2)*(3*u4^2*sin(theta2) - u5_dot_by_theta2*sin(theta3)) +
+    //   cos(theta1)*(cos(theta2)*(3*u4^2*sin(theta2) + u5^2*sin(theta3) - u5'*cos(theta3)) +
+    //   sin(theta2)*(3*u4^2*cos(theta2) + u5^2*cos(theta3) + u5'*sin(theta3)) +
+    //   sin(theta2)*(3*u4^2*cos(theta2) - u5_dot_by_theta2*cos(theta3)) + cos(theta2)*(3*u4^2*sin(theta2) -
+    //   u5_dot_by_theta2*sin(theta3)))) + cos(theta2)*(3*u5_dot_by_theta2*cos(theta3) +
+    //   cos(theta1)^2*(3*u4^2*cos(theta2) - u5_dot_by_theta2*cos(theta3))))/(3*cos(theta1)^2*cos(theta2)^2 -
+    //   7 + 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
+    let u4_dot_by_theta2 = u4_dot_by_theta1_part_10
+        * (-u5_dot_part_20 * u5_dot_part_15.mul_add(S::int(2), -u5_dot_part_16)
+            + u5_dot_part_16 * u4_dot_part_2 - u5_dot_part_15 * u4_dot_part)
+        + u4_dot_part_4
+            * (u4_dot_by_theta1_part_8 * sin_theta2
+                + cos_theta2_scaled_2 * u4_dot_by_theta1_part_9
+                + cos_theta2
+                    * cos_theta1_sq
+                        .mul_add(
+                            u4_dot_by_theta2_part,
+                            u5_dot_by_theta2 * cos_theta3_scaled_2,
+                        ) + sin_theta2_scaled * u4_dot_by_theta2_part_2
+                + sin_theta1
+                    * (u3_sq * sin_theta2_scaled
+                        - u5_dot_part_16 * u4_dot_by_theta1_part_3
+                        + u5_dot_part_20 * u4_dot_by_theta2_part_3
+                        + cos_theta1
+                            * (sin_theta2
+                                * (u4_dot_by_theta1_part_3 + u4_dot_by_theta2_part)
+                                + cos_theta2
+                                    * (u4_dot_by_theta1_part_2 + u4_dot_by_theta2_part_3))));
+    // Shared terms.
+    // u4_dot_by_theta2 - u4_sq; used 3 times
+    let u3_dot_by_theta2_part = u4_dot_by_theta2 - u4_sq;
+    // Elimination, step by step.
+    // u3_dot_by_theta2 = cos(theta1)*(3*u4'*sin(theta2) - u5_dot_by_theta2*cos(theta3) +
+    //   3*cos(theta2)*(u4^2 - u4_dot_by_theta2))/3 - sin(theta1)*(3*u4'*cos(theta2) +
+    //   u5_dot_by_theta2*sin(theta3) + 3*sin(theta2)*(u4_dot_by_theta2 - u4^2))/3
+    let u3_dot_by_theta2 = (-u5_dot_by_theta2)
+        .mul_add(u3_dot_by_theta1_part_3, -u3_dot_by_theta1_part_4)
+        - u5_dot_part_21 * u3_dot_by_theta2_part;
+    // u2_dot_by_theta2 = l*(3*u4'*sin(theta2) - u5_dot_by_theta2*cos(theta3) + 3*cos(theta2)*(u4^2 -
+    //   u4_dot_by_theta2) - 2*u3_dot_by_theta2*cos(theta1))/6
+    let u2_dot_by_theta2 = (-u5_dot_by_theta2)
+        .mul_add(u2_dot_by_theta1_part_2, u4_dot * u1_dot_by_theta1_part)
+        - u3_dot_by_theta2 * cos_theta1_l_scaled
+        - u2_dot_by_theta1_part * u3_dot_by_theta2_part;
+    // u1_dot_by_theta2 = l*(3*u4'*cos(theta2) + u5_dot_by_theta2*sin(theta3) +
+    //   3*sin(theta2)*(u4_dot_by_theta2 - u4^2) + 2*u3_dot_by_theta2*sin(theta1))/6
+    let u1_dot_by_theta2 = u4_dot
+        .mul_add(u2_dot_by_theta1_part, u3_dot_by_theta2 * sin_theta1_l_scaled)
+        + u5_dot_by_theta2 * u1_dot_by_theta1_part_2
+        + u1_dot_by_theta1_part * u3_dot_by_theta2_part;
+    // u5_dot_by_theta3 = (cos(theta3)*(5*sin(theta3) + 9*cos(theta2)*(sin(theta2)*cos(theta3) -
+    //   cos(theta2)*sin(theta3))) - sin(theta3)*(9*cos(theta2)*(sin(theta2)*sin(theta3) +
+    //   cos(theta2)*cos(theta3)) - 5*cos(theta3)) - sin(theta1)*(2*sin(theta1)*sin(theta3)*cos(theta3) +
+    //   cos(theta1)*(cos(theta3)^2 - sin(theta3)^2)))*(u5^2*(sin(theta1)*cos(theta1) -
+    //   9*sin(theta2)*cos(theta2)) - 3*sin(theta3)*(cos(theta1)*(u3^2*(3*cos(theta2)^2 - 1) -
+    //   u4^2*(sin(theta1)*sin(theta2) + cos(theta1)*cos(theta2))) +
+    //   cos(theta2)*(3*u3^2*sin(theta1)*sin(theta2) + 7*u4^2)) +
+    //   cos(theta3)*(3*u3^2*(3*cos(theta1)*sin(theta2)*cos(theta2) - sin(theta1)*(3*cos(theta2)^2 - 2)) +
+    //   3*u4^2*(6*sin(theta2) + cos(theta1)*(cos(theta1)*sin(theta2) - sin(theta1)*cos(theta2))) +
+    //   2*u5^2*(sin(theta3)*(4 + cos(theta1)^2 - 9*cos(theta2)^2) + cos(theta3)*(9*sin(theta2)*cos(theta2) -
+    //   sin(theta1)*cos(theta1)))))/(2*(9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))))^2) +
+    //   (2*u5^2*cos(theta3)*(sin(theta3)*(sin(theta1)*cos(theta1) - 9*sin(theta2)*cos(theta2)) +
+    //   cos(theta3)*(4 + cos(theta1)^2 - 9*cos(theta2)^2)) -
+    //   3*cos(theta3)*(cos(theta1)*(u3^2*(3*cos(theta2)^2 - 1) - u4^2*(sin(theta1)*sin(theta2) +
+    //   cos(theta1)*cos(theta2))) + cos(theta2)*(3*u3^2*sin(theta1)*sin(theta2) + 7*u4^2)) -
+    //   sin(theta3)*(3*u3^2*(3*cos(theta1)*sin(theta2)*cos(theta2) - sin(theta1)*(3*cos(theta2)^2 - 2)) +
+    //   3*u4^2*(6*sin(theta2) + cos(theta1)*(cos(theta1)*sin(theta2) - sin(theta1)*cos(theta2))) +
+    //   2*u5^2*(sin(theta3)*(4 + cos(theta1)^2 - 9*cos(theta2)^2) + cos(theta3)*(9*sin(theta2)*cos(theta2) -
+    //   sin(theta1)*cos(theta1)))))/(2*(9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)))))
+    let u5_dot_by_theta3 = u5_dot_by_theta1_part_9
+        * (sin_theta1
+            * (cos_theta1 * sin_theta3.mul_add(sin_theta3, -cos_theta3_sq)
+                - cos_theta3_scaled * u3_dot_by_theta1_part)
+            + u5_dot_part_13 * sin_theta3
+            + cos_theta3
+                * cos_theta2_scaled
+                    .mul_add(u5_dot_by_theta2_part_4, S::int(5) * sin_theta3))
+        - u5_dot_part_14_scaled
+            * (u5_sq * cos_theta3_scaled
+                * (-u5_dot_part_5).mul_add(cos_theta3, u5_dot_part_3 * sin_theta3)
+                + u5_dot_by_theta1_part_5 * sin_theta3
+                + u5_dot_by_theta1_part_7 * cos_theta3_scaled_2);
+    // Shared terms.
+    // 1/(4 + u4_dot_part_3 - 3*cos(theta1)*(cos(theta1)*(cos_theta2_scaled_3*cos(theta2) - 1) +
+    //   u5_dot_by_theta2_part_2)); used 3 times
+    let u4_dot_by_theta3_part = S::int(1)
+        / (S::int(4) + u4_dot_part_3
+            - S::int(3) * cos_theta1
+                * (cos_theta1 * cos_theta2_scaled_3.mul_add(cos_theta2, -S::int(1))
+                    + u5_dot_by_theta2_part_2));
+    // u4_dot_part_8*cos(theta3) + u4_dot_part_10*sin(theta3); used 2 times
+    let u4_dot_by_theta3_part_2 = u4_dot_part_10
+        .mul_add(sin_theta3, u4_dot_part_8 * cos_theta3);
+    // u4_dot_by_theta3_part*u4_dot_by_theta3_part_2; used 2 times
+    let u4_dot_by_theta3_part_3 = u4_dot_by_theta3_part * u4_dot_by_theta3_part_2;
+    // Elimination, step by step.
+    // u4_dot_by_theta3 = (2*sin(theta2)*(u5'*cos(theta3) + sin(theta3)*(u5_dot_by_theta3 - u5^2)) -
+    //   3*cos(theta2)*(u5'*sin(theta3) + cos(theta3)*(u5^2 - u5_dot_by_theta3)) +
+    //   cos(theta1)*(sin(theta1)*(sin(theta2)*(u5'*sin(theta3) + cos(theta3)*(u5^2 - u5_dot_by_theta3)) -
+    //   cos(theta2)*(u5'*cos(theta3) + sin(theta3)*(u5_dot_by_theta3 - u5^2))) +
+    //   cos(theta1)*(cos(theta2)*(u5'*sin(theta3) + cos(theta3)*(u5^2 - u5_dot_by_theta3)) +
+    //   sin(theta2)*(u5'*cos(theta3) + sin(theta3)*(u5_dot_by_theta3 -
+    //   u5^2)))))/(3*cos(theta1)*(2*sin(theta1)*sin(theta2)*cos(theta2) + cos(theta1)*(2*cos(theta2)^2 - 1))
+    //   - 4 - 3*cos(theta2)^2)
+    let u4_dot_by_theta3 = u4_dot_by_theta3_part
+        * (-u4_dot_part_6).mul_add(u4_dot_part_10, u4_dot_part_8 * u4_dot_part_9)
+        - u5_dot_by_theta3 * u4_dot_by_theta3_part_3;
+    // u3_dot_by_theta3 = cos(theta1)*(u5'*sin(theta3) + cos(theta3)*(u5^2 - u5_dot_by_theta3) -
+    //   3*u4_dot_by_theta3*cos(theta2))/3 - sin(theta1)*(u5'*cos(theta3) + sin(theta3)*(u5_dot_by_theta3 -
+    //   u5^2) + 3*u4_dot_by_theta3*sin(theta2))/3
+    let u3_dot_by_theta3 = (-u5_dot_by_theta3)
+        .mul_add(u3_dot_by_theta1_part_3, -u4_dot_by_theta3 * u5_dot_part_21)
+        - u3_dot_by_theta1_part_6;
+    // u2_dot_by_theta3 = l*(u5'*sin(theta3) + cos(theta3)*(u5^2 - u5_dot_by_theta3) -
+    //   3*u4_dot_by_theta3*cos(theta2) - 2*u3_dot_by_theta3*cos(theta1))/6
+    let u2_dot_by_theta3 = (-u4_dot_by_theta3)
+        .mul_add(u2_dot_by_theta1_part, u4_dot_part_9 * l_scaled_3)
+        - u5_dot_by_theta3 * u2_dot_by_theta1_part_2
+        - u3_dot_by_theta3 * cos_theta1_l_scaled;
+    // u1_dot_by_theta3 = l*(u5'*cos(theta3) + sin(theta3)*(u5_dot_by_theta3 - u5^2) +
+    //   3*u4_dot_by_theta3*sin(theta2) + 2*u3_dot_by_theta3*sin(theta1))/6
+    let u1_dot_by_theta3 = u4_dot_part_6
+        .mul_add(l_scaled_3, u3_dot_by_theta3 * sin_theta1_l_scaled)
+        + u4_dot_by_theta3 * u1_dot_by_theta1_part
+        + u5_dot_by_theta3 * u1_dot_by_theta1_part_2;
+    // Shared terms.
+    // 3*u5_dot_part_14; used 2 times
+    let u5_dot_part_14_scaled_3 = S::int(3) * u5_dot_part_14;
+    // Elimination, step by step.
+    // u5_dot_by_u3 = 3*u3*(cos(theta1)*sin(theta3) + 2*sin(theta1)*cos(theta3) -
+    //   3*cos(theta2)*(cos(theta1)*(cos(theta2)*sin(theta3) - sin(theta2)*cos(theta3)) +
+    //   sin(theta1)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))))/(9 +
+    //   sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))))
+    let u5_dot_by_u3 = -u3 * u5_dot_part_27 * u5_dot_part_14_scaled_3;
+    // u4_dot_by_u3 = (6*u3*(cos(theta1)*sin(theta2) - sin(theta1)*cos(theta2)) +
+    //   u5_dot_by_u3*(2*sin(theta2)*sin(theta3) + 3*cos(theta2)*cos(theta3) -
+    //   cos(theta1)*(sin(theta1)*(cos(theta2)*sin(theta3) + sin(theta2)*cos(theta3)) +
+    //   cos(theta1)*(cos(theta2)*cos(theta3) -
+    //   sin(theta2)*sin(theta3)))))/(3*cos(theta1)*(2*sin(theta1)*sin(theta2)*cos(theta2) +
+    //   cos(theta1)*(2*cos(theta2)^2 - 1)) - 4 - 3*cos(theta2)^2)
+    let u4_dot_by_u3 = (-u5_dot_by_u3)
+        .mul_add(
+            u4_dot_by_theta3_part_3,
+            S::int(6) * u3 * u5_dot_part_17 * u4_dot_by_theta3_part,
+        );
+    // u3_dot_by_u3 = -sin(theta1)*(u5_dot_by_u3*sin(theta3) + 3*u4_dot_by_u3*sin(theta2))/3 -
+    //   cos(theta1)*(u5_dot_by_u3*cos(theta3) + 3*u4_dot_by_u3*cos(theta2))/3
+    let u3_dot_by_u3 = (-u5_dot_by_u3)
+        .mul_add(u3_dot_by_theta1_part_3, -u4_dot_by_u3 * u5_dot_part_21);
+    // Shared terms.
+    // 2*l*u3/3; used 2 times
+    let l_u3_scaled = S::ratio(2, 3) * l * u3;
+    // Elimination, step by step.
+    // u2_dot_by_u3 = l*(4*u3*sin(theta1) - u5_dot_by_u3*cos(theta3) - 3*u4_dot_by_u3*cos(theta2) -
+    //   2*u3_dot_by_u3*cos(theta1))/6
+    let u2_dot_by_u3 = (-u4_dot_by_u3)
+        .mul_add(u2_dot_by_theta1_part, l_u3_scaled * sin_theta1)
+        - u5_dot_by_u3 * u2_dot_by_theta1_part_2 - u3_dot_by_u3 * cos_theta1_l_scaled;
+    // u1_dot_by_u3 = l*(4*u3*cos(theta1) + u5_dot_by_u3*sin(theta3) + 3*u4_dot_by_u3*sin(theta2) +
+    //   2*u3_dot_by_u3*sin(theta1))/6
+    let u1_dot_by_u3 = u4_dot_by_u3
+        .mul_add(u1_dot_by_theta1_part, u3_dot_by_u3 * sin_theta1_l_scaled)
+        + u5_dot_by_u3 * u1_dot_by_theta1_part_2 + l_u3_scaled * cos_theta1;
+    // u5_dot_by_u4 = 3*u4*(6*sin(theta2)*cos(theta3) - 7*cos(theta2)*sin(theta3) +
+    //   cos(theta1)*(cos(theta1)*(cos(theta2)*sin(theta3) + sin(theta2)*cos(theta3)) +
+    //   sin(theta1)*(sin(theta2)*sin(theta3) - cos(theta2)*cos(theta3))))/(9 +
+    //   sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))))
+    let u5_dot_by_u4 = -u4 * u5_dot_part_25 * u5_dot_part_14_scaled_3;
+    // Shared terms.
+    // u4_dot_part_4*u4_dot_by_theta3_part_2; used 2 times
+    let u4_dot_by_u4_part = u4_dot_part_4 * u4_dot_by_theta3_part_2;
+    // Elimination, step by step.
+    // u4_dot_by_u4 = (3*u5_dot_by_u4*sin(theta2)*sin(theta3) +
+    //   sin(theta1)*(cos(theta1)*(sin(theta2)*(6*u4*sin(theta2) - u5_dot_by_u4*cos(theta3)) -
+    //   cos(theta2)*(6*u4*cos(theta2) + u5_dot_by_u4*sin(theta3))) -
+    //   sin(theta1)*sin(theta2)*(6*u4*cos(theta2) + u5_dot_by_u4*sin(theta3))) +
+    //   cos(theta2)*(3*u5_dot_by_u4*cos(theta3) + cos(theta1)^2*(6*u4*sin(theta2) -
+    //   u5_dot_by_u4*cos(theta3))))/(3*cos(theta1)^2*cos(theta2)^2 - 7 +
+    //   3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
+    let u4_dot_by_u4 = -S::int(6) * u4 * u4_dot_part_4
+        * (u4_dot_part_5 + u5_dot_by_theta2_part_3) + u5_dot_by_u4 * u4_dot_by_u4_part;
+    // u3_dot_by_u4 = cos(theta1)*(6*u4*sin(theta2) - u5_dot_by_u4*cos(theta3) -
+    //   3*u4_dot_by_u4*cos(theta2))/3 - sin(theta1)*(6*u4*cos(theta2) + u5_dot_by_u4*sin(theta3) +
+    //   3*u4_dot_by_u4*sin(theta2))/3
+    let u3_dot_by_u4 = (-u4_dot_by_u4)
+        .mul_add(u5_dot_part_21, -S::int(2) * u4 * u5_dot_part_17)
+        - u5_dot_by_u4 * u3_dot_by_theta1_part_3;
+    // Shared terms.
+    // l*u4; used 2 times
+    let l_u4 = l * u4;
+    // Elimination, step by step.
+    // u2_dot_by_u4 = l*(6*u4*sin(theta2) - u5_dot_by_u4*cos(theta3) - 3*u4_dot_by_u4*cos(theta2) -
+    //   2*u3_dot_by_u4*cos(theta1))/6
+    let u2_dot_by_u4 = (-u4_dot_by_u4).mul_add(u2_dot_by_theta1_part, l_u4 * sin_theta2)
+        - u5_dot_by_u4 * u2_dot_by_theta1_part_2 - u3_dot_by_u4 * cos_theta1_l_scaled;
+    // u1_dot_by_u4 = l*(6*u4*cos(theta2) + u5_dot_by_u4*sin(theta3) + 3*u4_dot_by_u4*sin(theta2) +
+    //   2*u3_dot_by_u4*sin(theta1))/6
+    let u1_dot_by_u4 = u4_dot_by_u4
+        .mul_add(u1_dot_by_theta1_part, u3_dot_by_u4 * sin_theta1_l_scaled)
+        + u5_dot_by_u4 * u1_dot_by_theta1_part_2 + l_u4 * cos_theta2;
+    // u5_dot_by_u5 = (u5*(sin(theta1)*cos(theta1) - 9*sin(theta2)*cos(theta2)) +
+    //   2*u5*cos(theta3)*(sin(theta3)*(4 + cos(theta1)^2 - 9*cos(theta2)^2) +
+    //   cos(theta3)*(9*sin(theta2)*cos(theta2) - sin(theta1)*cos(theta1))))/(9 +
+    //   sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
+    //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
+    //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))))
+    let u5_dot_by_u5 = u5 * u5_dot_part_7 * u5_dot_part_14;
+    // u4_dot_by_u5 = (3*sin(theta2)*(2*u5*cos(theta3) + u5_dot_by_u5*sin(theta3)) +
+    //   sin(theta1)*(cos(theta1)*(sin(theta2)*(2*u5*sin(theta3) - u5_dot_by_u5*cos(theta3)) -
+    //   cos(theta2)*(2*u5*cos(theta3) + u5_dot_by_u5*sin(theta3))) -
+    //   sin(theta1)*sin(theta2)*(2*u5*cos(theta3) + u5_dot_by_u5*sin(theta3))) +
+    //   cos(theta2)*(3*u5_dot_by_u5*cos(theta3) - 6*u5*sin(theta3) - cos(theta1)^2*(u5_dot_by_u5*cos(theta3)
+    //   - 2*u5*sin(theta3))))/(3*cos(theta1)^2*cos(theta2)^2 - 7 +
+    //   3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
+    let u4_dot_by_u5 = u5 * u4_dot_part_4
+        * (-(u4_dot_part_8 * sin_theta3))
+            .mul_add(S::int(2), cos_theta3_scaled * u4_dot_part_10)
+        + u5_dot_by_u5 * u4_dot_by_u4_part;
+    // u3_dot_by_u5 = cos(theta1)*(2*u5*sin(theta3) - u5_dot_by_u5*cos(theta3) -
+    //   3*u4_dot_by_u5*cos(theta2))/3 - sin(theta1)*(2*u5*cos(theta3) + u5_dot_by_u5*sin(theta3) +
+    //   3*u4_dot_by_u5*sin(theta2))/3
+    let u3_dot_by_u5 = S::ratio(2, 3) * u5
+        * (-sin_theta1).mul_add(cos_theta3, u5_dot_part_22)
+        - u4_dot_by_u5 * u5_dot_part_21 - u5_dot_by_u5 * u3_dot_by_theta1_part_3;
+    // Shared terms.
+    // u5*l_scaled; used 2 times
+    let u5_l_scaled = u5 * l_scaled;
+    // Elimination, step by step.
+    // u2_dot_by_u5 = l*(2*u5*sin(theta3) - u5_dot_by_u5*cos(theta3) - 3*u4_dot_by_u5*cos(theta2) -
+    //   2*u3_dot_by_u5*cos(theta1))/6
+    let u2_dot_by_u5 = (-u4_dot_by_u5)
+        .mul_add(u2_dot_by_theta1_part, u5_l_scaled * sin_theta3)
+        - u5_dot_by_u5 * u2_dot_by_theta1_part_2 - u3_dot_by_u5 * cos_theta1_l_scaled;
+    // u1_dot_by_u5 = l*(2*u5*cos(theta3) + u5_dot_by_u5*sin(theta3) + 3*u4_dot_by_u5*sin(theta2) +
+    //   2*u3_dot_by_u5*sin(theta1))/6
+    let u1_dot_by_u5 = u4_dot_by_u5
+        .mul_add(u1_dot_by_theta1_part, u3_dot_by_u5 * sin_theta1_l_scaled)
+        + u5_dot_by_u5 * u1_dot_by_theta1_part_2 + u5_l_scaled * cos_theta3;
+    // Entries that are not zero.
+    // d(x')/d(u1) = 1
+    let x_dot_by_u1_value = S::int(1);
+    // d(y')/d(u2) = 1
+    let y_dot_by_u2_value = S::int(1);
+    // d(theta1')/d(u3) = 1
+    let theta1_dot_by_u3_value = S::int(1);
+    // d(theta2')/d(u4) = 1
+    let theta2_dot_by_u4_value = S::int(1);
+    // d(theta3')/d(u5) = 1
+    let theta3_dot_by_u5_value = S::int(1);
+    [
+        [zero, zero, zero, zero, zero, x_dot_by_u1_value, zero, zero, zero, zero],
+        [zero, zero, zero, zero, zero, zero, y_dot_by_u2_value, zero, zero, zero],
+        [zero, zero, zero, zero, zero, zero, zero, theta1_dot_by_u3_value, zero, zero],
+        [zero, zero, zero, zero, zero, zero, zero, zero, theta2_dot_by_u4_value, zero],
+        [zero, zero, zero, zero, zero, zero, zero, zero, zero, theta3_dot_by_u5_value],
+        [
+            zero,
+            zero,
+            u1_dot_by_theta1,
+            u1_dot_by_theta2,
+            u1_dot_by_theta3,
+            zero,
+            zero,
+            u1_dot_by_u3,
+            u1_dot_by_u4,
+            u1_dot_by_u5,
+        ],
+        [
+            zero,
+            zero,
+            u2_dot_by_theta1,
+            u2_dot_by_theta2,
+            u2_dot_by_theta3,
+            zero,
+            zero,
+            u2_dot_by_u3,
+            u2_dot_by_u4,
+            u2_dot_by_u5,
+        ],
+        [
+            zero,
+            zero,
+            u3_dot_by_theta1,
+            u3_dot_by_theta2,
+            u3_dot_by_theta3,
+            zero,
+            zero,
+            u3_dot_by_u3,
+            u3_dot_by_u4,
+            u3_dot_by_u5,
+        ],
+        [
+            zero,
+            zero,
+            u4_dot_by_theta1,
+            u4_dot_by_theta2,
+            u4_dot_by_theta3,
+            zero,
+            zero,
+            u4_dot_by_u3,
+            u4_dot_by_u4,
+            u4_dot_by_u5,
+        ],
+        [
+            zero,
+            zero,
+            u5_dot_by_theta1,
+            u5_dot_by_theta2,
+            u5_dot_by_theta3,
+            zero,
+            zero,
+            u5_dot_by_u3,
+            u5_dot_by_u4,
+            u5_dot_by_u5,
+        ],
+    ]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 0 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    _q: &[S; 5],
+    u: &[S; 5],
+) -> [S; 5] {
+    let [u1, u2, u3, u4, u5] = *u;
+    // Values.
+    // x' = u1
+    let x_dot_value = u1;
+    // y' = u2
+    let y_dot_value = u2;
+    // theta1' = u3
+    let theta1_dot_value = u3;
+    // theta2' = u4
+    let theta2_dot_value = u4;
+    // theta3' = u5
+    let theta3_dot_value = u5;
+    [x_dot_value, y_dot_value, theta1_dot_value, theta2_dot_value, theta3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 48 operations, 3 sines and cosines.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S {
+    let Parameters { m, l } = *p;
+    let [_, _, theta1, theta2, theta3] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (sin_theta2, cos_theta2) = theta2.sin_cos();
+    let (sin_theta3, cos_theta3) = theta3.sin_cos();
+    let (sin_theta1, cos_theta1) = theta1.sin_cos();
+    // Shared terms.
+    // m*l; used 3 times
+    let m_l = m * l;
+    // 3*u4; used 3 times
+    let u4_scaled = S::int(3) * u4;
+    // u5*sin(theta3) + u4_scaled*sin(theta2); used 2 times
+    let energy_part = u4_scaled.mul_add(sin_theta2, u5 * sin_theta3);
+    // u5*cos(theta3) + u4_scaled*cos(theta2); used 2 times
+    let energy_part_2 = u4_scaled.mul_add(cos_theta2, u5 * cos_theta3);
+    // l*m_l; used 2 times
+    let l_m_l = l * m_l;
+    // u3*l_m_l; used 2 times
+    let u3_l_m_l = u3 * l_m_l;
+    // Values.
+    // T = 3*m*u1^2/2 + 3*m*u2^2/2 + 7*m*l^2*u3^2/24 - m*l*u1*u3*sin(theta1) + m*l*u2*u3*cos(theta1) +
+    //   2*m*l^2*u4^2/3 - 3*m*l*u1*u4*sin(theta2)/2 + 3*m*l*u2*u4*cos(theta2)/2 + 3*m*l^2*u3*u4*cos(theta1 -
+    //   theta2)/4 + m*l^2*u5^2/6 - m*l*u1*u5*sin(theta3)/2 + m*l*u2*u5*cos(theta3)/2 +
+    //   m*l^2*u3*u5*cos(theta1 - theta3)/4 + m*l^2*u4*u5*cos(theta2 - theta3)/2
+    let energy = S::ratio(3, 2) * m * u2.mul_add(u2, u1 * u1)
+        + u3 * m_l * (-u1).mul_add(sin_theta1, u2 * cos_theta1)
+        + S::ratio(1, 2) * m_l * (-u1).mul_add(energy_part, u2 * energy_part_2)
+        + S::ratio(1, 6) * l_m_l
+            * (S::int(4) * u4 * u4
+                + u5
+                    * (u5
+                        + u4_scaled
+                            * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)))
+        + S::ratio(7, 24) * u3 * u3_l_m_l
+        + S::ratio(1, 4) * u3_l_m_l
+            * energy_part_2.mul_add(cos_theta1, energy_part * sin_theta1);
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 0 operations.
+#[must_use]
+pub fn potential_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 5]) -> S {
+    let zero = S::int(0);
+    zero
+}
+
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
+///
+/// 67 convolutions and 176 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    series: &mut [[S; 10]],
+    history: &mut [Factors<S, 72>],
+) {
+    let Parameters { l, .. } = *p;
+    let [_, _, theta1_0, theta2_0, theta3_0, u1_0, u2_0, u3_0, u4_0, u5_0] = series[0];
+    // Constant in time.
+    // l_by_6 = l/6
+    let l_by_6 = S::ratio(1, 6) * l;
+    // Order 0.
+    let (sin_theta1_0, cos_theta1_0) = theta1_0.sin_cos();
+    let (sin_theta2_0, cos_theta2_0) = theta2_0.sin_cos();
+    let (sin_theta3_0, cos_theta3_0) = theta3_0.sin_cos();
+    // u4_p2 = u4*u4
+    let u4_p2_0 = u4_0 * u4_0;
+    // cos_theta2_p2 = cos_theta2*cos_theta2
+    let cos_theta2_p2_0 = cos_theta2_0 * cos_theta2_0;
+    // cos_theta3_p2 = cos_theta3*cos_theta3
+    let cos_theta3_p2_0 = cos_theta3_0 * cos_theta3_0;
+    // u4_p2_cos_theta2 = cos_theta2*u4_p2
+    let u4_p2_cos_theta2_0 = cos_theta2_0 * u4_p2_0;
+    // u5_p2 = u5*u5
+    let u5_p2_0 = u5_0 * u5_0;
+    // u5_p2_cos_theta3 = cos_theta3*u5_p2
+    let u5_p2_cos_theta3_0 = cos_theta3_0 * u5_p2_0;
+    // u3_p2 = u3*u3
+    let u3_p2_0 = u3_0 * u3_0;
+    // u3_p2_sin_theta1 = sin_theta1*u3_p2
+    let u3_p2_sin_theta1_0 = sin_theta1_0 * u3_p2_0;
+    // u4_p2_sin_theta2 = sin_theta2*u4_p2
+    let u4_p2_sin_theta2_0 = sin_theta2_0 * u4_p2_0;
+    // u5_p2_sin_theta3 = sin_theta3*u5_p2
+    let u5_p2_sin_theta3_0 = sin_theta3_0 * u5_p2_0;
+    // u5_dot_part = sin_theta2*sin_theta3
+    let u5_dot_part_0 = sin_theta2_0 * sin_theta3_0;
+    // u5_dot_part_2 = cos_theta2*cos_theta3
+    let u5_dot_part_2_0 = cos_theta2_0 * cos_theta3_0;
+    // u5_dot_part_3 = sin_theta2*u5_p2_cos_theta3
+    let u5_dot_part_3_0 = sin_theta2_0 * u5_p2_cos_theta3_0;
+    // u5_dot_part_4 = u5_dot_part + u5_dot_part_2
+    let u5_dot_part_4_0 = u5_dot_part_0 + u5_dot_part_2_0;
+    // u3_p2_cos_theta2 = cos_theta2*u3_p2
+    let u3_p2_cos_theta2_0 = cos_theta2_0 * u3_p2_0;
+    // u5_dot_part_5 = -4 + 9*cos_theta2_p2 - cos_theta3_p2
+    let u5_dot_part_5_0 = cos_theta2_p2_0.mul_add(S::int(9), -S::int(4))
+        - cos_theta3_p2_0;
+    // u5_dot_part_6 = sin_theta1*u5_dot_part_5
+    let u5_dot_part_6_0 = sin_theta1_0 * u5_dot_part_5_0;
+    // u5_dot_part_7 = sin_theta2*cos_theta2
+    let u5_dot_part_7_0 = sin_theta2_0 * cos_theta2_0;
+    // u5_dot_part_8 = sin_theta3*cos_theta3
+    let u5_dot_part_8_0 = sin_theta3_0 * cos_theta3_0;
+    // u5_dot_part_9 = 9*u5_dot_part_7 - u5_dot_part_8
+    let u5_dot_part_9_0 = S::int(9) * u5_dot_part_7_0 - u5_dot_part_8_0;
+    // u5_dot_part_10 = cos_theta1*u5_dot_part_9
+    let u5_dot_part_10_0 = cos_theta1_0 * u5_dot_part_9_0;
+    // u5_dot_part_11 = u5_dot_part_6 - u5_dot_part_10
+    let u5_dot_part_11_0 = u5_dot_part_6_0 - u5_dot_part_10_0;
+    // u5_dot_part_12 = sin_theta1*u5_dot_part_11
+    let u5_dot_part_12_0 = sin_theta1_0 * u5_dot_part_11_0;
+    // u5_dot_part_13 = cos_theta2*u5_dot_part_4
+    let u5_dot_part_13_0 = cos_theta2_0 * u5_dot_part_4_0;
+    // u5_dot_part_14 = 5*cos_theta3 - 9*u5_dot_part_13
+    let u5_dot_part_14_0 = u5_dot_part_13_0
+        .mul_add(-S::int(9), S::int(5) * cos_theta3_0);
+    // u5_dot_part_15 = cos_theta3*u5_dot_part_14
+    let u5_dot_part_15_0 = cos_theta3_0 * u5_dot_part_14_0;
+    // u5_dot_part_16 = 9 + u5_dot_part_12 + u5_dot_part_15
+    let u5_dot_part_16_0 = S::int(9) + u5_dot_part_12_0 + u5_dot_part_15_0;
+    let over_u5_dot_part_16 = S::int(1) / u5_dot_part_16_0;
+    // u5_dot_part_17 = sin_theta1*cos_theta1
+    let u5_dot_part_17_0 = sin_theta1_0 * cos_theta1_0;
+    // u5_dot_part_18 = 9*u5_dot_part_7 - u5_dot_part_17
+    let u5_dot_part_18_0 = S::int(9) * u5_dot_part_7_0 - u5_dot_part_17_0;
+    // u5_dot_part_19 = sin_theta1*sin_theta2
+    let u5_dot_part_19_0 = sin_theta1_0 * sin_theta2_0;
+    // u5_dot_part_20 = u3_p2*u5_dot_part_19
+    let u5_dot_part_20_0 = u3_p2_0 * u5_dot_part_19_0;
+    // u5_dot_part_21 = 7*u4_p2 + 3*u5_dot_part_20
+    let u5_dot_part_21_0 = u5_dot_part_20_0.mul_add(S::int(3), S::int(7) * u4_p2_0);
+    // u5_dot_part_22 = cos_theta2*u5_dot_part_21
+    let u5_dot_part_22_0 = cos_theta2_0 * u5_dot_part_21_0;
+    // u5_dot_part_23 = u5_dot_part_18*u5_p2
+    let u5_dot_part_23_0 = u5_dot_part_18_0 * u5_p2_0;
+    // u5_dot_part_24 = 3*u4_p2_cos_theta2 + 2*u5_p2_cos_theta3
+    let u5_dot_part_24_0 = u5_p2_cos_theta3_0
+        .mul_add(S::int(2), S::int(3) * u4_p2_cos_theta2_0);
+    // u5_dot_part_25 = u4_p2*u5_dot_part_19
+    let u5_dot_part_25_0 = u4_p2_0 * u5_dot_part_19_0;
+    // u5_dot_part_26 = sin_theta2*u3_p2_cos_theta2
+    let u5_dot_part_26_0 = sin_theta2_0 * u3_p2_cos_theta2_0;
+    // u5_dot_part_27 = u3_p2_sin_theta1 + 2*u5_p2_sin_theta3
+    let u5_dot_part_27_0 = u5_p2_sin_theta3_0.mul_add(S::int(2), u3_p2_sin_theta1_0);
+    // u5_dot_part_28 = 3*u4_p2_sin_theta2 + 2*u5_p2_sin_theta3
+    let u5_dot_part_28_0 = u5_p2_sin_theta3_0
+        .mul_add(S::int(2), S::int(3) * u4_p2_sin_theta2_0);
+    // u4_p2_cos_theta1 = cos_theta1*u4_p2
+    let u4_p2_cos_theta1_0 = cos_theta1_0 * u4_p2_0;
+    // u5_dot_part_29 = cos_theta2*u5_dot_part_27
+    let u5_dot_part_29_0 = cos_theta2_0 * u5_dot_part_27_0;
+    // u5_dot_part_30 = cos_theta1*u5_dot_part_28
+    let u5_dot_part_30_0 = cos_theta1_0 * u5_dot_part_28_0;
+    // u5_dot_part_31 = 3*u3_p2_cos_theta2 - u4_p2_cos_theta1
+    let u5_dot_part_31_0 = S::int(3) * u3_p2_cos_theta2_0 - u4_p2_cos_theta1_0;
+    // u5_dot_part_32 = sin_theta1*u5_dot_part_24
+    let u5_dot_part_32_0 = sin_theta1_0 * u5_dot_part_24_0;
+    // u5_dot_part_33 = 9*u5_dot_part_26 + u5_dot_part_30 - u5_dot_part_32
+    let u5_dot_part_33_0 = S::int(9) * u5_dot_part_26_0 + u5_dot_part_30_0
+        - u5_dot_part_32_0;
+    // u5_dot_part_34 = cos_theta1*u5_dot_part_33
+    let u5_dot_part_34_0 = cos_theta1_0 * u5_dot_part_33_0;
+    // u5_dot_part_35 = 2*u5_dot_part_3 - u5_dot_part_29
+    let u5_dot_part_35_0 = S::int(2) * u5_dot_part_3_0 - u5_dot_part_29_0;
+    // u5_dot_part_36 = cos_theta2*u5_dot_part_35
+    let u5_dot_part_36_0 = cos_theta2_0 * u5_dot_part_35_0;
+    // u5_dot_part_37 = 6*u3_p2_sin_theta1 + 18*u4_p2_sin_theta2 + 8*u5_p2_sin_theta3 + u5_dot_part_34 +
+    //   9*u5_dot_part_36
+    let u5_dot_part_37_0 = u5_dot_part_36_0
+        .mul_add(
+            S::int(9),
+            u5_p2_sin_theta3_0
+                .mul_add(
+                    S::int(8),
+                    u4_p2_sin_theta2_0
+                        .mul_add(S::int(18), S::int(6) * u3_p2_sin_theta1_0),
+                ) + u5_dot_part_34_0,
+        );
+    // u5_dot_part_38 = cos_theta3*u5_dot_part_37
+    let u5_dot_part_38_0 = cos_theta3_0 * u5_dot_part_37_0;
+    // u5_dot_part_39 = cos_theta2*u5_dot_part_31
+    let u5_dot_part_39_0 = cos_theta2_0 * u5_dot_part_31_0;
+    // u5_dot_part_40 = u3_p2 + u5_dot_part_25 - u5_dot_part_39
+    let u5_dot_part_40_0 = u3_p2_0 + u5_dot_part_25_0 - u5_dot_part_39_0;
+    // u5_dot_part_41 = cos_theta1*u5_dot_part_40
+    let u5_dot_part_41_0 = cos_theta1_0 * u5_dot_part_40_0;
+    // u5_dot_part_42 = u5_dot_part_22 - u5_dot_part_41
+    let u5_dot_part_42_0 = u5_dot_part_22_0 - u5_dot_part_41_0;
+    // u5_dot_part_43 = sin_theta3*u5_dot_part_42
+    let u5_dot_part_43_0 = sin_theta3_0 * u5_dot_part_42_0;
+    // u5_dot_part_44 = u5_dot_part_23 - u5_dot_part_38 + 3*u5_dot_part_43
+    let u5_dot_part_44_0 = u5_dot_part_43_0.mul_add(S::int(3), u5_dot_part_23_0)
+        - u5_dot_part_38_0;
+    // u5_dot_part_45 = u5_dot_part_44/u5_dot_part_16
+    let u5_dot_part_45_0 = u5_dot_part_44_0 * over_u5_dot_part_16;
+    // u3_p2_cos_theta1 = cos_theta1*u3_p2
+    let u3_p2_cos_theta1_0 = cos_theta1_0 * u3_p2_0;
+    // u4_dot_part = cos_theta1*cos_theta2
+    let u4_dot_part_0 = cos_theta1_0 * cos_theta2_0;
+    // u4_dot_part_2 = u5_dot_part_19 + 2*u4_dot_part
+    let u4_dot_part_2_0 = u4_dot_part_0.mul_add(S::int(2), u5_dot_part_19_0);
+    // u4_dot_part_3 = u4_dot_part_2*u5_dot_part_19
+    let u4_dot_part_3_0 = u4_dot_part_2_0 * u5_dot_part_19_0;
+    // cos_theta1_p2 = cos_theta1*cos_theta1
+    let cos_theta1_p2_0 = cos_theta1_0 * cos_theta1_0;
+    // u4_dot_part_4 = cos_theta2_p2*cos_theta1_p2
+    let u4_dot_part_4_0 = cos_theta2_p2_0 * cos_theta1_p2_0;
+    // u4_dot_part_5 = -7 + 3*u4_dot_part_3 + 3*u4_dot_part_4
+    let u4_dot_part_5_0 = u4_dot_part_3_0
+        .mul_add(S::int(3), u4_dot_part_4_0.mul_add(S::int(3), -S::int(7)));
+    let over_u4_dot_part_5 = S::int(1) / u4_dot_part_5_0;
+    // u4_dot_part_6 = u5_dot_part_45*sin_theta3
+    let u4_dot_part_6_0 = u5_dot_part_45_0 * sin_theta3_0;
+    // u4_dot_part_7 = u5_dot_part_45*cos_theta3
+    let u4_dot_part_7_0 = u5_dot_part_45_0 * cos_theta3_0;
+    // u4_dot_part_8 = 3*u4_p2_sin_theta2 + u5_p2_sin_theta3 + 1/2*u4_dot_part_7
+    let u4_dot_part_8_0 = u4_dot_part_7_0
+        .mul_add(S::ratio(1, 2), S::int(3) * u4_p2_sin_theta2_0 + u5_p2_sin_theta3_0);
+    // u4_dot_part_9 = sin_theta2*u4_dot_part_8
+    let u4_dot_part_9_0 = sin_theta2_0 * u4_dot_part_8_0;
+    // u4_dot_part_10 = 3*u4_p2_cos_theta2 + u5_p2_cos_theta3 - 1/2*u4_dot_part_6
+    let u4_dot_part_10_0 = u4_dot_part_6_0
+        .mul_add(-S::ratio(1, 2), S::int(3) * u4_p2_cos_theta2_0 + u5_p2_cos_theta3_0);
+    // u4_dot_part_11 = cos_theta2*u4_dot_part_10
+    let u4_dot_part_11_0 = cos_theta2_0 * u4_dot_part_10_0;
+    // u4_dot_part_12 = u4_dot_part_9 - u4_dot_part_11
+    let u4_dot_part_12_0 = u4_dot_part_9_0 - u4_dot_part_11_0;
+    // u4_dot_part_13 = cos_theta1*u4_dot_part_12
+    let u4_dot_part_13_0 = cos_theta1_0 * u4_dot_part_12_0;
+    // u4_dot_part_14 = u4_dot_part_10*u5_dot_part_19
+    let u4_dot_part_14_0 = u4_dot_part_10_0 * u5_dot_part_19_0;
+    // u4_dot_part_15 = 3*u3_p2_cos_theta2 - u4_dot_part_13 + u4_dot_part_14
+    let u4_dot_part_15_0 = S::int(3) * u3_p2_cos_theta2_0 + u4_dot_part_14_0
+        - u4_dot_part_13_0;
+    // u4_dot_part_16 = sin_theta1*u4_dot_part_15
+    let u4_dot_part_16_0 = sin_theta1_0 * u4_dot_part_15_0;
+    // u4_dot_part_17 = u4_dot_part_8*cos_theta1_p2
+    let u4_dot_part_17_0 = u4_dot_part_8_0 * cos_theta1_p2_0;
+    // u4_dot_part_18 = 3*u5_p2_sin_theta3 + 3/2*u4_dot_part_7 - u4_dot_part_17
+    let u4_dot_part_18_0 = u4_dot_part_7_0
+        .mul_add(S::ratio(3, 2), S::int(3) * u5_p2_sin_theta3_0) - u4_dot_part_17_0;
+    // u4_dot_part_19 = cos_theta2*u4_dot_part_18
+    let u4_dot_part_19_0 = cos_theta2_0 * u4_dot_part_18_0;
+    // u4_dot_part_20 = u3_p2_cos_theta1 + u5_p2_cos_theta3 - 1/2*u4_dot_part_6
+    let u4_dot_part_20_0 = u4_dot_part_6_0
+        .mul_add(-S::ratio(1, 2), u3_p2_cos_theta1_0 + u5_p2_cos_theta3_0);
+    // u4_dot_part_21 = sin_theta2*u4_dot_part_20
+    let u4_dot_part_21_0 = sin_theta2_0 * u4_dot_part_20_0;
+    // u4_dot_part_22 = u4_dot_part_16 + u4_dot_part_19 - 3*u4_dot_part_21
+    let u4_dot_part_22_0 = -S::int(3) * u4_dot_part_21_0 + u4_dot_part_19_0
+        + u4_dot_part_16_0;
+    // u4_dot_part_23 = u4_dot_part_22/u4_dot_part_5
+    let u4_dot_part_23_0 = u4_dot_part_22_0 * over_u4_dot_part_5;
+    // u3_dot_part = u4_dot_part_23*sin_theta2
+    let u3_dot_part_0 = u4_dot_part_23_0 * sin_theta2_0;
+    // u3_dot_part_2 = 3*u4_p2_cos_theta2 + u5_p2_cos_theta3 - 1/2*u4_dot_part_6 - 3*u3_dot_part
+    let u3_dot_part_2_0 = u3_dot_part_0
+        .mul_add(
+            -S::int(3),
+            u4_dot_part_6_0
+                .mul_add(
+                    -S::ratio(1, 2),
+                    S::int(3) * u4_p2_cos_theta2_0 + u5_p2_cos_theta3_0,
+                ),
+        );
+    // u3_dot_part_3 = sin_theta1*u3_dot_part_2
+    let u3_dot_part_3_0 = sin_theta1_0 * u3_dot_part_2_0;
+    // u3_dot_part_4 = u4_dot_part_23*cos_theta2
+    let u3_dot_part_4_0 = u4_dot_part_23_0 * cos_theta2_0;
+    // u3_dot_part_5 = 3*u4_p2_sin_theta2 + u5_p2_sin_theta3 + 1/2*u4_dot_part_7 + 3*u3_dot_part_4
+    let u3_dot_part_5_0 = u3_dot_part_4_0
+        .mul_add(
+            S::int(3),
+            u4_dot_part_7_0
+                .mul_add(
+                    S::ratio(1, 2),
+                    S::int(3) * u4_p2_sin_theta2_0 + u5_p2_sin_theta3_0,
+                ),
+        );
+    // u3_dot_part_6 = cos_theta1*u3_dot_part_5
+    let u3_dot_part_6_0 = cos_theta1_0 * u3_dot_part_5_0;
+    // u3_dot_2 = -1/3*u3_dot_part_3 + 1/3*u3_dot_part_6
+    let u3_dot_2_0 = u3_dot_part_6_0
+        .mul_add(S::ratio(1, 3), -S::ratio(1, 3) * u3_dot_part_3_0);
+    // u2_dot_part = u3_dot_2*cos_theta1
+    let u2_dot_part_0 = u3_dot_2_0 * cos_theta1_0;
+    // u2_dot_part_2 = 2*u3_p2_sin_theta1 + 3*u4_p2_sin_theta2 + u5_p2_sin_theta3 + 1/2*u4_dot_part_7 +
+    //   3*u3_dot_part_4 - 2*u2_dot_part
+    let u2_dot_part_2_0 = u2_dot_part_0
+        .mul_add(
+            -S::int(2),
+            u3_dot_part_4_0
+                .mul_add(
+                    S::int(3),
+                    u4_dot_part_7_0
+                        .mul_add(
+                            S::ratio(1, 2),
+                            u4_p2_sin_theta2_0
+                                .mul_add(S::int(3), S::int(2) * u3_p2_sin_theta1_0)
+                                + u5_p2_sin_theta3_0,
+                        ),
+                ),
+        );
+    // u1_dot_part = u3_dot_2*sin_theta1
+    let u1_dot_part_0 = u3_dot_2_0 * sin_theta1_0;
+    // u1_dot_part_2 = 2*u3_p2_cos_theta1 + 3*u4_p2_cos_theta2 + u5_p2_cos_theta3 - 1/2*u4_dot_part_6 -
+    //   3*u3_dot_part + 2*u1_dot_part
+    let u1_dot_part_2_0 = u1_dot_part_0
+        .mul_add(
+            S::int(2),
+            u3_dot_part_0
+                .mul_add(
+                    -S::int(3),
+                    u4_dot_part_6_0
+                        .mul_add(
+                            -S::ratio(1, 2),
+                            u4_p2_cos_theta2_0
+                                .mul_add(S::int(3), S::int(2) * u3_p2_cos_theta1_0)
+                                + u5_p2_cos_theta3_0,
+                        ),
+                ),
+        );
+    // Order 1: the rates, and what follows from them.
+    let x_1 = u1_0;
+    let y_1 = u2_0;
+    let theta1_1 = u3_0;
+    let theta2_1 = u4_0;
+    let theta3_1 = u5_0;
+    let u1_1 = l_by_6 * u1_dot_part_2_0;
+    let u2_1 = l_by_6 * u2_dot_part_2_0;
+    let u3_1 = u3_dot_2_0;
+    let u4_1 = -u4_dot_part_23_0;
+    let u5_1 = -S::ratio(1, 2) * u5_dot_part_45_0;
+    if series.len() > 1 {
+        series[1] = [
+            x_1,
+            y_1,
+            theta1_1,
+            theta2_1,
+            theta3_1,
+            u1_1,
+            u2_1,
+            u3_1,
+            u4_1,
+            u5_1,
+        ];
+    }
+    let sin_theta1_1 = theta1_1 * cos_theta1_0;
+    let cos_theta1_1 = -theta1_1 * sin_theta1_0;
+    let sin_theta2_1 = theta2_1 * cos_theta2_0;
+    let cos_theta2_1 = -theta2_1 * sin_theta2_0;
+    let sin_theta3_1 = theta3_1 * cos_theta3_0;
+    let cos_theta3_1 = -theta3_1 * sin_theta3_0;
+    let u4_p2_1 = u4_1 * (u4_0 + u4_0);
+    let cos_theta2_p2_1 = cos_theta2_1 * (cos_theta2_0 + cos_theta2_0);
+    let cos_theta3_p2_1 = cos_theta3_1 * (cos_theta3_0 + cos_theta3_0);
+    let u4_p2_cos_theta2_1 = u4_p2_1.mul_add(cos_theta2_0, cos_theta2_1 * u4_p2_0);
+    let u5_p2_1 = u5_1 * (u5_0 + u5_0);
+    let u5_p2_cos_theta3_1 = u5_p2_1.mul_add(cos_theta3_0, cos_theta3_1 * u5_p2_0);
+    let u3_p2_1 = u3_1 * (u3_0 + u3_0);
+    let u3_p2_sin_theta1_1 = u3_p2_1.mul_add(sin_theta1_0, sin_theta1_1 * u3_p2_0);
+    let u4_p2_sin_theta2_1 = u4_p2_1.mul_add(sin_theta2_0, sin_theta2_1 * u4_p2_0);
+    let u5_p2_sin_theta3_1 = u5_p2_1.mul_add(sin_theta3_0, sin_theta3_1 * u5_p2_0);
+    let u5_dot_part_1 = sin_theta3_1.mul_add(sin_theta2_0, sin_theta2_1 * sin_theta3_0);
+    let u5_dot_part_2_1 = cos_theta3_1
+        .mul_add(cos_theta2_0, cos_theta2_1 * cos_theta3_0);
+    let u5_dot_part_3_1 = u5_p2_cos_theta3_1
+        .mul_add(sin_theta2_0, sin_theta2_1 * u5_p2_cos_theta3_0);
+    let u5_dot_part_4_1 = u5_dot_part_1 + u5_dot_part_2_1;
+    let u3_p2_cos_theta2_1 = u3_p2_1.mul_add(cos_theta2_0, cos_theta2_1 * u3_p2_0);
+    let u5_dot_part_5_1 = S::int(9) * cos_theta2_p2_1 - cos_theta3_p2_1;
+    let u5_dot_part_6_1 = u5_dot_part_5_1
+        .mul_add(sin_theta1_0, sin_theta1_1 * u5_dot_part_5_0);
+    let u5_dot_part_7_1 = cos_theta2_1
+        .mul_add(sin_theta2_0, sin_theta2_1 * cos_theta2_0);
+    let u5_dot_part_8_1 = cos_theta3_1
+        .mul_add(sin_theta3_0, sin_theta3_1 * cos_theta3_0);
+    let u5_dot_part_9_1 = S::int(9) * u5_dot_part_7_1 - u5_dot_part_8_1;
+    let u5_dot_part_10_1 = u5_dot_part_9_1
+        .mul_add(cos_theta1_0, cos_theta1_1 * u5_dot_part_9_0);
+    let u5_dot_part_11_1 = u5_dot_part_6_1 - u5_dot_part_10_1;
+    let u5_dot_part_12_1 = u5_dot_part_11_1
+        .mul_add(sin_theta1_0, sin_theta1_1 * u5_dot_part_11_0);
+    let u5_dot_part_13_1 = u5_dot_part_4_1
+        .mul_add(cos_theta2_0, cos_theta2_1 * u5_dot_part_4_0);
+    let u5_dot_part_14_1 = u5_dot_part_13_1
+        .mul_add(-S::int(9), S::int(5) * cos_theta3_1);
+    let u5_dot_part_15_1 = u5_dot_part_14_1
+        .mul_add(cos_theta3_0, cos_theta3_1 * u5_dot_part_14_0);
+    let u5_dot_part_16_1 = u5_dot_part_12_1 + u5_dot_part_15_1;
+    let u5_dot_part_17_1 = cos_theta1_1
+        .mul_add(sin_theta1_0, sin_theta1_1 * cos_theta1_0);
+    let u5_dot_part_18_1 = S::int(9) * u5_dot_part_7_1 - u5_dot_part_17_1;
+    let u5_dot_part_19_1 = sin_theta2_1
+        .mul_add(sin_theta1_0, sin_theta1_1 * sin_theta2_0);
+    let u5_dot_part_20_1 = u5_dot_part_19_1.mul_add(u3_p2_0, u3_p2_1 * u5_dot_part_19_0);
+    let u5_dot_part_21_1 = u5_dot_part_20_1.mul_add(S::int(3), S::int(7) * u4_p2_1);
+    let u5_dot_part_22_1 = u5_dot_part_21_1
+        .mul_add(cos_theta2_0, cos_theta2_1 * u5_dot_part_21_0);
+    let u5_dot_part_23_1 = u5_dot_part_18_1.mul_add(u5_p2_0, u5_p2_1 * u5_dot_part_18_0);
+    let u5_dot_part_24_1 = u5_p2_cos_theta3_1
+        .mul_add(S::int(2), S::int(3) * u4_p2_cos_theta2_1);
+    let u5_dot_part_25_1 = u5_dot_part_19_1.mul_add(u4_p2_0, u4_p2_1 * u5_dot_part_19_0);
+    let u5_dot_part_26_1 = u3_p2_cos_theta2_1
+        .mul_add(sin_theta2_0, sin_theta2_1 * u3_p2_cos_theta2_0);
+    let u5_dot_part_27_1 = u5_p2_sin_theta3_1.mul_add(S::int(2), u3_p2_sin_theta1_1);
+    let u5_dot_part_28_1 = u5_p2_sin_theta3_1
+        .mul_add(S::int(2), S::int(3) * u4_p2_sin_theta2_1);
+    let u4_p2_cos_theta1_1 = u4_p2_1.mul_add(cos_theta1_0, cos_theta1_1 * u4_p2_0);
+    let u5_dot_part_29_1 = u5_dot_part_27_1
+        .mul_add(cos_theta2_0, cos_theta2_1 * u5_dot_part_27_0);
+    let u5_dot_part_30_1 = u5_dot_part_28_1
+        .mul_add(cos_theta1_0, cos_theta1_1 * u5_dot_part_28_0);
+    let u5_dot_part_31_1 = S::int(3) * u3_p2_cos_theta2_1 - u4_p2_cos_theta1_1;
+    let u5_dot_part_32_1 = u5_dot_part_24_1
+        .mul_add(sin_theta1_0, sin_theta1_1 * u5_dot_part_24_0);
+    let u5_dot_part_33_1 = S::int(9) * u5_dot_part_26_1 + u5_dot_part_30_1
+        - u5_dot_part_32_1;
+    let u5_dot_part_34_1 = u5_dot_part_33_1
+        .mul_add(cos_theta1_0, cos_theta1_1 * u5_dot_part_33_0);
+    let u5_dot_part_35_1 = S::int(2) * u5_dot_part_3_1 - u5_dot_part_29_1;
+    let u5_dot_part_36_1 = u5_dot_part_35_1
+        .mul_add(cos_theta2_0, cos_theta2_1 * u5_dot_part_35_0);
+    let u5_dot_part_37_1 = u5_dot_part_36_1
+        .mul_add(
+            S::int(9),
+            u5_p2_sin_theta3_1
+                .mul_add(
+                    S::int(8),
+                    u4_p2_sin_theta2_1
+                        .mul_add(S::int(18), S::int(6) * u3_p2_sin_theta1_1),
+                ) + u5_dot_part_34_1,
+        );
+    let u5_dot_part_38_1 = u5_dot_part_37_1
+        .mul_add(cos_theta3_0, cos_theta3_1 * u5_dot_part_37_0);
+    let u5_dot_part_39_1 = u5_dot_part_31_1
+        .mul_add(cos_theta2_0, cos_theta2_1 * u5_dot_part_31_0);
+    let u5_dot_part_40_1 = u3_p2_1 + u5_dot_part_25_1 - u5_dot_part_39_1;
+    let u5_dot_part_41_1 = u5_dot_part_40_1
+        .mul_add(cos_theta1_0, cos_theta1_1 * u5_dot_part_40_0);
+    let u5_dot_part_42_1 = u5_dot_part_22_1 - u5_dot_part_41_1;
+    let u5_dot_part_43_1 = u5_dot_part_42_1
+        .mul_add(sin_theta3_0, sin_theta3_1 * u5_dot_part_42_0);
+    let u5_dot_part_44_1 = u5_dot_part_43_1.mul_add(S::int(3), u5_dot_part_23_1)
+        - u5_dot_part_38_1;
+    let u5_dot_part_45_1 = u5_dot_part_16_1
+        .mul_add(
+            -(u5_dot_part_45_0 * over_u5_dot_part_16),
+            u5_dot_part_44_1 * over_u5_dot_part_16,
+        );
+    let u3_p2_cos_theta1_1 = u3_p2_1.mul_add(cos_theta1_0, cos_theta1_1 * u3_p2_0);
+    let u4_dot_part_1 = cos_theta2_1.mul_add(cos_theta1_0, cos_theta1_1 * cos_theta2_0);
+    let u4_dot_part_2_1 = u4_dot_part_1.mul_add(S::int(2), u5_dot_part_19_1);
+    let u4_dot_part_3_1 = u4_dot_part_2_1
+        .mul_add(u5_dot_part_19_0, u5_dot_part_19_1 * u4_dot_part_2_0);
+    let cos_theta1_p2_1 = cos_theta1_1 * (cos_theta1_0 + cos_theta1_0);
+    let u4_dot_part_4_1 = cos_theta1_p2_1
+        .mul_add(cos_theta2_p2_0, cos_theta2_p2_1 * cos_theta1_p2_0);
+    let u4_dot_part_5_1 = u4_dot_part_3_1
+        .mul_add(S::int(3), S::int(3) * u4_dot_part_4_1);
+    let u4_dot_part_6_1 = u5_dot_part_45_1
+        .mul_add(sin_theta3_0, sin_theta3_1 * u5_dot_part_45_0);
+    let u4_dot_part_7_1 = u5_dot_part_45_1
+        .mul_add(cos_theta3_0, cos_theta3_1 * u5_dot_part_45_0);
+    let u4_dot_part_8_1 = u4_dot_part_7_1
+        .mul_add(S::ratio(1, 2), S::int(3) * u4_p2_sin_theta2_1 + u5_p2_sin_theta3_1);
+    let u4_dot_part_9_1 = u4_dot_part_8_1
+        .mul_add(sin_theta2_0, sin_theta2_1 * u4_dot_part_8_0);
+    let u4_dot_part_10_1 = u4_dot_part_6_1
+        .mul_add(-S::ratio(1, 2), S::int(3) * u4_p2_cos_theta2_1 + u5_p2_cos_theta3_1);
+    let u4_dot_part_11_1 = u4_dot_part_10_1
+        .mul_add(cos_theta2_0, cos_theta2_1 * u4_dot_part_10_0);
+    let u4_dot_part_12_1 = u4_dot_part_9_1 - u4_dot_part_11_1;
+    let u4_dot_part_13_1 = u4_dot_part_12_1
+        .mul_add(cos_theta1_0, cos_theta1_1 * u4_dot_part_12_0);
+    let u4_dot_part_14_1 = u4_dot_part_10_1
+        .mul_add(u5_dot_part_19_0, u5_dot_part_19_1 * u4_dot_part_10_0);
+    let u4_dot_part_15_1 = S::int(3) * u3_p2_cos_theta2_1 + u4_dot_part_14_1
+        - u4_dot_part_13_1;
+    let u4_dot_part_16_1 = u4_dot_part_15_1
+        .mul_add(sin_theta1_0, sin_theta1_1 * u4_dot_part_15_0);
+    let u4_dot_part_17_1 = u4_dot_part_8_1
+        .mul_add(cos_theta1_p2_0, cos_theta1_p2_1 * u4_dot_part_8_0);
+    let u4_dot_part_18_1 = u4_dot_part_7_1
+        .mul_add(S::ratio(3, 2), S::int(3) * u5_p2_sin_theta3_1) - u4_dot_part_17_1;
+    let u4_dot_part_19_1 = u4_dot_part_18_1
+        .mul_add(cos_theta2_0, cos_theta2_1 * u4_dot_part_18_0);
+    let u4_dot_part_20_1 = u4_dot_part_6_1
+        .mul_add(-S::ratio(1, 2), u3_p2_cos_theta1_1 + u5_p2_cos_theta3_1);
+    let u4_dot_part_21_1 = u4_dot_part_20_1
+        .mul_add(sin_theta2_0, sin_theta2_1 * u4_dot_part_20_0);
+    let u4_dot_part_22_1 = -S::int(3) * u4_dot_part_21_1 + u4_dot_part_19_1
+        + u4_dot_part_16_1;
+    let u4_dot_part_23_1 = u4_dot_part_5_1
+        .mul_add(
+            -(u4_dot_part_23_0 * over_u4_dot_part_5),
+            u4_dot_part_22_1 * over_u4_dot_part_5,
+        );
+    let u3_dot_part_1 = u4_dot_part_23_1
+        .mul_add(sin_theta2_0, sin_theta2_1 * u4_dot_part_23_0);
+    let u3_dot_part_2_1 = u3_dot_part_1
+        .mul_add(
+            -S::int(3),
+            u4_dot_part_6_1
+                .mul_add(
+                    -S::ratio(1, 2),
+                    S::int(3) * u4_p2_cos_theta2_1 + u5_p2_cos_theta3_1,
+                ),
+        );
+    let u3_dot_part_3_1 = u3_dot_part_2_1
+        .mul_add(sin_theta1_0, sin_theta1_1 * u3_dot_part_2_0);
+    let u3_dot_part_4_1 = u4_dot_part_23_1
+        .mul_add(cos_theta2_0, cos_theta2_1 * u4_dot_part_23_0);
+    let u3_dot_part_5_1 = u3_dot_part_4_1
+        .mul_add(
+            S::int(3),
+            u4_dot_part_7_1
+                .mul_add(
+                    S::ratio(1, 2),
+                    S::int(3) * u4_p2_sin_theta2_1 + u5_p2_sin_theta3_1,
+                ),
+        );
+    let u3_dot_part_6_1 = u3_dot_part_5_1
+        .mul_add(cos_theta1_0, cos_theta1_1 * u3_dot_part_5_0);
+    let u3_dot_2_1 = u3_dot_part_6_1
+        .mul_add(S::ratio(1, 3), -S::ratio(1, 3) * u3_dot_part_3_1);
+    let u2_dot_part_1 = u3_dot_2_1.mul_add(cos_theta1_0, cos_theta1_1 * u3_dot_2_0);
+    let u2_dot_part_2_1 = u2_dot_part_1
+        .mul_add(
+            -S::int(2),
+            u3_dot_part_4_1
+                .mul_add(
+                    S::int(3),
+                    u4_dot_part_7_1
+                        .mul_add(
+                            S::ratio(1, 2),
+                            u4_p2_sin_theta2_1
+                                .mul_add(S::int(3), S::int(2) * u3_p2_sin_theta1_1)
+                                + u5_p2_sin_theta3_1,
+                        ),
+                ),
+        );
+    let u1_dot_part_1 = u3_dot_2_1.mul_add(sin_theta1_0, sin_theta1_1 * u3_dot_2_0);
+    let u1_dot_part_2_1 = u1_dot_part_1
+        .mul_add(
+            S::int(2),
+            u3_dot_part_1
+                .mul_add(
+                    -S::int(3),
+                    u4_dot_part_6_1
+                        .mul_add(
+                            -S::ratio(1, 2),
+                            u4_p2_cos_theta2_1
+                                .mul_add(S::int(3), S::int(2) * u3_p2_cos_theta1_1)
+                                + u5_p2_cos_theta3_1,
+                        ),
+                ),
+        );
+    if series.len() > 2 {
+        // Factors of the convolutions: left, right.
+        history[1] = [
+            padded([
+                theta1_1,
+                theta1_1,
+                theta2_1,
+                theta2_1,
+                theta3_1,
+                theta3_1,
+                u4_1,
+                cos_theta2_1,
+                cos_theta3_1,
+                cos_theta2_1,
+                u5_1,
+                cos_theta3_1,
+                u3_1,
+                sin_theta1_1,
+                sin_theta2_1,
+                sin_theta3_1,
+                sin_theta2_1,
+                cos_theta2_1,
+                sin_theta2_1,
+                cos_theta2_1,
+                sin_theta1_1,
+                sin_theta2_1,
+                sin_theta3_1,
+                cos_theta1_1,
+                sin_theta1_1,
+                cos_theta2_1,
+                cos_theta3_1,
+                sin_theta1_1,
+                sin_theta1_1,
+                u3_p2_1,
+                cos_theta2_1,
+                u5_dot_part_18_1,
+                u4_p2_1,
+                sin_theta2_1,
+                cos_theta1_1,
+                cos_theta2_1,
+                cos_theta1_1,
+                sin_theta1_1,
+                cos_theta1_1,
+                cos_theta2_1,
+                cos_theta3_1,
+                cos_theta2_1,
+                cos_theta1_1,
+                sin_theta3_1,
+                u5_dot_part_16_1,
+                cos_theta1_1,
+                cos_theta1_1,
+                u4_dot_part_2_1,
+                cos_theta1_1,
+                cos_theta2_p2_1,
+                u5_dot_part_45_1,
+                u5_dot_part_45_1,
+                sin_theta2_1,
+                cos_theta2_1,
+                cos_theta1_1,
+                u4_dot_part_10_1,
+                sin_theta1_1,
+                u4_dot_part_8_1,
+                cos_theta2_1,
+                sin_theta2_1,
+                u4_dot_part_5_1,
+                u4_dot_part_23_1,
+                sin_theta1_1,
+                u4_dot_part_23_1,
+                cos_theta1_1,
+                u3_dot_2_1,
+                u3_dot_2_1,
+            ]),
+            padded([
+                cos_theta1_1,
+                sin_theta1_1,
+                cos_theta2_1,
+                sin_theta2_1,
+                cos_theta3_1,
+                sin_theta3_1,
+                u4_1,
+                cos_theta2_1,
+                cos_theta3_1,
+                u4_p2_1,
+                u5_1,
+                u5_p2_1,
+                u3_1,
+                u3_p2_1,
+                u4_p2_1,
+                u5_p2_1,
+                sin_theta3_1,
+                cos_theta3_1,
+                u5_p2_cos_theta3_1,
+                u3_p2_1,
+                u5_dot_part_5_1,
+                cos_theta2_1,
+                cos_theta3_1,
+                u5_dot_part_9_1,
+                u5_dot_part_11_1,
+                u5_dot_part_4_1,
+                u5_dot_part_14_1,
+                cos_theta1_1,
+                sin_theta2_1,
+                u5_dot_part_19_1,
+                u5_dot_part_21_1,
+                u5_p2_1,
+                u5_dot_part_19_1,
+                u3_p2_cos_theta2_1,
+                u4_p2_1,
+                u5_dot_part_27_1,
+                u5_dot_part_28_1,
+                u5_dot_part_24_1,
+                u5_dot_part_33_1,
+                u5_dot_part_35_1,
+                u5_dot_part_37_1,
+                u5_dot_part_31_1,
+                u5_dot_part_40_1,
+                u5_dot_part_42_1,
+                u5_dot_part_45_1,
+                u3_p2_1,
+                cos_theta2_1,
+                u5_dot_part_19_1,
+                cos_theta1_1,
+                cos_theta1_p2_1,
+                sin_theta3_1,
+                cos_theta3_1,
+                u4_dot_part_8_1,
+                u4_dot_part_10_1,
+                u4_dot_part_12_1,
+                u5_dot_part_19_1,
+                u4_dot_part_15_1,
+                cos_theta1_p2_1,
+                u4_dot_part_18_1,
+                u4_dot_part_20_1,
+                u4_dot_part_23_1,
+                sin_theta2_1,
+                u3_dot_part_2_1,
+                cos_theta2_1,
+                u3_dot_part_5_1,
+                cos_theta1_1,
+                sin_theta1_1,
+            ]),
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut theta1_last = theta1_1;
+    let mut theta2_last = theta2_1;
+    let mut theta3_last = theta3_1;
+    let mut u3_last = u3_1;
+    let mut u4_last = u4_1;
+    let mut u5_last = u5_1;
+    let mut sin_theta1_last = sin_theta1_1;
+    let mut cos_theta1_last = cos_theta1_1;
+    let mut sin_theta2_last = sin_theta2_1;
+    let mut cos_theta2_last = cos_theta2_1;
+    let mut sin_theta3_last = sin_theta3_1;
+    let mut cos_theta3_last = cos_theta3_1;
+    let mut u4_p2_last = u4_p2_1;
+    let mut cos_theta2_p2_last = cos_theta2_p2_1;
+    let mut u5_p2_last = u5_p2_1;
+    let mut u5_p2_cos_theta3_last = u5_p2_cos_theta3_1;
+    let mut u3_p2_last = u3_p2_1;
+    let mut u5_dot_part_4_last = u5_dot_part_4_1;
+    let mut u3_p2_cos_theta2_last = u3_p2_cos_theta2_1;
+    let mut u5_dot_part_5_last = u5_dot_part_5_1;
+    let mut u5_dot_part_9_last = u5_dot_part_9_1;
+    let mut u5_dot_part_11_last = u5_dot_part_11_1;
+    let mut u5_dot_part_14_last = u5_dot_part_14_1;
+    let mut u5_dot_part_16_last = u5_dot_part_16_1;
+    let mut u5_dot_part_18_last = u5_dot_part_18_1;
+    let mut u5_dot_part_19_last = u5_dot_part_19_1;
+    let mut u5_dot_part_21_last = u5_dot_part_21_1;
+    let mut u5_dot_part_24_last = u5_dot_part_24_1;
+    let mut u5_dot_part_27_last = u5_dot_part_27_1;
+    let mut u5_dot_part_28_last = u5_dot_part_28_1;
+    let mut u5_dot_part_31_last = u5_dot_part_31_1;
+    let mut u5_dot_part_33_last = u5_dot_part_33_1;
+    let mut u5_dot_part_35_last = u5_dot_part_35_1;
+    let mut u5_dot_part_37_last = u5_dot_part_37_1;
+    let mut u5_dot_part_40_last = u5_dot_part_40_1;
+    let mut u5_dot_part_42_last = u5_dot_part_42_1;
+    let mut u5_dot_part_45_last = u5_dot_part_45_1;
+    let mut u4_dot_part_2_last = u4_dot_part_2_1;
+    let mut cos_theta1_p2_last = cos_theta1_p2_1;
+    let mut u4_dot_part_5_last = u4_dot_part_5_1;
+    let mut u4_dot_part_8_last = u4_dot_part_8_1;
+    let mut u4_dot_part_10_last = u4_dot_part_10_1;
+    let mut u4_dot_part_12_last = u4_dot_part_12_1;
+    let mut u4_dot_part_15_last = u4_dot_part_15_1;
+    let mut u4_dot_part_18_last = u4_dot_part_18_1;
+    let mut u4_dot_part_20_last = u4_dot_part_20_1;
+    let mut u4_dot_part_23_last = u4_dot_part_23_1;
+    let mut u3_dot_part_2_last = u3_dot_part_2_1;
+    let mut u3_dot_part_5_last = u3_dot_part_5_1;
+    let mut u3_dot_2_last = u3_dot_2_1;
+    let mut next = [S::int(0); 72];
+    // Rates at order k - 1.
+    let mut x_rate = u1_1;
+    let mut y_rate = u2_1;
+    let mut theta1_rate = u3_1;
+    let mut theta2_rate = u4_1;
+    let mut theta3_rate = u5_1;
+    let mut u1_rate = l_by_6 * u1_dot_part_2_1;
+    let mut u2_rate = l_by_6 * u2_dot_part_2_1;
+    let mut u3_rate = u3_dot_2_1;
+    let mut u4_rate = -u4_dot_part_23_1;
+    let mut u5_rate = -S::ratio(1, 2) * u5_dot_part_45_1;
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let x = x_rate * over_k;
+        let y = y_rate * over_k;
+        let theta1 = theta1_rate * over_k;
+        let theta2 = theta2_rate * over_k;
+        let theta3 = theta3_rate * over_k;
+        let u1 = u1_rate * over_k;
+        let u2 = u2_rate * over_k;
+        let u3 = u3_rate * over_k;
+        let u4 = u4_rate * over_k;
+        let u5 = u5_rate * over_k;
+        series[order] = [x, y, theta1, theta2, theta3, u1, u2, u3, u4, u5];
+        if order + 1 == series.len() {
+            break;
+        }
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&history[..order]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            padded([
+                theta1_1
+                    .mul_add(
+                        cos_theta1_last,
+                        (count_last * theta1_last).mul_add(cos_theta1_1, next[0]),
+                    ),
+                theta1_1
+                    .mul_add(
+                        sin_theta1_last,
+                        (count_last * theta1_last).mul_add(sin_theta1_1, next[1]),
+                    ),
+                theta2_1
+                    .mul_add(
+                        cos_theta2_last,
+                        (count_last * theta2_last).mul_add(cos_theta2_1, next[2]),
+                    ),
+                theta2_1
+                    .mul_add(
+                        sin_theta2_last,
+                        (count_last * theta2_last).mul_add(sin_theta2_1, next[3]),
+                    ),
+                theta3_1
+                    .mul_add(
+                        cos_theta3_last,
+                        (count_last * theta3_last).mul_add(cos_theta3_1, next[4]),
+                    ),
+                theta3_1
+                    .mul_add(
+                        sin_theta3_last,
+                        (count_last * theta3_last).mul_add(sin_theta3_1, next[5]),
+                    ),
+                (u4_1 + u4_1).mul_add(u4_last, next[6]),
+                (cos_theta2_1 + cos_theta2_1).mul_add(cos_theta2_last, next[7]),
+                (cos_theta3_1 + cos_theta3_1).mul_add(cos_theta3_last, next[8]),
+                cos_theta2_1
+                    .mul_add(u4_p2_last, cos_theta2_last.mul_add(u4_p2_1, next[9])),
+                (u5_1 + u5_1).mul_add(u5_last, next[10]),
+                cos_theta3_1
+                    .mul_add(u5_p2_last, cos_theta3_last.mul_add(u5_p2_1, next[11])),
+                (u3_1 + u3_1).mul_add(u3_last, next[12]),
+                sin_theta1_1
+                    .mul_add(u3_p2_last, sin_theta1_last.mul_add(u3_p2_1, next[13])),
+                sin_theta2_1
+                    .mul_add(u4_p2_last, sin_theta2_last.mul_add(u4_p2_1, next[14])),
+                sin_theta3_1
+                    .mul_add(u5_p2_last, sin_theta3_last.mul_add(u5_p2_1, next[15])),
+                sin_theta2_1
+                    .mul_add(
+                        sin_theta3_last,
+                        sin_theta2_last.mul_add(sin_theta3_1, next[16]),
+                    ),
+                cos_theta2_1
+                    .mul_add(
+                        cos_theta3_last,
+                        cos_theta2_last.mul_add(cos_theta3_1, next[17]),
+                    ),
+                sin_theta2_1
+                    .mul_add(
+                        u5_p2_cos_theta3_last,
+                        sin_theta2_last.mul_add(u5_p2_cos_theta3_1, next[18]),
+                    ),
+                cos_theta2_1
+                    .mul_add(u3_p2_last, cos_theta2_last.mul_add(u3_p2_1, next[19])),
+                sin_theta1_1
+                    .mul_add(
+                        u5_dot_part_5_last,
+                        sin_theta1_last.mul_add(u5_dot_part_5_1, next[20]),
+                    ),
+                sin_theta2_1
+                    .mul_add(
+                        cos_theta2_last,
+                        sin_theta2_last.mul_add(cos_theta2_1, next[21]),
+                    ),
+                sin_theta3_1
+                    .mul_add(
+                        cos_theta3_last,
+                        sin_theta3_last.mul_add(cos_theta3_1, next[22]),
+                    ),
+                cos_theta1_1
+                    .mul_add(
+                        u5_dot_part_9_last,
+                        cos_theta1_last.mul_add(u5_dot_part_9_1, next[23]),
+                    ),
+                sin_theta1_1
+                    .mul_add(
+                        u5_dot_part_11_last,
+                        sin_theta1_last.mul_add(u5_dot_part_11_1, next[24]),
+                    ),
+                cos_theta2_1
+                    .mul_add(
+                        u5_dot_part_4_last,
+                        cos_theta2_last.mul_add(u5_dot_part_4_1, next[25]),
+                    ),
+                cos_theta3_1
+                    .mul_add(
+                        u5_dot_part_14_last,
+                        cos_theta3_last.mul_add(u5_dot_part_14_1, next[26]),
+                    ),
+                sin_theta1_1
+                    .mul_add(
+                        cos_theta1_last,
+                        sin_theta1_last.mul_add(cos_theta1_1, next[27]),
+                    ),
+                sin_theta1_1
+                    .mul_add(
+                        sin_theta2_last,
+                        sin_theta1_last.mul_add(sin_theta2_1, next[28]),
+                    ),
+                u3_p2_1
+                    .mul_add(
+                        u5_dot_part_19_last,
+                        u3_p2_last.mul_add(u5_dot_part_19_1, next[29]),
+                    ),
+                cos_theta2_1
+                    .mul_add(
+                        u5_dot_part_21_last,
+                        cos_theta2_last.mul_add(u5_dot_part_21_1, next[30]),
+                    ),
+                u5_dot_part_18_1
+                    .mul_add(u5_p2_last, u5_dot_part_18_last.mul_add(u5_p2_1, next[31])),
+                u4_p2_1
+                    .mul_add(
+                        u5_dot_part_19_last,
+                        u4_p2_last.mul_add(u5_dot_part_19_1, next[32]),
+                    ),
+                sin_theta2_1
+                    .mul_add(
+                        u3_p2_cos_theta2_last,
+                        sin_theta2_last.mul_add(u3_p2_cos_theta2_1, next[33]),
+                    ),
+                cos_theta1_1
+                    .mul_add(u4_p2_last, cos_theta1_last.mul_add(u4_p2_1, next[34])),
+                cos_theta2_1
+                    .mul_add(
+                        u5_dot_part_27_last,
+                        cos_theta2_last.mul_add(u5_dot_part_27_1, next[35]),
+                    ),
+                cos_theta1_1
+                    .mul_add(
+                        u5_dot_part_28_last,
+                        cos_theta1_last.mul_add(u5_dot_part_28_1, next[36]),
+                    ),
+                sin_theta1_1
+                    .mul_add(
+                        u5_dot_part_24_last,
+                        sin_theta1_last.mul_add(u5_dot_part_24_1, next[37]),
+                    ),
+                cos_theta1_1
+                    .mul_add(
+                        u5_dot_part_33_last,
+                        cos_theta1_last.mul_add(u5_dot_part_33_1, next[38]),
+                    ),
+                cos_theta2_1
+                    .mul_add(
+                        u5_dot_part_35_last,
+                        cos_theta2_last.mul_add(u5_dot_part_35_1, next[39]),
+                    ),
+                cos_theta3_1
+                    .mul_add(
+                        u5_dot_part_37_last,
+                        cos_theta3_last.mul_add(u5_dot_part_37_1, next[40]),
+                    ),
+                cos_theta2_1
+                    .mul_add(
+                        u5_dot_part_31_last,
+                        cos_theta2_last.mul_add(u5_dot_part_31_1, next[41]),
+                    ),
+                cos_theta1_1
+                    .mul_add(
+                        u5_dot_part_40_last,
+                        cos_theta1_last.mul_add(u5_dot_part_40_1, next[42]),
+                    ),
+                sin_theta3_1
+                    .mul_add(
+                        u5_dot_part_42_last,
+                        sin_theta3_last.mul_add(u5_dot_part_42_1, next[43]),
+                    ),
+                u5_dot_part_16_1
+                    .mul_add(
+                        u5_dot_part_45_last,
+                        u5_dot_part_16_last.mul_add(u5_dot_part_45_1, next[44]),
+                    ),
+                cos_theta1_1
+                    .mul_add(u3_p2_last, cos_theta1_last.mul_add(u3_p2_1, next[45])),
+                cos_theta1_1
+                    .mul_add(
+                        cos_theta2_last,
+                        cos_theta1_last.mul_add(cos_theta2_1, next[46]),
+                    ),
+                u4_dot_part_2_1
+                    .mul_add(
+                        u5_dot_part_19_last,
+                        u4_dot_part_2_last.mul_add(u5_dot_part_19_1, next[47]),
+                    ),
+                (cos_theta1_1 + cos_theta1_1).mul_add(cos_theta1_last, next[48]),
+                cos_theta2_p2_1
+                    .mul_add(
+                        cos_theta1_p2_last,
+                        cos_theta2_p2_last.mul_add(cos_theta1_p2_1, next[49]),
+                    ),
+                u5_dot_part_45_1
+                    .mul_add(
+                        sin_theta3_last,
+                        u5_dot_part_45_last.mul_add(sin_theta3_1, next[50]),
+                    ),
+                u5_dot_part_45_1
+                    .mul_add(
+                        cos_theta3_last,
+                        u5_dot_part_45_last.mul_add(cos_theta3_1, next[51]),
+                    ),
+                sin_theta2_1
+                    .mul_add(
+                        u4_dot_part_8_last,
+                        sin_theta2_last.mul_add(u4_dot_part_8_1, next[52]),
+                    ),
+                cos_theta2_1
+                    .mul_add(
+                        u4_dot_part_10_last,
+                        cos_theta2_last.mul_add(u4_dot_part_10_1, next[53]),
+                    ),
+                cos_theta1_1
+                    .mul_add(
+                        u4_dot_part_12_last,
+                        cos_theta1_last.mul_add(u4_dot_part_12_1, next[54]),
+                    ),
+                u4_dot_part_10_1
+                    .mul_add(
+                        u5_dot_part_19_last,
+                        u4_dot_part_10_last.mul_add(u5_dot_part_19_1, next[55]),
+                    ),
+                sin_theta1_1
+                    .mul_add(
+                        u4_dot_part_15_last,
+                        sin_theta1_last.mul_add(u4_dot_part_15_1, next[56]),
+                    ),
+                u4_dot_part_8_1
+                    .mul_add(
+                        cos_theta1_p2_last,
+                        u4_dot_part_8_last.mul_add(cos_theta1_p2_1, next[57]),
+                    ),
+                cos_theta2_1
+                    .mul_add(
+                        u4_dot_part_18_last,
+                        cos_theta2_last.mul_add(u4_dot_part_18_1, next[58]),
+                    ),
+                sin_theta2_1
+                    .mul_add(
+                        u4_dot_part_20_last,
+                        sin_theta2_last.mul_add(u4_dot_part_20_1, next[59]),
+                    ),
+                u4_dot_part_5_1
+                    .mul_add(
+                        u4_dot_part_23_last,
+                        u4_dot_part_5_last.mul_add(u4_dot_part_23_1, next[60]),
+                    ),
+                u4_dot_part_23_1
+                    .mul_add(
+                        sin_theta2_last,
+                        u4_dot_part_23_last.mul_add(sin_theta2_1, next[61]),
+                    ),
+                sin_theta1_1
+                    .mul_add(
+                        u3_dot_part_2_last,
+                        sin_theta1_last.mul_add(u3_dot_part_2_1, next[62]),
+                    ),
+                u4_dot_part_23_1
+                    .mul_add(
+                        cos_theta2_last,
+                        u4_dot_part_23_last.mul_add(cos_theta2_1, next[63]),
+                    ),
+                cos_theta1_1
+                    .mul_add(
+                        u3_dot_part_5_last,
+                        cos_theta1_last.mul_add(u3_dot_part_5_1, next[64]),
+                    ),
+                u3_dot_2_1
+                    .mul_add(
+                        cos_theta1_last,
+                        u3_dot_2_last.mul_add(cos_theta1_1, next[65]),
+                    ),
+                u3_dot_2_1
+                    .mul_add(
+                        sin_theta1_last,
+                        u3_dot_2_last.mul_add(sin_theta1_1, next[66]),
+                    ),
+            ])
+        };
+        // sin_theta1 = sin(theta1)
+        let sin_theta1 = theta1.mul_add(cos_theta1_0, sums[0] * over_k);
+        // cos_theta1 = cos(theta1)
+        let cos_theta1 = -theta1.mul_add(sin_theta1_0, sums[1] * over_k);
+        // sin_theta2 = sin(theta2)
+        let sin_theta2 = theta2.mul_add(cos_theta2_0, sums[2] * over_k);
+        // cos_theta2 = cos(theta2)
+        let cos_theta2 = -theta2.mul_add(sin_theta2_0, sums[3] * over_k);
+        // sin_theta3 = sin(theta3)
+        let sin_theta3 = theta3.mul_add(cos_theta3_0, sums[4] * over_k);
+        // cos_theta3 = cos(theta3)
+        let cos_theta3 = -theta3.mul_add(sin_theta3_0, sums[5] * over_k);
+        // u4_p2 = u4*u4
+        let u4_p2 = u4.mul_add(u4_0 + u4_0, sums[6]);
+        // cos_theta2_p2 = cos_theta2*cos_theta2
+        let cos_theta2_p2 = cos_theta2.mul_add(cos_theta2_0 + cos_theta2_0, sums[7]);
+        // cos_theta3_p2 = cos_theta3*cos_theta3
+        let cos_theta3_p2 = cos_theta3.mul_add(cos_theta3_0 + cos_theta3_0, sums[8]);
+        // u4_p2_cos_theta2 = cos_theta2*u4_p2
+        let u4_p2_cos_theta2 = u4_p2
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u4_p2_0, sums[9]));
+        // u5_p2 = u5*u5
+        let u5_p2 = u5.mul_add(u5_0 + u5_0, sums[10]);
+        // u5_p2_cos_theta3 = cos_theta3*u5_p2
+        let u5_p2_cos_theta3 = u5_p2
+            .mul_add(cos_theta3_0, cos_theta3.mul_add(u5_p2_0, sums[11]));
+        // u3_p2 = u3*u3
+        let u3_p2 = u3.mul_add(u3_0 + u3_0, sums[12]);
+        // u3_p2_sin_theta1 = sin_theta1*u3_p2
+        let u3_p2_sin_theta1 = u3_p2
+            .mul_add(sin_theta1_0, sin_theta1.mul_add(u3_p2_0, sums[13]));
+        // u4_p2_sin_theta2 = sin_theta2*u4_p2
+        let u4_p2_sin_theta2 = u4_p2
+            .mul_add(sin_theta2_0, sin_theta2.mul_add(u4_p2_0, sums[14]));
+        // u5_p2_sin_theta3 = sin_theta3*u5_p2
+        let u5_p2_sin_theta3 = u5_p2
+            .mul_add(sin_theta3_0, sin_theta3.mul_add(u5_p2_0, sums[15]));
+        // u5_dot_part = sin_theta2*sin_theta3
+        let u5_dot_part = sin_theta3
+            .mul_add(sin_theta2_0, sin_theta2.mul_add(sin_theta3_0, sums[16]));
+        // u5_dot_part_2 = cos_theta2*cos_theta3
+        let u5_dot_part_2 = cos_theta3
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(cos_theta3_0, sums[17]));
+        // u5_dot_part_3 = sin_theta2*u5_p2_cos_theta3
+        let u5_dot_part_3 = u5_p2_cos_theta3
+            .mul_add(sin_theta2_0, sin_theta2.mul_add(u5_p2_cos_theta3_0, sums[18]));
+        // u5_dot_part_4 = u5_dot_part + u5_dot_part_2
+        let u5_dot_part_4 = u5_dot_part + u5_dot_part_2;
+        // u3_p2_cos_theta2 = cos_theta2*u3_p2
+        let u3_p2_cos_theta2 = u3_p2
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u3_p2_0, sums[19]));
+        // u5_dot_part_5 = -4 + 9*cos_theta2_p2 - cos_theta3_p2
+        let u5_dot_part_5 = S::int(9) * cos_theta2_p2 - cos_theta3_p2;
+        // u5_dot_part_6 = sin_theta1*u5_dot_part_5
+        let u5_dot_part_6 = u5_dot_part_5
+            .mul_add(sin_theta1_0, sin_theta1.mul_add(u5_dot_part_5_0, sums[20]));
+        // u5_dot_part_7 = sin_theta2*cos_theta2
+        let u5_dot_part_7 = cos_theta2
+            .mul_add(sin_theta2_0, sin_theta2.mul_add(cos_theta2_0, sums[21]));
+        // u5_dot_part_8 = sin_theta3*cos_theta3
+        let u5_dot_part_8 = cos_theta3
+            .mul_add(sin_theta3_0, sin_theta3.mul_add(cos_theta3_0, sums[22]));
+        // u5_dot_part_9 = 9*u5_dot_part_7 - u5_dot_part_8
+        let u5_dot_part_9 = S::int(9) * u5_dot_part_7 - u5_dot_part_8;
+        // u5_dot_part_10 = cos_theta1*u5_dot_part_9
+        let u5_dot_part_10 = u5_dot_part_9
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(u5_dot_part_9_0, sums[23]));
+        // u5_dot_part_11 = u5_dot_part_6 - u5_dot_part_10
+        let u5_dot_part_11 = u5_dot_part_6 - u5_dot_part_10;
+        // u5_dot_part_12 = sin_theta1*u5_dot_part_11
+        let u5_dot_part_12 = u5_dot_part_11
+            .mul_add(sin_theta1_0, sin_theta1.mul_add(u5_dot_part_11_0, sums[24]));
+        // u5_dot_part_13 = cos_theta2*u5_dot_part_4
+        let u5_dot_part_13 = u5_dot_part_4
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u5_dot_part_4_0, sums[25]));
+        // u5_dot_part_14 = 5*cos_theta3 - 9*u5_dot_part_13
+        let u5_dot_part_14 = u5_dot_part_13.mul_add(-S::int(9), S::int(5) * cos_theta3);
+        // u5_dot_part_15 = cos_theta3*u5_dot_part_14
+        let u5_dot_part_15 = u5_dot_part_14
+            .mul_add(cos_theta3_0, cos_theta3.mul_add(u5_dot_part_14_0, sums[26]));
+        // u5_dot_part_16 = 9 + u5_dot_part_12 + u5_dot_part_15
+        let u5_dot_part_16 = u5_dot_part_12 + u5_dot_part_15;
+        // u5_dot_part_17 = sin_theta1*cos_theta1
+        let u5_dot_part_17 = cos_theta1
+            .mul_add(sin_theta1_0, sin_theta1.mul_add(cos_theta1_0, sums[27]));
+        // u5_dot_part_18 = 9*u5_dot_part_7 - u5_dot_part_17
+        let u5_dot_part_18 = S::int(9) * u5_dot_part_7 - u5_dot_part_17;
+        // u5_dot_part_19 = sin_theta1*sin_theta2
+        let u5_dot_part_19 = sin_theta2
+            .mul_add(sin_theta1_0, sin_theta1.mul_add(sin_theta2_0, sums[28]));
+        // u5_dot_part_20 = u3_p2*u5_dot_part_19
+        let u5_dot_part_20 = u5_dot_part_19
+            .mul_add(u3_p2_0, u3_p2.mul_add(u5_dot_part_19_0, sums[29]));
+        // u5_dot_part_21 = 7*u4_p2 + 3*u5_dot_part_20
+        let u5_dot_part_21 = u5_dot_part_20.mul_add(S::int(3), S::int(7) * u4_p2);
+        // u5_dot_part_22 = cos_theta2*u5_dot_part_21
+        let u5_dot_part_22 = u5_dot_part_21
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u5_dot_part_21_0, sums[30]));
+        // u5_dot_part_23 = u5_dot_part_18*u5_p2
+        let u5_dot_part_23 = u5_dot_part_18
+            .mul_add(u5_p2_0, u5_p2.mul_add(u5_dot_part_18_0, sums[31]));
+        // u5_dot_part_24 = 3*u4_p2_cos_theta2 + 2*u5_p2_cos_theta3
+        let u5_dot_part_24 = u5_p2_cos_theta3
+            .mul_add(S::int(2), S::int(3) * u4_p2_cos_theta2);
+        // u5_dot_part_25 = u4_p2*u5_dot_part_19
+        let u5_dot_part_25 = u5_dot_part_19
+            .mul_add(u4_p2_0, u4_p2.mul_add(u5_dot_part_19_0, sums[32]));
+        // u5_dot_part_26 = sin_theta2*u3_p2_cos_theta2
+        let u5_dot_part_26 = u3_p2_cos_theta2
+            .mul_add(sin_theta2_0, sin_theta2.mul_add(u3_p2_cos_theta2_0, sums[33]));
+        // u5_dot_part_27 = u3_p2_sin_theta1 + 2*u5_p2_sin_theta3
+        let u5_dot_part_27 = u5_p2_sin_theta3.mul_add(S::int(2), u3_p2_sin_theta1);
+        // u5_dot_part_28 = 3*u4_p2_sin_theta2 + 2*u5_p2_sin_theta3
+        let u5_dot_part_28 = u5_p2_sin_theta3
+            .mul_add(S::int(2), S::int(3) * u4_p2_sin_theta2);
+        // u4_p2_cos_theta1 = cos_theta1*u4_p2
+        let u4_p2_cos_theta1 = u4_p2
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(u4_p2_0, sums[34]));
+        // u5_dot_part_29 = cos_theta2*u5_dot_part_27
+        let u5_dot_part_29 = u5_dot_part_27
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u5_dot_part_27_0, sums[35]));
+        // u5_dot_part_30 = cos_theta1*u5_dot_part_28
+        let u5_dot_part_30 = u5_dot_part_28
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(u5_dot_part_28_0, sums[36]));
+        // u5_dot_part_31 = 3*u3_p2_cos_theta2 - u4_p2_cos_theta1
+        let u5_dot_part_31 = S::int(3) * u3_p2_cos_theta2 - u4_p2_cos_theta1;
+        // u5_dot_part_32 = sin_theta1*u5_dot_part_24
+        let u5_dot_part_32 = u5_dot_part_24
+            .mul_add(sin_theta1_0, sin_theta1.mul_add(u5_dot_part_24_0, sums[37]));
+        // u5_dot_part_33 = 9*u5_dot_part_26 + u5_dot_part_30 - u5_dot_part_32
+        let u5_dot_part_33 = S::int(9) * u5_dot_part_26 + u5_dot_part_30
+            - u5_dot_part_32;
+        // u5_dot_part_34 = cos_theta1*u5_dot_part_33
+        let u5_dot_part_34 = u5_dot_part_33
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(u5_dot_part_33_0, sums[38]));
+        // u5_dot_part_35 = 2*u5_dot_part_3 - u5_dot_part_29
+        let u5_dot_part_35 = S::int(2) * u5_dot_part_3 - u5_dot_part_29;
+        // u5_dot_part_36 = cos_theta2*u5_dot_part_35
+        let u5_dot_part_36 = u5_dot_part_35
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u5_dot_part_35_0, sums[39]));
+        // u5_dot_part_37 = 6*u3_p2_sin_theta1 + 18*u4_p2_sin_theta2 + 8*u5_p2_sin_theta3 + u5_dot_part_34
+        //   + 9*u5_dot_part_36
+        let u5_dot_part_37 = u5_dot_part_36
+            .mul_add(
+                S::int(9),
+                u5_p2_sin_theta3
+                    .mul_add(
+                        S::int(8),
+                        u4_p2_sin_theta2
+                            .mul_add(S::int(18), S::int(6) * u3_p2_sin_theta1),
+                    ) + u5_dot_part_34,
+            );
+        // u5_dot_part_38 = cos_theta3*u5_dot_part_37
+        let u5_dot_part_38 = u5_dot_part_37
+            .mul_add(cos_theta3_0, cos_theta3.mul_add(u5_dot_part_37_0, sums[40]));
+        // u5_dot_part_39 = cos_theta2*u5_dot_part_31
+        let u5_dot_part_39 = u5_dot_part_31
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u5_dot_part_31_0, sums[41]));
+        // u5_dot_part_40 = u3_p2 + u5_dot_part_25 - u5_dot_part_39
+        let u5_dot_part_40 = u3_p2 + u5_dot_part_25 - u5_dot_part_39;
+        // u5_dot_part_41 = cos_theta1*u5_dot_part_40
+        let u5_dot_part_41 = u5_dot_part_40
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(u5_dot_part_40_0, sums[42]));
+        // u5_dot_part_42 = u5_dot_part_22 - u5_dot_part_41
+        let u5_dot_part_42 = u5_dot_part_22 - u5_dot_part_41;
+        // u5_dot_part_43 = sin_theta3*u5_dot_part_42
+        let u5_dot_part_43 = u5_dot_part_42
+            .mul_add(sin_theta3_0, sin_theta3.mul_add(u5_dot_part_42_0, sums[43]));
+        // u5_dot_part_44 = u5_dot_part_23 - u5_dot_part_38 + 3*u5_dot_part_43
+        let u5_dot_part_44 = u5_dot_part_43.mul_add(S::int(3), u5_dot_part_23)
+            - u5_dot_part_38;
+        // u5_dot_part_45 = u5_dot_part_44/u5_dot_part_16
+        let u5_dot_part_45 = u5_dot_part_44
+            .mul_add(
+                over_u5_dot_part_16,
+                -(u5_dot_part_16.mul_add(u5_dot_part_45_0, sums[44])
+                    * over_u5_dot_part_16),
+            );
+        // u3_p2_cos_theta1 = cos_theta1*u3_p2
+        let u3_p2_cos_theta1 = u3_p2
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(u3_p2_0, sums[45]));
+        // u4_dot_part = cos_theta1*cos_theta2
+        let u4_dot_part = cos_theta2
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(cos_theta2_0, sums[46]));
+        // u4_dot_part_2 = u5_dot_part_19 + 2*u4_dot_part
+        let u4_dot_part_2 = u4_dot_part.mul_add(S::int(2), u5_dot_part_19);
+        // u4_dot_part_3 = u4_dot_part_2*u5_dot_part_19
+        let u4_dot_part_3 = u4_dot_part_2
+            .mul_add(
+                u5_dot_part_19_0,
+                u5_dot_part_19.mul_add(u4_dot_part_2_0, sums[47]),
+            );
+        // cos_theta1_p2 = cos_theta1*cos_theta1
+        let cos_theta1_p2 = cos_theta1.mul_add(cos_theta1_0 + cos_theta1_0, sums[48]);
+        // u4_dot_part_4 = cos_theta2_p2*cos_theta1_p2
+        let u4_dot_part_4 = cos_theta1_p2
+            .mul_add(cos_theta2_p2_0, cos_theta2_p2.mul_add(cos_theta1_p2_0, sums[49]));
+        // u4_dot_part_5 = -7 + 3*u4_dot_part_3 + 3*u4_dot_part_4
+        let u4_dot_part_5 = u4_dot_part_3.mul_add(S::int(3), S::int(3) * u4_dot_part_4);
+        // u4_dot_part_6 = u5_dot_part_45*sin_theta3
+        let u4_dot_part_6 = u5_dot_part_45
+            .mul_add(sin_theta3_0, sin_theta3.mul_add(u5_dot_part_45_0, sums[50]));
+        // u4_dot_part_7 = u5_dot_part_45*cos_theta3
+        let u4_dot_part_7 = u5_dot_part_45
+            .mul_add(cos_theta3_0, cos_theta3.mul_add(u5_dot_part_45_0, sums[51]));
+        // u4_dot_part_8 = 3*u4_p2_sin_theta2 + u5_p2_sin_theta3 + 1/2*u4_dot_part_7
+        let u4_dot_part_8 = u4_dot_part_7
+            .mul_add(S::ratio(1, 2), S::int(3) * u4_p2_sin_theta2 + u5_p2_sin_theta3);
+        // u4_dot_part_9 = sin_theta2*u4_dot_part_8
+        let u4_dot_part_9 = u4_dot_part_8
+            .mul_add(sin_theta2_0, sin_theta2.mul_add(u4_dot_part_8_0, sums[52]));
+        // u4_dot_part_10 = 3*u4_p2_cos_theta2 + u5_p2_cos_theta3 - 1/2*u4_dot_part_6
+        let u4_dot_part_10 = u4_dot_part_6
+            .mul_add(-S::ratio(1, 2), S::int(3) * u4_p2_cos_theta2 + u5_p2_cos_theta3);
+        // u4_dot_part_11 = cos_theta2*u4_dot_part_10
+        let u4_dot_part_11 = u4_dot_part_10
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u4_dot_part_10_0, sums[53]));
+        // u4_dot_part_12 = u4_dot_part_9 - u4_dot_part_11
+        let u4_dot_part_12 = u4_dot_part_9 - u4_dot_part_11;
+        // u4_dot_part_13 = cos_theta1*u4_dot_part_12
+        let u4_dot_part_13 = u4_dot_part_12
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(u4_dot_part_12_0, sums[54]));
+        // u4_dot_part_14 = u4_dot_part_10*u5_dot_part_19
+        let u4_dot_part_14 = u4_dot_part_10
+            .mul_add(
+                u5_dot_part_19_0,
+                u5_dot_part_19.mul_add(u4_dot_part_10_0, sums[55]),
+            );
+        // u4_dot_part_15 = 3*u3_p2_cos_theta2 - u4_dot_part_13 + u4_dot_part_14
+        let u4_dot_part_15 = S::int(3) * u3_p2_cos_theta2 + u4_dot_part_14
+            - u4_dot_part_13;
+        // u4_dot_part_16 = sin_theta1*u4_dot_part_15
+        let u4_dot_part_16 = u4_dot_part_15
+            .mul_add(sin_theta1_0, sin_theta1.mul_add(u4_dot_part_15_0, sums[56]));
+        // u4_dot_part_17 = u4_dot_part_8*cos_theta1_p2
+        let u4_dot_part_17 = u4_dot_part_8
+            .mul_add(cos_theta1_p2_0, cos_theta1_p2.mul_add(u4_dot_part_8_0, sums[57]));
+        // u4_dot_part_18 = 3*u5_p2_sin_theta3 + 3/2*u4_dot_part_7 - u4_dot_part_17
+        let u4_dot_part_18 = u4_dot_part_7
+            .mul_add(S::ratio(3, 2), S::int(3) * u5_p2_sin_theta3) - u4_dot_part_17;
+        // u4_dot_part_19 = cos_theta2*u4_dot_part_18
+        let u4_dot_part_19 = u4_dot_part_18
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u4_dot_part_18_0, sums[58]));
+        // u4_dot_part_20 = u3_p2_cos_theta1 + u5_p2_cos_theta3 - 1/2*u4_dot_part_6
+        let u4_dot_part_20 = u4_dot_part_6
+            .mul_add(-S::ratio(1, 2), u3_p2_cos_theta1 + u5_p2_cos_theta3);
+        // u4_dot_part_21 = sin_theta2*u4_dot_part_20
+        let u4_dot_part_21 = u4_dot_part_20
+            .mul_add(sin_theta2_0, sin_theta2.mul_add(u4_dot_part_20_0, sums[59]));
+        // u4_dot_part_22 = u4_dot_part_16 + u4_dot_part_19 - 3*u4_dot_part_21
+        let u4_dot_part_22 = -S::int(3) * u4_dot_part_21 + u4_dot_part_19
+            + u4_dot_part_16;
+        // u4_dot_part_23 = u4_dot_part_22/u4_dot_part_5
+        let u4_dot_part_23 = u4_dot_part_22
+            .mul_add(
+                over_u4_dot_part_5,
+                -(u4_dot_part_5.mul_add(u4_dot_part_23_0, sums[60]) * over_u4_dot_part_5),
+            );
+        // u3_dot_part = u4_dot_part_23*sin_theta2
+        let u3_dot_part = u4_dot_part_23
+            .mul_add(sin_theta2_0, sin_theta2.mul_add(u4_dot_part_23_0, sums[61]));
+        // u3_dot_part_2 = 3*u4_p2_cos_theta2 + u5_p2_cos_theta3 - 1/2*u4_dot_part_6 - 3*u3_dot_part
+        let u3_dot_part_2 = u3_dot_part
+            .mul_add(
+                -S::int(3),
+                u4_dot_part_6
+                    .mul_add(
+                        -S::ratio(1, 2),
+                        S::int(3) * u4_p2_cos_theta2 + u5_p2_cos_theta3,
+                    ),
+            );
+        // u3_dot_part_3 = sin_theta1*u3_dot_part_2
+        let u3_dot_part_3 = u3_dot_part_2
+            .mul_add(sin_theta1_0, sin_theta1.mul_add(u3_dot_part_2_0, sums[62]));
+        // u3_dot_part_4 = u4_dot_part_23*cos_theta2
+        let u3_dot_part_4 = u4_dot_part_23
+            .mul_add(cos_theta2_0, cos_theta2.mul_add(u4_dot_part_23_0, sums[63]));
+        // u3_dot_part_5 = 3*u4_p2_sin_theta2 + u5_p2_sin_theta3 + 1/2*u4_dot_part_7 + 3*u3_dot_part_4
+        let u3_dot_part_5 = u3_dot_part_4
+            .mul_add(
+                S::int(3),
+                u4_dot_part_7
+                    .mul_add(
+                        S::ratio(1, 2),
+                        S::int(3) * u4_p2_sin_theta2 + u5_p2_sin_theta3,
+                    ),
+            );
+        // u3_dot_part_6 = cos_theta1*u3_dot_part_5
+        let u3_dot_part_6 = u3_dot_part_5
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(u3_dot_part_5_0, sums[64]));
+        // u3_dot_2 = -1/3*u3_dot_part_3 + 1/3*u3_dot_part_6
+        let u3_dot_2 = u3_dot_part_6
+            .mul_add(S::ratio(1, 3), -S::ratio(1, 3) * u3_dot_part_3);
+        // u2_dot_part = u3_dot_2*cos_theta1
+        let u2_dot_part = u3_dot_2
+            .mul_add(cos_theta1_0, cos_theta1.mul_add(u3_dot_2_0, sums[65]));
+        // u2_dot_part_2 = 2*u3_p2_sin_theta1 + 3*u4_p2_sin_theta2 + u5_p2_sin_theta3 + 1/2*u4_dot_part_7 +
+        //   3*u3_dot_part_4 - 2*u2_dot_part
+        let u2_dot_part_2 = u2_dot_part
+            .mul_add(
+                -S::int(2),
+                u3_dot_part_4
+                    .mul_add(
+                        S::int(3),
+                        u4_dot_part_7
+                            .mul_add(
+                                S::ratio(1, 2),
+                                u4_p2_sin_theta2
+                                    .mul_add(S::int(3), S::int(2) * u3_p2_sin_theta1)
+                                    + u5_p2_sin_theta3,
+                            ),
+                    ),
+            );
+        // u1_dot_part = u3_dot_2*sin_theta1
+        let u1_dot_part = u3_dot_2
+            .mul_add(sin_theta1_0, sin_theta1.mul_add(u3_dot_2_0, sums[66]));
+        // u1_dot_part_2 = 2*u3_p2_cos_theta1 + 3*u4_p2_cos_theta2 + u5_p2_cos_theta3 - 1/2*u4_dot_part_6 -
+        //   3*u3_dot_part + 2*u1_dot_part
+        let u1_dot_part_2 = u1_dot_part
+            .mul_add(
+                S::int(2),
+                u3_dot_part
+                    .mul_add(
+                        -S::int(3),
+                        u4_dot_part_6
+                            .mul_add(
+                                -S::ratio(1, 2),
+                                u4_p2_cos_theta2
+                                    .mul_add(S::int(3), S::int(2) * u3_p2_cos_theta1)
+                                    + u5_p2_cos_theta3,
+                            ),
+                    ),
+            );
+        x_rate = u1;
+        y_rate = u2;
+        theta1_rate = u3;
+        theta2_rate = u4;
+        theta3_rate = u5;
+        u1_rate = l_by_6 * u1_dot_part_2;
+        u2_rate = l_by_6 * u2_dot_part_2;
+        u3_rate = u3_dot_2;
+        u4_rate = -u4_dot_part_23;
+        u5_rate = -S::ratio(1, 2) * u5_dot_part_45;
+        // Factors of the convolutions: left, right.
+        history[order] = [
+            padded([
+                count * theta1,
+                count * theta1,
+                count * theta2,
+                count * theta2,
+                count * theta3,
+                count * theta3,
+                u4,
+                cos_theta2,
+                cos_theta3,
+                cos_theta2,
+                u5,
+                cos_theta3,
+                u3,
+                sin_theta1,
+                sin_theta2,
+                sin_theta3,
+                sin_theta2,
+                cos_theta2,
+                sin_theta2,
+                cos_theta2,
+                sin_theta1,
+                sin_theta2,
+                sin_theta3,
+                cos_theta1,
+                sin_theta1,
+                cos_theta2,
+                cos_theta3,
+                sin_theta1,
+                sin_theta1,
+                u3_p2,
+                cos_theta2,
+                u5_dot_part_18,
+                u4_p2,
+                sin_theta2,
+                cos_theta1,
+                cos_theta2,
+                cos_theta1,
+                sin_theta1,
+                cos_theta1,
+                cos_theta2,
+                cos_theta3,
+                cos_theta2,
+                cos_theta1,
+                sin_theta3,
+                u5_dot_part_16,
+                cos_theta1,
+                cos_theta1,
+                u4_dot_part_2,
+                cos_theta1,
+                cos_theta2_p2,
+                u5_dot_part_45,
+                u5_dot_part_45,
+                sin_theta2,
+                cos_theta2,
+                cos_theta1,
+                u4_dot_part_10,
+                sin_theta1,
+                u4_dot_part_8,
+                cos_theta2,
+                sin_theta2,
+                u4_dot_part_5,
+                u4_dot_part_23,
+                sin_theta1,
+                u4_dot_part_23,
+                cos_theta1,
+                u3_dot_2,
+                u3_dot_2,
+            ]),
+            padded([
+                cos_theta1,
+                sin_theta1,
+                cos_theta2,
+                sin_theta2,
+                cos_theta3,
+                sin_theta3,
+                u4,
+                cos_theta2,
+                cos_theta3,
+                u4_p2,
+                u5,
+                u5_p2,
+                u3,
+                u3_p2,
+                u4_p2,
+                u5_p2,
+                sin_theta3,
+                cos_theta3,
+                u5_p2_cos_theta3,
+                u3_p2,
+                u5_dot_part_5,
+                cos_theta2,
+                cos_theta3,
+                u5_dot_part_9,
+                u5_dot_part_11,
+                u5_dot_part_4,
+                u5_dot_part_14,
+                cos_theta1,
+                sin_theta2,
+                u5_dot_part_19,
+                u5_dot_part_21,
+                u5_p2,
+                u5_dot_part_19,
+                u3_p2_cos_theta2,
+                u4_p2,
+                u5_dot_part_27,
+                u5_dot_part_28,
+                u5_dot_part_24,
+                u5_dot_part_33,
+                u5_dot_part_35,
+                u5_dot_part_37,
+                u5_dot_part_31,
+                u5_dot_part_40,
+                u5_dot_part_42,
+                u5_dot_part_45,
+                u3_p2,
+                cos_theta2,
+                u5_dot_part_19,
+                cos_theta1,
+                cos_theta1_p2,
+                sin_theta3,
+                cos_theta3,
+                u4_dot_part_8,
+                u4_dot_part_10,
+                u4_dot_part_12,
+                u5_dot_part_19,
+                u4_dot_part_15,
+                cos_theta1_p2,
+                u4_dot_part_18,
+                u4_dot_part_20,
+                u4_dot_part_23,
+                sin_theta2,
+                u3_dot_part_2,
+                cos_theta2,
+                u3_dot_part_5,
+                cos_theta1,
+                sin_theta1,
+            ]),
+        ];
+        count_last = count;
+        theta1_last = theta1;
+        theta2_last = theta2;
+        theta3_last = theta3;
+        u3_last = u3;
+        u4_last = u4;
+        u5_last = u5;
+        sin_theta1_last = sin_theta1;
+        cos_theta1_last = cos_theta1;
+        sin_theta2_last = sin_theta2;
+        cos_theta2_last = cos_theta2;
+        sin_theta3_last = sin_theta3;
+        cos_theta3_last = cos_theta3;
+        u4_p2_last = u4_p2;
+        cos_theta2_p2_last = cos_theta2_p2;
+        u5_p2_last = u5_p2;
+        u5_p2_cos_theta3_last = u5_p2_cos_theta3;
+        u3_p2_last = u3_p2;
+        u5_dot_part_4_last = u5_dot_part_4;
+        u3_p2_cos_theta2_last = u3_p2_cos_theta2;
+        u5_dot_part_5_last = u5_dot_part_5;
+        u5_dot_part_9_last = u5_dot_part_9;
+        u5_dot_part_11_last = u5_dot_part_11;
+        u5_dot_part_14_last = u5_dot_part_14;
+        u5_dot_part_16_last = u5_dot_part_16;
+        u5_dot_part_18_last = u5_dot_part_18;
+        u5_dot_part_19_last = u5_dot_part_19;
+        u5_dot_part_21_last = u5_dot_part_21;
+        u5_dot_part_24_last = u5_dot_part_24;
+        u5_dot_part_27_last = u5_dot_part_27;
+        u5_dot_part_28_last = u5_dot_part_28;
+        u5_dot_part_31_last = u5_dot_part_31;
+        u5_dot_part_33_last = u5_dot_part_33;
+        u5_dot_part_35_last = u5_dot_part_35;
+        u5_dot_part_37_last = u5_dot_part_37;
+        u5_dot_part_40_last = u5_dot_part_40;
+        u5_dot_part_42_last = u5_dot_part_42;
+        u5_dot_part_45_last = u5_dot_part_45;
+        u4_dot_part_2_last = u4_dot_part_2;
+        cos_theta1_p2_last = cos_theta1_p2;
+        u4_dot_part_5_last = u4_dot_part_5;
+        u4_dot_part_8_last = u4_dot_part_8;
+        u4_dot_part_10_last = u4_dot_part_10;
+        u4_dot_part_12_last = u4_dot_part_12;
+        u4_dot_part_15_last = u4_dot_part_15;
+        u4_dot_part_18_last = u4_dot_part_18;
+        u4_dot_part_20_last = u4_dot_part_20;
+        u4_dot_part_23_last = u4_dot_part_23;
+        u3_dot_part_2_last = u3_dot_part_2;
+        u3_dot_part_5_last = u3_dot_part_5;
+        u3_dot_2_last = u3_dot_2;
+    }
+}
+
+/// Newton–Euler equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct NewtonEuler;
+
+impl<S: Scalar> System<S> for NewtonEuler {
+    fn parameters(&self) -> usize {
+        2
+    }
+    fn coordinates(&self) -> usize {
+        5
+    }
+    fn speeds(&self) -> usize {
+        5
+    }
+    fn reactions(&self) -> usize {
+        4
+    }
+    fn symmetric(&self) -> bool {
+        false
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        144 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+#[inline(always)]
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

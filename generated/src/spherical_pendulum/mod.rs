@@ -1,0 +1,71 @@
+//! Spherical pendulum.
+//!
+//! Generated from `models/spherical_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+//! 2 configuration variables, 0 holonomic constraints, 2 generalized coordinates, 0 nonholonomic constraints, 2 generalized speeds.
+
+#[rustfmt::skip]
+pub mod kane;
+#[rustfmt::skip]
+pub mod lagrange;
+#[rustfmt::skip]
+pub mod newton_euler;
+use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
+
+/// The parameters, in the order of the model file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<S> {
+    /// mass of the bob, kg
+    pub m: S,
+    /// length of the massless rod, m
+    pub l: S,
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+}
+
+impl<S: Scalar> Parameters<S> {
+    /// From values in the order of [`PARAMETERS`].
+    ///
+    /// # Panics
+    /// If `p` has fewer values than there are parameters.
+    #[must_use]
+    #[inline(always)]
+    pub fn from_slice(p: &[S]) -> Self {
+        Self { m: p[0], l: p[1], g: p[2] }
+    }
+}
+
+/// Names of the parameters.
+pub const PARAMETERS: [&str; 3] = ["m", "l", "g"];
+
+/// Names of the generalized coordinates.
+pub const COORDINATES: [&str; 2] = ["theta", "phi"];
+
+/// Names of the generalized speeds.
+pub const SPEEDS: [&str; 2] = ["u1", "u2"];
+
+/// What a program needs to find these equations and to trust them.
+pub const MODEL: CompiledModel = CompiledModel {
+    name: "spherical_pendulum",
+    text_hash: "bd75e5ce513f631a",
+    report_hash: "",
+    systems: &[
+        CompiledSystem {
+            name: "kane",
+            double: &kane::Kane,
+            extended: &kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(kane::Kane))),
+        },
+        CompiledSystem {
+            name: "lagrange",
+            double: &lagrange::Lagrange,
+            extended: &lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(lagrange::Lagrange))),
+        },
+        CompiledSystem {
+            name: "newton-euler",
+            double: &newton_euler::NewtonEuler,
+            extended: &newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
+        },
+    ],
+};
