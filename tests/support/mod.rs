@@ -2,6 +2,7 @@
 
 #![allow(dead_code, reason = "each test uses its part")]
 
+pub mod exact;
 pub mod stability;
 
 use rustc_hash::FxHashMap;

@@ -21,6 +21,7 @@
 
 mod elliptic;
 mod free_body;
+mod free_symmetric_body;
 mod heavy_top;
 mod pendulum;
 mod polar;
@@ -30,6 +31,7 @@ mod trigonometry;
 
 pub use elliptic::{Elliptic, JacobiValues};
 pub use free_body::FreeBody;
+pub use free_symmetric_body::{BodyStart, FreeSymmetricBody};
 pub use heavy_top::{HeavyTop, Top, TopStart};
 pub use pendulum::Pendulum;
 pub use spherical_pendulum::SphericalPendulum;

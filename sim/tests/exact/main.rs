@@ -6,6 +6,7 @@
 
 mod elliptic;
 mod free_body;
+mod free_symmetric_body;
 mod heavy_top;
 mod pendulum;
 mod spherical_pendulum;
