@@ -286,6 +286,10 @@ fn the_report_page_is_one_file_with_equations_and_figures() {
         ("models/cart_pendulum_3", 4),
         ("models/heavy_top", 11),
         ("models/pendulum", 7),
+        ("models/spherical_pendulum", 8),
+        ("models/free_body", 8),
+        ("models/floating_chain", 8),
+        ("models/euler_top", 8),
     ] {
         let out = folder.path().join(model.replace('/', "_"));
         let output = tripos(&["report", model, "--out", out.to_str().unwrap()]);
