@@ -33,6 +33,10 @@ mod fresh {
                 "cargo::warning=models/{name}/model.toml has errors ({first}); `tripos derive models/{name}` shows them"
             );
         }
+        for (name, diagnostics) in &found.generated.broken_scenes {
+            let first = diagnostics.list.first().map_or("", |d| d.message.as_str());
+            println!("cargo::warning=models/{name} has errors ({first}); `tripos scene models/{name}` shows them");
+        }
         if found.differences.is_empty() {
             return;
         }

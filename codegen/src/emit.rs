@@ -35,7 +35,7 @@ pub fn emit(path: &Path, module: &str, formulations: &[Formulation]) -> Result<E
     // Each once, in the order in which they are always listed.
     let ordered: Vec<_> = Formulation::ALL.into_iter().filter(|f| formulations.contains(f)).collect();
     let named = (!ordered.is_empty()).then_some(ordered.as_slice());
-    let ModuleFiles { files, left_out } = module_files(path, module, &origin(path), named)?;
+    let ModuleFiles { files, left_out, .. } = module_files(path, module, &origin(path), named)?;
     match left_out.first() {
         Some((_, error)) if named.is_some() => Err(tripos_derive::Model::read(path)?.diagnose(error)),
         _ => Ok(Emission { files: files.into_iter().collect(), left_out }),

@@ -2,7 +2,7 @@
 
 use crate::function::{Arguments, Function, Returns, Value, Writer};
 use crate::identifiers::{Variables, spelled, type_name};
-use crate::system;
+use crate::system::{self, Parts};
 use crate::taylor::{self, Recurrences, recurrences};
 use crate::tokens::format;
 use quote::quote;
@@ -58,7 +58,8 @@ pub fn file(model: &Model, origin: &str, arena: &Arena, equations: &Equations, s
     let recurrences = solved.and_then(|solved| solved.recurrences.as_ref());
     functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
-    let system = system::system(model, equations, solved.is_some(), recurrences.map(taylor::function::width));
+    let taylor = recurrences.map(taylor::function::width);
+    let system = system::system(model, equations, Parts { linear_system: true, eliminated: solved.is_some(), taylor, outputs: None });
     let series = recurrences.map(taylor::function::imports);
     format(
         &header,
@@ -100,7 +101,7 @@ fn linear_system(writer: &Writer<'_>) -> Vec<Function> {
 }
 
 /// `accelerations`, `derivative` and `jacobian`.
-fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> {
+pub(crate) fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> {
     let e = writer.equations;
     let unknowns = &e.unknowns[..e.variables.len()];
     let names = |list: &[Expr]| {
@@ -150,22 +151,24 @@ fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> {
     ]
 }
 
-fn kinematics_and_energies(writer: &Writer<'_>) -> Vec<Function> {
+pub(crate) fn kinematics_and_energies(writer: &Writer<'_>) -> Vec<Function> {
     let e = writer.equations;
     let rates = named(writer.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
     let about = "Kinematic equations: the time derivatives of the coordinates.";
     let kinetic = [("energy".to_owned(), "T".to_owned(), e.kinetic_energy)];
     let potential = [("energy".to_owned(), "V".to_owned(), e.potential_energy)];
+    let function = |name, about, arguments, returns, values: &[Value]| {
+        writer.stepwise(name, about, arguments, returns, &e.definitions, values)
+    };
+    let about_potential = if e.definitions.is_empty() {
+        "Potential energy V of gravity."
+    } else {
+        "Potential energy V of gravity, with the kinetic energy of what the momenta determine."
+    };
     vec![
-        writer.function("coordinate_rates", about, Arguments::State, Returns::Vector, &rates),
-        writer.function("kinetic_energy", "Kinetic energy T.", Arguments::State, Returns::Number, &kinetic),
-        writer.function(
-            "potential_energy",
-            "Potential energy V of gravity.",
-            Arguments::Configuration,
-            Returns::Number,
-            &potential,
-        ),
+        function("coordinate_rates", about, Arguments::State, Returns::Vector, &rates),
+        function("kinetic_energy", "Kinetic energy T.", Arguments::State, Returns::Number, &kinetic),
+        function("potential_energy", about_potential, Arguments::Configuration, Returns::Number, &potential),
     ]
 }
 

@@ -25,6 +25,11 @@ pub enum Arguments {
     StateAndRates,
     /// (p, q)
     Configuration,
+    /// (p, t, q, v)
+    Shown {
+        /// The symbol of the time.
+        time: Expr,
+    },
 }
 
 /// What a generated function returns.
@@ -247,6 +252,11 @@ impl Writer<'_> {
             Arguments::State => (quote!(#p, #q, #v), quote!(#p_unpack #q_unpack #v_unpack)),
             Arguments::Speeds => (quote!(#p, #q, #u), quote!(#p_unpack #q_unpack #u_unpack)),
             Arguments::Configuration => (quote!(#p, #q), quote!(#p_unpack #q_unpack)),
+            Arguments::Shown { time } => {
+                let name = self.variables.of.get(&time).filter(|_| inputs.contains(&time));
+                let t = format_ident!("{}", name.map_or("_t", String::as_str));
+                (quote!(#p, #t: S, #q, #v), quote!(#p_unpack #q_unpack #v_unpack))
+            }
             Arguments::StateAndRates => (quote!(#p, #q, #v, #a), quote!(#p_unpack #q_unpack #v_unpack #a_unpack)),
         }
     }

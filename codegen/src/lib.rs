@@ -11,6 +11,7 @@ mod identifiers;
 mod module;
 mod origin;
 pub mod program;
+pub mod scene;
 mod system;
 pub mod taylor;
 pub mod tokens;

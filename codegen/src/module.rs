@@ -2,7 +2,7 @@
 
 use crate::identifiers::{fields, module_name, type_name};
 use crate::tokens::format;
-use proc_macro2::Literal;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 
@@ -14,29 +14,18 @@ pub struct Entry {
     pub solved: bool,
 }
 
-/// Emits `mod.rs` for these equations; `origin` is the sentence of its header that says where it comes from.
-pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equations: &[Entry]) -> String {
+/// Emits `mod.rs` for these equations and scenes; `origin` is the sentence of its header that says where it comes from.
+pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equations: &[Entry], scenes: &[String]) -> String {
     let header = vec![format!("{}.", model.title), String::new(), origin.to_owned(), format!("{}.", model.count())];
     let modules = equations.iter().map(|entry| {
         let name = format_ident!("{}", module_name(&entry.name));
         quote!(#[rustfmt::skip] pub mod #name;)
     });
-    let count = model.parameters.len();
-    let names = fields(model);
-    let fields = model.parameters.iter().zip(&names).map(|(p, name)| {
-        let name = format_ident!("{name}");
-        let about = if p.about.is_empty() { "parameter" } else { &p.about };
-        let text = format!(" {about}, {}", p.unit);
-        quote!(#[doc = #text] pub #name: S)
-    });
-    let from = names.iter().enumerate().map(|(at, name)| {
-        let (name, at) = (format_ident!("{name}"), Literal::usize_unsuffixed(at));
-        quote!(#name: p[#at])
-    });
     let list_of = |list: Vec<&str>| {
         let count = Literal::usize_unsuffixed(list.len());
         (quote!([&str; #count]), quote!([#(#list),*]))
     };
+    let structure = parameters(model);
     let (parameter_type, parameters) = list_of(model.parameters.iter().map(|p| p.name.as_str()).collect());
     let (coordinate_type, coordinates) = list_of(model.coordinates.iter().map(|c| c.name.as_str()).collect());
     let (speed_type, speeds) = list_of(model.speeds.iter().map(|s| s.name.as_str()).collect());
@@ -49,7 +38,50 @@ pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equati
         let lanes = if entry.solved { quote!(Some(InLanes::of(&Derivative(#module::#unit)))) } else { quote!(None) };
         quote!(CompiledSystem { name: #name, double: #system, extended: #system, lanes: #lanes })
     });
+    let scene_module = if scenes.is_empty() { quote!() } else { quote!(#[rustfmt::skip] pub mod scenes;) };
+    let scenes = if scenes.is_empty() { quote!(&[]) } else { quote!(scenes::SCENES) };
     let hash = model.text_hash();
+    let items = quote! {
+        #(#modules)*
+        #scene_module
+
+        use tripos_traits::{CompiledModel, CompiledSystem, #in_lanes Scalar};
+
+        #structure
+
+        #[doc = " Names of the parameters."]
+        pub const PARAMETERS: #parameter_type = #parameters;
+        #[doc = " Names of the generalized coordinates."]
+        pub const COORDINATES: #coordinate_type = #coordinates;
+        #[doc = " Names of the generalized speeds."]
+        pub const SPEEDS: #speed_type = #speeds;
+
+        #[doc = " What a program needs to find these equations and to trust them."]
+        pub const MODEL: CompiledModel = CompiledModel {
+            name: #folder,
+            text_hash: #hash,
+            report_hash: #report_hash,
+            systems: &[#(#systems),*],
+            scenes: #scenes,
+        };
+    };
+    format(&header, items)
+}
+
+/// The struct of the parameters of a model.
+pub fn parameters(model: &Model) -> TokenStream {
+    let count = model.parameters.len();
+    let names = fields(model);
+    let fields = model.parameters.iter().zip(&names).map(|(p, name)| {
+        let name = format_ident!("{name}");
+        let about = if p.about.is_empty() { "parameter" } else { &p.about };
+        let text = format!(" {about}, {}", p.unit);
+        quote!(#[doc = #text] pub #name: S)
+    });
+    let from = names.iter().enumerate().map(|(at, name)| {
+        let (name, at) = (format_ident!("{name}"), Literal::usize_unsuffixed(at));
+        quote!(#name: p[#at])
+    });
     let unused = if count == 0 { quote!(_p) } else { quote!(p) };
     let phantom = if count == 0 {
         quote!(#[doc = " A model without parameters."] pub none: core::marker::PhantomData<S>)
@@ -57,11 +89,7 @@ pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equati
         quote!()
     };
     let phantom_value = if count == 0 { quote!(none: core::marker::PhantomData) } else { quote!() };
-    let items = quote! {
-        #(#modules)*
-
-        use tripos_traits::{CompiledModel, CompiledSystem, #in_lanes Scalar};
-
+    quote! {
         #[doc = " The parameters, in the order of the model file."]
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Parameters<S> {
@@ -80,21 +108,5 @@ pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equati
                 Self { #(#from,)* #phantom_value }
             }
         }
-
-        #[doc = " Names of the parameters."]
-        pub const PARAMETERS: #parameter_type = #parameters;
-        #[doc = " Names of the generalized coordinates."]
-        pub const COORDINATES: #coordinate_type = #coordinates;
-        #[doc = " Names of the generalized speeds."]
-        pub const SPEEDS: #speed_type = #speeds;
-
-        #[doc = " What a program needs to find these equations and to trust them."]
-        pub const MODEL: CompiledModel = CompiledModel {
-            name: #folder,
-            text_hash: #hash,
-            report_hash: #report_hash,
-            systems: &[#(#systems),*],
-        };
-    };
-    format(&header, items)
+    }
 }

@@ -24,6 +24,16 @@ impl Origin {
         self.of("report.toml")
     }
 
+    /// The sentence in files derived from a scene of the model.
+    pub fn of_scene(&self, name: &str) -> String {
+        self.of(&format!("scenes/{name}"))
+    }
+
+    /// Whether the equations of scenes are written, too: those of a workspace are.
+    pub fn has_scenes(&self) -> bool {
+        self.command == "regenerate"
+    }
+
     fn of(&self, file: &str) -> String {
         format!("{GENERATED}{}{file}`. {}", self.folder, advice(self.command))
     }

@@ -5,8 +5,21 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::{Equations, Formulation, Model};
 
-/// The `System` that hands slices to the functions above; `taylor` is the room for convolutions, if there are recurrences.
-pub fn system(model: &Model, e: &Equations, eliminated: bool, taylor: Option<usize>) -> TokenStream {
+/// What there is of a set of equations beside its kinematics and energies.
+#[derive(Clone, Copy, Default)]
+pub struct Parts {
+    /// `mass_matrix` and `forcing`.
+    pub linear_system: bool,
+    /// `accelerations`, `derivative` and `jacobian`.
+    pub eliminated: bool,
+    /// The room for convolutions, if there are recurrences of Taylor coefficients.
+    pub taylor: Option<usize>,
+    /// How many `outputs` a scene has.
+    pub outputs: Option<usize>,
+}
+
+/// The `System` that hands slices to the functions above.
+pub fn system(model: &Model, e: &Equations, parts: Parts) -> TokenStream {
     let name = format_ident!("{}", type_name(&e.name));
     let about = format!(" {} of this model as a [`System`].", e.title);
     let symmetric = e.symmetric;
@@ -45,7 +58,7 @@ pub fn system(model: &Model, e: &Equations, eliminated: bool, taylor: Option<usi
             }
         }
     };
-    let eliminated = if eliminated {
+    let eliminated = if parts.eliminated {
         quote! {
             fn has_accelerations(&self) -> bool { true }
             fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
@@ -65,7 +78,28 @@ pub fn system(model: &Model, e: &Equations, eliminated: bool, taylor: Option<usi
     } else {
         TokenStream::new()
     };
-    let taylor = taylor.map(series);
+    let linear_system = if parts.linear_system {
+        quote! {
+            fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(mass_matrix(#state).as_flattened());
+            }
+            fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(&forcing(#state));
+            }
+        }
+    } else {
+        TokenStream::new()
+    };
+    let outputs = parts.outputs.map(|count| {
+        let count = Literal::usize_unsuffixed(count);
+        quote! {
+            fn output_count(&self) -> usize { #count }
+            fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, #q, #v));
+            }
+        }
+    });
+    let taylor = parts.taylor.map(series);
     quote! {
         #[doc = #about]
         #[derive(Clone, Copy, Debug)]
@@ -80,12 +114,8 @@ pub fn system(model: &Model, e: &Equations, eliminated: bool, taylor: Option<usi
             fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
                 out.copy_from_slice(&coordinate_rates(#state));
             }
-            fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(mass_matrix(#state).as_flattened());
-            }
-            fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(&forcing(#state));
-            }
+            #linear_system
+            #outputs
             #eliminated
             #taylor
             #conversions

@@ -4,8 +4,9 @@ use crate::formulation::Solved;
 use crate::identifiers::module_name;
 use crate::module::Entry;
 use crate::origin::Origin;
+use crate::scene::SceneFile;
 use crate::tokens::format;
-use crate::{formulation, module};
+use crate::{formulation, module, scene};
 use quote::{format_ident, quote};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -13,7 +14,9 @@ use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::{Derivation, DeriveError, derive_all, distances, in_distance};
 use tripos_derive::model::text_hash;
+use tripos_derive::reduce::reduce;
 use tripos_derive::report::Report;
+use tripos_derive::scene::{load as load_scene, model_path as scene_model};
 use tripos_derive::{Formulation, Model, derive};
 
 /// What the models of a workspace generate.
@@ -25,6 +28,8 @@ pub struct Generated {
     pub models: Vec<String>,
     /// Models with errors; their committed files are left as they are.
     pub broken: Vec<(String, Diagnostics)>,
+    /// Scene files with errors, as `disk/scenes/report.toml`: nothing is generated for them.
+    pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
 /// Derives every model under `models/` and emits its code.
@@ -45,8 +50,11 @@ pub fn generate(models: &Path) -> std::io::Result<Generated> {
     let mut generated = Generated::default();
     for folder in folders {
         match guarded(&models.join(&folder).join("model.toml"), &folder) {
-            Ok(files) => {
-                generated.files.extend(files.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text)));
+            Ok(module) => {
+                let files = module.files.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text));
+                generated.files.extend(files);
+                let scenes = module.broken_scenes.into_iter();
+                generated.broken_scenes.extend(scenes.map(|(scene, why)| (format!("{folder}/scenes/{scene}"), why)));
                 generated.models.push(folder);
             }
             Err(diagnostics) => generated.broken.push((folder, diagnostics)),
@@ -56,8 +64,8 @@ pub fn generate(models: &Path) -> std::io::Result<Generated> {
 }
 
 /// [`model_files`], with a defect of this program reported as an error of the one model that shows it.
-fn guarded(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnostics> {
-    std::panic::catch_unwind(|| model_files(path, folder)).unwrap_or_else(|_| {
+fn guarded(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
+    std::panic::catch_unwind(|| workspace_module(path, folder)).unwrap_or_else(|_| {
         let source = Source { path: path.to_owned(), text: String::new() };
         let help = "this is a defect of the program, not of the model: please report it with the model file";
         let diagnostic = Diagnostic::of_file("the derivation of this model failed unexpectedly", help);
@@ -70,8 +78,12 @@ fn guarded(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnosti
 /// # Errors
 /// [`Diagnostics`] of the model file.
 pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnostics> {
+    Ok(workspace_module(path, folder)?.files)
+}
+
+fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     let origin = Origin { folder: format!("models/{folder}/"), model: "model.toml".to_owned(), command: "regenerate" };
-    Ok(module_files(path, folder, &origin, None)?.files)
+    module_files(path, folder, &origin, None)
 }
 
 /// What one model gives.
@@ -80,6 +92,8 @@ pub(crate) struct ModuleFiles {
     pub files: Vec<(String, String)>,
     /// Formulations that this model does not support, each with the reason.
     pub left_out: Vec<(Formulation, DeriveError)>,
+    /// Scene files with errors, by name.
+    pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
 /// The files of a module of this name: of these formulations alone, or of all and of the report beside the model.
@@ -132,8 +146,52 @@ pub(crate) fn module_files(
         }
     }
     let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();
-    files.push(("mod.rs".to_owned(), module::file(&model, module, &origin.of_model(), &report_hash, &entries)));
-    Ok(ModuleFiles { files, left_out })
+    let (mut scenes, mut broken_scenes) = (Vec::new(), Vec::new());
+    if origin.has_scenes() {
+        for scene in scenes_beside(path) {
+            match scene_file(&model, &scene, origin) {
+                Ok(file) => scenes.extend(file),
+                Err(diagnostics) => broken_scenes.push((file_name(&scene), diagnostics)),
+            }
+        }
+    }
+    let modules: Vec<String> = scenes.iter().map(|file| file.module.clone()).collect();
+    if !scenes.is_empty() {
+        files.push(("scenes/mod.rs".to_owned(), scene::list(&model.title, &origin.of_model(), &modules)));
+        files.extend(scenes.into_iter().map(|file| (format!("scenes/{}.rs", file.module), file.text)));
+    }
+    files.push(("mod.rs".to_owned(), module::file(&model, module, &origin.of_model(), &report_hash, &entries, &modules)));
+    Ok(ModuleFiles { files, left_out, broken_scenes })
+}
+
+/// The scene files of a model file, in order of their names.
+fn scenes_beside(path: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(path.with_file_name("scenes")) else { return Vec::new() };
+    let mut list: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    list.retain(|path| path.extension().is_some_and(|e| e == "toml"));
+    list.sort();
+    list
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
+/// The file of one scene; nothing if it is of another model or has no equations of its own.
+fn scene_file(model: &Model, path: &Path, origin: &Origin) -> Result<Option<SceneFile>, Diagnostics> {
+    let source = Source::read(path)?;
+    let belongs = scene_model(&source)?;
+    let same = |a: &Path, b: &Path| matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
+    if !same(&belongs, &model.source.path) {
+        return Ok(None);
+    }
+    // With a store of terms of its own, so that one scene's text does not hang on another's.
+    let mut model = model.clone();
+    let loaded = load_scene(&source, &mut model)?;
+    let reduction = reduce(&model, &loaded).map_err(|error| model.diagnose(&error))?;
+    let name = file_name(path);
+    let stem = name.strip_suffix(".toml").unwrap_or(&name);
+    Ok(scene::file(&reduction, stem, &loaded.title, &origin.of_scene(&name)))
 }
 
 /// The report file beside a model file, if there is one.

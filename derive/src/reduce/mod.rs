@@ -20,9 +20,9 @@ mod surface;
 
 pub use ground::Ground;
 
-use crate::algebra::{Arena, Expr, Rational};
+use crate::algebra::{Arena, Expr, Rational, print};
 use crate::mechanics::{Derivation, DeriveError};
-use crate::model::{Model, Unit};
+use crate::model::{Model, Unit, text_hash};
 use crate::scene::Scene;
 use slice::Flow;
 use std::cmp::Reverse;
@@ -90,6 +90,23 @@ pub struct Reduction {
 }
 
 impl Reduction {
+    /// A hash of everything that the reduced equations depend on: the model's text, what the scene asks for, the numbers that it
+    /// fixes, and what was chosen to hold and to measure from.
+    #[must_use]
+    pub fn key(&self) -> String {
+        let arena = self.terms();
+        let mut text = self.model.text_hash();
+        let quantities = self.states.iter().chain(&self.quadratures).chain(&self.constants);
+        let names = quantities.map(|q| format!("{} = {}", q.name, print::text(arena, q.of_start)));
+        let outputs = self.outputs.iter().map(|o| format!("{}: {}", o.name, print::whole_text(arena, o.value)));
+        let folded = self.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_big()));
+        for line in names.chain(outputs).chain(folded) {
+            text.push('\n');
+            text.push_str(&line);
+        }
+        text_hash(&text)
+    }
+
     /// The store of all terms.
     #[must_use]
     pub fn terms(&self) -> &Arena {

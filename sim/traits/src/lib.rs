@@ -28,4 +28,4 @@ pub use dispatch::lane_width;
 pub use double_double::DoubleDouble;
 pub use lanes::Lanes;
 pub use scalar::{Real, Scalar};
-pub use system::{CompiledModel, CompiledSystem, Derivative, InLanes, Lengths, Rates, System};
+pub use system::{CompiledModel, CompiledScene, CompiledSystem, Derivative, InLanes, Lengths, Rates, System};

@@ -65,10 +65,29 @@ pub trait System<S: Scalar = f64> {
 
     /// q̇ = k(q, v); `out` has `coordinates` entries.
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
-    /// A(q, v), row by row; `out` has `unknowns`² entries.
-    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
-    /// b(q, v); `out` has `unknowns` entries.
-    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
+    /// A(q, v), row by row; `out` has `unknowns`² entries. The identity where accelerations are all there is.
+    fn mass_matrix(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
+        let n = self.unknowns();
+        for (at, entry) in out.iter_mut().enumerate() {
+            *entry = S::int(i64::from(at % (n + 1) == 0));
+        }
+    }
+    /// b(q, v); `out` has `unknowns` entries. The accelerations where they are all there is.
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.accelerations(p, q, v, out);
+    }
+
+    /// How many numbers [`System::outputs`] gives.
+    fn output_count(&self) -> usize {
+        self.coordinates() + self.speeds()
+    }
+    /// What is to be seen of a state, `t` after the start: the coordinates and the generalized speeds of the model, or what a
+    /// scene asks for. `out` has [`System::output_count`] entries.
+    fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
+        let (of_q, of_u) = out.split_at_mut(q.len());
+        of_q.copy_from_slice(q);
+        self.generalized_speeds(p, q, v, of_u);
+    }
 
     /// Generalized speeds u of the model file, from v; `out` has `speeds` entries.
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
@@ -94,6 +113,19 @@ pub struct CompiledModel {
     /// Equations: each supported formulation (`kane`, `lagrange`, `newton-euler`), also in the distances that are
     /// worth having, then those of the report (`printed:ID`).
     pub systems: &'static [CompiledSystem],
+    /// The equations of its scenes.
+    pub scenes: &'static [CompiledScene],
+}
+
+/// The reduced equations of one scene, compiled in.
+pub struct CompiledScene {
+    /// The name of the scene's file without its ending.
+    pub name: &'static str,
+    /// A hash of everything that the equations depend on, as the deriving crate computes it: the model, what the scene asks for,
+    /// and the parameters that it fixes.
+    pub key: &'static str,
+    /// The equations.
+    pub system: CompiledSystem,
 }
 
 /// One set of compiled equations, ready for each kind of number that runs are made in.

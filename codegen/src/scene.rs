@@ -1,0 +1,173 @@
+//! The reduced equations of one scene as a Rust file.
+
+use crate::formulation::{Solved, eliminated, kinematics_and_energies};
+use crate::function::{Arguments, Function, Returns, Value, Writer};
+use crate::identifiers::{Variables, module_name, spelled, type_name};
+use crate::module::parameters;
+use crate::system::{self, Parts};
+use crate::taylor;
+use crate::tokens::{Cost, format};
+use proc_macro2::Literal;
+use quote::{format_ident, quote};
+use tripos_derive::Model;
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::print::text;
+use tripos_derive::reduce::{Quantity, Reduction};
+use tripos_derive::{Equations, Formulation, derive};
+
+/// A scene's file.
+pub struct SceneFile {
+    /// Its module.
+    pub module: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// Emits the file of a scene of this name, such as `report_10s.rs`; `origin` is the sentence of its header that says where it
+/// comes from. Nothing if the accelerations are not determined.
+#[must_use]
+pub fn file(reduction: &Reduction, name: &str, title: &str, origin: &str) -> Option<SceneFile> {
+    let mut arena = reduction.terms().clone();
+    let equations = &reduction.derivation.equations;
+    let solved = Solved::new(&mut arena, equations).ok()?;
+    let writer = writer(&reduction.model, &arena, equations);
+    let mut functions = eliminated(&writer, &solved);
+    functions.extend(kinematics_and_energies(&writer));
+    functions.push(outputs(&writer, reduction));
+    let header = header(reduction, name, title, origin, &functions);
+    let recurrences = solved.recurrences.as_ref();
+    let width = recurrences.map(taylor::function::width);
+    functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
+    let functions = functions.into_iter().map(|f| f.tokens);
+    let parts =
+        Parts { linear_system: false, eliminated: true, taylor: width, outputs: Some(reduction.outputs.len()) };
+    let system = system::system(&reduction.model, equations, parts);
+    let series = recurrences.map(taylor::function::imports);
+    let parameters = parameters(&reduction.model);
+    let names = |list: Vec<&str>| {
+        let count = Literal::usize_unsuffixed(list.len());
+        (quote!([&str; #count]), quote!([#(#list),*]))
+    };
+    let (parameter_type, parameter_names) =
+        names(reduction.model.parameters.iter().map(|p| p.name.as_str()).collect());
+    let (output_type, output_names) = names(reduction.outputs.iter().map(|o| o.name.as_str()).collect());
+    let key = reduction.key();
+    let text = format(
+        &header,
+        quote! {
+            #series
+            use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+
+            #parameters
+
+            #[doc = " Names of the parameters: those that stay free, then what the start of a motion fixes."]
+            pub const PARAMETERS: #parameter_type = #parameter_names;
+            #[doc = " Names of the outputs."]
+            pub const OUTPUTS: #output_type = #output_names;
+
+            #(#functions)*
+            #system
+
+            #[doc = " What a program needs to find these equations and to trust them."]
+            pub const SCENE: CompiledScene = CompiledScene {
+                name: #name,
+                key: #key,
+                system: CompiledSystem { name: "reduced", double: &Reduced, extended: &Reduced, lanes: None },
+            };
+        },
+    );
+    Some(SceneFile { module: module_name(name), text })
+}
+
+fn writer<'a>(model: &'a Model, arena: &'a Arena, equations: &'a Equations) -> Writer<'a> {
+    let variables = Variables::new(arena, &type_name(&equations.name));
+    Writer { model, arena, equations, variables, shares: true }
+}
+
+fn outputs(writer: &Writer<'_>, reduction: &Reduction) -> Function {
+    let values: Vec<Value> = reduction
+        .outputs
+        .iter()
+        .enumerate()
+        .map(|(at, o)| {
+            let word = o.name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '\'');
+            let wanted = if word { format!("{}_value", spelled(&o.name)) } else { format!("output{}", at + 1) };
+            (wanted, o.name.clone(), o.value)
+        })
+        .collect();
+    let about = "What the scene asks for, a time t after the start.";
+    let arguments = Arguments::Shown { time: reduction.time };
+    let definitions = &writer.equations.definitions;
+    writer.stepwise("outputs", about, arguments, Returns::Vector, definitions, &values)
+}
+
+/// The `mod.rs` of the scenes of a model.
+#[must_use]
+pub fn list(title: &str, origin: &str, modules: &[String]) -> String {
+    let header = vec![format!("{title}: the equations of its scenes."), String::new(), origin.to_owned()];
+    let modules: Vec<_> = modules.iter().map(|name| format_ident!("{name}")).collect();
+    format(
+        &header,
+        quote! {
+            #(#[rustfmt::skip] pub mod #modules;)*
+
+            #[doc = " The equations of every scene."]
+            pub const SCENES: &[tripos_traits::CompiledScene] = &[#(#modules::SCENE),*];
+        },
+    )
+}
+
+fn header(reduction: &Reduction, name: &str, title: &str, origin: &str, functions: &[Function]) -> Vec<String> {
+    let arena = reduction.terms();
+    let names = |list: &[Quantity]| match list {
+        [] => "none".to_owned(),
+        list => list.iter().map(|q| q.name.clone()).collect::<Vec<_>>().join(", "),
+    };
+    let shown: Vec<&str> = reduction.outputs.iter().map(|o| o.name.as_str()).collect();
+    let mut lines = vec![
+        format!("{}: {}.", reduction.model.title, if title.is_empty() { name } else { title }),
+        String::new(),
+        origin.to_owned(),
+        format!("Outputs: {}.", shown.join(", ")),
+        format!("States: {}. Quadratures: {}.", names(&reduction.states), names(&reduction.quadratures)),
+    ];
+    for constant in &reduction.constants {
+        lines.push(format!("{} = {}: {}.", constant.name, text(arena, constant.of_start), constant.about));
+    }
+    let folded: Vec<String> = reduction.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_f64())).collect();
+    if !folded.is_empty() {
+        lines.push(format!("Parameters that the scene fixes: {}.", folded.join(", ")));
+    }
+    let costs: Vec<String> = functions.iter().take(2).map(|f| format!("{} {}", f.name, f.cost)).collect();
+    lines.push(format!("Cost: {}.", costs.join("; ")));
+    let divisors: Vec<String> = reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
+    lines.push(match divisors.is_empty() {
+        true => "Singular nowhere.".to_owned(),
+        false => format!("Singular where {}.", divisors.join(" and where ")),
+    });
+    lines
+}
+
+/// What one call of the derivative of the state costs: of all equations by Kane's method, and of a scene's own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Costs {
+    /// Of the whole model.
+    pub full: Cost,
+    /// Of the scene.
+    pub scene: Cost,
+}
+
+/// Counts operations as generated code has them. Nothing where the accelerations are not determined.
+#[must_use]
+pub fn costs(model: &Model, reduction: &Reduction) -> Option<Costs> {
+    let of = |model: &Model, arena: &Arena, equations: &Equations| {
+        let mut arena = arena.clone();
+        let solved = Solved::new(&mut arena, equations).ok()?;
+        let functions = eliminated(&writer(model, &arena, equations), &solved);
+        functions.into_iter().find(|f| f.name == "derivative").map(|f| f.cost)
+    };
+    let kane = derive(model, Formulation::Kane).ok()?;
+    let full = of(model, &kane.arena, &kane.equations)?;
+    let scene = of(&reduction.model, reduction.terms(), &reduction.derivation.equations)?;
+    Some(Costs { full, scene })
+}
