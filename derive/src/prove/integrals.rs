@@ -178,7 +178,12 @@ impl Search<'_> {
         if !name.starts_with("energy") {
             self.gradients = gradients;
         }
-        self.found.push(Integral { name: name.to_owned(), expression: value, field: field.map(<[Expr]>::to_vec), verdict });
+        self.found.push(Integral {
+            name: name.to_owned(),
+            expression: value,
+            field: field.map(<[Expr]>::to_vec),
+            verdict,
+        });
     }
 
     /// dI/dt − λᵀ (M u̇ − f) = 0, coefficient by coefficient of u̇.

@@ -134,7 +134,12 @@ impl Ground {
         let fixed = model.constraints.iter_mut().map(|c| &mut c.value);
         let rates = model.kinematic_equations.rates.iter_mut().chain(&mut model.kinematic_equations.divisors);
         let of_momenta = momenta.iter_mut().flat_map(|m| {
-            m.row.iter_mut().chain(&mut m.field).chain(&mut m.direction).chain(&mut m.position).chain([&mut m.value, &mut m.rest])
+            m.row
+                .iter_mut()
+                .chain(&mut m.field)
+                .chain(&mut m.direction)
+                .chain(&mut m.position)
+                .chain([&mut m.value, &mut m.rest])
         });
         for e in speeds.chain(conditions).chain(fixed).chain(rates).chain(of_momenta).chain(energy) {
             *e = rewrite(arena, simplifier, *e);
@@ -192,7 +197,8 @@ impl Ground {
             right.push(vec![arena.sub(*f, sum)]);
         }
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
-        let solved = solve_rows(arena, simplifier, rows, right, &states, &(0..balance.unknowns.len() - n).collect::<Vec<_>>());
+        let solved =
+            solve_rows(arena, simplifier, rows, right, &states, &(0..balance.unknowns.len() - n).collect::<Vec<_>>());
         let mut values = balance.unknowns[n..].to_vec();
         for k in (0..solved.pivots.len()).rev() {
             let value = solved.unknown(arena, k, 0, &values);
@@ -204,14 +210,9 @@ impl Ground {
     /// Which momenta may be used together, as lists of places: all commuting choices of a few, the largest of many.
     pub(super) fn choices(&mut self) -> Vec<Vec<usize>> {
         let count = self.momenta.len();
-        let mut commute = vec![vec![true; count]; count];
-        for a in 0..count {
-            for b in 0..a {
-                let together = self.commute(a, b);
-                (commute[a][b], commute[b][a]) = (together, together);
-            }
-        }
-        let allowed = |choice: &Vec<usize>| choice.iter().all(|a| choice.iter().all(|b| commute[*a][*b]));
+        let pairs = (0..count).flat_map(|a| (0..a).map(move |b| (a, b)));
+        let apart: Vec<(usize, usize)> = pairs.filter(|(a, b)| !self.commute(*a, *b)).collect();
+        let allowed = |choice: &Vec<usize>| !apart.iter().any(|(a, b)| choice.contains(a) && choice.contains(b));
         if count <= MOST_TRIED {
             let subsets = (0..1_usize << count).map(|bits| (0..count).filter(|at| bits >> at & 1 == 1).collect());
             return subsets.filter(allowed).collect();

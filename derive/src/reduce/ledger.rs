@@ -3,11 +3,11 @@
 use super::level::Level;
 use super::slice::{Flow, Variable};
 use super::{Ground, Omission};
+use crate::algebra::Expr;
 use crate::algebra::calculus::Differential;
 use crate::algebra::elimination::Definition;
 use crate::algebra::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::print::text;
-use crate::algebra::Expr;
 use crate::scene::Scene;
 
 /// Everything of the model that the scene's equations do not have.
@@ -38,7 +38,8 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene)
             proof: format!("a symmetry moves {name} and {} together, by identity", text(arena, relative.pivot)),
         });
     }
-    let dropped: Vec<Variable> = flow.dropped.iter().filter(|v| !flow.carried.iter().any(|c| c.coordinate == v.symbol)).copied().collect();
+    let dropped: Vec<Variable> =
+        flow.dropped.iter().filter(|v| !flow.carried.iter().any(|c| c.coordinate == v.symbol)).copied().collect();
     for variable in dropped {
         list.push(independence(ground, flow, variable));
     }
@@ -94,16 +95,35 @@ fn independence(ground: &mut Ground, flow: &Flow, variable: Variable) -> Omissio
 /// What no output asks for.
 fn unasked(ground: &Ground, flow: &Flow, scene: &Scene) -> Vec<Omission> {
     let (arena, model) = (&ground.arena, &ground.model);
-    let asked: Vec<Expr> = scene.outputs.iter().map(|o| o.value).chain(scene.events.iter().map(|e| e.function)).chain(model.domain.iter().map(|c| c.positive)).collect();
+    let asked: Vec<Expr> = scene
+        .outputs
+        .iter()
+        .map(|o| o.value)
+        .chain(scene.events.iter().map(|e| e.function))
+        .chain(model.domain.iter().map(|c| c.positive))
+        .collect();
     let mut list = Vec::new();
-    let reactions: Vec<&str> = model.reactions.iter().filter(|r| !asked.iter().any(|e| arena.mentions(*e, r.symbol))).map(|r| r.name.as_str()).collect();
+    let reactions: Vec<&str> = model
+        .reactions
+        .iter()
+        .filter(|r| !asked.iter().any(|e| arena.mentions(*e, r.symbol)))
+        .map(|r| r.name.as_str())
+        .collect();
     if !reactions.is_empty() {
         let what = reactions.join(", ");
-        list.push(Omission { what, why: "no output or event asks for it".to_owned(), proof: "reactions enter no equation of motion".to_owned() });
+        list.push(Omission {
+            what,
+            why: "no output or event asks for it".to_owned(),
+            proof: "reactions enter no equation of motion".to_owned(),
+        });
     }
     if flow.energy.is_none() && ground.energy.is_some() {
         let why = "it depends on what is left out".to_owned();
-        list.push(Omission { what: "the total energy".to_owned(), why, proof: "zero tests of its derivatives".to_owned() });
+        list.push(Omission {
+            what: "the total energy".to_owned(),
+            why,
+            proof: "zero tests of its derivatives".to_owned(),
+        });
     }
     list
 }

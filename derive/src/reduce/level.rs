@@ -138,7 +138,8 @@ impl Ground {
             let sum = arena.sum(&terms);
             forcing.push(short(arena, sum));
         }
-        let mut divisors: Vec<Expr> = solved.divisors.iter().copied().filter(|d| arena.as_number(*d).is_none()).collect();
+        let mut divisors: Vec<Expr> =
+            solved.divisors.iter().copied().filter(|d| arena.as_number(*d).is_none()).collect();
         divisors.dedup();
         Level { held, kept, definitions, accelerations, matrix, forcing, divisors }
     }
@@ -155,13 +156,15 @@ fn directions(
     let unit = |place: usize| kept.iter().map(|k| if *k == place { Expr::ONE } else { Expr::ZERO }).collect();
     let mut z: Vec<Vec<Expr>> = (0..n).map(unit).collect();
     for (row, column) in solved.pivots.iter().rev() {
-        for direction in 0..kept.len() {
-            let others = (0..n).filter(|at| at != column && solved.rows[*row][*at] != Expr::ZERO);
-            let terms: Vec<Expr> = others.map(|at| arena.mul(solved.rows[*row][at], z[at][direction])).collect();
+        let others: Vec<usize> = (0..n).filter(|at| at != column && solved.rows[*row][*at] != Expr::ZERO).collect();
+        let direction = |direction: usize| {
+            let terms: Vec<Expr> =
+                others.iter().map(|at| arena.mul(solved.rows[*row][*at], z[*at][direction])).collect();
             let sum = arena.sum(&terms);
             let back = arena.neg(sum);
-            z[*column][direction] = simplifier.simplify(arena, back);
-        }
+            simplifier.simplify(arena, back)
+        };
+        z[*column] = (0..kept.len()).map(direction).collect();
     }
     z
 }

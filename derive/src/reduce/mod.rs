@@ -9,6 +9,7 @@
 //! Absent on purpose: numbers of the start. A reduction holds for every start on every level set, but for the distance from
 //! a singular surface, whose side the start decides.
 
+mod dependence;
 mod ground;
 mod ledger;
 mod level;

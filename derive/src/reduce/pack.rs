@@ -19,7 +19,8 @@ pub fn pack(mut ground: Ground, level: &Level, mut flow: Flow, scene: &Scene) ->
     let constants = constants(&mut ground, level, &flow);
     let omitted = super::ledger::omissions(&mut ground, level, &flow, scene);
     let equations = equations(&mut ground, level, &flow);
-    let outputs = flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
+    let outputs =
+        flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
     let folded = ground.folded.clone();
     let mut divisors = equations.divisors.clone();
     divisors.dedup();
@@ -27,7 +28,19 @@ pub fn pack(mut ground: Ground, level: &Level, mut flow: Flow, scene: &Scene) ->
     let time = flow.time;
     let model = model(ground, &flow, &constants, &equations);
     let derivation = Derivation { arena: model.arena.clone(), equations };
-    Reduction { model, derivation, states, quadratures, constants, outputs, folded, omitted, divisors, has_energy, time }
+    Reduction {
+        model,
+        derivation,
+        states,
+        quadratures,
+        constants,
+        outputs,
+        folded,
+        omitted,
+        divisors,
+        has_energy,
+        time,
+    }
 }
 
 /// Variables with their values at the start.
@@ -50,7 +63,8 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
 
 /// What is held, and the mass centre's place at the start, as far as the system mentions them.
 fn constants(ground: &mut Ground, level: &Level, flow: &Flow) -> Vec<Quantity> {
-    let held = level.held.iter().map(|h| (h.symbol, h.about.clone(), ground.momenta[h.momentum].unit.clone(), h.of_state));
+    let held =
+        level.held.iter().map(|h| (h.symbol, h.about.clone(), ground.momenta[h.momentum].unit.clone(), h.of_state));
     let places = flow.carried.iter().map(|c| {
         let about = format!("{} at the start", text(&ground.arena, c.position));
         let unit = ground.momenta[level.held[c.held].momentum].position_unit.clone();
@@ -108,7 +122,12 @@ impl Flow {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate);
         let wanted = &self.wanted;
         let outputs = wanted.outputs.iter().map(|(_, e)| *e);
-        rates.chain(outputs).chain(wanted.conditions.iter().copied()).chain(wanted.events.iter().copied()).chain(self.energy).collect()
+        rates
+            .chain(outputs)
+            .chain(wanted.conditions.iter().copied())
+            .chain(wanted.events.iter().copied())
+            .chain(self.energy)
+            .collect()
     }
 }
 

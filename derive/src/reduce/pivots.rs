@@ -65,14 +65,20 @@ impl Solved {
     }
 }
 
-fn simplest(arena: &Arena, rows: &[Vec<Expr>], pivots: &[(usize, usize)], (states, columns): (&[Expr], &[usize])) -> Option<(usize, usize)> {
+fn simplest(
+    arena: &Arena,
+    rows: &[Vec<Expr>],
+    pivots: &[(usize, usize)],
+    (states, columns): (&[Expr], &[usize]),
+) -> Option<(usize, usize)> {
     let class = |e: Expr| match e {
         e if arena.as_number(e).is_some() => 0,
         e if !states.iter().any(|s| arena.mentions(e, *s)) => 1,
         e if never_zero(arena, e) => 2,
         _ => 3,
     };
-    let free = |at: usize, column: usize| columns.contains(&column) && pivots.iter().all(|(r, c)| *r != at && *c != column);
+    let free =
+        |at: usize, column: usize| columns.contains(&column) && pivots.iter().all(|(r, c)| *r != at && *c != column);
     let mut places: Vec<_> = rows
         .iter()
         .enumerate()

@@ -6,9 +6,9 @@
 
 use super::Ground;
 use super::slice::Wanted;
+use crate::algebra::Expr;
 use crate::algebra::calculus::Substitution;
 use crate::algebra::elimination::fresh_symbol;
-use crate::algebra::Expr;
 
 /// A variable that stands as a difference.
 #[derive(Clone, Copy, Debug)]
@@ -32,10 +32,10 @@ impl Ground {
             };
             let (of_fields, of_directions) = (others(|m| &m.field), others(|m| &m.direction));
             if let Some(moved) = self.together(&self.momenta[*at].field, &of_fields) {
-                wanted = self.put_coordinates(&moved, wanted);
+                wanted = self.put_coordinates(&moved, &wanted);
             }
             if let Some(moved) = self.together(&self.momenta[*at].direction, &of_directions) {
-                wanted = self.put_speeds(&moved, wanted);
+                wanted = self.put_speeds(&moved, &wanted);
             }
         }
         wanted
@@ -51,7 +51,7 @@ impl Ground {
         (numbers && moved.len() > 1).then_some(moved)
     }
 
-    fn put_coordinates(&mut self, moved: &[(usize, Expr)], wanted: Wanted) -> Wanted {
+    fn put_coordinates(&mut self, moved: &[(usize, Expr)], wanted: &Wanted) -> Wanted {
         let (pivot, of_pivot) = moved[0];
         let mut pairs = Vec::new();
         for &(at, number) in &moved[1..] {
@@ -71,7 +71,7 @@ impl Ground {
         self.rewrite(&pairs, wanted)
     }
 
-    fn put_speeds(&mut self, moved: &[(usize, Expr)], wanted: Wanted) -> Wanted {
+    fn put_speeds(&mut self, moved: &[(usize, Expr)], wanted: &Wanted) -> Wanted {
         let (pivot, of_pivot) = moved[0];
         let mut pairs = Vec::new();
         for &(at, number) in &moved[1..] {
@@ -122,7 +122,7 @@ impl Ground {
         self.arena.add(e, along)
     }
 
-    fn rewrite(&mut self, pairs: &[(Expr, Expr)], wanted: Wanted) -> Wanted {
+    fn rewrite(&mut self, pairs: &[(Expr, Expr)], wanted: &Wanted) -> Wanted {
         let mut put = Substitution::new(pairs);
         let kept = self.q.clone();
         self.change(&mut |arena, simplifier, e| {

@@ -17,10 +17,8 @@ use crate::mechanics::Distance;
 use crate::scene::Scene;
 
 /// A singular surface q = k π/2.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Surface {
-    /// Where it is.
-    pub place: Distance,
     /// The distance from it; the coordinate itself if k = 0.
     pub symbol: Expr,
 }
@@ -43,10 +41,9 @@ impl Ground {
             }
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-        let nearest = found.first().map(|(_, coordinate, quarter_turns)| Distance {
-            coordinate: *coordinate,
-            quarter_turns: *quarter_turns,
-        });
+        let nearest = found
+            .first()
+            .map(|(_, coordinate, quarter_turns)| Distance { coordinate: *coordinate, quarter_turns: *quarter_turns });
         stated.filter(|d| flow.is_core(self.q[d.coordinate])).or(nearest)
     }
 
@@ -59,7 +56,7 @@ impl Ground {
 
     /// Writes every equation in the distance from a surface; what is wanted comes back in it.
     pub(super) fn measure_from(&mut self, place: Distance, wanted: &Wanted) -> (Surface, Wanted) {
-        let surface = Surface { place, symbol: self.distance_symbol(place) };
+        let surface = Surface { symbol: self.distance_symbol(place) };
         let Distance { coordinate, quarter_turns } = place;
         if quarter_turns == 0 {
             return (surface, wanted.clone());
@@ -101,7 +98,7 @@ pub fn quarter(arena: &mut Arena, turns: i32) -> Expr {
 impl Surface {
     /// Splits the right-hand sides that are divided by what vanishes on the surface.
     pub(super) fn separate(
-        &self,
+        self,
         arena: &mut Arena,
         simplifier: &mut Simplifier,
         solved: &mut Solved,
@@ -130,7 +127,7 @@ impl Surface {
     /// One quotient N/D with D = 0 on the surface and N linear in what is held: a momentum gives way to N on the surface.
     /// Returned are the symbol that gave way and what stands for it now.
     fn separate_row(
-        &self,
+        self,
         arena: &mut Arena,
         simplifier: &mut Simplifier,
         (row, quotient, divisor): (usize, &mut Expr, Expr),
@@ -146,9 +143,11 @@ impl Surface {
         }
         let symbols: Vec<Expr> = held.iter().map(|h| h.symbol).collect();
         // Only a combination of momenta with constant coefficients is a constant of the motion.
-        let constant = arena.reachable(&[left]).iter().all(|e| arena.symbol_name(*e).is_none() || symbols.contains(e) || arena.is_positive(*e));
-        let (coefficients, rest) =
-            crate::algebra::linear::LinearForm::new(&symbols).coefficients(arena, left).ok()?;
+        let constant = arena
+            .reachable(&[left])
+            .iter()
+            .all(|e| arena.symbol_name(*e).is_none() || symbols.contains(e) || arena.is_positive(*e));
+        let (coefficients, rest) = crate::algebra::linear::LinearForm::new(&symbols).coefficients(arena, left).ok()?;
         // Its own momentum, if that stands alone in the numerator.
         let alone = |at: &usize| arena.as_number(coefficients[*at]).is_some_and(|k| !k.is_zero());
         let at = std::iter::once(row).chain(0..symbols.len()).find(alone)?;
@@ -179,7 +178,8 @@ impl Surface {
         let terms: Vec<Expr> = coefficients.iter().zip(held.iter()).map(|(c, h)| arena.mul(*c, h.of_state)).collect();
         let of_state = arena.sum(&terms);
         let about = format!("{}, what is left of it on the singular surface", held[at].about);
-        held[at] = Held { momentum: held[at].momentum, symbol: fresh, of_state: simplifier.simplify(arena, of_state), about };
+        held[at] =
+            Held { momentum: held[at].momentum, symbol: fresh, of_state: simplifier.simplify(arena, of_state), about };
         Some((symbols[at], instead))
     }
 }
