@@ -8,6 +8,7 @@ use tripos_derive::algebra::Arena;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::{Derivation, Distance, derive_all, in_distance};
+use tripos_derive::reduce::Reduction;
 use tripos_derive::{Equations, Formulation, Model, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
 
@@ -101,7 +102,17 @@ impl By {
         Self { name: equations.name.clone(), title: equations.title.clone(), derived: None }
     }
 
-    /// The formulation; none for printed equations.
+    /// A scene's own equations.
+    pub fn reduced() -> Self {
+        Self { name: "reduced".to_owned(), title: "Reduced equations".to_owned(), derived: None }
+    }
+
+    /// Whether these are a scene's own equations.
+    pub fn is_reduced(&self) -> bool {
+        self.name == "reduced"
+    }
+
+    /// The formulation; none for printed and for reduced equations.
     pub fn formulation(&self) -> Option<Formulation> {
         self.derived
     }
@@ -174,6 +185,13 @@ pub fn compiled_code(model: &Model, by: &By, distance: Option<Distance>) -> Resu
     let found = compiled.systems.iter().find(|system| system.name == name);
     let current = by.derived.is_some() || report_hash(model) == compiled.report_hash;
     Ok(found.filter(|_| current).map(Code::Compiled))
+}
+
+/// The equations of a scene that were compiled in, if they are of what it says.
+pub fn compiled_scene(reduction: &Reduction) -> Option<Code> {
+    let key = reduction.key();
+    let found = tripos::MODELS.iter().flat_map(|model| model.scenes).find(|scene| scene.key == key);
+    found.map(|scene| Code::Compiled(&scene.system))
 }
 
 /// Equations made ready to be run by interpretation.

@@ -208,7 +208,7 @@ fn first(
         method: how.method,
         tolerance,
         seconds: Spread { least: seconds, median: seconds, most: seconds, runs: 1 },
-        error: arrived.then(|| error(&problem.precise_state(&bare.y_end), reference.end()).max(reference.uncertainty)),
+        error: arrived.then(|| error(&problem.precise_state(bare.t_end, &bare.y_end), reference.end()).max(reference.uncertainty)),
         steps: bare.steps,
         evaluations: bare.evaluations,
         stop: bare.stop.code(),

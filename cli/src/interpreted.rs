@@ -5,9 +5,10 @@ use tripos_codegen::formulation::Solved;
 use tripos_codegen::taylor::Tape as Series;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::elimination::Definition;
+use tripos_derive::algebra::elimination::{Definition, needed};
 use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
 use tripos_derive::mechanics::Derivation;
+use tripos_derive::reduce::Reduction;
 use tripos_traits::System;
 
 /// One formulation, interpreted. Its working space makes it a thread's own; another thread takes a copy.
@@ -22,6 +23,8 @@ pub struct Interpreted {
     forcing: Tape,
     /// v̇, then q̇ and v̇, then the Jacobian; none for printed equations, which are run as they stand.
     solved: Option<[Tape; 3]>,
+    /// What a scene shows, in parameters, time, coordinates and motion variables, and of how many entries.
+    outputs: Option<(Tape, usize)>,
     /// The recurrences of the Taylor coefficients.
     series: Option<Series>,
     generalized_speeds: Tape,
@@ -44,10 +47,15 @@ impl Interpreted {
         let (p, q) = (model.p(), e.coordinates.clone());
         let q_length = q.len();
         let state = [p.clone(), q.clone(), e.variables.clone()].concat();
-        let tape = |inputs: &[Expr], outputs: &[Expr]| Tape::new(arena, inputs, outputs);
+        let tape = |inputs: &[Expr], outputs: &[Expr]| {
+            // What is not used is no part of the tape, and what it mentions need have no value.
+            let steps = needed(arena, &e.definitions, outputs);
+            Tape::stepwise(arena, inputs, &steps, outputs)
+        };
         let speed_rates = e.unknowns[..e.variables.len()].to_vec();
         Ok(Self {
             solved: None,
+            outputs: None,
             series: None,
             state: state.clone(),
             sizes: [p.len(), q.len(), e.variables.len(), e.unknowns.len() - e.variables.len()],
@@ -78,6 +86,17 @@ impl Interpreted {
             .zip(tape(&accelerations.steps, &both))
             .zip(tape(&jacobian.steps, &jacobian.entries.concat()))
             .map(|((accelerations, derivative), jacobian)| [accelerations, derivative, jacobian]);
+        self
+    }
+
+    /// With the outputs of the scene that these are the equations of.
+    pub fn showing(mut self, reduction: &Reduction) -> Self {
+        let values: Vec<Expr> = reduction.outputs.iter().map(|o| o.value).collect();
+        let (p, state) = self.state.split_at(self.sizes[0]);
+        let inputs = [p, &[reduction.time], state].concat();
+        let steps = needed(reduction.terms(), &reduction.derivation.equations.definitions, &values);
+        let tape = Tape::stepwise(reduction.terms(), &inputs, &steps, &values);
+        self.outputs = tape.ok().map(|tape| (tape, values.len()));
         self
     }
 
@@ -115,6 +134,17 @@ impl System<f64> for Interpreted {
     }
     fn forcing(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
         self.run(&self.forcing, &[p, q, v], out);
+    }
+    fn output_count(&self) -> usize {
+        self.outputs.as_ref().map_or(self.sizes[1] + self.sizes[2], |(_, count)| *count)
+    }
+    fn outputs(&self, p: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        if let Some((tape, _)) = &self.outputs {
+            return self.run(tape, &[p, &[t], q, v], out);
+        }
+        let (of_q, of_u) = out.split_at_mut(q.len());
+        of_q.copy_from_slice(q);
+        self.generalized_speeds(p, q, v, of_u);
     }
     fn has_accelerations(&self) -> bool {
         self.solved.is_some()

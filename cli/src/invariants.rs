@@ -87,9 +87,10 @@ impl Watch {
         let n = self.integrals.len();
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; n + self.divisors.len()]);
         let (mut first, mut largest) = (None, vec![0.0; n]);
-        for y in solution.y.iter().chain([&solution.y_end]) {
+        let samples = solution.t.iter().zip(&solution.y).chain([(&solution.t_end, &solution.y_end)]);
+        for (t, y) in samples {
             if let Some(tape) = &self.tape {
-                let inputs = [problem.scene.parameters.clone(), problem.state(y)].concat();
+                let inputs = [problem.shown.parameters.clone(), problem.state(*t, y)].concat();
                 tape.evaluate_into(&inputs, &mut scratch, &mut out);
             }
             let first = first.get_or_insert_with(|| out[..n].to_vec());
@@ -104,12 +105,12 @@ impl Watch {
     pub fn course(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
         let Some(tape) = &self.tape else { return Vec::new() };
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; self.integrals.len() + self.divisors.len()]);
-        let mut value = |y: &Vec<f64>| {
-            let inputs = [problem.scene.parameters.clone(), problem.state(y)].concat();
+        let mut value = |(t, y): (&f64, &Vec<f64>)| {
+            let inputs = [problem.shown.parameters.clone(), problem.state(*t, y)].concat();
             tape.evaluate_into(&inputs, &mut scratch, &mut out);
             out[integral]
         };
-        let values: Vec<f64> = solution.y.iter().map(&mut value).collect();
+        let values: Vec<f64> = solution.t.iter().zip(&solution.y).map(&mut value).collect();
         values.iter().map(|x| x - values[0]).collect()
     }
 
@@ -126,7 +127,7 @@ impl Watch {
         let n = self.integrals.len();
         let mut worst = vec![Drift::default(); n];
         let Some(tape) = &self.tape else { return worst };
-        let p = &problem.scene.parameters;
+        let p = &problem.shown.parameters;
         let mut scratch = Vec::new();
         let mut value = |state: &[f64]| {
             let mut out = vec![f64::NAN; n + self.divisors.len()];
@@ -134,10 +135,11 @@ impl Watch {
             out.truncate(n);
             out
         };
-        let start = value(&problem.state(solution.y.first().unwrap_or(&solution.y_end)));
+        let first = solution.t.first().zip(solution.y.first()).unwrap_or((&solution.t_end, &solution.y_end));
+        let start = value(&problem.state(*first.0, first.1));
         let every = solution.y.len().div_ceil(samples).max(1);
         for (t, y) in solution.t.iter().zip(&solution.y).step_by(every).chain([(&solution.t_end, &solution.y_end)]) {
-            let mut state = problem.state(y);
+            let mut state = problem.state(*t, y);
             let here = value(&state);
             let mut allowed = vec![0.0; n];
             for at in 0..state.len() {

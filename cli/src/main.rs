@@ -11,12 +11,14 @@ mod invariants;
 mod page;
 mod plot;
 mod problem;
+mod reduced;
 mod reference;
 mod run;
 mod stability;
 mod study;
 mod sweep;
 mod trust;
+mod wide;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use failure::{Failure, say};
@@ -109,6 +111,14 @@ enum Command {
     },
     /// Run a scene
     Simulate(Simulate),
+    /// Print what a scene keeps of its model, what it leaves out, and why that is exact
+    Scene {
+        /// A scene file
+        scene: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Run a scene from many starts or with many parameters, on all cores
     ///
     /// For example, the disk from a thousand leans, and the second hundredth of half a million runs between the Moon's
@@ -198,8 +208,8 @@ struct Sweep {
 /// What the command line may change of the way a scene is run.
 #[derive(clap::Args)]
 struct How {
-    /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model; the first
-    /// formulation that the model supports if not given
+    /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model. If not given, `simulate`
+    /// takes the scene's own reduced equations (`tripos scene`), other commands the first formulation that the model supports
     #[arg(long)]
     by: Option<String>,
     /// The method of integration: rk4, ode45, dopri5, dop853, gauss6 or taylor
@@ -248,6 +258,7 @@ fn main() -> ExitCode {
         Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),
         Command::Stability { scene, quick, out } => commands::stability::stability(&scene, quick, &out),
         Command::Chart { scene, quick, printed, out } => commands::chart::chart(&scene, quick, printed, &out),
+        Command::Scene { scene, json } => commands::scene::scene(&scene, json),
         Command::Simulate(request) => commands::simulate::simulate(&request),
         Command::Sweep(request) => commands::sweep::sweep(&request),
     };

@@ -5,6 +5,7 @@
 
 use crate::catalogue::{By, Code, code};
 use crate::failure::Failure;
+use crate::reduced::Reduced;
 use tripos_derive::scene::{Extended, Motion, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, integrate};
@@ -14,8 +15,10 @@ use tripos_traits::{DoubleDouble, Real, Scalar, System};
 pub struct Problem<'a> {
     /// The model.
     pub model: &'a Model,
-    /// The scene.
+    /// The scene, in the variables of the equations.
     pub scene: &'a Scene,
+    /// The scene as its file has it.
+    pub shown: &'a Scene,
     /// Which equations.
     pub by: &'a By,
     /// The equations, in the scene's distance if it has one.
@@ -33,7 +36,7 @@ struct Origin {
 }
 
 /// A number of a scene in twice the precision of a double.
-fn wide(number: &Extended) -> DoubleDouble {
+pub fn wide(number: &Extended) -> DoubleDouble {
     DoubleDouble::sum(number.high, number.low)
 }
 
@@ -67,7 +70,16 @@ impl<'a> Problem<'a> {
             at: distance.coordinate,
             value: DoubleDouble::pi() * DoubleDouble::ratio(i64::from(distance.quarter_turns), 2),
         });
-        Ok(Self { model, scene, by, code, solve: wanted.unwrap_or(natural), origin })
+        Ok(Self { model, scene, shown: scene, by, code, solve: wanted.unwrap_or(natural), origin })
+    }
+
+    /// By a scene's own equations.
+    ///
+    /// # Errors
+    /// As [`Problem::new`].
+    pub fn reduced(reduced: &'a Reduced, shown: &'a Scene, code: &'a Code) -> Result<Self, Failure> {
+        let Reduced { reduction, scene, by } = reduced;
+        Ok(Self { shown, ..Self::new(&reduction.model, scene, by, code, None)? })
     }
 
     /// The equations in doubles.
@@ -84,9 +96,15 @@ impl<'a> Problem<'a> {
         q
     }
 
-    /// Coordinates, then generalized speeds, of an integrated state.
-    pub fn state(&self, y: &[f64]) -> Vec<f64> {
+    /// What is shown of an integrated state: coordinates, then generalized speeds, or the outputs of a reduced scene.
+    pub fn state(&self, t: f64, y: &[f64]) -> Vec<f64> {
         let system = self.system();
+        if self.by.is_reduced() {
+            let (q, v) = y.split_at(system.coordinates());
+            let mut out = vec![f64::NAN; system.output_count()];
+            system.outputs(&self.scene.parameters, t - self.scene.span.0, q, v, &mut out);
+            return out;
+        }
         let (q, v) = y.split_at(system.coordinates());
         let mut u = vec![0.0; v.len()];
         system.generalized_speeds(&self.scene.parameters, q, v, &mut u);
@@ -141,10 +159,16 @@ impl<'a> Problem<'a> {
         Some((p, [q, v].concat()))
     }
 
-    /// Coordinates, then generalized speeds, of an integrated state in twice the precision of a double.
-    pub fn extended_state(&self, p: &[DoubleDouble], y: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    /// The same as [`Problem::state`] in twice the precision of a double.
+    pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let Some(system) = self.code.extended() else { return Vec::new() };
         let (q, v) = y.split_at(system.coordinates());
+        if self.by.is_reduced() {
+            let mut out = vec![DoubleDouble::int(0); system.output_count()];
+            let elapsed = DoubleDouble::from_f64(t) - DoubleDouble::from_f64(self.scene.span.0);
+            system.outputs(p, elapsed, q, v, &mut out);
+            return out;
+        }
         let mut u = vec![DoubleDouble::int(0); v.len()];
         system.generalized_speeds(p, q, v, &mut u);
         let mut q = q.to_vec();
@@ -181,10 +205,14 @@ impl<'a> Problem<'a> {
         integrate(Lent(rhs.as_mut()), span, y0, options, events)
     }
 
-    /// Coordinates, then generalized speeds, of an integrated state, without rounding a distance away.
-    pub fn precise_state(&self, y: &[f64]) -> Vec<DoubleDouble> {
+    /// The same as [`Problem::state`] without rounding a distance away.
+    pub fn precise_state(&self, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();
-        let mut state = wide(self.state(y));
+        if self.by.is_reduced() && self.code.extended().is_some() {
+            let parameters: Vec<_> = self.scene.exact.parameters.iter().map(self::wide).collect();
+            return self.extended_state(&parameters, t, &wide(y.to_vec()));
+        }
+        let mut state = wide(self.state(t, y));
         if let Some(Origin { at, value }) = self.origin {
             state[at] = DoubleDouble::from_f64(y[at]) + value;
         }

@@ -107,15 +107,15 @@ fn run(
                 integrate(Lent(&mut rhs as &mut dyn RightHandSide<DoubleDouble>), (t0, t1), y, &options(rtol), &mut [])
             };
             let states = along(&scene, times, y0, walk)?;
-            let states = states.iter().map(|y| problem.extended_state(&p, y)).collect();
+            let states = times.iter().zip(&states).map(|(t, y)| problem.extended_state(&p, *t, y)).collect();
             Ok((format!("{} at {rtol:.0e}", by.name), states, true))
         }
         _ => {
             let rtol = tolerance(DOUBLE);
             let walk = |t0: f64, t1: f64, y: &[f64]| problem.integrate_over((t0, t1), y, &options(rtol), &mut []);
             let states = along(&scene, times, problem.start()?, walk)?;
-            let wide = |y: &Vec<f64>| problem.state(y).into_iter().map(DoubleDouble::from_f64).collect();
-            Ok((format!("{} at {rtol:.0e}", by.name), states.iter().map(wide).collect(), false))
+            let wide = |(t, y): (&f64, &Vec<f64>)| problem.state(*t, y).into_iter().map(DoubleDouble::from_f64).collect();
+            Ok((format!("{} at {rtol:.0e}", by.name), times.iter().zip(&states).map(wide).collect(), false))
         }
     }
 }

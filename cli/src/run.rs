@@ -4,6 +4,7 @@ use crate::catalogue::{By, Code, code};
 use crate::failure::Failure;
 use crate::invariants::Watch;
 use crate::problem::Problem;
+use crate::reduced::Reduced;
 use crate::trust;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
@@ -21,11 +22,13 @@ pub struct Run {
     pub solve: Solve,
     /// The integrator's result.
     pub solution: Solution,
-    /// Coordinates, then generalized speeds, at each sample.
+    /// What is shown of a state: the names of coordinates and generalized speeds, or of the outputs of a scene.
+    pub names: Vec<String>,
+    /// Their values at each sample.
     pub states: Vec<Vec<f64>>,
     /// Kinetic and potential energy at each sample.
     pub energies: Vec<(f64, f64)>,
-    /// Coordinates, then generalized speeds, at the end.
+    /// The same at the end.
     pub end: Vec<f64>,
     /// Largest change of total energy over the samples, J.
     pub energy_drift: f64,
@@ -58,6 +61,26 @@ pub fn run(model: &Model, scene: &Scene, by: &By) -> Result<Run, Failure> {
     run_code(model, scene, by, &code, proved(model).as_ref())
 }
 
+/// Runs a scene by its own reduced equations.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_reduced(model: &Model, scene: &Scene) -> Result<Run, Failure> {
+    let reduced = Reduced::new(model, scene)?;
+    let code = reduced.code()?;
+    let problem = Problem::reduced(&reduced, scene, &code)?;
+    // Integrals of the whole are functions of all states, which a scene may not show.
+    let watch = if scene.states_outputs { None } else { proved(model) };
+    run_problem(&problem, watch.as_ref())
+}
+
+fn shown(problem: &Problem<'_>) -> Vec<String> {
+    match problem.by.is_reduced() {
+        true => problem.shown.outputs.iter().map(|o| o.name.clone()).collect(),
+        false => state_names(problem.model),
+    }
+}
+
 /// What is conserved; nothing of a large model, of which the proof may take longer than the run: there energy alone is watched.
 pub fn proved(model: &Model) -> Option<Watch> {
     let small = model.coordinates.len() <= MOST_PROVED;
@@ -72,13 +95,17 @@ const MOST_PROVED: usize = 8;
 /// # Errors
 /// As [`run`].
 pub fn run_code(model: &Model, scene: &Scene, by: &By, code: &Code, watch: Option<&Watch>) -> Result<Run, Failure> {
-    let problem = Problem::new(model, scene, by, code, None)?;
-    let balance = Balance::new(model, scene, by)?;
+    run_problem(&Problem::new(model, scene, by, code, None)?, watch)
+}
+
+fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Failure> {
+    let scene = problem.scene;
+    let balance = Balance::new(problem.model, scene, problem.by)?;
     let y0 = problem.start()?;
-    let mut events = events(&problem, &balance);
+    let mut events = events(problem, &balance);
     let solution = problem.integrate(&y0, &options(scene)?, &mut events).map_err(|error| refused(scene, &error))?;
     drop(events);
-    finish(&problem, solution, watch)
+    finish(problem, solution, watch)
 }
 
 /// A scene that the simulator refuses.
@@ -167,9 +194,10 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
         by: problem.by.clone(),
         code: problem.code.name(),
         solve: problem.solve,
-        states: solution.y.iter().map(|y| problem.state(y)).collect(),
+        states: solution.t.iter().zip(&solution.y).map(|(t, y)| problem.state(*t, y)).collect(),
         energies,
-        end: problem.state(&solution.y_end),
+        names: shown(problem),
+        end: problem.state(solution.t_end, &solution.y_end),
         energy_drift,
         warnings,
         solution,

@@ -8,6 +8,7 @@ pub mod evaluate;
 pub mod prove;
 pub mod regenerate;
 pub mod report;
+pub mod scene;
 pub mod simulate;
 pub mod stability;
 pub mod sweep;

@@ -3,20 +3,25 @@
 use crate::Simulate;
 use crate::catalogue::{by_or_first, read_model, short_name};
 use crate::failure::{Failure, print, say, status, warn};
-use crate::run::{Run, how, run, state_names};
+use crate::run::{Run, how, run, run_reduced};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Scene, load, model_path};
+use tripos_derive::scene::{Scene, Solve, load, model_path};
 
 /// Runs the scene and prints how it ended.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let (model, mut scene) = read_scene(&request.scene)?;
     request.how.change(&mut scene)?;
-    let by = by_or_first(&model, request.how.by.as_deref())?;
-    let run = run(&model, &scene, &by)?;
+    // A numeric solve is one of whole equations.
+    let whole = request.how.by.is_some() || scene.integration.solve == Some(Solve::Numeric);
+    let run = if whole {
+        run(&model, &scene, &by_or_first(&model, request.how.by.as_deref())?)?
+    } else {
+        run_reduced(&model, &scene)?
+    };
     for warning in &run.warnings {
         warn(warning);
     }
@@ -30,7 +35,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     }
     // Last, so that a file that cannot be written does not cost the answer.
     if let Some(path) = &request.csv {
-        write_csv(path, &model, &run)?;
+        write_csv(path, &run)?;
     }
     Ok(if run.solution.stop.is_failure() { status::STOPPED } else { 0 })
 }
@@ -44,8 +49,7 @@ pub fn read_scene(path: &Path) -> Result<(Model, Scene), Failure> {
 }
 
 fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
-    let state: Map<String, Value> =
-        state_names(model).into_iter().zip(&run.end).map(|(name, x)| (name, json!(x))).collect();
+    let state: Map<String, Value> = run.names.iter().cloned().zip(&run.end).map(|(name, x)| (name, json!(x))).collect();
     let solution = &run.solution;
     let mut drift = Map::new();
     drift.insert("energy".to_owned(), json!(run.energy_drift));
@@ -87,7 +91,7 @@ fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
         let _ = writeln!(out, "  {} at t = {} s ({:?})", event.name, event.t, event.kind);
     }
     let _ = writeln!(out, "\nstate at t = {} s", run.solution.t_end);
-    for (name, x) in state_names(model).iter().zip(&run.end) {
+    for (name, x) in run.names.iter().zip(&run.end) {
         let _ = writeln!(out, "  {name} = {x}");
     }
     let _ = writeln!(out, "\nlargest change of total energy: {:e} J", run.energy_drift);
@@ -97,7 +101,7 @@ fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
     out
 }
 
-fn write_csv(path: &Path, model: &Model, run: &Run) -> Result<(), Failure> {
+fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
     let failed = |error: csv::Error| {
         let error = match error.into_kind() {
             csv::ErrorKind::Io(error) => error,
@@ -106,7 +110,7 @@ fn write_csv(path: &Path, model: &Model, run: &Run) -> Result<(), Failure> {
         Failure::Output(path.display().to_string(), error)
     };
     let mut writer = csv::Writer::from_path(path).map_err(failed)?;
-    let header = ["t".to_owned()].into_iter().chain(state_names(model));
+    let header = ["t".to_owned()].into_iter().chain(run.names.iter().cloned());
     let header = header.chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]);
     writer.write_record(header).map_err(failed)?;
     for ((t, state), (kinetic, potential)) in run.solution.t.iter().zip(&run.states).zip(&run.energies) {

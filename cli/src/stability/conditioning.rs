@@ -97,8 +97,8 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
     let n = problem.system().coordinates();
     let mut list: Vec<Place> = Vec::new();
     let mut next = 0.7;
-    for y in &run.y {
-        let state = problem.state(y);
+    for (t, y) in run.t.iter().zip(&run.y) {
+        let state = problem.state(*t, y);
         let value = tape.evaluate(&[scene.parameters.as_slice(), &state[..n]].concat())[0].abs();
         if value <= next && value >= 0.9 * least {
             list.push(Place { divisor: value, q: state[..n].to_vec(), u: state[n..].to_vec() });

@@ -64,7 +64,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
             .iter()
             .zip(&run.y)
             .zip(&reference.states)
-            .map(|((t, y), state)| (*t, error(&problem.precise_state(y), state).max(reference.uncertainty)))
+            .map(|((t, y), state)| (*t, error(&problem.precise_state(*t, y), state).max(reference.uncertainty)))
             .collect();
         // Every step adds an error of its own.
         let steps = run.steps as f64;

@@ -177,7 +177,7 @@ fn cell(
             return Ok(Cell::Stopped(format!("{stop} {:.2} s", solution.t_end)));
         }
         (t, y) = (next, solution.y_end);
-        last = error(&problem.precise_state(&y), state).max(rung.reference.uncertainty);
+        last = error(&problem.precise_state(t, &y), state).max(rung.reference.uncertainty);
         findings.rows.push(row(quantity, Some(last), String::new()));
     }
     findings.rows.push(row("steps", Some(steps as f64), String::new()));

@@ -183,7 +183,7 @@ impl Worker<'_> {
             t_end: solution.t_end,
             stop: solution.stop.code(),
             failure: solution.stop.is_failure().then(|| solution.stop.to_string()),
-            state: problem.state(&solution.y_end),
+            state: problem.state(solution.t_end, &solution.y_end),
             steps: solution.steps,
             rejected: solution.rejected,
             evaluations: solution.evaluations,

@@ -78,6 +78,8 @@ pub struct Reduction {
     pub constants: Vec<Quantity>,
     /// What the scene wants to see.
     pub outputs: Vec<Output>,
+    /// The functions of the scene's events, in its order.
+    pub events: Vec<Expr>,
     /// Parameters that stand as numbers.
     pub folded: Vec<(String, Rational)>,
     /// What was left out.

@@ -22,6 +22,7 @@ pub fn pack(mut ground: Ground, level: &Level, mut flow: Flow, scene: &Scene) ->
     let outputs =
         flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
     let folded = ground.folded.clone();
+    let events = flow.wanted.events.clone();
     let mut divisors = equations.divisors.clone();
     divisors.dedup();
     let has_energy = flow.energy.is_some();
@@ -35,6 +36,7 @@ pub fn pack(mut ground: Ground, level: &Level, mut flow: Flow, scene: &Scene) ->
         quadratures,
         constants,
         outputs,
+        events,
         folded,
         omitted,
         divisors,
@@ -157,7 +159,12 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     let arena = &mut ground.arena;
     let (kinetic_energy, potential_energy) = flow.energy.map_or((Expr::ZERO, Expr::ZERO), |energy| {
         let at_rest: Vec<(Expr, Expr)> = variables.iter().map(|u| (*u, Expr::ZERO)).collect();
-        let potential = Substitution::new(&at_rest).apply(arena, energy);
+        let through = flow.dependence.mentioned(arena, &[energy]);
+        let definitions = flow.dependence.definitions.iter().filter(|d| through.contains(&d.symbol));
+        // Where a momentum determines a speed beside other speeds, its definition is written out at rest, too.
+        let moving = definitions.into_iter().any(|d| variables.iter().any(|u| arena.mentions(d.value, *u)));
+        let form = if moving { flow.dependence.clone().whole(arena, energy) } else { energy };
+        let potential = Substitution::new(&at_rest).apply(arena, form);
         let potential = ground.simplifier.simplify(arena, potential);
         let kinetic = arena.sub(energy, potential);
         (ground.simplifier.simplify(arena, kinetic), potential)

@@ -27,6 +27,8 @@ pub mod printed_listing_5_4;
 pub mod printed_listing_5_5;
 #[rustfmt::skip]
 pub mod printed_listing_5_6;
+#[rustfmt::skip]
+pub mod scenes;
 use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
@@ -142,4 +144,5 @@ pub const MODEL: CompiledModel = CompiledModel {
             lanes: None,
         },
     ],
+    scenes: scenes::SCENES,
 };

@@ -9,6 +9,8 @@ pub mod kane;
 pub mod lagrange;
 #[rustfmt::skip]
 pub mod newton_euler;
+#[rustfmt::skip]
+pub mod scenes;
 use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
@@ -66,4 +68,5 @@ pub const MODEL: CompiledModel = CompiledModel {
             lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
         },
     ],
+    scenes: scenes::SCENES,
 };

@@ -15,6 +15,8 @@ pub mod lagrange_q2_90deg;
 pub mod newton_euler;
 #[rustfmt::skip]
 pub mod newton_euler_q2_90deg;
+#[rustfmt::skip]
+pub mod scenes;
 use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
@@ -104,4 +106,5 @@ pub const MODEL: CompiledModel = CompiledModel {
             ),
         },
     ],
+    scenes: scenes::SCENES,
 };

@@ -1,0 +1,110 @@
+//! `tripos scene`: what a scene keeps of its model and what it leaves out.
+
+use super::simulate::read_scene;
+use crate::catalogue::short_name;
+use crate::failure::{Failure, print};
+use crate::reduced::Reduced;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos_codegen::scene::{Costs, costs};
+use tripos_codegen::tokens::Cost;
+use tripos_derive::Model;
+use tripos_derive::algebra::print::text;
+use tripos_derive::reduce::Quantity;
+use tripos_derive::scene::Scene;
+
+/// Prints the ledger of a scene.
+pub fn scene(path: &Path, json: bool) -> Result<u8, Failure> {
+    let (model, scene) = read_scene(path)?;
+    let reduced = Reduced::new(&model, &scene)?;
+    let costs = costs(&model, &reduced.reduction);
+    if json {
+        print(&format!("{:#}\n", as_json(&model, &scene, &reduced, costs)))?;
+    } else {
+        print(&as_text(&model, &scene, &reduced, costs))?;
+    }
+    Ok(0)
+}
+
+fn as_json(model: &Model, scene: &Scene, reduced: &Reduced, costs: Option<Costs>) -> Value {
+    let reduction = &reduced.reduction;
+    let arena = reduction.terms();
+    let names = |list: &[Quantity]| list.iter().map(|q| q.name.clone()).collect::<Vec<_>>();
+    let count = |of: fn(&Cost) -> usize| costs.map(|c| json!({ "full": of(&c.full), "scene": of(&c.scene) }));
+    let constants = reduced.constants().map(|(q, value)| {
+        json!({ "name": q.name, "value": value, "unit": q.unit.to_string(), "about": q.about, "is": text(arena, q.of_start) })
+    });
+    let outputs = reduction.outputs.iter().map(|o| json!({ "name": o.name, "value": text(arena, o.value) }));
+    let omitted = reduction.omitted.iter().map(|o| json!({ "what": o.what, "why": o.why, "proof": o.proof }));
+    json!({
+        "model": short_name(model),
+        "title": scene.title,
+        "outputs": outputs.collect::<Vec<_>>(),
+        "states": names(&reduction.states),
+        "quadratures": names(&reduction.quadratures),
+        "constants": constants.collect::<Vec<_>>(),
+        "equations": equations(reduced),
+        "operations": count(|c| c.operations),
+        "divisions": count(|c| c.divisions),
+        "sines_and_cosines": count(|c| c.sincos),
+        "singular_where": reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect::<Vec<_>>(),
+        "omitted": omitted.collect::<Vec<_>>(),
+    })
+}
+
+/// Definitions and rates, a line each.
+fn equations(reduced: &Reduced) -> Vec<String> {
+    let arena = reduced.reduction.terms();
+    let e = &reduced.reduction.derivation.equations;
+    let text = |x| text(arena, x);
+    let definitions = e.definitions.iter().map(|d| (text(d.symbol), text(d.value)));
+    let rates = e.coordinates.iter().zip(&e.coordinate_rates).map(|(q, k)| (format!("{}'", text(*q)), text(*k)));
+    let solved = (0..e.unknowns.len()).map(|i| {
+        let row: Vec<String> = e.matrix[i]
+            .iter()
+            .zip(&e.unknowns)
+            .filter(|(m, _)| **m != tripos_derive::algebra::Expr::ZERO)
+            .map(|(m, x)| if *m == tripos_derive::algebra::Expr::ONE { text(*x) } else { format!("({})*{}", text(*m), text(*x)) })
+            .collect();
+        (row.join(" + "), text(e.forcing[i]))
+    });
+    definitions.chain(rates).chain(solved).map(|(name, value)| format!("{name} = {value}")).collect()
+}
+
+fn as_text(model: &Model, scene: &Scene, reduced: &Reduced, costs: Option<Costs>) -> String {
+    let reduction = &reduced.reduction;
+    let arena = reduction.terms();
+    let mut out = format!("{}: {}\n", model.title, if scene.title.is_empty() { "a scene" } else { &scene.title });
+    let whole = model.coordinates.len() + model.speeds.len();
+    let _ = writeln!(out, "\nkept, of {whole} states");
+    for (kind, list) in [("state", &reduction.states), ("quadrature", &reduction.quadratures)] {
+        for q in list {
+            let _ = writeln!(out, "  {kind:<11}{}: {}", q.name, q.about);
+        }
+    }
+    for (q, value) in reduced.constants() {
+        let _ = writeln!(out, "  {:<11}{} = {value}: {}", "constant", q.name, q.about);
+    }
+    let _ = writeln!(out, "\nequations");
+    for line in equations(reduced) {
+        let _ = writeln!(out, "  {line}");
+    }
+    let _ = writeln!(out, "\noutputs");
+    for o in &reduction.outputs {
+        let _ = writeln!(out, "  {} = {}", o.name, text(arena, o.value));
+    }
+    if let Some(Costs { full, scene }) = costs {
+        let _ = writeln!(out, "\ncost of a call: {} operations of {} by Kane's method, divisions {} of {}, sines and cosines {} of {}",
+            scene.operations, full.operations, scene.divisions, full.divisions, scene.sincos, full.sincos);
+    }
+    if !reduction.divisors.is_empty() {
+        let places: Vec<String> = reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
+        let _ = writeln!(out, "singular where {}", places.join(" and where "));
+    }
+    let _ = writeln!(out, "\nleft out");
+    for o in &reduction.omitted {
+        let _ = writeln!(out, "  {}: {}\n    proof: {}", o.what, o.why, o.proof);
+    }
+    out
+}

@@ -1,0 +1,9 @@
+//! Three-link pendulum on a cart: the equations of its scenes.
+//!
+//! Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
+
+#[rustfmt::skip]
+pub mod fall;
+
+/// The equations of every scene.
+pub const SCENES: &[tripos_traits::CompiledScene] = &[fall::SCENE];

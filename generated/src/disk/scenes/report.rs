@@ -1,0 +1,885 @@
+//! Thin disk sliding on a frictionless plane: The report's simulation, to t = 1 s.
+//!
+//! Generated from `models/disk/scenes/report.toml`. Do not edit; run `tripos regenerate`.
+//! Outputs: q1, q2, q3, q4, q5, u1, u2, u3, u4, u5.
+//! States: q2_minus_90deg, u1. Quadratures: q3, q1.
+//! p_q3 = u3/2: momentum p_q3 = ∂L/∂q3'.
+//! p_q4 = u1*sin(q1)*cos(q2) - u2*cos(q1)*tan(q2) + u4: momentum p_q4 = ∂L/∂q4'.
+//! p_q5 = u5 - u1*cos(q1)*cos(q2) - u2*sin(q1)*tan(q2): momentum p_q5 = ∂L/∂q5'.
+//! H_a3_there = u2*cos(q2)/4 + u3*(sin(q2) - 1)/2: angular momentum about a3 through the mass centre, what is left of it on the singular surface.
+//! centre_q4 = q4 - sin(q1)*sin(q2): q4 - sin(q1)*cos(q2_minus_90deg) at the start.
+//! centre_q5 = cos(q1)*sin(q2) + q5: q5 + cos(q1)*cos(q2_minus_90deg) at the start.
+//! Parameters that the scene fixes: M = 1, R = 1, g = 9.81.
+//! Cost: accelerations 26 operations, 2 sines and cosines; derivative 30 operations, 2 sines and cosines.
+//! Singular where -sin(q2_minus_90deg) = 0 and where -sin(q2_minus_90deg)/4 = 0.
+
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
+use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+
+/// The parameters, in the order of the model file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<S> {
+    /// momentum p_q3 = ∂L/∂q3', kg*m^2/s
+    pub p_q3: S,
+    /// momentum p_q4 = ∂L/∂q4', kg*m/s
+    pub p_q4: S,
+    /// momentum p_q5 = ∂L/∂q5', kg*m/s
+    pub p_q5: S,
+    /// angular momentum about a3 through the mass centre, what is left of it on the singular surface, kg*m^2/s
+    pub H_a3_there: S,
+    /// q4 - sin(q1)*cos(q2_minus_90deg) at the start, kg*m
+    pub centre_q4: S,
+    /// q5 + cos(q1)*cos(q2_minus_90deg) at the start, kg*m
+    pub centre_q5: S,
+}
+
+impl<S: Scalar> Parameters<S> {
+    /// From values in the order of [`PARAMETERS`].
+    ///
+    /// # Panics
+    /// If `p` has fewer values than there are parameters.
+    #[must_use]
+    #[inline(always)]
+    pub fn from_slice(p: &[S]) -> Self {
+        Self {
+            p_q3: p[0],
+            p_q4: p[1],
+            p_q5: p[2],
+            H_a3_there: p[3],
+            centre_q4: p[4],
+            centre_q5: p[5],
+        }
+    }
+}
+
+/// Names of the parameters: those that stay free, then what the start of a motion fixes.
+pub const PARAMETERS: [&str; 6] = [
+    "p_q3",
+    "p_q4",
+    "p_q5",
+    "H_a3_there",
+    "centre_q4",
+    "centre_q5",
+];
+
+/// Names of the outputs.
+pub const OUTPUTS: [&str; 10] = [
+    "q1",
+    "q2",
+    "q3",
+    "q4",
+    "q5",
+    "u1",
+    "u2",
+    "u3",
+    "u4",
+    "u5",
+];
+
+/// The accelerations (u1'), solved for when this code was generated.
+///
+/// 26 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 1] {
+    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let [q2_minus_90deg, _, _] = *q;
+    let [u1] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Elimination, step by step.
+    // u3 = 2*p_q3
+    let u3 = S::int(2) * p_q3;
+    // Shared terms.
+    // 1/sin(q2_minus_90deg); used 2 times
+    let u2_part = S::int(1) / sin_q2_minus_90deg;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
+    // Elimination, step by step.
+    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
+    let u2 = -S::int(4) * u2_part
+        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
+    // u1' = (50*u2*u3 + cos(q2_minus_90deg)*(981 + 100*u1^2*sin(q2_minus_90deg) +
+    //   25*u2^2/sin(q2_minus_90deg)))/(25*(4*sin(q2_minus_90deg)^2 - 5))
+    let u1_dot = S::ratio(1, 25)
+        * (cos_q2_minus_90deg
+            * (S::int(981) + S::int(100) * u1 * u1 * sin_q2_minus_90deg
+                + S::int(25) * u2 * u2 * u2_part) + S::int(50) * u2 * u3)
+        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    [u1_dot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 30 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 1],
+) -> ([S; 3], [S; 1]) {
+    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let [q2_minus_90deg, _, _] = *q;
+    let [u1] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Elimination, step by step.
+    // u3 = 2*p_q3
+    let u3 = S::int(2) * p_q3;
+    // Shared terms.
+    // 1/sin(q2_minus_90deg); used 2 times
+    let u2_part = S::int(1) / sin_q2_minus_90deg;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
+    // Elimination, step by step.
+    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
+    let u2 = -S::int(4) * u2_part
+        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
+    // Shared terms.
+    // u2*u2_part; used 3 times
+    let u2_u2_part = u2 * u2_part;
+    // Elimination, step by step.
+    // u1' = (50*u2*u3 + cos(q2_minus_90deg)*(981 + 100*u1^2*sin(q2_minus_90deg) +
+    //   25*u2^2/sin(q2_minus_90deg)))/(25*(4*sin(q2_minus_90deg)^2 - 5))
+    let u1_dot = S::ratio(1, 25)
+        * (cos_q2_minus_90deg
+            * (u2 * u2_u2_part)
+                .mul_add(
+                    S::int(25),
+                    S::int(981) + S::int(100) * u1 * u1 * sin_q2_minus_90deg,
+                ) + S::int(50) * u2 * u3)
+        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    // Values.
+    // q2_minus_90deg' = -u1
+    let q2_minus_90deg_dot_value = -u1;
+    // q3' = u3 + u2/tan(q2_minus_90deg)
+    let q3_dot_value = u2_u2_part.mul_add(cos_q2_minus_90deg, u3);
+    // q1' = -u2/sin(q2_minus_90deg)
+    let q1_dot_value = -u2_u2_part;
+    ([q2_minus_90deg_dot_value, q3_dot_value, q1_dot_value], [u1_dot])
+}
+
+/// Jacobian of the derivative by the state; columns q2_minus_90deg, q3, q1, u1.
+///
+/// 71 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]; 4] {
+    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let [q2_minus_90deg, _, _] = *q;
+    let [u1] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Elimination, step by step.
+    // u3 = 2*p_q3
+    let u3 = S::int(2) * p_q3;
+    // Shared terms.
+    // q2_minus_90deg/2; used 2 times
+    let q2_minus_90deg_scaled = S::ratio(1, 2) * q2_minus_90deg;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg_by_2, cos_q2_minus_90deg_by_2) = q2_minus_90deg_scaled
+        .sin_cos();
+    // Shared terms.
+    // sin(q2_minus_90deg/2)^2; used 2 times
+    let u2_part = sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2;
+    // u3*u2_part; used 2 times
+    let u3_u2_part = u3 * u2_part;
+    // 1/sin(q2_minus_90deg); used 6 times
+    let u2_part_2 = S::int(1) / sin_q2_minus_90deg;
+    // Elimination, step by step.
+    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
+    let u2 = -S::int(4) * u2_part_2 * (H_a3_there + u3_u2_part);
+    // Shared terms.
+    // 1/(sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2))
+    let u2_by_q2_minus_90deg_part = S::int(1)
+        / (sin_q2_minus_90deg_by_2 * cos_q2_minus_90deg_by_2);
+    // Elimination, step by step.
+    // u2_by_q2_minus_90deg = -(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there*(2*sin(q2_minus_90deg/2)^2 -
+    //   1))/(sin(q2_minus_90deg/2)^2*cos(q2_minus_90deg/2)^2)
+    let u2_by_q2_minus_90deg = -u2_by_q2_minus_90deg_part * u2_by_q2_minus_90deg_part
+        * (H_a3_there * u2_part.mul_add(S::int(2), -S::int(1)) + u3_u2_part);
+    // Shared terms.
+    // u2*cos(q2_minus_90deg); used 3 times
+    let u1_dot_by_q2_minus_90deg_part = u2 * cos_q2_minus_90deg;
+    // u1^2; used 2 times
+    let u1_sq = u1 * u1;
+    // u2^2; used 3 times
+    let u2_sq = u2 * u2;
+    // u3*u2_by_q2_minus_90deg; used 2 times
+    let u1_dot_by_q2_minus_90deg_part_2 = u3 * u2_by_q2_minus_90deg;
+    // u2_sq + u1_dot_by_q2_minus_90deg_part_2
+    let u1_dot_by_q2_minus_90deg_part_3 = u2_sq + u1_dot_by_q2_minus_90deg_part_2;
+    // 4*sin(q2_minus_90deg); used 2 times
+    let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
+    // u2_part_2/(1 + 4*cos(q2_minus_90deg)^2)
+    let u1_dot_by_q2_minus_90deg_part_4 = u2_part_2
+        / (S::int(1) + S::int(4) * cos_q2_minus_90deg * cos_q2_minus_90deg);
+    // Elimination, step by step.
+    // u1_dot_by_q2_minus_90deg = (125*u2^2 -
+    //   sin(q2_minus_90deg)*(250*u2*u2_by_q2_minus_90deg*cos(q2_minus_90deg) + sin(q2_minus_90deg)*(500*u1^2
+    //   + 300*u2^2 + 250*u3*u2_by_q2_minus_90deg + sin(q2_minus_90deg)*(2943 -
+    //   4*sin(q2_minus_90deg)*(150*u1^2 + 50*u2^2 + 981*sin(q2_minus_90deg) + 50*u3*u2_by_q2_minus_90deg) -
+    //   200*u2*cos(q2_minus_90deg)*(u2_by_q2_minus_90deg - 2*u3)))))/(25*sin(q2_minus_90deg)^2*(1 +
+    //   4*cos(q2_minus_90deg)^2)^2)
+    let u1_dot_by_q2_minus_90deg = S::ratio(1, 25) * u1_dot_by_q2_minus_90deg_part_4
+        * u1_dot_by_q2_minus_90deg_part_4
+        * (-sin_q2_minus_90deg
+            * (sin_q2_minus_90deg
+                * (S::int(500) * u1_sq + S::int(300) * u2_sq
+                    + S::int(250) * u1_dot_by_q2_minus_90deg_part_2
+                    + sin_q2_minus_90deg
+                        * (S::int(2943)
+                            + S::int(200) * u1_dot_by_q2_minus_90deg_part
+                                * u3.mul_add(S::int(2), -u2_by_q2_minus_90deg)
+                            - sin_q2_minus_90deg_scaled
+                                * (u1_sq
+                                    .mul_add(S::int(150), S::int(981) * sin_q2_minus_90deg)
+                                    + S::int(50) * u1_dot_by_q2_minus_90deg_part_3)))
+                + S::int(250) * u2_by_q2_minus_90deg * u1_dot_by_q2_minus_90deg_part)
+            + S::int(125) * u2_sq);
+    // u1_dot_by_u1 = 8*u1*sin(q2_minus_90deg)*cos(q2_minus_90deg)/(4*sin(q2_minus_90deg)^2 - 5)
+    let u1_dot_by_u1 = S::int(8) * u1 * sin_q2_minus_90deg * cos_q2_minus_90deg
+        / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
+    // Entries that are not zero.
+    // d(q2_minus_90deg')/d(u1) = -1
+    let q2_minus_90deg_dot_by_u1_value = -S::int(1);
+    // d(q3')/d(q2_minus_90deg) = (u2_by_q2_minus_90deg*cos(q2_minus_90deg) -
+    //   u2/sin(q2_minus_90deg))/sin(q2_minus_90deg)
+    let q3_dot_by_q2_minus_90deg_value = u2_part_2
+        * (-u2).mul_add(u2_part_2, u2_by_q2_minus_90deg * cos_q2_minus_90deg);
+    // d(q1')/d(q2_minus_90deg) = (u2/tan(q2_minus_90deg) - u2_by_q2_minus_90deg)/sin(q2_minus_90deg)
+    let q1_dot_by_q2_minus_90deg_value = u2_part_2
+        * u2_part_2.mul_add(u1_dot_by_q2_minus_90deg_part, -u2_by_q2_minus_90deg);
+    [
+        [zero, zero, zero, q2_minus_90deg_dot_by_u1_value],
+        [q3_dot_by_q2_minus_90deg_value, zero, zero, zero],
+        [q1_dot_by_q2_minus_90deg_value, zero, zero, zero],
+        [u1_dot_by_q2_minus_90deg, zero, zero, u1_dot_by_u1],
+    ]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 14 operations, 2 sines and cosines.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
+    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let [q2_minus_90deg, _, _] = *q;
+    let [u1] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Elimination, step by step.
+    // u3 = 2*p_q3
+    let u3 = S::int(2) * p_q3;
+    // Shared terms.
+    // 1/sin(q2_minus_90deg); used 2 times
+    let u2_part = S::int(1) / sin_q2_minus_90deg;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
+    // Elimination, step by step.
+    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
+    let u2 = -S::int(4) * u2_part
+        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
+    // Shared terms.
+    // u2*u2_part; used 2 times
+    let u2_u2_part = u2 * u2_part;
+    // Values.
+    // q2_minus_90deg' = -u1
+    let q2_minus_90deg_dot_value = -u1;
+    // q3' = u3 + u2/tan(q2_minus_90deg)
+    let q3_dot_value = u2_u2_part.mul_add(cos_q2_minus_90deg, u3);
+    // q1' = -u2/sin(q2_minus_90deg)
+    let q1_dot_value = -u2_u2_part;
+    [q2_minus_90deg_dot_value, q3_dot_value, q1_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 6 operations, 1 sine and cosine.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> S {
+    let [q2_minus_90deg, _, _] = *q;
+    let [u1] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    // Values.
+    // T = u1^2*(5 - 4*sin(q2_minus_90deg)^2)/8
+    let energy = S::ratio(1, 8) * u1 * u1
+        * (S::int(5) - S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg);
+    energy
+}
+
+/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+///
+/// 21 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { p_q3, p_q4, p_q5, H_a3_there, .. } = *p;
+    let [q2_minus_90deg, _, _] = *q;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    // Elimination, step by step.
+    // u3 = 2*p_q3
+    let u3 = S::int(2) * p_q3;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
+    // Elimination, step by step.
+    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
+    let u2 = -S::int(4)
+        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there)
+        / sin_q2_minus_90deg;
+    // Shared terms.
+    // p_q4^2 + p_q5^2
+    let energy_part = p_q5.mul_add(p_q5, p_q4 * p_q4);
+    // Values.
+    // V = u2^2/8 - 981/100 + u3^2/4 - 981*sin(q2_minus_90deg)/100 + p_q4^2/2 + p_q5^2/2
+    let energy = S::ratio(1, 8) * u2 * u2 - S::ratio(981, 100) + S::ratio(1, 4) * u3 * u3
+        - S::ratio(981, 100) * sin_q2_minus_90deg + S::ratio(1, 2) * energy_part;
+    energy
+}
+
+/// What the scene asks for, a time t after the start.
+///
+/// 29 operations, 3 sines and cosines.
+#[must_use]
+pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S; 10] {
+    let Parameters { p_q3, p_q4, p_q5, H_a3_there, centre_q4, centre_q5 } = *p;
+    let [q2_minus_90deg, q3, q1] = *q;
+    let [u1] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step.
+    // u3 = 2*p_q3
+    let u3 = S::int(2) * p_q3;
+    // Shared terms.
+    // 1/sin(q2_minus_90deg); used 2 times
+    let u2_part = S::int(1) / sin_q2_minus_90deg;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
+    // Elimination, step by step.
+    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
+    let u2 = -S::int(4) * u2_part
+        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
+    // Shared terms.
+    // u1*sin(q2_minus_90deg); used 2 times
+    let u5_part = u1 * sin_q2_minus_90deg;
+    // u2*u2_part; used 2 times
+    let u2_u2_part = u2 * u2_part;
+    // sin(q1)*cos(q2_minus_90deg); used 2 times
+    let u5_part_2 = s1 * cos_q2_minus_90deg;
+    // Elimination, step by step.
+    // u5 = p_q5 - u1*cos(q1)*sin(q2_minus_90deg) - u2*sin(q1)/tan(q2_minus_90deg)
+    let u5 = (-u5_part).mul_add(c1, p_q5) - u2_u2_part * u5_part_2;
+    // Shared terms.
+    // cos(q1)*cos(q2_minus_90deg); used 2 times
+    let u4_part = c1 * cos_q2_minus_90deg;
+    // Elimination, step by step.
+    // u4 = u1*sin(q1)*sin(q2_minus_90deg) - u2*cos(q1)/tan(q2_minus_90deg) + p_q4
+    let u4 = u5_part.mul_add(s1, p_q4) - u2_u2_part * u4_part;
+    // Values.
+    // q1 = q1
+    let q1_value = q1;
+    // q2 = pi/2 + q2_minus_90deg
+    let q2_value = S::ratio(1, 2) * S::pi() + q2_minus_90deg;
+    // q3 = q3
+    let q3_value = q3;
+    // q4 = sin(q1)*cos(q2_minus_90deg) + p_q4*t + centre_q4
+    let q4_value = p_q4.mul_add(t, centre_q4) + u5_part_2;
+    // q5 = p_q5*t - cos(q1)*cos(q2_minus_90deg) + centre_q5
+    let q5_value = p_q5.mul_add(t, centre_q5) - u4_part;
+    // u1 = u1
+    let u1_value = u1;
+    [q1_value, q2_value, q3_value, q4_value, q5_value, u1_value, u2, u3, u4, u5]
+}
+
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
+///
+/// 14 convolutions and 16 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    series: &mut [[S; 4]],
+    history: &mut [Factors<S, 16>],
+) {
+    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let [q2_minus_90deg_0, _, _, u1_0] = series[0];
+    // Constant in time.
+    // weight = 2*p_q3
+    let weight = S::int(2) * p_q3;
+    // minus_400_p_q3 = -400*p_q3
+    let minus_400_p_q3 = -S::int(400) * p_q3;
+    // Order 0.
+    let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
+    let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
+    // q2_minus_90deg_by_2 = 1/2*q2_minus_90deg
+    let q2_minus_90deg_by_2_0 = S::ratio(1, 2) * q2_minus_90deg_0;
+    let (sin_q2_minus_90deg_by_2_0, cos_q2_minus_90deg_by_2_0) = q2_minus_90deg_by_2_0
+        .sin_cos();
+    // u2_part = sin_q2_minus_90deg_by_2*sin_q2_minus_90deg_by_2
+    let u2_part_0 = sin_q2_minus_90deg_by_2_0 * sin_q2_minus_90deg_by_2_0;
+    // u2_part_2 = H_a3_there + weight*u2_part
+    let u2_part_2_0 = u2_part_0.mul_add(weight, H_a3_there);
+    // u2_part_3 = u2_part_2/sin_q2_minus_90deg
+    let u2_part_3_0 = u2_part_2_0 * over_sin_q2_minus_90deg;
+    // u1_dot_part = u2_part_3/sin_q2_minus_90deg
+    let u1_dot_part_0 = u2_part_3_0 * over_sin_q2_minus_90deg;
+    // u1_dot_part_2 = u2_part_3*u1_dot_part
+    let u1_dot_part_2_0 = u2_part_3_0 * u1_dot_part_0;
+    // u1_dot_part_3 = sin_q2_minus_90deg*sin_q2_minus_90deg
+    let u1_dot_part_3_0 = sin_q2_minus_90deg_0 * sin_q2_minus_90deg_0;
+    // u1_p2 = u1*u1
+    let u1_p2_0 = u1_0 * u1_0;
+    // u1_dot_part_4 = sin_q2_minus_90deg*u1_p2
+    let u1_dot_part_4_0 = sin_q2_minus_90deg_0 * u1_p2_0;
+    // u1_dot_part_5 = 981 + 400*u1_dot_part_2 + 100*u1_dot_part_4
+    let u1_dot_part_5_0 = u1_dot_part_2_0
+        .mul_add(S::int(400), u1_dot_part_4_0.mul_add(S::int(100), S::int(981)));
+    // u1_dot_part_6 = cos_q2_minus_90deg*u1_dot_part_5
+    let u1_dot_part_6_0 = cos_q2_minus_90deg_0 * u1_dot_part_5_0;
+    // u1_dot_part_7 = minus_400_p_q3*u2_part_3 + u1_dot_part_6
+    let u1_dot_part_7_0 = minus_400_p_q3 * u2_part_3_0 + u1_dot_part_6_0;
+    // u1_dot_part_8 = -5 + 4*u1_dot_part_3
+    let u1_dot_part_8_0 = u1_dot_part_3_0.mul_add(S::int(4), -S::int(5));
+    let over_u1_dot_part_8 = S::int(1) / u1_dot_part_8_0;
+    // u1_dot_part_9 = u1_dot_part_7/u1_dot_part_8
+    let u1_dot_part_9_0 = u1_dot_part_7_0 * over_u1_dot_part_8;
+    // q3_part = cos_q2_minus_90deg*u1_dot_part
+    let q3_part_0 = cos_q2_minus_90deg_0 * u1_dot_part_0;
+    // q3_dot_2 = weight - 4*q3_part
+    let q3_dot_2_0 = q3_part_0.mul_add(-S::int(4), weight);
+    // Order 1: the rates, and what follows from them.
+    let q2_minus_90deg_1 = -u1_0;
+    let q3_1 = q3_dot_2_0;
+    let q1_1 = S::int(4) * u1_dot_part_0;
+    let u1_1 = S::ratio(1, 25) * u1_dot_part_9_0;
+    if series.len() > 1 {
+        series[1] = [q2_minus_90deg_1, q3_1, q1_1, u1_1];
+    }
+    let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
+    let cos_q2_minus_90deg_1 = -q2_minus_90deg_1 * sin_q2_minus_90deg_0;
+    let q2_minus_90deg_by_2_1 = S::ratio(1, 2) * q2_minus_90deg_1;
+    let sin_q2_minus_90deg_by_2_1 = q2_minus_90deg_by_2_1 * cos_q2_minus_90deg_by_2_0;
+    let cos_q2_minus_90deg_by_2_1 = -q2_minus_90deg_by_2_1 * sin_q2_minus_90deg_by_2_0;
+    let u2_part_1 = sin_q2_minus_90deg_by_2_1
+        * (sin_q2_minus_90deg_by_2_0 + sin_q2_minus_90deg_by_2_0);
+    let u2_part_2_1 = weight * u2_part_1;
+    let u2_part_3_1 = sin_q2_minus_90deg_1
+        .mul_add(
+            -(u2_part_3_0 * over_sin_q2_minus_90deg),
+            u2_part_2_1 * over_sin_q2_minus_90deg,
+        );
+    let u1_dot_part_1 = sin_q2_minus_90deg_1
+        .mul_add(
+            -(u1_dot_part_0 * over_sin_q2_minus_90deg),
+            u2_part_3_1 * over_sin_q2_minus_90deg,
+        );
+    let u1_dot_part_2_1 = u1_dot_part_1
+        .mul_add(u2_part_3_0, u2_part_3_1 * u1_dot_part_0);
+    let u1_dot_part_3_1 = sin_q2_minus_90deg_1
+        * (sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0);
+    let u1_p2_1 = u1_1 * (u1_0 + u1_0);
+    let u1_dot_part_4_1 = u1_p2_1
+        .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg_1 * u1_p2_0);
+    let u1_dot_part_5_1 = u1_dot_part_2_1
+        .mul_add(S::int(400), S::int(100) * u1_dot_part_4_1);
+    let u1_dot_part_6_1 = u1_dot_part_5_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u1_dot_part_5_0);
+    let u1_dot_part_7_1 = minus_400_p_q3 * u2_part_3_1 + u1_dot_part_6_1;
+    let u1_dot_part_8_1 = S::int(4) * u1_dot_part_3_1;
+    let u1_dot_part_9_1 = u1_dot_part_8_1
+        .mul_add(
+            -(u1_dot_part_9_0 * over_u1_dot_part_8),
+            u1_dot_part_7_1 * over_u1_dot_part_8,
+        );
+    let q3_part_1 = u1_dot_part_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u1_dot_part_0);
+    let q3_dot_2_1 = -S::int(4) * q3_part_1;
+    if series.len() > 2 {
+        // Factors of the convolutions: left, right.
+        history[1] = [
+            padded([
+                q2_minus_90deg_1,
+                q2_minus_90deg_1,
+                q2_minus_90deg_by_2_1,
+                q2_minus_90deg_by_2_1,
+                sin_q2_minus_90deg_by_2_1,
+                sin_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                u2_part_3_1,
+                sin_q2_minus_90deg_1,
+                u1_1,
+                sin_q2_minus_90deg_1,
+                cos_q2_minus_90deg_1,
+                u1_dot_part_8_1,
+                cos_q2_minus_90deg_1,
+            ]),
+            padded([
+                cos_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1,
+                cos_q2_minus_90deg_by_2_1,
+                sin_q2_minus_90deg_by_2_1,
+                sin_q2_minus_90deg_by_2_1,
+                u2_part_3_1,
+                u1_dot_part_1,
+                u1_dot_part_1,
+                sin_q2_minus_90deg_1,
+                u1_1,
+                u1_p2_1,
+                u1_dot_part_5_1,
+                u1_dot_part_9_1,
+                u1_dot_part_1,
+            ]),
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q2_minus_90deg_last = q2_minus_90deg_1;
+    let mut u1_last = u1_1;
+    let mut sin_q2_minus_90deg_last = sin_q2_minus_90deg_1;
+    let mut cos_q2_minus_90deg_last = cos_q2_minus_90deg_1;
+    let mut q2_minus_90deg_by_2_last = q2_minus_90deg_by_2_1;
+    let mut sin_q2_minus_90deg_by_2_last = sin_q2_minus_90deg_by_2_1;
+    let mut cos_q2_minus_90deg_by_2_last = cos_q2_minus_90deg_by_2_1;
+    let mut u2_part_3_last = u2_part_3_1;
+    let mut u1_dot_part_last = u1_dot_part_1;
+    let mut u1_p2_last = u1_p2_1;
+    let mut u1_dot_part_5_last = u1_dot_part_5_1;
+    let mut u1_dot_part_8_last = u1_dot_part_8_1;
+    let mut u1_dot_part_9_last = u1_dot_part_9_1;
+    let mut next = [S::int(0); 16];
+    // Rates at order k - 1.
+    let mut q2_minus_90deg_rate = -u1_1;
+    let mut q3_rate = q3_dot_2_1;
+    let mut q1_rate = S::int(4) * u1_dot_part_1;
+    let mut u1_rate = S::ratio(1, 25) * u1_dot_part_9_1;
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q2_minus_90deg = q2_minus_90deg_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let q1 = q1_rate * over_k;
+        let u1 = u1_rate * over_k;
+        series[order] = [q2_minus_90deg, q3, q1, u1];
+        if order + 1 == series.len() {
+            break;
+        }
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&history[..order]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            padded([
+                q2_minus_90deg_1
+                    .mul_add(
+                        cos_q2_minus_90deg_last,
+                        (count_last * q2_minus_90deg_last)
+                            .mul_add(cos_q2_minus_90deg_1, next[0]),
+                    ),
+                q2_minus_90deg_1
+                    .mul_add(
+                        sin_q2_minus_90deg_last,
+                        (count_last * q2_minus_90deg_last)
+                            .mul_add(sin_q2_minus_90deg_1, next[1]),
+                    ),
+                q2_minus_90deg_by_2_1
+                    .mul_add(
+                        cos_q2_minus_90deg_by_2_last,
+                        (count_last * q2_minus_90deg_by_2_last)
+                            .mul_add(cos_q2_minus_90deg_by_2_1, next[2]),
+                    ),
+                q2_minus_90deg_by_2_1
+                    .mul_add(
+                        sin_q2_minus_90deg_by_2_last,
+                        (count_last * q2_minus_90deg_by_2_last)
+                            .mul_add(sin_q2_minus_90deg_by_2_1, next[3]),
+                    ),
+                (sin_q2_minus_90deg_by_2_1 + sin_q2_minus_90deg_by_2_1)
+                    .mul_add(sin_q2_minus_90deg_by_2_last, next[4]),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        u2_part_3_last,
+                        sin_q2_minus_90deg_last.mul_add(u2_part_3_1, next[5]),
+                    ),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        u1_dot_part_last,
+                        sin_q2_minus_90deg_last.mul_add(u1_dot_part_1, next[6]),
+                    ),
+                u2_part_3_1
+                    .mul_add(
+                        u1_dot_part_last,
+                        u2_part_3_last.mul_add(u1_dot_part_1, next[7]),
+                    ),
+                (sin_q2_minus_90deg_1 + sin_q2_minus_90deg_1)
+                    .mul_add(sin_q2_minus_90deg_last, next[8]),
+                (u1_1 + u1_1).mul_add(u1_last, next[9]),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        u1_p2_last,
+                        sin_q2_minus_90deg_last.mul_add(u1_p2_1, next[10]),
+                    ),
+                cos_q2_minus_90deg_1
+                    .mul_add(
+                        u1_dot_part_5_last,
+                        cos_q2_minus_90deg_last.mul_add(u1_dot_part_5_1, next[11]),
+                    ),
+                u1_dot_part_8_1
+                    .mul_add(
+                        u1_dot_part_9_last,
+                        u1_dot_part_8_last.mul_add(u1_dot_part_9_1, next[12]),
+                    ),
+                cos_q2_minus_90deg_1
+                    .mul_add(
+                        u1_dot_part_last,
+                        cos_q2_minus_90deg_last.mul_add(u1_dot_part_1, next[13]),
+                    ),
+            ])
+        };
+        // sin_q2_minus_90deg = sin(q2_minus_90deg)
+        let sin_q2_minus_90deg = q2_minus_90deg
+            .mul_add(cos_q2_minus_90deg_0, sums[0] * over_k);
+        // cos_q2_minus_90deg = cos(q2_minus_90deg)
+        let cos_q2_minus_90deg = -q2_minus_90deg
+            .mul_add(sin_q2_minus_90deg_0, sums[1] * over_k);
+        // q2_minus_90deg_by_2 = 1/2*q2_minus_90deg
+        let q2_minus_90deg_by_2 = S::ratio(1, 2) * q2_minus_90deg;
+        // sin_q2_minus_90deg_by_2 = sin(q2_minus_90deg_by_2)
+        let sin_q2_minus_90deg_by_2 = q2_minus_90deg_by_2
+            .mul_add(cos_q2_minus_90deg_by_2_0, sums[2] * over_k);
+        // cos_q2_minus_90deg_by_2 = cos(q2_minus_90deg_by_2)
+        let cos_q2_minus_90deg_by_2 = -q2_minus_90deg_by_2
+            .mul_add(sin_q2_minus_90deg_by_2_0, sums[3] * over_k);
+        // u2_part = sin_q2_minus_90deg_by_2*sin_q2_minus_90deg_by_2
+        let u2_part = sin_q2_minus_90deg_by_2
+            .mul_add(sin_q2_minus_90deg_by_2_0 + sin_q2_minus_90deg_by_2_0, sums[4]);
+        // u2_part_2 = H_a3_there + weight*u2_part
+        let u2_part_2 = weight * u2_part;
+        // u2_part_3 = u2_part_2/sin_q2_minus_90deg
+        let u2_part_3 = u2_part_2
+            .mul_add(
+                over_sin_q2_minus_90deg,
+                -(sin_q2_minus_90deg.mul_add(u2_part_3_0, sums[5])
+                    * over_sin_q2_minus_90deg),
+            );
+        // u1_dot_part = u2_part_3/sin_q2_minus_90deg
+        let u1_dot_part = u2_part_3
+            .mul_add(
+                over_sin_q2_minus_90deg,
+                -(sin_q2_minus_90deg.mul_add(u1_dot_part_0, sums[6])
+                    * over_sin_q2_minus_90deg),
+            );
+        // u1_dot_part_2 = u2_part_3*u1_dot_part
+        let u1_dot_part_2 = u1_dot_part
+            .mul_add(u2_part_3_0, u2_part_3.mul_add(u1_dot_part_0, sums[7]));
+        // u1_dot_part_3 = sin_q2_minus_90deg*sin_q2_minus_90deg
+        let u1_dot_part_3 = sin_q2_minus_90deg
+            .mul_add(sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0, sums[8]);
+        // u1_p2 = u1*u1
+        let u1_p2 = u1.mul_add(u1_0 + u1_0, sums[9]);
+        // u1_dot_part_4 = sin_q2_minus_90deg*u1_p2
+        let u1_dot_part_4 = u1_p2
+            .mul_add(
+                sin_q2_minus_90deg_0,
+                sin_q2_minus_90deg.mul_add(u1_p2_0, sums[10]),
+            );
+        // u1_dot_part_5 = 981 + 400*u1_dot_part_2 + 100*u1_dot_part_4
+        let u1_dot_part_5 = u1_dot_part_2
+            .mul_add(S::int(400), S::int(100) * u1_dot_part_4);
+        // u1_dot_part_6 = cos_q2_minus_90deg*u1_dot_part_5
+        let u1_dot_part_6 = u1_dot_part_5
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(u1_dot_part_5_0, sums[11]),
+            );
+        // u1_dot_part_7 = minus_400_p_q3*u2_part_3 + u1_dot_part_6
+        let u1_dot_part_7 = minus_400_p_q3 * u2_part_3 + u1_dot_part_6;
+        // u1_dot_part_8 = -5 + 4*u1_dot_part_3
+        let u1_dot_part_8 = S::int(4) * u1_dot_part_3;
+        // u1_dot_part_9 = u1_dot_part_7/u1_dot_part_8
+        let u1_dot_part_9 = u1_dot_part_7
+            .mul_add(
+                over_u1_dot_part_8,
+                -(u1_dot_part_8.mul_add(u1_dot_part_9_0, sums[12]) * over_u1_dot_part_8),
+            );
+        // q3_part = cos_q2_minus_90deg*u1_dot_part
+        let q3_part = u1_dot_part
+            .mul_add(
+                cos_q2_minus_90deg_0,
+                cos_q2_minus_90deg.mul_add(u1_dot_part_0, sums[13]),
+            );
+        // q3_dot_2 = weight - 4*q3_part
+        let q3_dot_2 = -S::int(4) * q3_part;
+        q2_minus_90deg_rate = -u1;
+        q3_rate = q3_dot_2;
+        q1_rate = S::int(4) * u1_dot_part;
+        u1_rate = S::ratio(1, 25) * u1_dot_part_9;
+        // Factors of the convolutions: left, right.
+        history[order] = [
+            padded([
+                count * q2_minus_90deg,
+                count * q2_minus_90deg,
+                count * q2_minus_90deg_by_2,
+                count * q2_minus_90deg_by_2,
+                sin_q2_minus_90deg_by_2,
+                sin_q2_minus_90deg,
+                sin_q2_minus_90deg,
+                u2_part_3,
+                sin_q2_minus_90deg,
+                u1,
+                sin_q2_minus_90deg,
+                cos_q2_minus_90deg,
+                u1_dot_part_8,
+                cos_q2_minus_90deg,
+            ]),
+            padded([
+                cos_q2_minus_90deg,
+                sin_q2_minus_90deg,
+                cos_q2_minus_90deg_by_2,
+                sin_q2_minus_90deg_by_2,
+                sin_q2_minus_90deg_by_2,
+                u2_part_3,
+                u1_dot_part,
+                u1_dot_part,
+                sin_q2_minus_90deg,
+                u1,
+                u1_p2,
+                u1_dot_part_5,
+                u1_dot_part_9,
+                u1_dot_part,
+            ]),
+        ];
+        count_last = count;
+        q2_minus_90deg_last = q2_minus_90deg;
+        u1_last = u1;
+        sin_q2_minus_90deg_last = sin_q2_minus_90deg;
+        cos_q2_minus_90deg_last = cos_q2_minus_90deg;
+        q2_minus_90deg_by_2_last = q2_minus_90deg_by_2;
+        sin_q2_minus_90deg_by_2_last = sin_q2_minus_90deg_by_2;
+        cos_q2_minus_90deg_by_2_last = cos_q2_minus_90deg_by_2;
+        u2_part_3_last = u2_part_3;
+        u1_dot_part_last = u1_dot_part;
+        u1_p2_last = u1_p2;
+        u1_dot_part_5_last = u1_dot_part_5;
+        u1_dot_part_8_last = u1_dot_part_8;
+        u1_dot_part_9_last = u1_dot_part_9;
+    }
+}
+
+/// Reduced equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Reduced;
+
+impl<S: Scalar> System<S> for Reduced {
+    fn parameters(&self) -> usize {
+        6
+    }
+    fn coordinates(&self) -> usize {
+        3
+    }
+    fn speeds(&self) -> usize {
+        1
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn output_count(&self) -> usize {
+        10
+    }
+    fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        32 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+#[inline(always)]
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}
+
+/// What a program needs to find these equations and to trust them.
+pub const SCENE: CompiledScene = CompiledScene {
+    name: "report",
+    key: "da8aeac3b842fa9f",
+    system: CompiledSystem {
+        name: "reduced",
+        double: &Reduced,
+        extended: &Reduced,
+        lanes: None,
+    },
+};

@@ -1,0 +1,665 @@
+//! Symmetric heavy top in Euler's angles: Let go.
+//!
+//! Generated from `models/euler_top/scenes/cusps.toml`. Do not edit; run `tripos regenerate`.
+//! Outputs: psi, theta, phi, u1, u2, u3.
+//! States: theta, u1. Quadratures: phi, psi.
+//! p_psi_there = 19*u2*sin(theta)/200 + 21*u3*(cos(theta) - 1)/1000: momentum p_psi = ∂L/∂psi', what is left of it on the singular surface.
+//! p_phi = 21*u3/1000: momentum p_phi = ∂L/∂phi'.
+//! Parameters that the scene fixes: m = 1.3, l = 0.22, I1 = 0.095, I3 = 0.021, g = 9.81.
+//! Cost: accelerations 17 operations, 2 sines and cosines; derivative 18 operations, 2 sines and cosines.
+//! Singular where sin(theta) = 0 and where 19*sin(theta)/200 = 0.
+
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
+use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+
+/// The parameters, in the order of the model file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<S> {
+    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, kg*m^2/s
+    pub p_psi_there: S,
+    /// momentum p_phi = ∂L/∂phi', kg*m^2/s
+    pub p_phi: S,
+}
+
+impl<S: Scalar> Parameters<S> {
+    /// From values in the order of [`PARAMETERS`].
+    ///
+    /// # Panics
+    /// If `p` has fewer values than there are parameters.
+    #[must_use]
+    #[inline(always)]
+    pub fn from_slice(p: &[S]) -> Self {
+        Self {
+            p_psi_there: p[0],
+            p_phi: p[1],
+        }
+    }
+}
+
+/// Names of the parameters: those that stay free, then what the start of a motion fixes.
+pub const PARAMETERS: [&str; 2] = ["p_psi_there", "p_phi"];
+
+/// Names of the outputs.
+pub const OUTPUTS: [&str; 6] = ["psi", "theta", "phi", "u1", "u2", "u3"];
+
+/// The accelerations (u1'), solved for when this code was generated.
+///
+/// 17 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [S; 1] {
+    let Parameters { p_psi_there, p_phi } = *p;
+    let [theta, _, _] = *q;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // 1/sin(theta); used 2 times
+    let sin_theta_inv = S::int(1) / sin_theta;
+    // Sines and cosines.
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
+    let u2 = S::ratio(200, 19) * sin_theta_inv
+        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
+    // u3 = 1000*p_phi/21
+    let u3 = S::ratio(1000, 21) * p_phi;
+    // u1' = 140283*sin(theta)/4750 + u2^2/tan(theta) - 21*u2*u3/95
+    let u1_dot = S::ratio(140283, 4750) * sin_theta - S::ratio(21, 95) * u2 * u3
+        + u2 * u2 * sin_theta_inv * cos_theta;
+    [u1_dot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 18 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 1],
+) -> ([S; 3], [S; 1]) {
+    let Parameters { p_psi_there, p_phi } = *p;
+    let [theta, _, _] = *q;
+    let [u1] = *u;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // 1/sin(theta); used 2 times
+    let sin_theta_inv = S::int(1) / sin_theta;
+    // Sines and cosines.
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
+    let u2 = S::ratio(200, 19) * sin_theta_inv
+        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
+    // u3 = 1000*p_phi/21
+    let u3 = S::ratio(1000, 21) * p_phi;
+    // Shared terms.
+    // u2*sin_theta_inv; used 2 times
+    let u2_sin_theta_inv = u2 * sin_theta_inv;
+    // u2_sin_theta_inv*cos(theta); used 2 times
+    let u1_dot_part = u2_sin_theta_inv * cos_theta;
+    // Elimination, step by step.
+    // u1' = 140283*sin(theta)/4750 + u2^2/tan(theta) - 21*u2*u3/95
+    let u1_dot = u2
+        .mul_add(
+            u1_dot_part,
+            S::ratio(140283, 4750) * sin_theta - S::ratio(21, 95) * u2 * u3,
+        );
+    // Values.
+    // theta' = u1
+    let theta_dot_value = u1;
+    // phi' = u3 - u2/tan(theta)
+    let phi_dot_value = u3 - u1_dot_part;
+    // psi' = u2/sin(theta)
+    let psi_dot_value = u2_sin_theta_inv;
+    ([theta_dot_value, phi_dot_value, psi_dot_value], [u1_dot])
+}
+
+/// Jacobian of the derivative by the state; columns theta, phi, psi, u1.
+///
+/// 32 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
+    let Parameters { p_psi_there, p_phi } = *p;
+    let [theta, _, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // theta/2; used 2 times
+    let theta_scaled = S::ratio(1, 2) * theta;
+    // Sines and cosines.
+    let (sin_theta_by_2, cos_theta_by_2) = theta_scaled.sin_cos();
+    // Shared terms.
+    // 2*sin(theta/2)^2; used 2 times
+    let sin_theta_by_2_sq_scaled = S::int(2) * sin_theta_by_2 * sin_theta_by_2;
+    // p_phi*sin_theta_by_2_sq_scaled; used 2 times
+    let u2_part = p_phi * sin_theta_by_2_sq_scaled;
+    // 1/sin(theta); used 4 times
+    let sin_theta_inv = S::int(1) / sin_theta;
+    // Elimination, step by step.
+    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
+    let u2 = S::ratio(200, 19) * sin_theta_inv * (p_psi_there + u2_part);
+    // u3 = 1000*p_phi/21
+    let u3 = S::ratio(1000, 21) * p_phi;
+    // Shared terms.
+    // 1/(sin(theta/2)*cos(theta/2))
+    let u2_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
+    // Elimination, step by step.
+    // u2_by_theta = 50*(2*p_phi*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
+    //   1))/(19*sin(theta/2)^2*cos(theta/2)^2)
+    let u2_by_theta = S::ratio(50, 19) * u2_by_theta_part * u2_by_theta_part
+        * (p_psi_there * (sin_theta_by_2_sq_scaled - S::int(1)) + u2_part);
+    // Shared terms.
+    // u2*sin_theta_inv; used 4 times
+    let u2_sin_theta_inv = u2 * sin_theta_inv;
+    // u2_by_theta*cos(theta); used 2 times
+    let u1_dot_by_theta_part = u2_by_theta * cos_theta;
+    // Elimination, step by step.
+    // u1_dot_by_theta = 140283*cos(theta)/4750 - 21*u3*u2_by_theta/95 + u2*(2*u2_by_theta*cos(theta) -
+    //   u2/sin(theta))/sin(theta)
+    let u1_dot_by_theta = S::ratio(140283, 4750) * cos_theta
+        - S::ratio(21, 95) * u3 * u2_by_theta
+        + u2_sin_theta_inv * u1_dot_by_theta_part.mul_add(S::int(2), -u2_sin_theta_inv);
+    // Entries that are not zero.
+    // d(theta')/d(u1) = 1
+    let theta_dot_by_u1_value = S::int(1);
+    // d(phi')/d(theta) = (u2/sin(theta) - u2_by_theta*cos(theta))/sin(theta)
+    let phi_dot_by_theta_value = sin_theta_inv
+        * (u2_sin_theta_inv - u1_dot_by_theta_part);
+    // d(psi')/d(theta) = (u2_by_theta - u2/tan(theta))/sin(theta)
+    let psi_dot_by_theta_value = sin_theta_inv
+        * (-u2_sin_theta_inv).mul_add(cos_theta, u2_by_theta);
+    [
+        [zero, zero, zero, theta_dot_by_u1_value],
+        [phi_dot_by_theta_value, zero, zero, zero],
+        [psi_dot_by_theta_value, zero, zero, zero],
+        [u1_dot_by_theta, zero, zero, zero],
+    ]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 12 operations, 2 sines and cosines.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
+    let Parameters { p_psi_there, p_phi } = *p;
+    let [theta, _, _] = *q;
+    let [u1] = *u;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // 1/sin(theta); used 2 times
+    let sin_theta_inv = S::int(1) / sin_theta;
+    // Sines and cosines.
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
+    let u2 = S::ratio(200, 19) * sin_theta_inv
+        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
+    // u3 = 1000*p_phi/21
+    let u3 = S::ratio(1000, 21) * p_phi;
+    // Shared terms.
+    // u2*sin_theta_inv; used 2 times
+    let u2_sin_theta_inv = u2 * sin_theta_inv;
+    // Values.
+    // theta' = u1
+    let theta_dot_value = u1;
+    // phi' = u3 - u2/tan(theta)
+    let phi_dot_value = (-u2_sin_theta_inv).mul_add(cos_theta, u3);
+    // psi' = u2/sin(theta)
+    let psi_dot_value = u2_sin_theta_inv;
+    [theta_dot_value, phi_dot_value, psi_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 2 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> S {
+    let [u1] = *u;
+    // Values.
+    // T = 19*u1^2/400
+    let energy = S::ratio(19, 400) * u1 * u1;
+    energy
+}
+
+/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+///
+/// 15 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { p_psi_there, p_phi } = *p;
+    let [theta, _, _] = *q;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
+    let u2 = S::ratio(200, 19)
+        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there)
+        / sin_theta;
+    // u3 = 1000*p_phi/21
+    let u3 = S::ratio(1000, 21) * p_phi;
+    // Values.
+    // V = 140283*cos(theta)/50000 + 19*u2^2/400 + 21*u3^2/2000
+    let energy = S::ratio(140283, 50000) * cos_theta + S::ratio(19, 400) * u2 * u2
+        + S::ratio(21, 2000) * u3 * u3;
+    energy
+}
+
+/// What the scene asks for, a time t after the start.
+///
+/// 8 operations, 2 sines and cosines.
+#[must_use]
+pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 1]) -> [S; 6] {
+    let Parameters { p_psi_there, p_phi } = *p;
+    let [theta, phi, psi] = *q;
+    let [u1] = *u;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
+    let u2 = S::ratio(200, 19)
+        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there)
+        / sin_theta;
+    // u3 = 1000*p_phi/21
+    let u3 = S::ratio(1000, 21) * p_phi;
+    // Values.
+    // psi = psi
+    let psi_value = psi;
+    // theta = theta
+    let theta_value = theta;
+    // phi = phi
+    let phi_value = phi;
+    // u1 = u1
+    let u1_value = u1;
+    [psi_value, theta_value, phi_value, u1_value, u2, u3]
+}
+
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
+///
+/// 9 convolutions and 12 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    series: &mut [[S; 4]],
+    history: &mut [Factors<S, 16>],
+) {
+    let Parameters { p_psi_there, p_phi } = *p;
+    let [theta_0, _, _, u1_0] = series[0];
+    // Constant in time.
+    // weight = 2*p_phi
+    let weight = S::int(2) * p_phi;
+    // minus_40000_p_phi_by_361 = -40000*p_phi/361
+    let minus_40000_p_phi_by_361 = -S::ratio(40000, 361) * p_phi;
+    // weight_2 = 1000*p_phi/21
+    let weight_2 = S::ratio(1000, 21) * p_phi;
+    // Order 0.
+    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
+    let over_sin_theta = S::int(1) / sin_theta_0;
+    // theta_by_2 = 1/2*theta
+    let theta_by_2_0 = S::ratio(1, 2) * theta_0;
+    let (sin_theta_by_2_0, cos_theta_by_2_0) = theta_by_2_0.sin_cos();
+    // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
+    let sin_theta_by_2_p2_0 = sin_theta_by_2_0 * sin_theta_by_2_0;
+    // u2_part = p_psi_there + weight*sin_theta_by_2_p2
+    let u2_part_0 = sin_theta_by_2_p2_0.mul_add(weight, p_psi_there);
+    // u2_part_2 = u2_part/sin_theta
+    let u2_part_2_0 = u2_part_0 * over_sin_theta;
+    // u1_dot_part = u2_part_2/sin_theta
+    let u1_dot_part_0 = u2_part_2_0 * over_sin_theta;
+    // u1_dot_part_2 = cos_theta*u1_dot_part
+    let u1_dot_part_2_0 = cos_theta_0 * u1_dot_part_0;
+    // u1_dot_part_3 = u2_part_2*u1_dot_part_2
+    let u1_dot_part_3_0 = u2_part_2_0 * u1_dot_part_2_0;
+    // u1_dot_2 = 140283/4750*sin_theta + 40000/361*u1_dot_part_3 + minus_40000_p_phi_by_361*u2_part_2
+    let u1_dot_2_0 = u1_dot_part_3_0
+        .mul_add(
+            S::ratio(40000, 361),
+            u2_part_2_0
+                .mul_add(minus_40000_p_phi_by_361, S::ratio(140283, 4750) * sin_theta_0),
+        );
+    // phi_dot_2 = weight_2 - 200/19*u1_dot_part_2
+    let phi_dot_2_0 = u1_dot_part_2_0.mul_add(-S::ratio(200, 19), weight_2);
+    // Order 1: the rates, and what follows from them.
+    let theta_1 = u1_0;
+    let phi_1 = phi_dot_2_0;
+    let psi_1 = S::ratio(200, 19) * u1_dot_part_0;
+    let u1_1 = u1_dot_2_0;
+    if series.len() > 1 {
+        series[1] = [theta_1, phi_1, psi_1, u1_1];
+    }
+    let sin_theta_1 = theta_1 * cos_theta_0;
+    let cos_theta_1 = -theta_1 * sin_theta_0;
+    let theta_by_2_1 = S::ratio(1, 2) * theta_1;
+    let sin_theta_by_2_1 = theta_by_2_1 * cos_theta_by_2_0;
+    let cos_theta_by_2_1 = -theta_by_2_1 * sin_theta_by_2_0;
+    let sin_theta_by_2_p2_1 = sin_theta_by_2_1 * (sin_theta_by_2_0 + sin_theta_by_2_0);
+    let u2_part_1 = weight * sin_theta_by_2_p2_1;
+    let u2_part_2_1 = sin_theta_1
+        .mul_add(-(u2_part_2_0 * over_sin_theta), u2_part_1 * over_sin_theta);
+    let u1_dot_part_1 = sin_theta_1
+        .mul_add(-(u1_dot_part_0 * over_sin_theta), u2_part_2_1 * over_sin_theta);
+    let u1_dot_part_2_1 = u1_dot_part_1
+        .mul_add(cos_theta_0, cos_theta_1 * u1_dot_part_0);
+    let u1_dot_part_3_1 = u1_dot_part_2_1
+        .mul_add(u2_part_2_0, u2_part_2_1 * u1_dot_part_2_0);
+    let u1_dot_2_1 = u1_dot_part_3_1
+        .mul_add(
+            S::ratio(40000, 361),
+            u2_part_2_1
+                .mul_add(minus_40000_p_phi_by_361, S::ratio(140283, 4750) * sin_theta_1),
+        );
+    let phi_dot_2_1 = -S::ratio(200, 19) * u1_dot_part_2_1;
+    if series.len() > 2 {
+        // Factors of the convolutions: left, right.
+        history[1] = [
+            padded([
+                theta_1,
+                theta_1,
+                theta_by_2_1,
+                theta_by_2_1,
+                sin_theta_by_2_1,
+                sin_theta_1,
+                sin_theta_1,
+                cos_theta_1,
+                u2_part_2_1,
+            ]),
+            padded([
+                cos_theta_1,
+                sin_theta_1,
+                cos_theta_by_2_1,
+                sin_theta_by_2_1,
+                sin_theta_by_2_1,
+                u2_part_2_1,
+                u1_dot_part_1,
+                u1_dot_part_1,
+                u1_dot_part_2_1,
+            ]),
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut theta_last = theta_1;
+    let mut sin_theta_last = sin_theta_1;
+    let mut cos_theta_last = cos_theta_1;
+    let mut theta_by_2_last = theta_by_2_1;
+    let mut sin_theta_by_2_last = sin_theta_by_2_1;
+    let mut cos_theta_by_2_last = cos_theta_by_2_1;
+    let mut u2_part_2_last = u2_part_2_1;
+    let mut u1_dot_part_last = u1_dot_part_1;
+    let mut u1_dot_part_2_last = u1_dot_part_2_1;
+    let mut next = [S::int(0); 16];
+    // Rates at order k - 1.
+    let mut theta_rate = u1_1;
+    let mut phi_rate = phi_dot_2_1;
+    let mut psi_rate = S::ratio(200, 19) * u1_dot_part_1;
+    let mut u1_rate = u1_dot_2_1;
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let theta = theta_rate * over_k;
+        let phi = phi_rate * over_k;
+        let psi = psi_rate * over_k;
+        let u1 = u1_rate * over_k;
+        series[order] = [theta, phi, psi, u1];
+        if order + 1 == series.len() {
+            break;
+        }
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&history[..order]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            padded([
+                theta_1
+                    .mul_add(
+                        cos_theta_last,
+                        (count_last * theta_last).mul_add(cos_theta_1, next[0]),
+                    ),
+                theta_1
+                    .mul_add(
+                        sin_theta_last,
+                        (count_last * theta_last).mul_add(sin_theta_1, next[1]),
+                    ),
+                theta_by_2_1
+                    .mul_add(
+                        cos_theta_by_2_last,
+                        (count_last * theta_by_2_last).mul_add(cos_theta_by_2_1, next[2]),
+                    ),
+                theta_by_2_1
+                    .mul_add(
+                        sin_theta_by_2_last,
+                        (count_last * theta_by_2_last).mul_add(sin_theta_by_2_1, next[3]),
+                    ),
+                (sin_theta_by_2_1 + sin_theta_by_2_1)
+                    .mul_add(sin_theta_by_2_last, next[4]),
+                sin_theta_1
+                    .mul_add(
+                        u2_part_2_last,
+                        sin_theta_last.mul_add(u2_part_2_1, next[5]),
+                    ),
+                sin_theta_1
+                    .mul_add(
+                        u1_dot_part_last,
+                        sin_theta_last.mul_add(u1_dot_part_1, next[6]),
+                    ),
+                cos_theta_1
+                    .mul_add(
+                        u1_dot_part_last,
+                        cos_theta_last.mul_add(u1_dot_part_1, next[7]),
+                    ),
+                u2_part_2_1
+                    .mul_add(
+                        u1_dot_part_2_last,
+                        u2_part_2_last.mul_add(u1_dot_part_2_1, next[8]),
+                    ),
+            ])
+        };
+        // sin_theta = sin(theta)
+        let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
+        // cos_theta = cos(theta)
+        let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
+        // theta_by_2 = 1/2*theta
+        let theta_by_2 = S::ratio(1, 2) * theta;
+        // sin_theta_by_2 = sin(theta_by_2)
+        let sin_theta_by_2 = theta_by_2.mul_add(cos_theta_by_2_0, sums[2] * over_k);
+        // cos_theta_by_2 = cos(theta_by_2)
+        let cos_theta_by_2 = -theta_by_2.mul_add(sin_theta_by_2_0, sums[3] * over_k);
+        // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
+        let sin_theta_by_2_p2 = sin_theta_by_2
+            .mul_add(sin_theta_by_2_0 + sin_theta_by_2_0, sums[4]);
+        // u2_part = p_psi_there + weight*sin_theta_by_2_p2
+        let u2_part = weight * sin_theta_by_2_p2;
+        // u2_part_2 = u2_part/sin_theta
+        let u2_part_2 = u2_part
+            .mul_add(
+                over_sin_theta,
+                -(sin_theta.mul_add(u2_part_2_0, sums[5]) * over_sin_theta),
+            );
+        // u1_dot_part = u2_part_2/sin_theta
+        let u1_dot_part = u2_part_2
+            .mul_add(
+                over_sin_theta,
+                -(sin_theta.mul_add(u1_dot_part_0, sums[6]) * over_sin_theta),
+            );
+        // u1_dot_part_2 = cos_theta*u1_dot_part
+        let u1_dot_part_2 = u1_dot_part
+            .mul_add(cos_theta_0, cos_theta.mul_add(u1_dot_part_0, sums[7]));
+        // u1_dot_part_3 = u2_part_2*u1_dot_part_2
+        let u1_dot_part_3 = u1_dot_part_2
+            .mul_add(u2_part_2_0, u2_part_2.mul_add(u1_dot_part_2_0, sums[8]));
+        // u1_dot_2 = 140283/4750*sin_theta + 40000/361*u1_dot_part_3 + minus_40000_p_phi_by_361*u2_part_2
+        let u1_dot_2 = u1_dot_part_3
+            .mul_add(
+                S::ratio(40000, 361),
+                u2_part_2
+                    .mul_add(
+                        minus_40000_p_phi_by_361,
+                        S::ratio(140283, 4750) * sin_theta,
+                    ),
+            );
+        // phi_dot_2 = weight_2 - 200/19*u1_dot_part_2
+        let phi_dot_2 = -S::ratio(200, 19) * u1_dot_part_2;
+        theta_rate = u1;
+        phi_rate = phi_dot_2;
+        psi_rate = S::ratio(200, 19) * u1_dot_part;
+        u1_rate = u1_dot_2;
+        // Factors of the convolutions: left, right.
+        history[order] = [
+            padded([
+                count * theta,
+                count * theta,
+                count * theta_by_2,
+                count * theta_by_2,
+                sin_theta_by_2,
+                sin_theta,
+                sin_theta,
+                cos_theta,
+                u2_part_2,
+            ]),
+            padded([
+                cos_theta,
+                sin_theta,
+                cos_theta_by_2,
+                sin_theta_by_2,
+                sin_theta_by_2,
+                u2_part_2,
+                u1_dot_part,
+                u1_dot_part,
+                u1_dot_part_2,
+            ]),
+        ];
+        count_last = count;
+        theta_last = theta;
+        sin_theta_last = sin_theta;
+        cos_theta_last = cos_theta;
+        theta_by_2_last = theta_by_2;
+        sin_theta_by_2_last = sin_theta_by_2;
+        cos_theta_by_2_last = cos_theta_by_2;
+        u2_part_2_last = u2_part_2;
+        u1_dot_part_last = u1_dot_part;
+        u1_dot_part_2_last = u1_dot_part_2;
+    }
+}
+
+/// Reduced equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Reduced;
+
+impl<S: Scalar> System<S> for Reduced {
+    fn parameters(&self) -> usize {
+        2
+    }
+    fn coordinates(&self) -> usize {
+        3
+    }
+    fn speeds(&self) -> usize {
+        1
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn output_count(&self) -> usize {
+        6
+    }
+    fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        32 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+#[inline(always)]
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}
+
+/// What a program needs to find these equations and to trust them.
+pub const SCENE: CompiledScene = CompiledScene {
+    name: "cusps",
+    key: "f693ac4e5c0ed371",
+    system: CompiledSystem {
+        name: "reduced",
+        double: &Reduced,
+        extended: &Reduced,
+        lanes: None,
+    },
+};

@@ -1,0 +1,11 @@
+//! Chain of three rods floating in a plane: the equations of its scenes.
+//!
+//! Generated from `models/floating_chain/model.toml`. Do not edit; run `tripos regenerate`.
+
+#[rustfmt::skip]
+pub mod folding;
+#[rustfmt::skip]
+pub mod straight;
+
+/// The equations of every scene.
+pub const SCENES: &[tripos_traits::CompiledScene] = &[folding::SCENE, straight::SCENE];

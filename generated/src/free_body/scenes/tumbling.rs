@@ -1,0 +1,726 @@
+//! Symmetric rigid body free of forces: Tumbling.
+//!
+//! Generated from `models/free_body/scenes/tumbling.toml`. Do not edit; run `tripos regenerate`.
+//! Outputs: x, y, z, psi, theta, phi, v1, v2, v3, w1, w2, w3.
+//! States: theta, w1. Quadratures: phi, psi.
+//! p_x = 2*v1: momentum p_x = ∂L/∂x'.
+//! p_y = 2*v2: momentum p_y = ∂L/∂y'.
+//! p_z = 2*v3: momentum p_z = ∂L/∂z'.
+//! p_psi_there = 3*w2*sin(theta)/10 + w3*(cos(theta) - 1)/2: momentum p_psi = ∂L/∂psi', what is left of it on the singular surface.
+//! p_phi = w3/2: momentum p_phi = ∂L/∂phi'.
+//! centre_x = 2*x: 2*x at the start.
+//! centre_y = 2*y: 2*y at the start.
+//! centre_z = 2*z: 2*z at the start.
+//! Parameters that the scene fixes: m = 2, I1 = 0.3, I3 = 0.5.
+//! Cost: accelerations 14 operations, 2 sines and cosines; derivative 15 operations, 2 sines and cosines.
+//! Singular where sin(theta) = 0 and where 3*sin(theta)/10 = 0.
+
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
+use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+
+/// The parameters, in the order of the model file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<S> {
+    /// momentum p_x = ∂L/∂x', kg*m/s
+    pub p_x: S,
+    /// momentum p_y = ∂L/∂y', kg*m/s
+    pub p_y: S,
+    /// momentum p_z = ∂L/∂z', kg*m/s
+    pub p_z: S,
+    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, kg*m^2/s
+    pub p_psi_there: S,
+    /// momentum p_phi = ∂L/∂phi', kg*m^2/s
+    pub p_phi: S,
+    /// 2*x at the start, kg*m
+    pub centre_x: S,
+    /// 2*y at the start, kg*m
+    pub centre_y: S,
+    /// 2*z at the start, kg*m
+    pub centre_z: S,
+}
+
+impl<S: Scalar> Parameters<S> {
+    /// From values in the order of [`PARAMETERS`].
+    ///
+    /// # Panics
+    /// If `p` has fewer values than there are parameters.
+    #[must_use]
+    #[inline(always)]
+    pub fn from_slice(p: &[S]) -> Self {
+        Self {
+            p_x: p[0],
+            p_y: p[1],
+            p_z: p[2],
+            p_psi_there: p[3],
+            p_phi: p[4],
+            centre_x: p[5],
+            centre_y: p[6],
+            centre_z: p[7],
+        }
+    }
+}
+
+/// Names of the parameters: those that stay free, then what the start of a motion fixes.
+pub const PARAMETERS: [&str; 8] = [
+    "p_x",
+    "p_y",
+    "p_z",
+    "p_psi_there",
+    "p_phi",
+    "centre_x",
+    "centre_y",
+    "centre_z",
+];
+
+/// Names of the outputs.
+pub const OUTPUTS: [&str; 12] = [
+    "x",
+    "y",
+    "z",
+    "psi",
+    "theta",
+    "phi",
+    "v1",
+    "v2",
+    "v3",
+    "w1",
+    "w2",
+    "w3",
+];
+
+/// The accelerations (w1'), solved for when this code was generated.
+///
+/// 14 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [S; 1] {
+    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let [theta, _, _] = *q;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // 1/sin(theta); used 2 times
+    let sin_theta_inv = S::int(1) / sin_theta;
+    // Elimination, step by step.
+    // w3 = 2*p_phi
+    let w3 = S::int(2) * p_phi;
+    // Sines and cosines.
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
+    let w2 = S::ratio(10, 3) * sin_theta_inv
+        * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
+    // w1' = w2*(3*w2/tan(theta) - 5*w3)/3
+    let w1_dot = w2 * w2 * sin_theta_inv * cos_theta - S::ratio(5, 3) * w2 * w3;
+    [w1_dot]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 15 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 1],
+) -> ([S; 3], [S; 1]) {
+    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let [theta, _, _] = *q;
+    let [w1] = *u;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // 1/sin(theta); used 2 times
+    let sin_theta_inv = S::int(1) / sin_theta;
+    // Elimination, step by step.
+    // w3 = 2*p_phi
+    let w3 = S::int(2) * p_phi;
+    // Sines and cosines.
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
+    let w2 = S::ratio(10, 3) * sin_theta_inv
+        * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
+    // Shared terms.
+    // w2*sin_theta_inv; used 2 times
+    let w2_sin_theta_inv = w2 * sin_theta_inv;
+    // w2_sin_theta_inv*cos(theta); used 2 times
+    let w1_dot_part = w2_sin_theta_inv * cos_theta;
+    // Elimination, step by step.
+    // w1' = w2*(3*w2/tan(theta) - 5*w3)/3
+    let w1_dot = w2.mul_add(w1_dot_part, -S::ratio(5, 3) * w2 * w3);
+    // Values.
+    // theta' = w1
+    let theta_dot_value = w1;
+    // phi' = w3 - w2/tan(theta)
+    let phi_dot_value = w3 - w1_dot_part;
+    // psi' = w2/sin(theta)
+    let psi_dot_value = w2_sin_theta_inv;
+    ([theta_dot_value, phi_dot_value, psi_dot_value], [w1_dot])
+}
+
+/// Jacobian of the derivative by the state; columns theta, phi, psi, w1.
+///
+/// 30 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
+    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let [theta, _, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Elimination, step by step.
+    // w3 = 2*p_phi
+    let w3 = S::int(2) * p_phi;
+    // Shared terms.
+    // theta/2; used 2 times
+    let theta_scaled = S::ratio(1, 2) * theta;
+    // Sines and cosines.
+    let (sin_theta_by_2, cos_theta_by_2) = theta_scaled.sin_cos();
+    // Shared terms.
+    // sin(theta/2)^2; used 2 times
+    let sin_theta_by_2_sq = sin_theta_by_2 * sin_theta_by_2;
+    // w3*sin_theta_by_2_sq; used 2 times
+    let w3_sin_theta_by_2_sq = w3 * sin_theta_by_2_sq;
+    // 1/sin(theta); used 4 times
+    let sin_theta_inv = S::int(1) / sin_theta;
+    // Elimination, step by step.
+    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
+    let w2 = S::ratio(10, 3) * sin_theta_inv * (p_psi_there + w3_sin_theta_by_2_sq);
+    // Shared terms.
+    // 1/(sin(theta/2)*cos(theta/2))
+    let w2_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
+    // Elimination, step by step.
+    // w2_by_theta = 5*(2*p_phi*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
+    //   1))/(6*sin(theta/2)^2*cos(theta/2)^2)
+    let w2_by_theta = S::ratio(5, 6) * w2_by_theta_part * w2_by_theta_part
+        * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1))
+            + w3_sin_theta_by_2_sq);
+    // Shared terms.
+    // w2*sin_theta_inv; used 4 times
+    let w2_sin_theta_inv = w2 * sin_theta_inv;
+    // w2_by_theta*cos(theta); used 2 times
+    let w1_dot_by_theta_part = w2_by_theta * cos_theta;
+    // Elimination, step by step.
+    // w1_dot_by_theta = w2*(2*w2_by_theta*cos(theta) - w2/sin(theta))/sin(theta) - 5*w3*w2_by_theta/3
+    let w1_dot_by_theta = w2_sin_theta_inv
+        * w1_dot_by_theta_part.mul_add(S::int(2), -w2_sin_theta_inv)
+        - S::ratio(5, 3) * w3 * w2_by_theta;
+    // Entries that are not zero.
+    // d(theta')/d(w1) = 1
+    let theta_dot_by_w1_value = S::int(1);
+    // d(phi')/d(theta) = (w2/sin(theta) - w2_by_theta*cos(theta))/sin(theta)
+    let phi_dot_by_theta_value = sin_theta_inv
+        * (w2_sin_theta_inv - w1_dot_by_theta_part);
+    // d(psi')/d(theta) = (w2_by_theta - w2/tan(theta))/sin(theta)
+    let psi_dot_by_theta_value = sin_theta_inv
+        * (-w2_sin_theta_inv).mul_add(cos_theta, w2_by_theta);
+    [
+        [zero, zero, zero, theta_dot_by_w1_value],
+        [phi_dot_by_theta_value, zero, zero, zero],
+        [psi_dot_by_theta_value, zero, zero, zero],
+        [w1_dot_by_theta, zero, zero, zero],
+    ]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 11 operations, 2 sines and cosines.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
+    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let [theta, _, _] = *q;
+    let [w1] = *u;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Elimination, step by step.
+    // w3 = 2*p_phi
+    let w3 = S::int(2) * p_phi;
+    // Shared terms.
+    // 1/sin(theta); used 2 times
+    let sin_theta_inv = S::int(1) / sin_theta;
+    // Sines and cosines.
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
+    let w2 = S::ratio(10, 3) * sin_theta_inv
+        * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
+    // Shared terms.
+    // w2*sin_theta_inv; used 2 times
+    let w2_sin_theta_inv = w2 * sin_theta_inv;
+    // Values.
+    // theta' = w1
+    let theta_dot_value = w1;
+    // phi' = w3 - w2/tan(theta)
+    let phi_dot_value = (-w2_sin_theta_inv).mul_add(cos_theta, w3);
+    // psi' = w2/sin(theta)
+    let psi_dot_value = w2_sin_theta_inv;
+    [theta_dot_value, phi_dot_value, psi_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 2 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> S {
+    let [w1] = *u;
+    // Values.
+    // T = 3*w1^2/20
+    let energy = S::ratio(3, 20) * w1 * w1;
+    energy
+}
+
+/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+///
+/// 21 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { p_x, p_y, p_z, p_psi_there, p_phi, .. } = *p;
+    let [theta, _, _] = *q;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Elimination, step by step.
+    // w3 = 2*p_phi
+    let w3 = S::int(2) * p_phi;
+    // Sines and cosines.
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
+    let w2 = S::ratio(10, 3) * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there)
+        / sin_theta;
+    // v3 = p_z/2
+    let v3 = S::ratio(1, 2) * p_z;
+    // v2 = p_y/2
+    let v2 = S::ratio(1, 2) * p_y;
+    // v1 = p_x/2
+    let v1 = S::ratio(1, 2) * p_x;
+    // Values.
+    // V = v1^2 + v2^2 + v3^2 + 3*w2^2/20 + w3^2/4
+    let energy = v2.mul_add(v2, v1 * v1) + v3 * v3 + S::ratio(3, 20) * w2 * w2
+        + S::ratio(1, 4) * w3 * w3;
+    energy
+}
+
+/// What the scene asks for, a time t after the start.
+///
+/// 20 operations, 2 sines and cosines.
+#[must_use]
+pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S; 12] {
+    let Parameters { p_x, p_y, p_z, p_psi_there, p_phi, centre_x, centre_y, centre_z } = *p;
+    let [theta, phi, psi] = *q;
+    let [w1] = *u;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Elimination, step by step.
+    // w3 = 2*p_phi
+    let w3 = S::int(2) * p_phi;
+    // Sines and cosines.
+    let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
+    // Elimination, step by step.
+    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
+    let w2 = S::ratio(10, 3) * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there)
+        / sin_theta;
+    // v3 = p_z/2
+    let v3 = S::ratio(1, 2) * p_z;
+    // v2 = p_y/2
+    let v2 = S::ratio(1, 2) * p_y;
+    // v1 = p_x/2
+    let v1 = S::ratio(1, 2) * p_x;
+    // Shared terms.
+    // t/2; used 3 times
+    let t_scaled = S::ratio(1, 2) * t;
+    // Values.
+    // x = p_x*t/2 + centre_x/2
+    let x_value = p_x.mul_add(t_scaled, S::ratio(1, 2) * centre_x);
+    // y = p_y*t/2 + centre_y/2
+    let y_value = p_y.mul_add(t_scaled, S::ratio(1, 2) * centre_y);
+    // z = p_z*t/2 + centre_z/2
+    let z_value = p_z.mul_add(t_scaled, S::ratio(1, 2) * centre_z);
+    // psi = psi
+    let psi_value = psi;
+    // theta = theta
+    let theta_value = theta;
+    // phi = phi
+    let phi_value = phi;
+    // w1 = w1
+    let w1_value = w1;
+    [
+        x_value,
+        y_value,
+        z_value,
+        psi_value,
+        theta_value,
+        phi_value,
+        v1,
+        v2,
+        v3,
+        w1_value,
+        w2,
+        w3,
+    ]
+}
+
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
+///
+/// 9 convolutions and 8 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    series: &mut [[S; 4]],
+    history: &mut [Factors<S, 16>],
+) {
+    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let [theta_0, _, _, w1_0] = series[0];
+    // Constant in time.
+    // weight = 2*p_phi
+    let weight = S::int(2) * p_phi;
+    // weight_2 = 10*p_phi
+    let weight_2 = S::int(10) * p_phi;
+    // Order 0.
+    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
+    let over_sin_theta = S::int(1) / sin_theta_0;
+    // theta_by_2 = 1/2*theta
+    let theta_by_2_0 = S::ratio(1, 2) * theta_0;
+    let (sin_theta_by_2_0, cos_theta_by_2_0) = theta_by_2_0.sin_cos();
+    // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
+    let sin_theta_by_2_p2_0 = sin_theta_by_2_0 * sin_theta_by_2_0;
+    // w2_part = p_psi_there + weight*sin_theta_by_2_p2
+    let w2_part_0 = sin_theta_by_2_p2_0.mul_add(weight, p_psi_there);
+    // w2_part_2 = w2_part/sin_theta
+    let w2_part_2_0 = w2_part_0 * over_sin_theta;
+    // w1_dot_part = w2_part_2/sin_theta
+    let w1_dot_part_0 = w2_part_2_0 * over_sin_theta;
+    // w1_dot_part_2 = cos_theta*w1_dot_part
+    let w1_dot_part_2_0 = cos_theta_0 * w1_dot_part_0;
+    // w1_dot_part_3 = weight_2 - 10*w1_dot_part_2
+    let w1_dot_part_3_0 = w1_dot_part_2_0.mul_add(-S::int(10), weight_2);
+    // w1_dot_part_4 = w2_part_2*w1_dot_part_3
+    let w1_dot_part_4_0 = w2_part_2_0 * w1_dot_part_3_0;
+    // phi_dot_2 = weight - 10/3*w1_dot_part_2
+    let phi_dot_2_0 = w1_dot_part_2_0.mul_add(-S::ratio(10, 3), weight);
+    // Order 1: the rates, and what follows from them.
+    let theta_1 = w1_0;
+    let phi_1 = phi_dot_2_0;
+    let psi_1 = S::ratio(10, 3) * w1_dot_part_0;
+    let w1_1 = -S::ratio(10, 9) * w1_dot_part_4_0;
+    if series.len() > 1 {
+        series[1] = [theta_1, phi_1, psi_1, w1_1];
+    }
+    let sin_theta_1 = theta_1 * cos_theta_0;
+    let cos_theta_1 = -theta_1 * sin_theta_0;
+    let theta_by_2_1 = S::ratio(1, 2) * theta_1;
+    let sin_theta_by_2_1 = theta_by_2_1 * cos_theta_by_2_0;
+    let cos_theta_by_2_1 = -theta_by_2_1 * sin_theta_by_2_0;
+    let sin_theta_by_2_p2_1 = sin_theta_by_2_1 * (sin_theta_by_2_0 + sin_theta_by_2_0);
+    let w2_part_1 = weight * sin_theta_by_2_p2_1;
+    let w2_part_2_1 = sin_theta_1
+        .mul_add(-(w2_part_2_0 * over_sin_theta), w2_part_1 * over_sin_theta);
+    let w1_dot_part_1 = sin_theta_1
+        .mul_add(-(w1_dot_part_0 * over_sin_theta), w2_part_2_1 * over_sin_theta);
+    let w1_dot_part_2_1 = w1_dot_part_1
+        .mul_add(cos_theta_0, cos_theta_1 * w1_dot_part_0);
+    let w1_dot_part_3_1 = -S::int(10) * w1_dot_part_2_1;
+    let w1_dot_part_4_1 = w1_dot_part_3_1
+        .mul_add(w2_part_2_0, w2_part_2_1 * w1_dot_part_3_0);
+    let phi_dot_2_1 = -S::ratio(10, 3) * w1_dot_part_2_1;
+    if series.len() > 2 {
+        // Factors of the convolutions: left, right.
+        history[1] = [
+            padded([
+                theta_1,
+                theta_1,
+                theta_by_2_1,
+                theta_by_2_1,
+                sin_theta_by_2_1,
+                sin_theta_1,
+                sin_theta_1,
+                cos_theta_1,
+                w2_part_2_1,
+            ]),
+            padded([
+                cos_theta_1,
+                sin_theta_1,
+                cos_theta_by_2_1,
+                sin_theta_by_2_1,
+                sin_theta_by_2_1,
+                w2_part_2_1,
+                w1_dot_part_1,
+                w1_dot_part_1,
+                w1_dot_part_3_1,
+            ]),
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut theta_last = theta_1;
+    let mut sin_theta_last = sin_theta_1;
+    let mut cos_theta_last = cos_theta_1;
+    let mut theta_by_2_last = theta_by_2_1;
+    let mut sin_theta_by_2_last = sin_theta_by_2_1;
+    let mut cos_theta_by_2_last = cos_theta_by_2_1;
+    let mut w2_part_2_last = w2_part_2_1;
+    let mut w1_dot_part_last = w1_dot_part_1;
+    let mut w1_dot_part_3_last = w1_dot_part_3_1;
+    let mut next = [S::int(0); 16];
+    // Rates at order k - 1.
+    let mut theta_rate = w1_1;
+    let mut phi_rate = phi_dot_2_1;
+    let mut psi_rate = S::ratio(10, 3) * w1_dot_part_1;
+    let mut w1_rate = -S::ratio(10, 9) * w1_dot_part_4_1;
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let theta = theta_rate * over_k;
+        let phi = phi_rate * over_k;
+        let psi = psi_rate * over_k;
+        let w1 = w1_rate * over_k;
+        series[order] = [theta, phi, psi, w1];
+        if order + 1 == series.len() {
+            break;
+        }
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&history[..order]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            padded([
+                theta_1
+                    .mul_add(
+                        cos_theta_last,
+                        (count_last * theta_last).mul_add(cos_theta_1, next[0]),
+                    ),
+                theta_1
+                    .mul_add(
+                        sin_theta_last,
+                        (count_last * theta_last).mul_add(sin_theta_1, next[1]),
+                    ),
+                theta_by_2_1
+                    .mul_add(
+                        cos_theta_by_2_last,
+                        (count_last * theta_by_2_last).mul_add(cos_theta_by_2_1, next[2]),
+                    ),
+                theta_by_2_1
+                    .mul_add(
+                        sin_theta_by_2_last,
+                        (count_last * theta_by_2_last).mul_add(sin_theta_by_2_1, next[3]),
+                    ),
+                (sin_theta_by_2_1 + sin_theta_by_2_1)
+                    .mul_add(sin_theta_by_2_last, next[4]),
+                sin_theta_1
+                    .mul_add(
+                        w2_part_2_last,
+                        sin_theta_last.mul_add(w2_part_2_1, next[5]),
+                    ),
+                sin_theta_1
+                    .mul_add(
+                        w1_dot_part_last,
+                        sin_theta_last.mul_add(w1_dot_part_1, next[6]),
+                    ),
+                cos_theta_1
+                    .mul_add(
+                        w1_dot_part_last,
+                        cos_theta_last.mul_add(w1_dot_part_1, next[7]),
+                    ),
+                w2_part_2_1
+                    .mul_add(
+                        w1_dot_part_3_last,
+                        w2_part_2_last.mul_add(w1_dot_part_3_1, next[8]),
+                    ),
+            ])
+        };
+        // sin_theta = sin(theta)
+        let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
+        // cos_theta = cos(theta)
+        let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
+        // theta_by_2 = 1/2*theta
+        let theta_by_2 = S::ratio(1, 2) * theta;
+        // sin_theta_by_2 = sin(theta_by_2)
+        let sin_theta_by_2 = theta_by_2.mul_add(cos_theta_by_2_0, sums[2] * over_k);
+        // cos_theta_by_2 = cos(theta_by_2)
+        let cos_theta_by_2 = -theta_by_2.mul_add(sin_theta_by_2_0, sums[3] * over_k);
+        // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
+        let sin_theta_by_2_p2 = sin_theta_by_2
+            .mul_add(sin_theta_by_2_0 + sin_theta_by_2_0, sums[4]);
+        // w2_part = p_psi_there + weight*sin_theta_by_2_p2
+        let w2_part = weight * sin_theta_by_2_p2;
+        // w2_part_2 = w2_part/sin_theta
+        let w2_part_2 = w2_part
+            .mul_add(
+                over_sin_theta,
+                -(sin_theta.mul_add(w2_part_2_0, sums[5]) * over_sin_theta),
+            );
+        // w1_dot_part = w2_part_2/sin_theta
+        let w1_dot_part = w2_part_2
+            .mul_add(
+                over_sin_theta,
+                -(sin_theta.mul_add(w1_dot_part_0, sums[6]) * over_sin_theta),
+            );
+        // w1_dot_part_2 = cos_theta*w1_dot_part
+        let w1_dot_part_2 = w1_dot_part
+            .mul_add(cos_theta_0, cos_theta.mul_add(w1_dot_part_0, sums[7]));
+        // w1_dot_part_3 = weight_2 - 10*w1_dot_part_2
+        let w1_dot_part_3 = -S::int(10) * w1_dot_part_2;
+        // w1_dot_part_4 = w2_part_2*w1_dot_part_3
+        let w1_dot_part_4 = w1_dot_part_3
+            .mul_add(w2_part_2_0, w2_part_2.mul_add(w1_dot_part_3_0, sums[8]));
+        // phi_dot_2 = weight - 10/3*w1_dot_part_2
+        let phi_dot_2 = -S::ratio(10, 3) * w1_dot_part_2;
+        theta_rate = w1;
+        phi_rate = phi_dot_2;
+        psi_rate = S::ratio(10, 3) * w1_dot_part;
+        w1_rate = -S::ratio(10, 9) * w1_dot_part_4;
+        // Factors of the convolutions: left, right.
+        history[order] = [
+            padded([
+                count * theta,
+                count * theta,
+                count * theta_by_2,
+                count * theta_by_2,
+                sin_theta_by_2,
+                sin_theta,
+                sin_theta,
+                cos_theta,
+                w2_part_2,
+            ]),
+            padded([
+                cos_theta,
+                sin_theta,
+                cos_theta_by_2,
+                sin_theta_by_2,
+                sin_theta_by_2,
+                w2_part_2,
+                w1_dot_part,
+                w1_dot_part,
+                w1_dot_part_3,
+            ]),
+        ];
+        count_last = count;
+        theta_last = theta;
+        sin_theta_last = sin_theta;
+        cos_theta_last = cos_theta;
+        theta_by_2_last = theta_by_2;
+        sin_theta_by_2_last = sin_theta_by_2;
+        cos_theta_by_2_last = cos_theta_by_2;
+        w2_part_2_last = w2_part_2;
+        w1_dot_part_last = w1_dot_part;
+        w1_dot_part_3_last = w1_dot_part_3;
+    }
+}
+
+/// Reduced equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Reduced;
+
+impl<S: Scalar> System<S> for Reduced {
+    fn parameters(&self) -> usize {
+        8
+    }
+    fn coordinates(&self) -> usize {
+        3
+    }
+    fn speeds(&self) -> usize {
+        1
+    }
+    fn reactions(&self) -> usize {
+        0
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn output_count(&self) -> usize {
+        12
+    }
+    fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        32 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+#[inline(always)]
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}
+
+/// What a program needs to find these equations and to trust them.
+pub const SCENE: CompiledScene = CompiledScene {
+    name: "tumbling",
+    key: "9352a160ee07b8be",
+    system: CompiledSystem {
+        name: "reduced",
+        double: &Reduced,
+        extended: &Reduced,
+        lanes: None,
+    },
+};
