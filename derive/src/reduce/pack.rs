@@ -22,6 +22,11 @@ pub fn pack(mut ground: Ground, level: &Level, mut flow: Flow, scene: &Scene) ->
     let outputs =
         flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
     let folded = ground.folded.clone();
+    // What is watched is evaluated apart from the equations, without their definitions.
+    let mut dependence = flow.dependence.clone();
+    for e in flow.wanted.events.iter_mut().chain(&mut flow.wanted.conditions) {
+        *e = dependence.whole(&mut ground.arena, *e);
+    }
     let events = flow.wanted.events.clone();
     let mut divisors = equations.divisors.clone();
     divisors.dedup();
