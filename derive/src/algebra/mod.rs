@@ -7,6 +7,7 @@ mod bound;
 pub mod calculus;
 pub mod compare;
 mod construct;
+pub mod divided;
 mod elementary;
 pub mod elimination;
 pub mod evaluate;

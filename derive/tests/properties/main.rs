@@ -2,6 +2,7 @@
 //!
 //! Every law is an identity that nobody wrote down before: two formulas that must mean the same, or must not.
 
+mod divided;
 mod rewrites;
 mod slopes;
 mod terms;
