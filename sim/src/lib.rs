@@ -57,6 +57,7 @@ mod lu;
 mod method;
 mod options;
 mod pace;
+pub mod quadrature;
 mod recorder;
 mod rhs;
 mod rk4;

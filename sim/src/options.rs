@@ -52,7 +52,17 @@ impl Default for Options {
 }
 
 /// Refuses what cannot be run, tolerances aside.
-pub(crate) fn check<S: Real>((t0, t1): (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
+pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
+    check_span(span, y0)?;
+    check_steps(span, options)?;
+    if options.order.is_some_and(|order| !(taylor::ORDERS.0..=taylor::ORDERS.1).contains(&order)) {
+        return Err(SimError::Option { name: "order", must: "from 2 to 60" });
+    }
+    check_output(span, &options.output)
+}
+
+/// Refuses a span without a length, and a start that is none.
+pub(crate) fn check_span<S: Real>((t0, t1): (f64, f64), y0: &[S]) -> Result<(), SimError> {
     if !(t0.is_finite() && t1.is_finite() && (t1 - t0).is_finite()) {
         return Err(SimError::NotFinite { what: format!("the span from {t0} s to {t1} s") });
     }
@@ -62,11 +72,12 @@ pub(crate) fn check<S: Real>((t0, t1): (f64, f64), y0: &[S], options: &Options) 
     if let Some(i) = y0.iter().position(|y| !y.to_f64().is_finite()) {
         return Err(SimError::NotFinite { what: format!("component {i} of the initial state") });
     }
-    check_steps((t0, t1), options)?;
-    if options.order.is_some_and(|order| !(taylor::ORDERS.0..=taylor::ORDERS.1).contains(&order)) {
-        return Err(SimError::Option { name: "order", must: "from 2 to 60" });
-    }
-    match &options.output {
+    Ok(())
+}
+
+/// Refuses output that a run over this span cannot have.
+pub(crate) fn check_output((t0, t1): (f64, f64), output: &Output) -> Result<(), SimError> {
+    match output {
         Output::Steps { refine: 0 } => Err(SimError::Option { name: "refine", must: "at least 1" }),
         Output::At(times) => check_times(times, t0, t1),
         Output::Steps { .. } | Output::Ends => Ok(()),

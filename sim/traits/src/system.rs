@@ -100,6 +100,18 @@ pub trait System<S: Scalar = f64> {
     fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S;
     /// Potential energy V of gravity, zero where the model file puts its zero.
     fn potential_energy(&self, p: &[S], q: &[S]) -> S;
+
+    /// Whether [`System::potential_slope`] has values.
+    fn has_potential_slope(&self) -> bool {
+        false
+    }
+    /// The divided difference V\[a, b\] = (V(b) − V(a))/(b − a) of the potential energy along the first coordinate, on which
+    /// alone it must depend; ∂V/∂q at b = a, and nothing cancels next to that. In the unit of V over that of the coordinate.
+    ///
+    /// What the motion of one degree of freedom is found from by quadrature; not a number unless stated.
+    fn potential_slope(&self, _p: &[S], _a: S, _b: S) -> S {
+        S::from_f64(f64::NAN)
+    }
 }
 
 /// A model whose equations are compiled in: what a program needs to find and to trust them.

@@ -1,0 +1,282 @@
+//! The whole motion as stretches, gone through to and fro.
+
+use super::energy::Energy;
+use super::error::NoQuadrature;
+use super::track::{Chart, Found, Goal, Obstacle, Scratch, Track};
+
+/// Panels of a stretch between turning points, those tried in vain included.
+const PANELS_OF_SWING: u32 = 2000;
+/// Panels of a stretch without an end.
+const PANELS: u32 = 20_000;
+/// Panels in which a motion that seems not to turn is looked at.
+const EXPLORED: usize = 40;
+/// How often a turning point that the search missed may be met.
+const MISSED_LIMIT: u32 = 16;
+
+/// The shape of the motion; times τ are counted from a turning point where there is one, else from the start.
+#[derive(Clone, Debug)]
+pub(super) enum Course {
+    /// At rest for ever.
+    Rest,
+    /// To and fro between two turning points, from the lower (τ = 0) and from the upper half way each.
+    Swing { halves: Box<[Track; 2]> },
+    /// To a turning point (τ = 0) and back.
+    Return { track: Box<Track> },
+    /// Past the start (τ = 0), forward and backward, without a turn.
+    Pass { tracks: Box<[Track; 2]>, rising: bool },
+}
+
+/// What there is to say at an instant: a stretch, a place of it, and how the quadratures follow from its own.
+pub(super) struct Spot<'c> {
+    pub(super) track: &'c Track,
+    pub(super) found: Found,
+    /// Whether q rises.
+    pub(super) rising: bool,
+    /// Whole periods before.
+    turns: f64,
+    /// Both stretches, to which the place is counted back from the end of the second: their sums count with `sign`.
+    halves: Option<&'c [Track; 2]>,
+    whole: bool,
+    sign: f64,
+}
+
+impl Course {
+    /// From the start of `energy`; `turns` are the turning points below and above, where known, and are added to where the
+    /// motion meets others. `q` is the state's coordinates.
+    pub(super) fn new(
+        energy: &Energy<'_>,
+        q: &[f64],
+        v: f64,
+        turns: &mut [Option<f64>; 2],
+        scratch: &mut Scratch,
+    ) -> Result<Self, NoQuadrature> {
+        let n = q.len();
+        for _ in 0..MISSED_LIMIT {
+            let (end, side) = match *turns {
+                [Some(low), Some(high)] => match Self::swing(energy, n, [low, high], scratch) {
+                    Ok(course) => return Ok(course),
+                    Err(obstacle) => {
+                        note(energy, turns, obstacle, PANELS_OF_SWING)?;
+                        continue;
+                    }
+                },
+                [Some(low), None] => (low, 1.0),
+                [None, Some(high)] => (high, -1.0),
+                [None, None] => {
+                    let rising = energy.orientation * v > 0.0;
+                    let forward = if rising { 1.0 } else { -1.0 };
+                    let track = |side: f64| {
+                        let width = 0.1 * energy.start.abs().clamp(1e-6, 1.0);
+                        Track::new(Chart::Line { end: energy.start, side }, n, 0.0, width)
+                    };
+                    return Ok(Self::Pass { tracks: Box::new([track(forward), track(-forward)]), rising });
+                }
+            };
+            let width = (2.0 * (energy.start - end).abs()).sqrt().max(1e-3 * end.abs().clamp(1e-6, 1.0));
+            let track = Track::new(Chart::Root { end, side }, n, 0.0, width);
+            return Ok(Self::Return { track: Box::new(track) });
+        }
+        Err(NoQuadrature::Unresolved { at: energy.start, panels: PANELS_OF_SWING })
+    }
+
+    fn swing(energy: &Energy<'_>, n: usize, [low, high]: [f64; 2], scratch: &mut Scratch) -> Result<Self, Obstacle> {
+        let length = high - low;
+        let blur = 16.0 * f64::EPSILON * low.abs().max(high.abs());
+        if length <= 4.0 * blur {
+            return Ok(Self::Rest);
+        }
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let half = |end: f64, side: f64| Track::new(Chart::Arc { end, side, length }, n, blur / length, quarter);
+        let mut halves = Box::new([half(low, 1.0), half(high, -1.0)]);
+        for track in halves.iter_mut() {
+            track.extend(energy, scratch, Goal::End(quarter), PANELS_OF_SWING)?;
+        }
+        Ok(Self::Swing { halves })
+    }
+
+    /// The time of the start.
+    pub(super) fn lead(&mut self, energy: &Energy<'_>, v: f64, scratch: &mut Scratch) -> Result<f64, Obstacle> {
+        let rising = energy.orientation * v > 0.0;
+        match self {
+            Self::Rest | Self::Pass { .. } => Ok(0.0),
+            Self::Swing { halves } => {
+                let half_time = halves[0].duration() + halves[1].duration();
+                let upper = halves.iter().position(|track| track.phase(energy).is_some()).unwrap_or(1);
+                let time = halves[upper].phase(energy).map_or(0.0, |w| halves[upper].time_at(w));
+                let size = if upper == 0 { time } else { half_time - time };
+                Ok(if rising { size } else { -size })
+            }
+            Self::Return { track } => {
+                let w = track.phase(energy).unwrap_or(0.0);
+                track.extend(energy, scratch, Goal::Variable(w), PANELS)?;
+                let time = track.time_at(w);
+                Ok(if rising == track.opens_upwards() { time } else { -time })
+            }
+        }
+    }
+
+    /// Goes on for a while where the motion seems not to turn: a narrow barrier shows in panels if not in the search.
+    pub(super) fn explore(&mut self, energy: &Energy<'_>, scratch: &mut Scratch) -> Result<(), Obstacle> {
+        let track = match self {
+            Self::Rest | Self::Swing { .. } => return Ok(()),
+            Self::Return { track } => &mut **track,
+            Self::Pass { tracks, .. } => &mut tracks[0],
+        };
+        match track.extend(energy, scratch, Goal::Panels(EXPLORED), PANELS) {
+            // What is not asked for need not be resolved.
+            Err(Obstacle::Unresolved(_)) | Ok(()) => Ok(()),
+            barrier => barrier,
+        }
+    }
+
+    /// Integrates as far as the time τ needs.
+    pub(super) fn cover(&mut self, energy: &Energy<'_>, tau: f64, scratch: &mut Scratch) -> Result<(), Obstacle> {
+        match self {
+            Self::Rest | Self::Swing { .. } => Ok(()),
+            Self::Return { track } => track.extend(energy, scratch, Goal::Time(tau.abs()), PANELS),
+            Self::Pass { tracks, .. } => {
+                let track = &mut tracks[usize::from(tau < 0.0)];
+                track.extend(energy, scratch, Goal::Time(tau.abs()), PANELS)
+            }
+        }
+    }
+
+    /// The period.
+    pub(super) fn period(&self) -> Option<f64> {
+        match self {
+            Self::Swing { halves } => Some(2.0 * (halves[0].duration() + halves[1].duration())),
+            _ => None,
+        }
+    }
+
+    /// What there is to say at the time τ; nothing at rest, and where the motion was not followed to.
+    pub(super) fn spot(&self, tau: f64) -> Option<Spot<'_>> {
+        match self {
+            Self::Rest => None,
+            Self::Swing { halves } => {
+                let half_time = halves[0].duration() + halves[1].duration();
+                let turns = (tau / (2.0 * half_time)).round();
+                let rest = tau - turns * (2.0 * half_time);
+                let (rising, size) = (rest >= 0.0, rest.abs().min(half_time));
+                let whole = size > halves[0].duration();
+                let track = &halves[usize::from(whole)];
+                let found = track.find(if whole { half_time - size } else { size });
+                let sign = if rising { 1.0 } else { -1.0 };
+                Some(Spot { track, found, rising, turns, halves: Some(halves), whole, sign })
+            }
+            Self::Return { track } => {
+                let rising = (tau >= 0.0) == track.opens_upwards();
+                Self::alone(track, tau, rising)
+            }
+            Self::Pass { tracks, rising } => Self::alone(&tracks[usize::from(tau < 0.0)], tau, *rising),
+        }
+    }
+
+    fn alone(track: &Track, tau: f64, rising: bool) -> Option<Spot<'_>> {
+        if track.times.len() < 2 || tau.abs() > track.duration() {
+            // The start of a stretch without panels is not asked for by anybody but with τ = 0.
+            return None;
+        }
+        let sign = if tau >= 0.0 { 1.0 } else { -1.0 };
+        Some(Spot { track, found: track.find(tau.abs()), rising, turns: 0.0, halves: None, whole: false, sign })
+    }
+
+    /// Times τ at which panels meet, in order, of one period where there is one.
+    pub(super) fn nodes(&self) -> Vec<f64> {
+        let mut nodes: Vec<f64> = match self {
+            Self::Rest => Vec::new(),
+            Self::Swing { halves } => {
+                let half_time = halves[0].duration() + halves[1].duration();
+                let lower = halves[0].times.iter().copied();
+                lower.chain(halves[1].times.iter().map(|t| half_time - t)).flat_map(|t| [t, -t]).collect()
+            }
+            Self::Return { track } => track.times.iter().flat_map(|t| [*t, -*t]).collect(),
+            Self::Pass { tracks, .. } => {
+                tracks[0].times.iter().copied().chain(tracks[1].times.iter().map(|t| -t)).collect()
+            }
+        };
+        nodes.sort_by(f64::total_cmp);
+        nodes
+    }
+
+    pub(super) fn tracks(&self) -> &[Track] {
+        match self {
+            Self::Rest => &[],
+            Self::Swing { halves } => &**halves,
+            Self::Return { track } => std::slice::from_ref(track),
+            Self::Pass { tracks, .. } => &**tracks,
+        }
+    }
+}
+
+/// Takes a barrier that was met for what it shows: a turning point between it and the start.
+pub(super) fn note(
+    energy: &Energy<'_>,
+    turns: &mut [Option<f64>; 2],
+    obstacle: Obstacle,
+    panels: u32,
+) -> Result<(), NoQuadrature> {
+    match obstacle {
+        Obstacle::Unresolved(at) => Err(NoQuadrature::Unresolved { at, panels }),
+        Obstacle::Barrier(at) => {
+            turns[usize::from(at > energy.start)] = Some(energy.turning_before(at)?);
+            Ok(())
+        }
+    }
+}
+
+/// As [`note`], where panels without an end are allowed.
+pub(super) fn note_far(
+    energy: &Energy<'_>,
+    turns: &mut [Option<f64>; 2],
+    obstacle: Obstacle,
+) -> Result<(), NoQuadrature> {
+    note(energy, turns, obstacle, PANELS)
+}
+
+impl Spot<'_> {
+    /// The quadrature i = 1, 2 … from τ = 0.
+    pub(super) fn quadrature(&self, i: usize, count: usize) -> f64 {
+        let along = |rising: bool| if rising { i } else { i + count };
+        let own = self.track.value(&self.found, along(self.rising));
+        let Some(halves) = self.halves else { return self.sign * own };
+        let half = |rising: bool| halves[0].totals()[along(rising)] + halves[1].totals()[along(rising)];
+        let rest = if self.whole { self.sign * (half(self.rising) - own) } else { self.sign * own };
+        self.turns * (half(true) + half(false)) + rest
+    }
+}
+
+impl Track {
+    /// The time at w.
+    fn time_at(&self, w: f64) -> f64 {
+        self.value(&self.at_variable(w), 0)
+    }
+
+    /// Whether q is above the start of the stretch.
+    fn opens_upwards(&self) -> bool {
+        self.chart.start().1 > 0.0
+    }
+
+    /// The w of the start, if it lies in this half of a swing, or after this turning point.
+    ///
+    /// Next to the turning point by T₀ = (reach)² G, since from the difference of coordinates it would keep half of its digits only.
+    fn phase(&self, energy: &Energy<'_>) -> Option<f64> {
+        let (end, side) = self.chart.start();
+        let offset = (side * (energy.start - end)).max(0.0);
+        let close = offset < 0.125 * energy.start.abs().max(end.abs());
+        let reach = close.then(|| (energy.kinetic / self.chart.level(energy, energy.start, offset)).sqrt());
+        let reach = reach.filter(|reach| reach.is_finite());
+        match self.chart {
+            Chart::Arc { length, .. } => {
+                let cos = 1.0 - 2.0 * (offset / length);
+                if cos < 0.0 {
+                    return None;
+                }
+                let sin = 2.0 * reach.unwrap_or_else(|| (offset * (length - offset)).sqrt()) / length;
+                Some(sin.atan2(cos).min(std::f64::consts::FRAC_PI_2))
+            }
+            Chart::Root { .. } => Some(reach.unwrap_or_else(|| (2.0 * offset).sqrt())),
+            Chart::Line { .. } => Some(0.0),
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! The energy of one degree of freedom, and where it lets the motion turn.
+
+use tripos_traits::System;
+
+use super::error::NoQuadrature;
+
+/// Iterations of the search for a turning point, each of which at least halves a bracket or the last step.
+const ITERATIONS: u32 = 2000;
+/// Steps in which a turning point is looked for; the first is a millionth of the size of the coordinate.
+const SEARCH: u32 = 100;
+
+/// One degree of freedom with its energy, which is that of its start.
+#[derive(Clone, Debug)]
+pub(super) struct Energy<'a> {
+    pub(super) system: Equations<'a>,
+    pub(super) p: Vec<f64>,
+    /// The coordinate at the start.
+    pub(super) start: f64,
+    /// The kinetic energy there, T₀.
+    pub(super) kinetic: f64,
+    /// The sign of k in q′ = k v.
+    pub(super) orientation: f64,
+}
+
+/// Equations of motion, which have no more to say of themselves.
+#[derive(Clone, Copy)]
+pub(super) struct Equations<'a>(pub(super) &'a dyn System<f64>);
+
+impl std::fmt::Debug for Equations<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Equations")
+    }
+}
+
+impl<'a> Energy<'a> {
+    /// Of the motion from (q, v).
+    pub(super) fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {
+        let mut rates = vec![0.0; q.len()];
+        system.coordinate_rates(p, q, &[1.0], &mut rates);
+        let energy = Self {
+            system: Equations(system),
+            p: p.to_vec(),
+            start: q[0],
+            kinetic: system.kinetic_energy(p, q, &[v]),
+            orientation: rates[0].signum(),
+        };
+        let inertia = energy.inertia(q);
+        let regular = inertia > 0.0 && inertia.is_finite() && energy.kinetic >= 0.0 && energy.kinetic.is_finite();
+        if !(regular && rates[0].is_finite() && rates[0] != 0.0 && energy.slope(q[0], q[0]).is_finite()) {
+            return Err(NoQuadrature::Irregular);
+        }
+        Ok(energy)
+    }
+
+    /// m in T = ½ m v².
+    pub(super) fn inertia(&self, q: &[f64]) -> f64 {
+        2.0 * self.system.0.kinetic_energy(&self.p, q, &[1.0])
+    }
+
+    /// v of this size with q rising or falling.
+    pub(super) fn speed_of(&self, rising: bool, size: f64) -> f64 {
+        if rising { self.orientation * size } else { -self.orientation * size }
+    }
+
+    /// q′ at (q, v).
+    pub(super) fn rates(&self, q: &[f64], v: f64, out: &mut [f64]) {
+        self.system.0.coordinate_rates(&self.p, q, &[v], out);
+    }
+
+    /// V\[a, b\] = (V(b) − V(a))/(b − a).
+    pub(super) fn slope(&self, a: f64, b: f64) -> f64 {
+        self.system.0.potential_slope(&self.p, a, b)
+    }
+
+    /// T at the coordinate `q`: T₀ − (q − q₀) V\[q₀, q\]. What is not a number lies beyond a barrier.
+    pub(super) fn left(&self, q: f64) -> f64 {
+        let left = self.kinetic - (q - self.start) * self.slope(self.start, q);
+        if left.is_finite() { left } else { f64::NEG_INFINITY }
+    }
+
+    /// The turning point on one side (1 above the start, −1 below); none if the search meets none.
+    ///
+    /// Each step of the search goes no farther than to the zero of the parabola (or line) that T looks like, so that it does not
+    /// leap over a narrow barrier unless T shows nothing of it; nor does it go more than twice as far as the step before.
+    pub(super) fn turning(&self, side: f64) -> Result<Option<f64>, NoQuadrature> {
+        let mut step = self.start.abs().clamp(1e-6, 1.0) / 1_048_576.0;
+        let mut good = self.start;
+        let mut fall = side * self.slope(good, good);
+        if self.kinetic <= 0.0 {
+            if fall > 0.0 {
+                return self.checked(self.start, side).map(Some);
+            }
+            // The start is the other turning point; next to it there is kinetic energy.
+            while !(self.left(self.start + side * step) > 0.0) {
+                step *= 0.5;
+                if same_as(self.start + side * step, self.start) {
+                    return Err(NoQuadrature::Asymptotic { at: self.start });
+                }
+            }
+        }
+        // To rounding there is no kinetic energy below this.
+        let least = 16.0 * f64::EPSILON * self.kinetic;
+        for _ in 0..SEARCH {
+            let q = good + side * step;
+            let left = self.left(q);
+            if !(left > least) || same_as(q, good) {
+                return self.checked(self.between(good, q), side).map(Some);
+            }
+            let fall_here = side * self.slope(q, q);
+            let bend = (fall_here - fall) / step;
+            // T − fall d − ½ bend d² = 0.
+            let root = (fall_here * fall_here + 2.0 * bend * left).sqrt();
+            let zero = 2.0 * left / (fall_here + root);
+            let zero = if zero.is_nan() && fall_here > 0.0 { left / fall_here } else { zero };
+            (good, fall) = (q, fall_here);
+            step = if zero > 0.0 { zero.min(2.0 * step) } else { 2.0 * step };
+        }
+        Ok(None)
+    }
+
+    /// The turning point between the start and a place without kinetic energy.
+    pub(super) fn turning_before(&self, bad: f64) -> Result<f64, NoQuadrature> {
+        let side = (bad - self.start).signum();
+        let mut good = self.start;
+        if self.kinetic <= 0.0 {
+            good += 1e-3 * (bad - self.start);
+        }
+        if !(self.left(good) > 0.0) || self.left(bad) > 0.0 {
+            return Err(NoQuadrature::Asymptotic { at: bad });
+        }
+        self.checked(self.between(good, bad), side)
+    }
+
+    /// The zero of T between a place with kinetic energy and one without, by Newton's method in the bracket.
+    fn between(&self, mut good: f64, mut bad: f64) -> f64 {
+        let mut x = middle(good, bad);
+        let mut before = (bad - good).abs();
+        for _ in 0..ITERATIONS {
+            if (x - good) * (x - bad) >= 0.0 {
+                break;
+            }
+            let left = self.left(x);
+            if left > 0.0 {
+                good = x;
+            } else {
+                bad = x;
+            }
+            let step = left / self.slope(x, x);
+            let next = x + step;
+            if step.abs() <= f64::EPSILON * x.abs() {
+                return next;
+            }
+            let inside = (next - good) * (next - bad) < 0.0;
+            if inside && step.abs() < 0.5 * before {
+                before = step.abs();
+                x = next;
+            } else {
+                before = (bad - good).abs();
+                x = middle(good, bad);
+            }
+        }
+        good
+    }
+
+    /// A turning point where the motion does turn: the force must be known to push back, wherever rounding puts the point.
+    fn checked(&self, at: f64, side: f64) -> Result<f64, NoQuadrature> {
+        let force = self.slope(at, at);
+        let blur = 4.0 * f64::EPSILON * (at.abs() + self.kinetic / force.abs());
+        let nearby = self.slope(at - side * blur, at - side * blur);
+        if side * force > 0.0 && (nearby - force).abs() < 0.5 * force.abs() {
+            Ok(at)
+        } else {
+            Err(NoQuadrature::Asymptotic { at })
+        }
+    }
+}
+
+/// Halfway, by size where both are of one sign and far apart in size.
+fn middle(a: f64, b: f64) -> f64 {
+    let ratio = a / b;
+    if ratio > 4.0 || (ratio > 0.0 && ratio < 0.25) {
+        a.signum() * (a.abs().sqrt() * b.abs().sqrt())
+    } else {
+        a + 0.5 * (b - a)
+    }
+}
+
+#[expect(clippy::float_cmp, reason = "asks whether a distance is lost to rounding")]
+fn same_as(a: f64, b: f64) -> bool {
+    a == b
+}

@@ -1,0 +1,252 @@
+//! The motion of one degree of freedom by quadrature instead of stepping.
+//!
+//! With the energy h = ½ m(q) v² + V(q) and q′ = k(q) v, time is an integral over the coordinate, dt = dq/(k √(2 (h − V)/m)), and
+//! so is every other coordinate whose rate depends on q and v alone. The integrals are taken once, as series of Legendre
+//! polynomials on panels that are halved until all series are resolved to rounding; the state at any instant follows by one
+//! inversion. Whole periods are added exactly, so that errors do not build up but by the rounding of the period.
+//!
+//! Invariants: the integrands are smooth where the motion turns, since they are stretches of half a swing each in a variable
+//! in which they are ([`track`]); and h − V is never a difference of nearly equal energies, since it is the divided difference of V times
+//! the distance from a turning point ([`System::potential_slope`]).
+//!
+//! Absent on purpose: friction, forces that depend on time, and unlimited work. What is not resolved by a stated number of panels is
+//! refused with its reason.
+
+mod course;
+mod energy;
+mod error;
+mod rule;
+mod solve;
+mod track;
+
+use tripos_traits::System;
+
+use crate::error::SimError;
+use course::{Course, note_far};
+use energy::Energy;
+pub use error::NoQuadrature;
+pub use solve::solve;
+use track::Scratch;
+
+/// The motion from one start of equations with one speed.
+///
+/// ```
+/// # use tripos_traits::System;
+/// # struct Oscillator;
+/// # impl System<f64> for Oscillator {
+/// #     fn parameters(&self) -> usize { 0 }
+/// #     fn coordinates(&self) -> usize { 1 }
+/// #     fn speeds(&self) -> usize { 1 }
+/// #     fn reactions(&self) -> usize { 0 }
+/// #     fn symmetric(&self) -> bool { true }
+/// #     fn coordinate_rates(&self, _: &[f64], _: &[f64], v: &[f64], out: &mut [f64]) { out[0] = v[0]; }
+/// #     fn mass_matrix(&self, _: &[f64], _: &[f64], _: &[f64], out: &mut [f64]) { out[0] = 1.0; }
+/// #     fn forcing(&self, _: &[f64], q: &[f64], _: &[f64], out: &mut [f64]) { out[0] = -q[0]; }
+/// #     fn generalized_speeds(&self, _: &[f64], _: &[f64], v: &[f64], out: &mut [f64]) { out[0] = v[0]; }
+/// #     fn generalized_speed_rates(&self, _: &[f64], _: &[f64], _: &[f64], a: &[f64], out: &mut [f64]) { out[0] = a[0]; }
+/// #     fn motion_variables(&self, _: &[f64], _: &[f64], u: &[f64], out: &mut [f64]) { out[0] = u[0]; }
+/// #     fn kinetic_energy(&self, _: &[f64], _: &[f64], v: &[f64]) -> f64 { 0.5 * v[0] * v[0] }
+/// #     fn potential_energy(&self, _: &[f64], q: &[f64]) -> f64 { 0.5 * q[0] * q[0] }
+/// #     fn has_potential_slope(&self) -> bool { true }
+/// #     fn potential_slope(&self, _: &[f64], a: f64, b: f64) -> f64 { 0.5 * (a + b) }
+/// # }
+/// use tripos_sim::quadrature::OneDegree;
+///
+/// // q″ = −q, V = q²/2, so V[a, b] = (a + b)/2.
+/// let motion = OneDegree::new(&Oscillator, &[], &[1.0], 0.0)?;
+/// assert!((motion.period().unwrap() - std::f64::consts::TAU).abs() < 1e-15);
+/// assert!((motion.state(1000.0)?[0] - 1000_f64.cos()).abs() < 1e-13);
+/// # Ok::<(), tripos_sim::quadrature::NoQuadrature>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct OneDegree<'a> {
+    energy: Energy<'a>,
+    /// q and v at the start, and the rates at rest there.
+    start: Vec<f64>,
+    rates: Vec<f64>,
+    turns: [Option<f64>; 2],
+    course: Course,
+    /// τ at the start, and the quadratures from τ = 0 to there.
+    lead: f64,
+    sums: Vec<f64>,
+}
+
+impl<'a> OneDegree<'a> {
+    /// The motion from (q, v), with the parameters `p` of the equations.
+    ///
+    /// The equations have one speed v and bring [`System::potential_slope`]. Coordinate 0 is the degree of freedom: q₀′ = k(q₀) v, T
+    /// = ½ m(q₀) v² and V(q₀); the rates of all others depend on q₀ and v only, which is tested at the start.
+    ///
+    /// # Errors
+    /// [`NoQuadrature`] if the equations are not of this kind, if the motion approaches an equilibrium for ever, or if it is not resolved.
+    pub fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {
+        check(system, p, q, v)?;
+        let energy = Energy::new(system, p, q, v)?;
+        let mut rates = vec![0.0; q.len()];
+        energy.rates(q, v, &mut rates);
+        let still = energy.kinetic <= 0.0 && energy.slope(q[0], q[0]).abs() <= 0.0;
+        let mut turns = [None; 2];
+        if !still {
+            turns = [energy.turning(-1.0)?, energy.turning(1.0)?];
+        }
+        let start = [q, &[v]].concat();
+        let sums = vec![0.0; q.len()];
+        let mut motion = Self { energy, start, rates, turns, course: Course::Rest, lead: 0.0, sums };
+        if !still {
+            motion.plan(&[0.0])?;
+        }
+        Ok(motion)
+    }
+
+    /// Finds the course, and follows it to these times from the start.
+    fn plan(&mut self, times: &[f64]) -> Result<(), NoQuadrature> {
+        let n = self.start.len() - 1;
+        let (q, v) = (&self.start[..n], self.start[n]);
+        let mut scratch = Scratch::new(q);
+        // Each round meets a turning point that no search has met, or is the last.
+        loop {
+            self.course = Course::new(&self.energy, q, v, &mut self.turns, &mut scratch)?;
+            let mut follow = || {
+                self.course.explore(&self.energy, &mut scratch)?;
+                let lead = self.course.lead(&self.energy, v, &mut scratch)?;
+                for t in times {
+                    self.course.cover(&self.energy, lead + t, &mut scratch)?;
+                }
+                Ok(lead)
+            };
+            let known = self.turns;
+            match follow() {
+                Ok(lead) => {
+                    self.lead = lead;
+                    break;
+                }
+                Err(obstacle) => note_far(&self.energy, &mut self.turns, obstacle)?,
+            }
+            if self.turns == known {
+                return Err(NoQuadrature::Asymptotic { at: self.start[0] });
+            }
+        }
+        if let Some(spot) = self.course.spot(self.lead) {
+            for i in 1..n {
+                self.sums[i] = spot.quadrature(i, n - 1);
+            }
+        }
+        Ok(())
+    }
+
+    /// Follows an unbounded motion from the earliest to the latest of these times, s from the start; a motion between two turning points
+    /// is known at all times.
+    ///
+    /// # Errors
+    /// [`NoQuadrature`] if it is not resolved to there.
+    pub fn cover(&mut self, t0: f64, t1: f64) -> Result<(), NoQuadrature> {
+        match self.course {
+            Course::Rest | Course::Swing { .. } => Ok(()),
+            _ => self.plan(&[t0, t1]),
+        }
+    }
+
+    /// The turning points below and above the start, where there are any; of an unbounded motion as far as it was followed.
+    #[must_use]
+    pub fn turning_points(&self) -> (Option<f64>, Option<f64>) {
+        let [low, high] = self.turns;
+        (low, high)
+    }
+
+    /// The period of a motion between two turning points, s.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        self.course.period()
+    }
+
+    /// The state `t` seconds after the start (before it, if negative): q, then v.
+    ///
+    /// # Errors
+    /// [`NoQuadrature::Uncovered`] for an unbounded motion beyond what [`Self::cover`] was asked for.
+    pub fn state(&self, t: f64) -> Result<Vec<f64>, NoQuadrature> {
+        let mut y = vec![0.0; self.start.len()];
+        self.state_into(t, &mut y)?;
+        Ok(y)
+    }
+
+    /// As [`Self::state`], into a slice of its length.
+    ///
+    /// # Errors
+    /// As [`Self::state`].
+    pub fn state_into(&self, t: f64, y: &mut [f64]) -> Result<(), NoQuadrature> {
+        y.copy_from_slice(&self.start);
+        if t == 0.0 {
+            return Ok(());
+        }
+        let n = self.start.len() - 1;
+        let Some(spot) = self.course.spot(self.lead + t) else {
+            if !matches!(self.course, Course::Rest) {
+                return Err(NoQuadrature::Uncovered { t });
+            }
+            for (y, rate) in y[1..n].iter_mut().zip(&self.rates[1..]) {
+                *y += t * rate;
+            }
+            return Ok(());
+        };
+        let place = spot.track.chart.at(spot.found.w);
+        // v = q′/k, with k = q₀′ at v = 1.
+        self.energy.rates(&with(&self.start[..n], place.q), 1.0, &mut y[..n]);
+        let speed = place.reach * spot.track.pace(&spot.found) / y[0];
+        y[0] = place.q;
+        y[n] = if spot.rising { speed } else { -speed };
+        for i in 1..n {
+            y[i] = self.start[i] + (spot.quadrature(i, n - 1) - self.sums[i]);
+        }
+        Ok(())
+    }
+
+    /// Points at which the integrands were evaluated.
+    #[must_use]
+    pub fn evaluations(&self) -> u64 {
+        let attempts: u64 = self.course.tracks().iter().map(|track| u64::from(track.attempts)).sum();
+        attempts * rule::POINTS as u64
+    }
+}
+
+/// The coordinates with another first one.
+fn with(q: &[f64], first: f64) -> Vec<f64> {
+    let mut q = q.to_vec();
+    q[0] = first;
+    q
+}
+
+/// Refuses equations of another kind.
+fn check(system: &dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<(), NoQuadrature> {
+    let speeds = system.speeds();
+    if speeds != 1 || q.is_empty() {
+        return Err(NoQuadrature::NotOneDegree { speeds });
+    }
+    for (what, expected, found) in
+        [("parameters", system.parameters(), p.len()), ("coordinates", system.coordinates(), q.len())]
+    {
+        if expected != found {
+            return Err(SimError::Length { what, expected, found }.into());
+        }
+    }
+    if !(p.iter().chain(q).all(|x| x.is_finite()) && v.is_finite()) {
+        return Err(SimError::NotFinite { what: "a parameter, or a component of the initial state,".to_owned() }.into());
+    }
+    if !system.has_potential_slope() {
+        return Err(NoQuadrature::NoPotentialSlope);
+    }
+    // What does not depend on a coordinate has the same bits wherever that is.
+    let rates = |q: &[f64]| {
+        let mut out = vec![0.0; q.len()];
+        system.coordinate_rates(p, q, &[if v == 0.0 { 1.0 } else { v }], &mut out);
+        out.into_iter().map(f64::to_bits).collect::<Vec<_>>()
+    };
+    let here = rates(q);
+    for coordinate in 1..q.len() {
+        let mut moved = q.to_vec();
+        moved[coordinate] += 0.7 + 0.3 * moved[coordinate].abs();
+        if rates(&moved) != here {
+            return Err(NoQuadrature::NotQuadrature { coordinate });
+        }
+    }
+    Ok(())
+}

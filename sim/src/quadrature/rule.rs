@@ -1,0 +1,140 @@
+//! Gauss–Legendre points, and series of Legendre polynomials.
+
+use std::sync::OnceLock;
+
+use tripos_traits::{DoubleDouble, Real, Scalar};
+
+/// Points of the rule, and terms of a series.
+pub(super) const POINTS: usize = 24;
+
+/// One function on a panel: a number for each point, or for each polynomial.
+pub(super) type Series = [f64; POINTS];
+
+/// P₀(x) … P_n(x), n = [`POINTS`].
+pub(super) type Values = [f64; POINTS + 1];
+
+/// The rule on [−1, 1].
+pub(super) struct Rule {
+    /// Zeros of P_n, in increasing order.
+    pub(super) points: Series,
+    /// Row i: what the value at point i adds to each coefficient, (k + ½) wᵢ P_k(xᵢ).
+    shares: [Series; POINTS],
+    /// 1/(k + 1) and the factors of the recurrence, (2 k + 1)/(k + 1) and k/(k + 1).
+    recurrence: [[f64; 2]; POINTS],
+}
+
+impl Rule {
+    /// The rule; its points and weights are computed once, in 32 digits.
+    pub(super) fn shared() -> &'static Self {
+        static RULE: OnceLock<Rule> = OnceLock::new();
+        RULE.get_or_init(Self::new)
+    }
+
+    fn new() -> Self {
+        let mut rule = Self { points: [0.0; POINTS], shares: [[0.0; POINTS]; POINTS], recurrence: [[0.0; 2]; POINTS] };
+        for (k, factors) in rule.recurrence.iter_mut().enumerate() {
+            *factors = [(2 * k + 1) as f64 / (k + 1) as f64, k as f64 / (k + 1) as f64];
+        }
+        let one = DoubleDouble::int(1);
+        for (i, (point, shares)) in rule.points.iter_mut().zip(&mut rule.shares).enumerate() {
+            let guess = (std::f64::consts::PI * (i as f64 + 0.75) / (POINTS as f64 + 0.5)).cos();
+            let mut x = DoubleDouble::from_f64(-guess);
+            // Newton's method: 3 digits at first, doubled by each step.
+            for _ in 0..5 {
+                let p = legendre(x);
+                x = x - p[POINTS] / slope(x, &p);
+            }
+            let p = legendre(x);
+            let slope = slope(x, &p);
+            let weight = DoubleDouble::int(2) / ((one - x * x) * slope * slope);
+            *point = x.to_f64();
+            for (k, share) in shares.iter_mut().enumerate() {
+                *share = (p[k] * weight).to_f64() * (k as f64 + 0.5);
+            }
+        }
+        rule
+    }
+
+    /// Coefficients c_k of Σ c_k P_k through values at the points.
+    pub(super) fn coefficients(&self, values: &Series) -> Series {
+        let mut sum = [0.0; POINTS];
+        for (value, shares) in values.iter().zip(&self.shares) {
+            for (sum, share) in sum.iter_mut().zip(shares) {
+                *sum += value * share;
+            }
+        }
+        sum
+    }
+
+    /// The polynomials at `x`, by (k + 1) P_{k+1} = (2 k + 1) x P_k − k P_{k−1}.
+    pub(super) fn values(&self, x: f64) -> Values {
+        let mut p = [1.0; POINTS + 1];
+        p[1] = x;
+        for k in 1..POINTS {
+            let [a, b] = self.recurrence[k];
+            p[k + 1] = a * x * p[k] - b * p[k - 1];
+        }
+        p
+    }
+}
+
+/// The coefficients of ∫₋₁ˣ Σ c_k P_k, by (2 k + 1) P_k = P′_{k+1} − P′_{k−1}.
+pub(super) fn integrated(c: &Series) -> Values {
+    let mut d = [0.0; POINTS + 1];
+    d[0] = c[0];
+    for (k, c) in c.iter().enumerate() {
+        let share = c / (2 * k + 1) as f64;
+        d[k + 1] += share;
+        if k > 0 {
+            d[k - 1] -= share;
+        }
+    }
+    d
+}
+
+/// Σ cᵢ xᵢ, four sums side by side.
+pub(super) fn dot(c: &[f64], x: &[f64]) -> f64 {
+    let (c, c_rest) = c.as_chunks::<4>();
+    let (x, x_rest) = x.as_chunks::<4>();
+    let mut sum = [0.0; 4];
+    for (c, x) in c.iter().zip(x) {
+        for l in 0..4 {
+            sum[l] += c[l] * x[l];
+        }
+    }
+    let rest: f64 = c_rest.iter().zip(x_rest).map(|(c, x)| c * x).sum();
+    (sum[0] + sum[2]) + (sum[1] + sum[3]) + rest
+}
+
+fn legendre(x: DoubleDouble) -> [DoubleDouble; POINTS + 1] {
+    let mut p = [DoubleDouble::int(1); POINTS + 1];
+    p[1] = x;
+    for (k, n) in (1..POINTS).zip(1_i64..) {
+        p[k + 1] =
+            (DoubleDouble::int(2 * n + 1) * x * p[k] - DoubleDouble::int(n) * p[k - 1]) / DoubleDouble::int(n + 1);
+    }
+    p
+}
+
+/// P_n′ by (x² − 1) P_n′ = n (x P_n − P_{n−1}).
+fn slope(x: DoubleDouble, p: &[DoubleDouble; POINTS + 1]) -> DoubleDouble {
+    DoubleDouble::from_f64(POINTS as f64) * (x * p[POINTS] - p[POINTS - 1]) / (x * x - DoubleDouble::int(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A polynomial of degree 23 is its own series, and its integral that of the polynomial: x²³ over 24 terms of size 1.
+    #[test]
+    fn series_of_a_polynomial_and_of_its_integral_are_exact() {
+        let rule = Rule::shared();
+        let c = rule.coefficients(&rule.points.map(|x| 24.0 * x.powi(23)));
+        let d = integrated(&c);
+        for x in [-1.0, -0.7, 0.0, 0.3, 1.0_f64] {
+            let p = rule.values(x);
+            assert!((dot(&c, &p[..POINTS]) - 24.0 * x.powi(23)).abs() < 24.0 * 8.0 * f64::EPSILON);
+            assert!((dot(&d, &p) - (x.powi(24) - 1.0)).abs() < 8.0 * f64::EPSILON, "{x}");
+        }
+    }
+}

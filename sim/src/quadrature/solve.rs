@@ -1,0 +1,209 @@
+//! A run by quadrature, with the output and the events of any other.
+
+use tripos_traits::System;
+
+use super::{NoQuadrature, OneDegree};
+use crate::error::SimError;
+use crate::events::Event;
+use crate::options::{self, Options};
+use crate::recorder::Recorder;
+use crate::solution::{Output, Solution, Stop};
+use crate::stepper::{DenseStep, Interpolant, same};
+use crate::watch::Watch;
+
+/// The motion from y0 = \[q; v\] over `span`, answered like [`crate::integrate`] answers it.
+///
+/// Of the options, `output` and `step_limit` matter; method and tolerances do not. Steps are those of the panels: they count in the
+/// result, and [`Output::Steps`] refines them. Events are looked for on them as on steps of a method, and end the run where they say so.
+/// The quadratures, like all coordinates, are in the state; see [`OneDegree::new`] for what the equations must be.
+///
+/// # Errors
+/// [`NoQuadrature`] if the question makes no sense ([`NoQuadrature::Question`]), or quadrature does not answer it.
+pub fn solve(
+    system: &dyn System<f64>,
+    p: &[f64],
+    span: (f64, f64),
+    y0: &[f64],
+    options: &Options,
+    events: &mut [Event<'_>],
+) -> Result<Solution, NoQuadrature> {
+    options::check_span(span, y0)?;
+    options::check_output(span, &options.output)?;
+    let Some((v, q)) = y0.split_last() else {
+        return Err(SimError::Length { what: "initial state", expected: system.coordinates() + 1, found: 0 }.into());
+    };
+    let mut motion = OneDegree::new(system, p, q, *v)?;
+    let (t0, t1) = span;
+    motion.cover(0.0, t1 - t0)?;
+    let mut recorder = Recorder::new(&options.output, t0, y0);
+    let mut watch = Watch::new(events, y0.len());
+    let mut run = Run { motion: &motion, t0, y_end: y0.to_vec(), t_end: t0, steps: 0 };
+    let stop = match watch.start(t0, y0) {
+        Some(stop) => stop,
+        None => run.walk(span, options, &mut watch, &mut recorder),
+    };
+    let Run { y_end, t_end, steps, .. } = run;
+    recorder.finish(t_end, &y_end, steps);
+    Ok(Solution {
+        t: recorder.t,
+        y: recorder.y,
+        t_end,
+        y_end,
+        steps,
+        rejected: motion.course.tracks().iter().map(|track| u64::from(track.rejected)).sum(),
+        evaluations: motion.evaluations(),
+        jacobians: 0,
+        stop,
+        events: watch.records,
+        warnings: Vec::new(),
+    })
+}
+
+/// A run under way.
+struct Run<'m> {
+    motion: &'m OneDegree<'m>,
+    t0: f64,
+    y_end: Vec<f64>,
+    t_end: f64,
+    steps: u64,
+}
+
+impl Run<'_> {
+    fn walk(
+        &mut self,
+        span: (f64, f64),
+        options: &Options,
+        watch: &mut Watch<'_, '_>,
+        recorder: &mut Recorder<'_, f64>,
+    ) -> Stop {
+        let forward = span.1 > span.0;
+        // Nobody looks at the steps unless there are events, or each step is asked for.
+        let all = !watch.is_empty() || matches!(options.output, Output::Steps { .. });
+        let mut nodes = Nodes::new(self.motion, if all { span.1 - span.0 } else { 0.0 });
+        let mut step = Step { motion: self.motion, t0: self.t0, span: (span.0, span.0), ends: Default::default() };
+        step.ends.1.clone_from(&self.y_end);
+        loop {
+            if self.steps >= options.step_limit {
+                return Stop::StepLimit { limit: options.step_limit };
+            }
+            let from = step.span.1;
+            let next = if all { nodes.next_beyond(from - self.t0).map(|t| self.t0 + t) } else { None };
+            // What is left of the span after a node that differs from its end by rounding is no step.
+            let inside = |t: &f64| if forward { *t > from && *t < span.1 } else { *t < from && *t > span.1 };
+            let to = next.filter(inside).unwrap_or(span.1);
+            step.advance(to);
+            self.steps += 1;
+            match watch.look(&step) {
+                Ok(None) => recorder.step(&step, 1.0),
+                Ok(Some((theta, stop))) => {
+                    recorder.step(&step, theta);
+                    self.t_end = step.time_at(theta);
+                    self.y_end.copy_from_slice(&step.sample(theta, self.t_end));
+                    return stop;
+                }
+                Err(failure) => return Stop::Failed(failure),
+            }
+            self.t_end = to;
+            self.y_end.copy_from_slice(&step.ends.1);
+            if same(to, span.1) {
+                return Stop::End;
+            }
+        }
+    }
+}
+
+/// Times from the start at which panels meet, in the order of the run.
+struct Nodes {
+    /// Times τ of one period, or of all.
+    nodes: Vec<f64>,
+    period: Option<f64>,
+    lead: f64,
+    forward: bool,
+    at: usize,
+    turns: f64,
+}
+
+impl Nodes {
+    /// Those of a motion in the direction of `span`.
+    fn new(motion: &OneDegree<'_>, span: f64) -> Self {
+        let forward = span >= 0.0;
+        let mut nodes = if same(span, 0.0) { Vec::new() } else { motion.course.nodes() };
+        // Ends of panels in both directions of a swing, and of the two at once.
+        nodes.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * motion.course.period().unwrap_or(0.0));
+        if !forward {
+            nodes.reverse();
+        }
+        let period = motion.period();
+        let turns = period.map_or(0.0, |period| (motion.lead / period).round() - if forward { 1.0 } else { -1.0 });
+        Self { nodes, period, lead: motion.lead, forward, at: 0, turns }
+    }
+
+    /// The next one beyond the time `t` from the start.
+    fn next_beyond(&mut self, t: f64) -> Option<f64> {
+        loop {
+            if self.at >= self.nodes.len() {
+                self.period.filter(|_| !self.nodes.is_empty())?;
+                self.at = 0;
+                self.turns += if self.forward { 1.0 } else { -1.0 };
+            }
+            let node = self.nodes[self.at] + self.turns * self.period.unwrap_or(0.0) - self.lead;
+            if if self.forward { node > t } else { node < t } {
+                return Some(node);
+            }
+            self.at += 1;
+        }
+    }
+}
+
+/// The motion between two times, as one step of a method would give it.
+struct Step<'m> {
+    motion: &'m OneDegree<'m>,
+    t0: f64,
+    span: (f64, f64),
+    ends: (Vec<f64>, Vec<f64>),
+}
+
+impl Step<'_> {
+    fn advance(&mut self, to: f64) {
+        let mut old = std::mem::take(&mut self.ends.0);
+        old.clone_from(&self.ends.1);
+        self.ends.0 = old;
+        self.span = (self.span.1, to);
+        let mut new = std::mem::take(&mut self.ends.1);
+        self.at(to, &mut new);
+        self.ends.1 = new;
+    }
+
+    fn at(&self, t: f64, y: &mut [f64]) {
+        if self.motion.state_into(t - self.t0, y).is_err() {
+            y.fill(f64::NAN);
+        }
+    }
+}
+
+impl Interpolant for Step<'_> {
+    type Real = f64;
+
+    fn span(&self) -> (f64, f64) {
+        self.span
+    }
+
+    fn ends(&self) -> (&[f64], &[f64]) {
+        (&self.ends.0, &self.ends.1)
+    }
+
+    fn inside(&self, theta: f64, mut put: impl FnMut(usize, f64)) {
+        let mut y = vec![0.0; self.ends.0.len()];
+        self.at(self.time_at(theta), &mut y);
+        for (i, y) in y.into_iter().enumerate() {
+            put(i, y);
+        }
+    }
+
+    /// The time itself counts, not the fraction of a step that may be long.
+    fn sample(&self, _theta: f64, t: f64) -> Vec<f64> {
+        let mut y = vec![0.0; self.ends.0.len()];
+        self.at(t, &mut y);
+        y
+    }
+}

@@ -1,0 +1,427 @@
+//! A stretch of the motion, integrated once: time and quadratures as series on panels.
+//!
+//! Each stretch is measured by a variable in which the motion is smooth where it turns: with T = ½ (reach)² · 2 G, where the reach
+//! is dq/dw, the speed is reach √(2 G/m) and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is computed as a divided difference
+//! of V, so that it keeps its digits next to a turning point.
+
+use super::energy::Energy;
+use super::rule::{POINTS, Rule, Series, Values, dot, integrated};
+use crate::root::Point;
+
+/// What a series may leave out, relative to the largest value: a few roundings.
+const RESOLVED: f64 = 4.0 * f64::EPSILON;
+/// Distance of a singularity from the middle of a panel, in half-widths, at which a series of [`POINTS`] terms is resolved:
+/// the terms fall like ρ^−k, with ρ = z + √(z² − 1).
+const FAR_ENOUGH: f64 = 2.7;
+
+/// How the coordinate follows from the variable w ≥ 0 of a stretch.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Chart {
+    /// From one of two turning points halfway to the other: q = end + side · length · sin²(w/2).
+    Arc { end: f64, side: f64, length: f64 },
+    /// From the only turning point on: q = end + side · w²/2.
+    Root { end: f64, side: f64 },
+    /// From a place that is not a turning point: q = end + side · w.
+    Line { end: f64, side: f64 },
+}
+
+/// A place of a stretch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) q: f64,
+    /// |q − end|.
+    offset: f64,
+    /// dq/dw, up to its sign.
+    pub(super) reach: f64,
+}
+
+impl Chart {
+    /// The place at `w`.
+    pub(super) fn at(&self, w: f64) -> Place {
+        let (end, side, offset, reach) = match *self {
+            Self::Arc { end, side, length } => {
+                let (sin, cos) = (0.5 * w).sin_cos();
+                (end, side, length * sin * sin, length * sin * cos)
+            }
+            Self::Root { end, side } => (end, side, 0.5 * w * w, w),
+            Self::Line { end, side } => (end, side, w, 1.0),
+        };
+        Place { q: end + side * offset, offset, reach }
+    }
+
+    /// Where w is 0, and which way it grows.
+    pub(super) fn start(&self) -> (f64, f64) {
+        let (Self::Arc { end, side, .. } | Self::Root { end, side } | Self::Line { end, side }) = *self;
+        (end, side)
+    }
+
+    /// T/(reach)² at a distance from the turning point: −V\[end, q\] over what is left to the other one (2 where there is none).
+    pub(super) fn level(&self, energy: &Energy<'_>, q: f64, offset: f64) -> f64 {
+        let (end, side) = self.start();
+        match self {
+            Self::Arc { length, .. } => -side * energy.slope(end, q) / (length - offset),
+            Self::Root { .. } => -side * energy.slope(end, q) / 2.0,
+            Self::Line { .. } => energy.left(q),
+        }
+    }
+}
+
+/// Where the kinetic energy is known, and from where it is computed.
+#[derive(Clone, Copy, Debug)]
+struct Anchor {
+    q: f64,
+    offset: f64,
+    kinetic: f64,
+    /// The sum of the energies that were added up to there, each with its rounding error.
+    added: f64,
+}
+
+impl Anchor {
+    /// The end of a panel, where the energy `kinetic` follows from the anchor before.
+    ///
+    /// Energies larger than what is left of them leave their errors behind; then the start is the better place to count from, if
+    /// its own kinetic energy is smaller.
+    fn next(before: Option<Self>, energy: &Energy<'_>, end: &Place, kinetic: f64) -> Self {
+        let added = before.map_or(0.0, |before| before.added + before.kinetic) + kinetic;
+        let Place { q, offset, .. } = *end;
+        if energy.kinetic + kinetic < 0.125 * added {
+            let kinetic = energy.left(q);
+            return Self { q, offset, kinetic, added: energy.kinetic + kinetic };
+        }
+        Self { q, offset, kinetic, added }
+    }
+}
+
+/// Why a stretch is not integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Obstacle {
+    /// There is no kinetic energy at this coordinate.
+    Barrier(f64),
+    /// The panels near this coordinate are too many.
+    Unresolved(f64),
+}
+
+/// How far a stretch is to be integrated.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Goal {
+    /// To this w, where it ends.
+    End(f64),
+    /// Past this w.
+    Variable(f64),
+    /// This many panels on.
+    Panels(usize),
+    /// Past this time.
+    Time(f64),
+}
+
+/// A stretch with its panels.
+///
+/// Functions are numbered: 0 is the time; then the quadratures while q rises; then those while it falls.
+#[derive(Clone, Debug)]
+pub(super) struct Track {
+    pub(super) chart: Chart,
+    functions: usize,
+    /// Relative error of the integrands that comes with the turning points.
+    noise: f64,
+    /// w and t where panels meet, the start and the end included.
+    ends: Vec<f64>,
+    pub(super) times: Vec<f64>,
+    /// All functions there, one such place after the other.
+    sums: Vec<f64>,
+    /// For each panel the series of dt/dξ, and for each function that of its integral.
+    series: Vec<f64>,
+    /// The end of the last panel but for a line.
+    ///
+    /// Far from a turning point next to a pole, V\[end, q\] is a difference of large terms; from panel to panel it is not.
+    anchor: Option<Anchor>,
+    /// Width to try next.
+    width: f64,
+    /// For each function, the relative size of rounding errors that no narrower panel has made smaller; and that of the last
+    /// attempt that was given up for them.
+    floors: Vec<[f64; 2]>,
+    pub(super) attempts: u32,
+    pub(super) rejected: u32,
+}
+
+fn largest(c: &[f64]) -> f64 {
+    c.iter().fold(0.0, |largest: f64, c| if c.abs() > largest || c.is_nan() { c.abs() } else { largest })
+}
+
+/// Buffers for one panel.
+pub(super) struct Scratch {
+    q: Vec<f64>,
+    rates: Vec<f64>,
+    values: Vec<Series>,
+    series: Vec<Series>,
+}
+
+impl Scratch {
+    pub(super) fn new(q: &[f64]) -> Self {
+        let functions = 2 * q.len() - 1;
+        let zeros = vec![[0.0; POINTS]; functions];
+        Self { q: q.to_vec(), rates: vec![0.0; q.len()], values: zeros.clone(), series: zeros }
+    }
+}
+
+impl Track {
+    /// A stretch of which nothing is integrated; `width` is tried first.
+    pub(super) fn new(chart: Chart, coordinates: usize, noise: f64, width: f64) -> Self {
+        let functions = 2 * coordinates - 1;
+        Self {
+            chart,
+            functions,
+            noise,
+            ends: vec![0.0],
+            times: vec![0.0],
+            sums: vec![0.0; functions],
+            series: Vec::new(),
+            anchor: None,
+            width,
+            floors: vec![[0.0; 2]; functions],
+            attempts: 0,
+            rejected: 0,
+        }
+    }
+
+    /// All functions at the end.
+    pub(super) fn totals(&self) -> &[f64] {
+        &self.sums[self.sums.len() - self.functions..]
+    }
+
+    /// The time to the end.
+    pub(super) fn duration(&self) -> f64 {
+        self.times[self.times.len() - 1]
+    }
+
+    /// Integrates on until the goal is reached, with at most `limit` panels in all.
+    pub(super) fn extend(
+        &mut self,
+        energy: &Energy<'_>,
+        scratch: &mut Scratch,
+        goal: Goal,
+        limit: u32,
+    ) -> Result<(), Obstacle> {
+        loop {
+            let from = self.ends[self.ends.len() - 1];
+            let (reached, left) = match goal {
+                Goal::End(end) => (from >= end, end - from),
+                Goal::Variable(w) => (from >= w, f64::INFINITY),
+                Goal::Panels(count) => (self.times.len() > count, f64::INFINITY),
+                Goal::Time(t) => (self.duration() >= t, f64::INFINITY),
+            };
+            if reached && self.times.len() > 1 {
+                return Ok(());
+            }
+            // A sliver at the end costs as much as a panel.
+            let width = if left < 1.25 * self.width { left } else { self.width };
+            let to = if left < 1.25 * self.width { from + left } else { from + width };
+            self.attempts += 1;
+            if self.attempts > limit || to <= from || !to.is_finite() {
+                return Err(Obstacle::Unresolved(self.chart.at(from).q));
+            }
+            self.panel(energy, scratch, from, to)?;
+        }
+    }
+
+    /// Tries one panel, and keeps it if all functions are resolved.
+    fn panel(&mut self, energy: &Energy<'_>, scratch: &mut Scratch, from: f64, to: f64) -> Result<(), Obstacle> {
+        let rule = Rule::shared();
+        let half = 0.5 * (to - from);
+        self.sample(energy, scratch, rule, from, half)?;
+        // Times first: most panels that are too wide show it there.
+        let mut nearest = self.judge(rule, scratch, 0, half);
+        for function in 1..self.functions {
+            if nearest < 1.0 {
+                break;
+            }
+            nearest = nearest.min(self.judge(rule, scratch, function, half));
+        }
+        if nearest < 1.0 {
+            self.rejected += 1;
+            self.width = (to - from) * nearest.clamp(1.0 / 32.0, 0.7);
+            return Ok(());
+        }
+        self.width = (to - from) * nearest.min(8.0);
+        let end = self.chart.at(to);
+        let kinetic = self.kinetic(energy, &end);
+        if !matches!(self.chart, Chart::Line { .. }) {
+            self.anchor = Some(Anchor::next(self.anchor, energy, &end, kinetic));
+        }
+        self.ends.push(to);
+        let before = self.sums.len() - self.functions;
+        self.series.extend(scratch.series[0].map(|c| c * half));
+        for (function, series) in scratch.series.iter().enumerate() {
+            let scaled = series.map(|c| c * half);
+            self.series.extend(integrated(&scaled));
+            self.sums.push(self.sums[before + function] + 2.0 * scaled[0]);
+        }
+        self.times.push(self.sums[before + self.functions]);
+        Ok(())
+    }
+
+    /// T at a place of the panel that comes next.
+    fn kinetic(&self, energy: &Energy<'_>, place: &Place) -> f64 {
+        match self.anchor {
+            Some(Anchor { q, offset, kinetic, .. }) => {
+                let (_, side) = self.chart.start();
+                kinetic - side * (place.offset - offset) * energy.slope(q, place.q)
+            }
+            None => place.reach * place.reach * self.chart.level(energy, place.q, place.offset),
+        }
+    }
+
+    /// The integrands at the points of a panel.
+    fn sample(
+        &self,
+        energy: &Energy<'_>,
+        scratch: &mut Scratch,
+        rule: &Rule,
+        from: f64,
+        half: f64,
+    ) -> Result<(), Obstacle> {
+        let rest = scratch.q.len() - 1;
+        for (i, point) in rule.points.iter().enumerate() {
+            let place = self.chart.at(from + half * (1.0 + point));
+            scratch.q[0] = place.q;
+            let kinetic = self.kinetic(energy, &place);
+            let speed = (2.0 * kinetic / energy.inertia(&scratch.q)).sqrt();
+            if !(speed > 0.0) {
+                return Err(Obstacle::Barrier(place.q));
+            }
+            let mut rate = 0.0;
+            for (rising, first) in [(true, 1), (false, 1 + rest)] {
+                energy.rates(&scratch.q, energy.speed_of(rising, speed), &mut scratch.rates);
+                if rising {
+                    // dt/dw = reach/q′.
+                    rate = place.reach / scratch.rates[0];
+                }
+                for (values, x) in scratch.values[first..].iter_mut().zip(&scratch.rates[1..]) {
+                    values[i] = rate * x;
+                }
+            }
+            if !(rate > 0.0 && rate.is_finite()) {
+                return Err(Obstacle::Unresolved(place.q));
+            }
+            scratch.values[0][i] = rate;
+        }
+        Ok(())
+    }
+
+    /// The series of one function, and how much wider the next panel may be; below 1 if this one is too wide.
+    fn judge(&mut self, rule: &Rule, scratch: &mut Scratch, function: usize, half: f64) -> f64 {
+        let c = rule.coefficients(&scratch.values[function]);
+        scratch.series[function] = c;
+        let size = largest(&c);
+        if size == 0.0 {
+            return f64::INFINITY;
+        }
+        let last = largest(&c[POINTS - 2..]);
+        let total = self.totals()[function].abs() + 2.0 * half * c[0].abs();
+        let enough = (RESOLVED + self.noise) * size;
+        let resolved = last <= enough || last * half <= f64::EPSILON * total;
+        if !resolved && largest(&c[POINTS - 4..]) > 0.2 * largest(&c[POINTS - 10..POINTS - 4]) && last < 1e-8 * size {
+            return self.judge_noise(function, last / size);
+        }
+        let decay = -(last / size).max(1e-18).ln() / (POINTS as f64 - 1.5);
+        let z = decay.cosh();
+        if resolved {
+            // The singularity is taken to lie behind: one width further, it is that much farther.
+            (0.95 * (z + 1.0) / (FAR_ENOUGH - 1.0)).max(1.0)
+        } else {
+            (0.9 * (z - 1.0) / (FAR_ENOUGH - 1.0)).min(0.7)
+        }
+    }
+
+    /// Terms that fall no longer: rounding errors of the equations themselves, unless a narrower panel has smaller ones.
+    fn judge_noise(&mut self, function: usize, level: f64) -> f64 {
+        let [floor, before] = &mut self.floors[function];
+        if level <= 2.0 * *floor {
+            return 2.0;
+        }
+        if level > 0.5 * *before && *before > 0.0 {
+            *floor = level;
+            return 1.0;
+        }
+        *before = level;
+        0.25
+    }
+
+    /// Where the stretch is after `time`: its panel, ξ in it and the polynomials there.
+    pub(super) fn find(&self, time: f64) -> Found {
+        let panel = self.times.partition_point(|t| *t <= time).min(self.times.len() - 1).max(1) - 1;
+        let wanted = time - self.times[panel];
+        let (rate, integral) = (self.rate(panel), self.integral(panel, 0));
+        let rule = Rule::shared();
+        let mut x = (wanted / rate[0] - 1.0).clamp(-1.0, 1.0);
+        let (mut low, mut high): (Point, Point) = ((-1.0, 0.0), (1.0, 0.0));
+        let mut p = rule.values(x);
+        // Newton's method in a bracket; the time grows with ξ.
+        for _ in 0..60 {
+            let excess = dot(integral, &p) - wanted;
+            if excess > 0.0 {
+                high.0 = x;
+            } else {
+                low.0 = x;
+            }
+            let step = excess / dot(rate, &p[..POINTS]);
+            let next = if x - step > low.0 && x - step < high.0 {
+                x - step
+            } else {
+                // At an end of the panel rounding may point outwards.
+                let end = if excess > 0.0 { low.0 } else { high.0 };
+                if (end - x).abs() <= 4.0 * f64::EPSILON { end } else { 0.5 * (low.0 + high.0) }
+            };
+            let done = (next - x).abs() <= 2.0 * f64::EPSILON;
+            x = next;
+            p = rule.values(x);
+            if done {
+                break;
+            }
+        }
+        self.found(panel, x, p)
+    }
+
+    /// Where the stretch is at `w`.
+    pub(super) fn at_variable(&self, w: f64) -> Found {
+        let panel = self.ends.partition_point(|end| *end <= w).min(self.ends.len() - 1).max(1) - 1;
+        let (from, to) = (self.ends[panel], self.ends[panel + 1]);
+        let x = (2.0 * ((w - from) / (to - from)) - 1.0).clamp(-1.0, 1.0);
+        self.found(panel, x, Rule::shared().values(x))
+    }
+
+    fn found(&self, panel: usize, x: f64, polynomials: Values) -> Found {
+        let (from, to) = (self.ends[panel], self.ends[panel + 1]);
+        Found { panel, w: from + 0.5 * (1.0 + x) * (to - from), polynomials }
+    }
+
+    /// |dw/dt| there.
+    pub(super) fn pace(&self, at: &Found) -> f64 {
+        let half = 0.5 * (self.ends[at.panel + 1] - self.ends[at.panel]);
+        half / dot(self.rate(at.panel), &at.polynomials[..POINTS])
+    }
+
+    /// A function there, from 0 at the start of the stretch.
+    pub(super) fn value(&self, at: &Found, function: usize) -> f64 {
+        self.sums[at.panel * self.functions + function] + dot(self.integral(at.panel, function), &at.polynomials)
+    }
+
+    fn block(&self, panel: usize) -> &[f64] {
+        let length = POINTS + self.functions * (POINTS + 1);
+        &self.series[panel * length..(panel + 1) * length]
+    }
+
+    fn rate(&self, panel: usize) -> &[f64] {
+        &self.block(panel)[..POINTS]
+    }
+
+    fn integral(&self, panel: usize, function: usize) -> &[f64] {
+        &self.block(panel)[POINTS + function * (POINTS + 1)..][..=POINTS]
+    }
+}
+
+/// A place of a stretch by panel.
+pub(super) struct Found {
+    panel: usize,
+    pub(super) w: f64,
+    polynomials: Values,
+}
