@@ -1,15 +1,16 @@
 //! The whole motion as stretches, gone through to and fro.
 
+use super::chart::Chart;
 use super::energy::Energy;
 use super::error::NoQuadrature;
-use super::track::{Chart, Found, Goal, Obstacle, Scratch, Track};
+use super::track::{Found, Goal, Obstacle, Scratch, Track};
 
 /// Panels of a stretch between turning points, those tried in vain included.
 const PANELS_OF_SWING: u32 = 2000;
 /// Panels of a stretch without an end.
 const PANELS: u32 = 20_000;
 /// Panels in which a motion that seems not to turn is looked at.
-const EXPLORED: usize = 40;
+const EXPLORED: usize = 100;
 /// How often a turning point that the search missed may be met.
 const MISSED_LIMIT: u32 = 16;
 

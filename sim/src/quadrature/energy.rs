@@ -91,7 +91,7 @@ impl<'a> Energy<'a> {
                 return self.checked(self.start, side).map(Some);
             }
             // The start is the other turning point; next to it there is kinetic energy.
-            while !(self.left(self.start + side * step) > 0.0) {
+            while self.left(self.start + side * step) <= 0.0 {
                 step *= 0.5;
                 if same_as(self.start + side * step, self.start) {
                     return Err(NoQuadrature::Asymptotic { at: self.start });
@@ -103,7 +103,7 @@ impl<'a> Energy<'a> {
         for _ in 0..SEARCH {
             let q = good + side * step;
             let left = self.left(q);
-            if !(left > least) || same_as(q, good) {
+            if left <= least || same_as(q, good) {
                 return self.checked(self.between(good, q), side).map(Some);
             }
             let fall_here = side * self.slope(q, q);
@@ -125,7 +125,7 @@ impl<'a> Energy<'a> {
         if self.kinetic <= 0.0 {
             good += 1e-3 * (bad - self.start);
         }
-        if !(self.left(good) > 0.0) || self.left(bad) > 0.0 {
+        if self.left(good) <= 0.0 || self.left(bad) > 0.0 {
             return Err(NoQuadrature::Asymptotic { at: bad });
         }
         self.checked(self.between(good, bad), side)

@@ -12,6 +12,7 @@
 //! Absent on purpose: friction, forces that depend on time, and unlimited work. What is not resolved by a stated number of panels is
 //! refused with its reason.
 
+mod chart;
 mod course;
 mod energy;
 mod error;
@@ -189,13 +190,14 @@ impl<'a> OneDegree<'a> {
             return Ok(());
         };
         let place = spot.track.chart.at(spot.found.w);
-        // v = q′/k, with k = q₀′ at v = 1.
-        self.energy.rates(&with(&self.start[..n], place.q), 1.0, &mut y[..n]);
-        let speed = place.reach * spot.track.pace(&spot.found) / y[0];
         y[0] = place.q;
+        // v = q′/k, with k = q₀′ at v = 1.
+        let mut rates = vec![0.0; n];
+        self.energy.rates(&y[..n], 1.0, &mut rates);
+        let speed = place.reach * spot.track.pace(&spot.found) / rates[0];
         y[n] = if spot.rising { speed } else { -speed };
-        for i in 1..n {
-            y[i] = self.start[i] + (spot.quadrature(i, n - 1) - self.sums[i]);
+        for (i, y) in y.iter_mut().enumerate().take(n).skip(1) {
+            *y += spot.quadrature(i, n - 1) - self.sums[i];
         }
         Ok(())
     }
@@ -206,13 +208,6 @@ impl<'a> OneDegree<'a> {
         let attempts: u64 = self.course.tracks().iter().map(|track| u64::from(track.attempts)).sum();
         attempts * rule::POINTS as u64
     }
-}
-
-/// The coordinates with another first one.
-fn with(q: &[f64], first: f64) -> Vec<f64> {
-    let mut q = q.to_vec();
-    q[0] = first;
-    q
 }
 
 /// Refuses equations of another kind.

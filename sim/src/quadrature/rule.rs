@@ -7,6 +7,8 @@ use tripos_traits::{DoubleDouble, Real, Scalar};
 /// Points of the rule, and terms of a series.
 pub(super) const POINTS: usize = 24;
 
+const HALF: usize = POINTS / 2;
+
 /// One function on a panel: a number for each point, or for each polynomial.
 pub(super) type Series = [f64; POINTS];
 
@@ -17,8 +19,9 @@ pub(super) type Values = [f64; POINTS + 1];
 pub(super) struct Rule {
     /// Zeros of P_n, in increasing order.
     pub(super) points: Series,
-    /// Row i: what the value at point i adds to each coefficient, (k + ½) wᵢ P_k(xᵢ).
-    shares: [Series; POINTS],
+    /// Row i: what the values at point i and opposite to it add to the coefficients, (k + ½) wᵢ P_k(xᵢ): their sum to those of even k,
+    /// their difference to those of odd k.
+    shares: [[[f64; HALF]; 2]; HALF],
     /// 1/(k + 1) and the factors of the recurrence, (2 k + 1)/(k + 1) and k/(k + 1).
     recurrence: [[f64; 2]; POINTS],
 }
@@ -31,12 +34,12 @@ impl Rule {
     }
 
     fn new() -> Self {
-        let mut rule = Self { points: [0.0; POINTS], shares: [[0.0; POINTS]; POINTS], recurrence: [[0.0; 2]; POINTS] };
+        let mut rule = Self { points: [0.0; POINTS], shares: [[[0.0; HALF]; 2]; HALF], recurrence: [[0.0; 2]; POINTS] };
         for (k, factors) in rule.recurrence.iter_mut().enumerate() {
             *factors = [(2 * k + 1) as f64 / (k + 1) as f64, k as f64 / (k + 1) as f64];
         }
         let one = DoubleDouble::int(1);
-        for (i, (point, shares)) in rule.points.iter_mut().zip(&mut rule.shares).enumerate() {
+        for i in 0..HALF {
             let guess = (std::f64::consts::PI * (i as f64 + 0.75) / (POINTS as f64 + 0.5)).cos();
             let mut x = DoubleDouble::from_f64(-guess);
             // Newton's method: 3 digits at first, doubled by each step.
@@ -47,9 +50,9 @@ impl Rule {
             let p = legendre(x);
             let slope = slope(x, &p);
             let weight = DoubleDouble::int(2) / ((one - x * x) * slope * slope);
-            *point = x.to_f64();
-            for (k, share) in shares.iter_mut().enumerate() {
-                *share = (p[k] * weight).to_f64() * (k as f64 + 0.5);
+            (rule.points[i], rule.points[POINTS - 1 - i]) = (x.to_f64(), -x.to_f64());
+            for (k, p) in p[..POINTS].iter().enumerate() {
+                rule.shares[i][k % 2][k / 2] = (*p * weight).to_f64() * (k as f64 + 0.5);
             }
         }
         rule
@@ -57,13 +60,16 @@ impl Rule {
 
     /// Coefficients c_k of Σ c_k P_k through values at the points.
     pub(super) fn coefficients(&self, values: &Series) -> Series {
-        let mut sum = [0.0; POINTS];
-        for (value, shares) in values.iter().zip(&self.shares) {
-            for (sum, share) in sum.iter_mut().zip(shares) {
-                *sum += value * share;
+        let (mut even, mut odd) = ([0.0; HALF], [0.0; HALF]);
+        for (i, [of_even, of_odd]) in self.shares.iter().enumerate() {
+            let (left, right) = (values[i], values[POINTS - 1 - i]);
+            let (sum, difference) = (left + right, left - right);
+            for l in 0..HALF {
+                even[l] += sum * of_even[l];
+                odd[l] += difference * of_odd[l];
             }
         }
-        sum
+        std::array::from_fn(|k| if k % 2 == 0 { even[k / 2] } else { odd[k / 2] })
     }
 
     /// The polynomials at `x`, by (k + 1) P_{k+1} = (2 k + 1) x P_k − k P_{k−1}.

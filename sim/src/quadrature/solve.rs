@@ -115,7 +115,7 @@ impl Run<'_> {
 /// Times from the start at which panels meet, in the order of the run.
 struct Nodes {
     /// Times τ of one period, or of all.
-    nodes: Vec<f64>,
+    times: Vec<f64>,
     period: Option<f64>,
     lead: f64,
     forward: bool,
@@ -127,26 +127,26 @@ impl Nodes {
     /// Those of a motion in the direction of `span`.
     fn new(motion: &OneDegree<'_>, span: f64) -> Self {
         let forward = span >= 0.0;
-        let mut nodes = if same(span, 0.0) { Vec::new() } else { motion.course.nodes() };
+        let mut times = if same(span, 0.0) { Vec::new() } else { motion.course.nodes() };
         // Ends of panels in both directions of a swing, and of the two at once.
-        nodes.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * motion.course.period().unwrap_or(0.0));
+        times.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * motion.course.period().unwrap_or(0.0));
         if !forward {
-            nodes.reverse();
+            times.reverse();
         }
         let period = motion.period();
         let turns = period.map_or(0.0, |period| (motion.lead / period).round() - if forward { 1.0 } else { -1.0 });
-        Self { nodes, period, lead: motion.lead, forward, at: 0, turns }
+        Self { times, period, lead: motion.lead, forward, at: 0, turns }
     }
 
     /// The next one beyond the time `t` from the start.
     fn next_beyond(&mut self, t: f64) -> Option<f64> {
         loop {
-            if self.at >= self.nodes.len() {
-                self.period.filter(|_| !self.nodes.is_empty())?;
+            if self.at >= self.times.len() {
+                self.period.filter(|_| !self.times.is_empty())?;
                 self.at = 0;
                 self.turns += if self.forward { 1.0 } else { -1.0 };
             }
-            let node = self.nodes[self.at] + self.turns * self.period.unwrap_or(0.0) - self.lead;
+            let node = self.times[self.at] + self.turns * self.period.unwrap_or(0.0) - self.lead;
             if if self.forward { node > t } else { node < t } {
                 return Some(node);
             }

@@ -4,93 +4,18 @@
 //! is dq/dw, the speed is reach √(2 G/m) and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is computed as a divided difference
 //! of V, so that it keeps its digits next to a turning point.
 
+use super::chart::{Anchor, Chart, Place};
 use super::energy::Energy;
 use super::rule::{POINTS, Rule, Series, Values, dot, integrated};
-use crate::root::Point;
 
 /// What a series may leave out, relative to the largest value: a few roundings.
 const RESOLVED: f64 = 4.0 * f64::EPSILON;
+/// Rounding errors of an integrand, relative to its largest value, for which no panel is made narrower: of both signs, they hardly
+/// add up.
+const HARMLESS: f64 = 1e-14;
 /// Distance of a singularity from the middle of a panel, in half-widths, at which a series of [`POINTS`] terms is resolved:
 /// the terms fall like ρ^−k, with ρ = z + √(z² − 1).
 const FAR_ENOUGH: f64 = 2.7;
-
-/// How the coordinate follows from the variable w ≥ 0 of a stretch.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Chart {
-    /// From one of two turning points halfway to the other: q = end + side · length · sin²(w/2).
-    Arc { end: f64, side: f64, length: f64 },
-    /// From the only turning point on: q = end + side · w²/2.
-    Root { end: f64, side: f64 },
-    /// From a place that is not a turning point: q = end + side · w.
-    Line { end: f64, side: f64 },
-}
-
-/// A place of a stretch.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub(super) q: f64,
-    /// |q − end|.
-    offset: f64,
-    /// dq/dw, up to its sign.
-    pub(super) reach: f64,
-}
-
-impl Chart {
-    /// The place at `w`.
-    pub(super) fn at(&self, w: f64) -> Place {
-        let (end, side, offset, reach) = match *self {
-            Self::Arc { end, side, length } => {
-                let (sin, cos) = (0.5 * w).sin_cos();
-                (end, side, length * sin * sin, length * sin * cos)
-            }
-            Self::Root { end, side } => (end, side, 0.5 * w * w, w),
-            Self::Line { end, side } => (end, side, w, 1.0),
-        };
-        Place { q: end + side * offset, offset, reach }
-    }
-
-    /// Where w is 0, and which way it grows.
-    pub(super) fn start(&self) -> (f64, f64) {
-        let (Self::Arc { end, side, .. } | Self::Root { end, side } | Self::Line { end, side }) = *self;
-        (end, side)
-    }
-
-    /// T/(reach)² at a distance from the turning point: −V\[end, q\] over what is left to the other one (2 where there is none).
-    pub(super) fn level(&self, energy: &Energy<'_>, q: f64, offset: f64) -> f64 {
-        let (end, side) = self.start();
-        match self {
-            Self::Arc { length, .. } => -side * energy.slope(end, q) / (length - offset),
-            Self::Root { .. } => -side * energy.slope(end, q) / 2.0,
-            Self::Line { .. } => energy.left(q),
-        }
-    }
-}
-
-/// Where the kinetic energy is known, and from where it is computed.
-#[derive(Clone, Copy, Debug)]
-struct Anchor {
-    q: f64,
-    offset: f64,
-    kinetic: f64,
-    /// The sum of the energies that were added up to there, each with its rounding error.
-    added: f64,
-}
-
-impl Anchor {
-    /// The end of a panel, where the energy `kinetic` follows from the anchor before.
-    ///
-    /// Energies larger than what is left of them leave their errors behind; then the start is the better place to count from, if
-    /// its own kinetic energy is smaller.
-    fn next(before: Option<Self>, energy: &Energy<'_>, end: &Place, kinetic: f64) -> Self {
-        let added = before.map_or(0.0, |before| before.added + before.kinetic) + kinetic;
-        let Place { q, offset, .. } = *end;
-        if energy.kinetic + kinetic < 0.125 * added {
-            let kinetic = energy.left(q);
-            return Self { q, offset, kinetic, added: energy.kinetic + kinetic };
-        }
-        Self { q, offset, kinetic, added }
-    }
-}
 
 /// Why a stretch is not integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,6 +76,9 @@ fn largest(c: &[f64]) -> f64 {
 pub(super) struct Scratch {
     q: Vec<f64>,
     rates: Vec<f64>,
+    /// q and |v| at the points.
+    places: Series,
+    speeds: Series,
     values: Vec<Series>,
     series: Vec<Series>,
 }
@@ -159,7 +87,14 @@ impl Scratch {
     pub(super) fn new(q: &[f64]) -> Self {
         let functions = 2 * q.len() - 1;
         let zeros = vec![[0.0; POINTS]; functions];
-        Self { q: q.to_vec(), rates: vec![0.0; q.len()], values: zeros.clone(), series: zeros }
+        Self {
+            q: q.to_vec(),
+            rates: vec![0.0; q.len()],
+            places: [0.0; POINTS],
+            speeds: [0.0; POINTS],
+            values: zeros.clone(),
+            series: zeros,
+        }
     }
 }
 
@@ -227,14 +162,18 @@ impl Track {
     fn panel(&mut self, energy: &Energy<'_>, scratch: &mut Scratch, from: f64, to: f64) -> Result<(), Obstacle> {
         let rule = Rule::shared();
         let half = 0.5 * (to - from);
-        self.sample(energy, scratch, rule, from, half)?;
-        // Times first: most panels that are too wide show it there.
-        let mut nearest = self.judge(rule, scratch, 0, half);
-        for function in 1..self.functions {
+        self.sample_rising(energy, scratch, rule, (from, half))?;
+        // What falls costs as much again, and is looked at only if nothing shows yet that the panel is too wide.
+        let rest = scratch.q.len() - 1;
+        let mut nearest = f64::INFINITY;
+        for function in 0..self.functions {
+            if function == 1 + rest {
+                Self::sample_falling(energy, scratch);
+            }
+            nearest = nearest.min(self.judge(rule, scratch, function, half));
             if nearest < 1.0 {
                 break;
             }
-            nearest = nearest.min(self.judge(rule, scratch, function, half));
         }
         if nearest < 1.0 {
             self.rejected += 1;
@@ -270,41 +209,47 @@ impl Track {
         }
     }
 
-    /// The integrands at the points of a panel.
-    fn sample(
+    /// dt/dw and the integrands while q rises, at the points of a panel.
+    fn sample_rising(
         &self,
         energy: &Energy<'_>,
         scratch: &mut Scratch,
         rule: &Rule,
-        from: f64,
-        half: f64,
+        (from, half): (f64, f64),
     ) -> Result<(), Obstacle> {
-        let rest = scratch.q.len() - 1;
         for (i, point) in rule.points.iter().enumerate() {
             let place = self.chart.at(from + half * (1.0 + point));
             scratch.q[0] = place.q;
-            let kinetic = self.kinetic(energy, &place);
-            let speed = (2.0 * kinetic / energy.inertia(&scratch.q)).sqrt();
-            if !(speed > 0.0) {
+            let speed = (2.0 * self.kinetic(energy, &place) / energy.inertia(&scratch.q)).sqrt();
+            let moves = speed > 0.0;
+            if !moves {
                 return Err(Obstacle::Barrier(place.q));
             }
-            let mut rate = 0.0;
-            for (rising, first) in [(true, 1), (false, 1 + rest)] {
-                energy.rates(&scratch.q, energy.speed_of(rising, speed), &mut scratch.rates);
-                if rising {
-                    // dt/dw = reach/q′.
-                    rate = place.reach / scratch.rates[0];
-                }
-                for (values, x) in scratch.values[first..].iter_mut().zip(&scratch.rates[1..]) {
-                    values[i] = rate * x;
-                }
-            }
-            if !(rate > 0.0 && rate.is_finite()) {
+            energy.rates(&scratch.q, energy.speed_of(true, speed), &mut scratch.rates);
+            // dt/dw = reach/q′.
+            let rate = place.reach / scratch.rates[0];
+            if rate.is_nan() || rate <= 0.0 || rate.is_infinite() {
                 return Err(Obstacle::Unresolved(place.q));
             }
-            scratch.values[0][i] = rate;
+            (scratch.places[i], scratch.speeds[i], scratch.values[0][i]) = (place.q, speed, rate);
+            for (values, x) in scratch.values[1..].iter_mut().zip(&scratch.rates[1..]) {
+                values[i] = rate * x;
+            }
         }
         Ok(())
+    }
+
+    /// The integrands while q falls.
+    fn sample_falling(energy: &Energy<'_>, scratch: &mut Scratch) {
+        let rest = scratch.q.len() - 1;
+        for i in 0..POINTS {
+            scratch.q[0] = scratch.places[i];
+            energy.rates(&scratch.q, energy.speed_of(false, scratch.speeds[i]), &mut scratch.rates);
+            let rate = scratch.values[0][i];
+            for (values, x) in scratch.values[1 + rest..].iter_mut().zip(&scratch.rates[1..]) {
+                values[i] = rate * x;
+            }
+        }
     }
 
     /// The series of one function, and how much wider the next panel may be; below 1 if this one is too wide.
@@ -332,13 +277,14 @@ impl Track {
         }
     }
 
-    /// Terms that fall no longer: rounding errors of the equations themselves, unless a narrower panel has smaller ones.
+    /// Terms that fall no longer: rounding errors of the equations themselves, unless a narrower panel has far smaller ones, as
+    /// where energies cancel.
     fn judge_noise(&mut self, function: usize, level: f64) -> f64 {
         let [floor, before] = &mut self.floors[function];
-        if level <= 2.0 * *floor {
+        if level <= HARMLESS.max(2.0 * *floor) {
             return 2.0;
         }
-        if level > 0.5 * *before && *before > 0.0 {
+        if level > 0.125 * *before && *before > 0.0 {
             *floor = level;
             return 1.0;
         }
@@ -353,28 +299,25 @@ impl Track {
         let (rate, integral) = (self.rate(panel), self.integral(panel, 0));
         let rule = Rule::shared();
         let mut x = (wanted / rate[0] - 1.0).clamp(-1.0, 1.0);
-        let (mut low, mut high): (Point, Point) = ((-1.0, 0.0), (1.0, 0.0));
+        let (mut low, mut high) = (-1.0, 1.0);
         let mut p = rule.values(x);
         // Newton's method in a bracket; the time grows with ξ.
         for _ in 0..60 {
             let excess = dot(integral, &p) - wanted;
             if excess > 0.0 {
-                high.0 = x;
+                high = x;
             } else {
-                low.0 = x;
+                low = x;
             }
             let step = excess / dot(rate, &p[..POINTS]);
-            let next = if x - step > low.0 && x - step < high.0 {
-                x - step
-            } else {
-                // At an end of the panel rounding may point outwards.
-                let end = if excess > 0.0 { low.0 } else { high.0 };
-                if (end - x).abs() <= 4.0 * f64::EPSILON { end } else { 0.5 * (low.0 + high.0) }
-            };
-            let done = (next - x).abs() <= 2.0 * f64::EPSILON;
-            x = next;
+            if step.abs() <= 2.0 * f64::EPSILON {
+                break;
+            }
+            let newton = x - step > low && x - step < high;
+            x = if newton { x - step } else { 0.5 * (low + high) };
             p = rule.values(x);
-            if done {
+            // The error of Newton's method is squared.
+            if newton && step.abs() <= 1e-9 {
                 break;
             }
         }
