@@ -313,6 +313,7 @@ impl<S: Real> Stepper for Gauss6<S> {
         (self.t, self.t_new) = (t, t);
         self.y.copy_from_slice(y);
         self.y_new.copy_from_slice(y);
+        self.carry.fill(S::from_f64(0.0));
         for (magnitude, y) in self.magnitudes.iter_mut().zip(y) {
             *magnitude = y.to_f64().abs();
         }

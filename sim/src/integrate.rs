@@ -11,6 +11,7 @@ use crate::gauss::Gauss6;
 use crate::method::Method;
 use crate::options::{self, Options};
 use crate::pace::Pace;
+use crate::projection::{Invariants, Projector};
 use crate::rhs::RightHandSide;
 use crate::rk4::Rk4;
 use crate::run::solve;
@@ -34,7 +35,7 @@ use crate::taylor::{Taylor, order_for};
 /// not finite, tolerances or options out of range, output times outside the span, a method that lacks a step, a
 /// Jacobian or Taylor coefficients.
 pub fn integrate<S, R>(
-    mut rhs: R,
+    rhs: R,
     span: (f64, f64),
     y0: &[S],
     options: &Options,
@@ -44,26 +45,62 @@ where
     S: Real,
     R: RightHandSide<S>,
 {
+    run(rhs, span, y0, options, events, None)
+}
+
+/// As [`integrate`], with the state moved onto its invariants after each step; what that did is in
+/// [`Solution::projection`]. See [`crate::projection`] for what it means for events and output.
+///
+/// # Errors
+/// As [`integrate`].
+pub fn integrate_projected<S, R>(
+    rhs: R,
+    span: (f64, f64),
+    y0: &[S],
+    options: &Options,
+    events: &mut [Event<'_>],
+    invariants: &mut Invariants<'_, S>,
+) -> Result<Solution<S>, SimError>
+where
+    S: Real,
+    R: RightHandSide<S>,
+{
+    run(rhs, span, y0, options, events, Some(invariants))
+}
+
+fn run<S, R>(
+    mut rhs: R,
+    span: (f64, f64),
+    y0: &[S],
+    options: &Options,
+    events: &mut [Event<'_>],
+    invariants: Option<&mut Invariants<'_, S>>,
+) -> Result<Solution<S>, SimError>
+where
+    S: Real,
+    R: RightHandSide<S>,
+{
     options::check(span, y0, options)?;
     let n = y0.len();
     let (pace, warning) = Pace::new::<S>(span, n, options)?;
     let rhs = &mut rhs;
+    let projector = invariants.map(|invariants| Projector::new(invariants, options, span.0, y0));
     let mut solution = match options.method {
-        Method::Rk4 => solve(Rk4::new(n), pace, rhs, y0, options, events),
+        Method::Rk4 => solve(Rk4::new(n), pace, rhs, y0, options, events, projector),
         Method::Ode45 => {
             let stepper = ExplicitRungeKutta::new(&DORMAND_PRINCE_54, Length::Chosen, n);
-            solve(stepper, pace, rhs, y0, options, events)
+            solve(stepper, pace, rhs, y0, options, events, projector)
         }
         Method::Dopri5 => {
             let stepper = ExplicitRungeKutta::new(&DORMAND_PRINCE_54, Length::Exact, n);
-            solve(stepper, pace, rhs, y0, options, events)
+            solve(stepper, pace, rhs, y0, options, events, projector)
         }
-        Method::Dop853 => solve(Dop853::new(n), pace, rhs, y0, options, events),
+        Method::Dop853 => solve(Dop853::new(n), pace, rhs, y0, options, events, projector),
         Method::Gauss6 => {
             if rhs.jacobian(span.0, y0, &mut vec![S::from_f64(0.0); n * n]).is_none() {
                 return Err(SimError::NoJacobian { method: options.method.name() });
             }
-            solve(Gauss6::new(n), pace, rhs, y0, options, events)
+            solve(Gauss6::new(n), pace, rhs, y0, options, events, projector)
         }
         Method::Taylor => {
             let order = order_for(options);
@@ -71,7 +108,7 @@ where
             if rhs.taylor(span.0, order, &mut x).is_none() {
                 return Err(SimError::NoSeries { method: options.method.name() });
             }
-            solve(Taylor::new(n, order), pace, rhs, y0, options, events)
+            solve(Taylor::new(n, order), pace, rhs, y0, options, events, projector)
         }
     };
     solution.warnings.splice(..0, warning);

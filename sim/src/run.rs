@@ -7,6 +7,7 @@ use crate::doubt::Doubts;
 use crate::events::Event;
 use crate::options::Options;
 use crate::pace::{Pace, Verdict};
+use crate::projection::Projector;
 use crate::recorder::Recorder;
 use crate::rhs::RightHandSide;
 use crate::solution::{Solution, Stop};
@@ -31,6 +32,7 @@ pub(crate) fn solve<M, R>(
     y0: &[M::Real],
     options: &Options,
     events: &mut [Event<'_>],
+    mut projector: Option<Projector<'_, '_, M::Real>>,
 ) -> Solution<M::Real>
 where
     M: Stepper,
@@ -43,7 +45,7 @@ where
     let mut y_end = y0.to_vec();
     let (stop, t_end) = match run.start(rhs, y0, &mut watch) {
         Some(stop) => (stop, t0),
-        None => run.walk(rhs, &mut watch, &mut recorder, &mut y_end),
+        None => run.walk(rhs, &mut watch, (&mut recorder, projector.as_mut()), &mut y_end),
     };
     recorder.finish(t_end, &y_end, run.steps);
     Solution {
@@ -58,6 +60,7 @@ where
         stop,
         events: watch.records,
         warnings: run.doubts.warnings::<M::Real>().collect(),
+        projection: projector.map(|projector| projector.report),
     }
 }
 
@@ -83,7 +86,7 @@ impl<M: Stepper> Run<'_, M> {
         &mut self,
         rhs: &mut R,
         watch: &mut Watch<'_, '_>,
-        recorder: &mut Recorder<'_, M::Real>,
+        (recorder, mut projector): (&mut Recorder<'_, M::Real>, Option<&mut Projector<'_, '_, M::Real>>),
         y_end: &mut [M::Real],
     ) -> (Stop, f64)
     where
@@ -109,6 +112,12 @@ impl<M: Stepper> Run<'_, M> {
                 Err(failure) => break Stop::Failed(failure),
             }
             self.stepper.accept();
+            if let Some(projector) = &mut projector
+                && let Some(y) = projector.project(self.stepper.span().0, self.stepper.ends().0)
+                && let Err(trouble) = self.stepper.restart(rhs, y)
+            {
+                break stop_for(trouble);
+            }
             if last {
                 break Stop::End;
             }

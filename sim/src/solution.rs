@@ -7,6 +7,7 @@ use std::fmt;
 
 use crate::error::Failure;
 use crate::events::EventRecord;
+use crate::projection::ProjectionReport;
 
 /// Which points of a solution are kept.
 #[derive(Clone, Debug, PartialEq)]
@@ -205,6 +206,8 @@ pub struct Solution<S = f64> {
     pub events: Vec<EventRecord>,
     /// What the caller should know.
     pub warnings: Vec<Warning>,
+    /// What projection did, in a run that was projected.
+    pub projection: Option<ProjectionReport>,
 }
 
 /// When, after how many steps, why: "stopped at t = 3.181 s after 412 steps (19 rejected): …".
@@ -235,6 +238,7 @@ mod tests {
             stop,
             events: vec![],
             warnings: vec![],
+            projection: None,
         }
     }
 

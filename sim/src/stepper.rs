@@ -158,6 +158,14 @@ pub(crate) trait Stepper: Interpolant {
         let _ = rhs;
         true
     }
+    /// Goes on from another state at the time it has come to.
+    fn restart<R>(&mut self, rhs: &mut R, y: &[Self::Real]) -> Result<(), Trouble>
+    where
+        R: RightHandSide<Self::Real>,
+    {
+        let t = self.span().0;
+        self.start(rhs, t, y)
+    }
     /// The component with the largest weighted error in the step last tried.
     fn worst(&self, test: &ErrorTest) -> Option<usize>;
     /// Moves to the end of the step last tried.

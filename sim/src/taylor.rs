@@ -211,6 +211,7 @@ impl<S: Real> Stepper for Taylor<S> {
         self.next[..self.n].copy_from_slice(y);
         let outcome = self.expand(rhs, t);
         self.accept();
+        self.carry.fill(S::from_f64(0.0));
         self.next[..self.n].copy_from_slice(y);
         outcome
     }

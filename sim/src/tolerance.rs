@@ -160,7 +160,8 @@ impl ErrorTest {
             .map(|(x, weight)| x / weight)
     }
 
-    fn weight(&self, i: usize, magnitude: f64) -> f64 {
+    /// What an error of component `i` is divided by, given its size.
+    pub(crate) fn weight(&self, i: usize, magnitude: f64) -> f64 {
         match self.norm {
             Norm::Largest => (self.relative * magnitude).max(self.absolute[i]),
             Norm::MeanSquare => self.absolute[i] + self.relative * magnitude,

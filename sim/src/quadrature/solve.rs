@@ -56,6 +56,7 @@ pub fn solve(
         stop,
         events: watch.records,
         warnings: Vec::new(),
+        projection: None,
     })
 }
 
