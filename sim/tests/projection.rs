@@ -6,7 +6,7 @@ use tripos_sim::{
     AbsoluteTolerance, Direction, Event, Failure, Method, Options, Output, RightHandSide, Solution, integrate,
     integrate_projected,
 };
-use tripos_traits::{DoubleDouble, Real, Scalar};
+use tripos_traits::{DoubleDouble, Real};
 
 fn pendulum(_t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
     dydt.copy_from_slice(&[y[1], -9.81 * y[0].sin()]);
@@ -189,7 +189,8 @@ fn passages_are_all_seen_in_a_projected_run() {
     let solution =
         integrate_projected(pendulum, (0.0, 100.0), &START, &options, &mut passages, &mut invariants(1.0)).unwrap();
     let half = 0.5 * tripos_sim::exact::Pendulum::new(9.81, 2.5, 0.0).period();
-    assert_eq!(solution.events.len(), (0..).take_while(|k| (f64::from(*k) + 0.5) * half < 100.0).count());
+    let passages = (0..1000).filter(|k| (f64::from(*k) + 0.5) * half < 100.0).count();
+    assert_eq!(solution.events.len(), passages);
     // The energy is right, so that the phase is off by what the steps' own errors in phase add up to, 1e-6 each at most.
     for (k, event) in solution.events.iter().enumerate() {
         assert!((event.t - (k as f64 + 0.5) * half).abs() < 1e-4, "{}", event.t);

@@ -6,7 +6,7 @@
 //! inversion. Whole periods are added exactly, so that errors do not build up but by the rounding of the period.
 //!
 //! Invariants: the integrands are smooth where the motion turns, since they are stretches of half a swing each in a variable
-//! in which they are ([`track`]); and h − V is never a difference of nearly equal energies, since it is the divided difference of V times
+//! in which they are; and h − V is never a difference of nearly equal energies, since it is the divided difference of V times
 //! the distance from a turning point ([`System::potential_slope`]).
 //!
 //! Absent on purpose: friction, forces that depend on time, and unlimited work. What is not resolved by a stated number of panels is
