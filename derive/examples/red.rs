@@ -46,6 +46,7 @@ fn main() {
     }
     println!("T = {}; V = {} ({})", text(a, e.kinetic_energy), text(a, e.potential_energy), r.has_energy);
     println!("divisors {:?}", r.divisors.iter().map(|d| text(a, *d)).collect::<Vec<_>>());
+    println!("proof {}", r.proof);
     for o in &r.omitted {
         println!("- {} | {} | {}", o.what, o.why, o.proof);
     }

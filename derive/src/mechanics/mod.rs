@@ -172,6 +172,11 @@ pub enum DeriveError {
         /// The torque.
         torque: String,
     },
+    /// A scene's own equations are not known to give what the model's give.
+    ReductionNotProved {
+        /// What is not known.
+        what: String,
+    },
 }
 
 impl DeriveError {
@@ -208,6 +213,7 @@ impl DeriveError {
                 "let each constraint be enforced by one reaction along its own direction, or use kane or lagrange",
             ),
             Self::TorqueOnNothing { torque } => (Some(torque), "let it act on a rigid body, or use kane or lagrange"),
+            Self::ReductionNotProved { .. } => (None, "run the scene by one of the model's formulations"),
         }
     }
 }
@@ -257,6 +263,7 @@ impl fmt::Display for DeriveError {
             Self::TorqueOnNothing { torque } => {
                 write!(f, "newton-euler is not possible: the torque `{torque}` acts on a frame without a body")
             }
+            Self::ReductionNotProved { what } => write!(f, "the reduced equations of the scene are not proved: {what}"),
         }
     }
 }

@@ -15,16 +15,19 @@ mod ledger;
 mod level;
 mod pack;
 mod pivots;
+mod proof;
 mod relative;
 mod slice;
 mod surface;
 
 pub use ground::Ground;
+pub use proof::Proof;
 
 use crate::algebra::{Arena, Expr, Rational, print};
 use crate::mechanics::{Derivation, DeriveError};
 use crate::model::{Model, Unit, text_hash};
 use crate::scene::Scene;
+use proof::Whole;
 use slice::Flow;
 use std::cmp::Reverse;
 
@@ -90,6 +93,8 @@ pub struct Reduction {
     pub has_energy: bool,
     /// The time since the start, in outputs that are linear in it.
     pub time: Expr,
+    /// That it gives what the whole model gives: nothing else is returned.
+    pub proof: Proof,
 }
 
 impl Reduction {
@@ -120,7 +125,8 @@ impl Reduction {
 /// Derives the reduced system of a scene of this model.
 ///
 /// # Errors
-/// [`DeriveError`] if the model's own equations cannot be derived, or an output needs a reaction that they do not determine.
+/// [`DeriveError`] if the model's own equations cannot be derived, or an output needs a reaction that they do not determine;
+/// [`DeriveError::ReductionNotProved`] if even the system without momenta cannot be proved to give what the scene wants.
 pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
     Ground::new(model)?.reduce(scene)
 }
@@ -147,20 +153,29 @@ impl Ground {
             }
         }
         let momenta = best.map(|(_, momenta)| momenta).unwrap_or_default();
+        let whole = Whole { kane: ground.kane.clone(), wanted };
+        let found = ground.clone().on_level(&momenta, &whole, scene);
+        // What is not proved is not used. Without momenta there is less to prove.
+        let found = if momenta.is_empty() { found } else { found.or_else(|_| ground.on_level(&[], &whole, scene)) };
+        found.map_err(|what| DeriveError::ReductionNotProved { what })
+    }
+
+    /// The reduced system on the level set of these momenta.
+    fn on_level(mut self, momenta: &[usize], whole: &Whole, scene: &Scene) -> Result<Reduction, String> {
         // The equations are written anew in the distance from where this choice is singular.
-        let wanted = ground.relative(&momenta, wanted);
-        let mut trial = ground.clone();
-        let place = trial.level(&momenta, None).and_then(|level| trial.surface(&level, &wanted, scene));
+        let wanted = self.relative(momenta, whole.wanted.clone());
+        let mut trial = self.clone();
+        let place = trial.level(momenta, None).and_then(|level| trial.surface(&level, &wanted, scene));
         let (surface, wanted) = match place {
             Some(place) => {
-                let (surface, wanted) = ground.measure_from(place, &wanted);
+                let (surface, wanted) = self.measure_from(place, &wanted);
                 (Some(surface), wanted)
             }
             None => (None, wanted),
         };
-        let level = ground.level(&momenta, surface.as_ref()).expect("it was there before the change of variable");
-        let flow = Flow::new(&mut ground, &level, &wanted);
-        Ok(pack::pack(ground, &level, flow, scene))
+        let level = self.level(momenta, surface.as_ref()).ok_or("that the momenta determine speeds")?;
+        let flow = Flow::new(&mut self, &level, &wanted);
+        pack::pack(self, whole, &level, flow, scene)
     }
 }
 

@@ -1,6 +1,7 @@
 //! A reduced system as a model and equations like any others, with the account of what was left out.
 
 use super::level::Level;
+use super::proof::{Whole, prove};
 use super::slice::{Flow, Variable};
 use super::{Ground, Output, Quantity, Reduction};
 use crate::algebra::Expr;
@@ -12,8 +13,18 @@ use crate::model::{Condition, Coordinate, KinematicEquations, Parameter, Speed, 
 use crate::scene::Scene;
 
 /// The reduced system of a scene.
-pub fn pack(mut ground: Ground, level: &Level, mut flow: Flow, scene: &Scene) -> Reduction {
+///
+/// # Errors
+/// What cannot be proved, in words: such a reduction is not to be used.
+pub fn pack(
+    mut ground: Ground,
+    whole: &Whole,
+    level: &Level,
+    mut flow: Flow,
+    scene: &Scene,
+) -> Result<Reduction, String> {
     flow.strip_energy(&mut ground, level);
+    let proof = prove(&mut ground, whole, level, &mut flow)?;
     let states = quantities(&ground, &flow.core);
     let quadratures = quantities(&ground, &flow.quadratures);
     let constants = constants(&mut ground, level, &flow);
@@ -34,7 +45,7 @@ pub fn pack(mut ground: Ground, level: &Level, mut flow: Flow, scene: &Scene) ->
     let time = flow.time;
     let model = model(ground, &flow, &constants, &equations);
     let derivation = Derivation { arena: model.arena.clone(), equations };
-    Reduction {
+    Ok(Reduction {
         model,
         derivation,
         states,
@@ -47,7 +58,8 @@ pub fn pack(mut ground: Ground, level: &Level, mut flow: Flow, scene: &Scene) ->
         divisors,
         has_energy,
         time,
-    }
+        proof,
+    })
 }
 
 /// Variables with their values at the start.
@@ -91,7 +103,7 @@ fn constants(ground: &mut Ground, level: &Level, flow: &Flow) -> Vec<Quantity> {
 }
 
 /// From the variables of the equations to those of the model.
-fn back(ground: &Ground) -> Substitution {
+pub(super) fn back(ground: &Ground) -> Substitution {
     let coordinates = ground.q.iter().copied().zip(ground.q_start.iter().copied());
     let speeds = ground.kane.variables.iter().copied().zip(ground.u_start.iter().copied());
     Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())

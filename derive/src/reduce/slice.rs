@@ -33,6 +33,14 @@ impl Wanted {
         }
     }
 
+    /// Each value with what it is.
+    pub fn named(&self) -> Vec<(String, Expr)> {
+        let outputs = self.outputs.iter().map(|(name, e)| (format!("the output {name}"), *e));
+        let conditions = self.conditions.iter().map(|e| ("a condition of the domain".to_owned(), *e));
+        let events = self.events.iter().map(|e| ("an event".to_owned(), *e));
+        outputs.chain(conditions).chain(events).collect()
+    }
+
     fn values(&self) -> Vec<Expr> {
         let outputs = self.outputs.iter().map(|(_, e)| *e);
         outputs.chain(self.conditions.iter().copied()).chain(self.events.iter().copied()).collect()

@@ -1,0 +1,228 @@
+//! The proof that a reduced system is the whole one on each level set.
+//!
+//! Nothing of the way to it is believed. The coordinates and speeds of the model are written in what the reduced system has;
+//! differentiated along its rates, they must satisfy the kinematic equations and every row of Kane's M u̇ = f of the whole model, for
+//! all values of the constants. What is wanted, what was left out of formulas, the constants and the energy are each held against
+//! what they stand for. Every identity is a zero test at random points of random prime fields, with a stated bound.
+
+use super::Ground;
+use super::level::Level;
+use super::pivots::solve_rows;
+use super::slice::{Flow, Wanted};
+use crate::algebra::Expr;
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::linear::LinearForm;
+use crate::algebra::modular::{ZeroTest, bounded_zero_test};
+use crate::mechanics::Equations;
+
+/// That a reduced system gives what the whole one gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Proof {
+    /// How many identities were tested, each of them zero.
+    pub identities: usize,
+    /// Each is wrong with a probability below 2^−exponent; infinite where all are zero by form.
+    pub exponent: f64,
+}
+
+impl std::fmt::Display for Proof {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let n = self.identities;
+        let what =
+            "kinematic equations, Kane's rows, constants and outputs of the whole model along the reduced motion";
+        if self.exponent.is_finite() {
+            write!(
+                f,
+                "{n} identities hold ({what}); each in doubt by less than 2^-{}",
+                self.exponent.floor().min(9999.0)
+            )
+        } else {
+            write!(f, "{n} identities hold by form ({what})")
+        }
+    }
+}
+
+/// The whole model as the reduction must reproduce it.
+pub struct Whole {
+    /// Kane's equations in the model's own q and u.
+    pub kane: Equations,
+    /// What is wanted, in the same, u̇ among them.
+    pub wanted: Wanted,
+}
+
+/// Holds a reduction against the whole model.
+///
+/// # Errors
+/// What is not known to hold, in words.
+pub fn prove(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow) -> Result<Proof, String> {
+    let mut check =
+        Check::new(ground, whole, level, flow).ok_or("the variables are no linear functions of the model's")?;
+    check.kinematics(ground, whole)?;
+    check.dynamics(ground, whole)?;
+    check.constants(ground, level, flow)?;
+    check.rates(ground, level, flow)?;
+    check.wanted(ground, whole, flow)?;
+    Ok(check.proof)
+}
+
+/// A proof under way.
+struct Check {
+    /// The model's q, u and u̇ in the variables of the level, what is held and parameters.
+    written: Substitution,
+    /// d/dt along the motion on the level, nothing shed.
+    change: Differential,
+    proof: Proof,
+}
+
+impl Check {
+    fn new(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow) -> Option<Self> {
+        let change = Differential::along(&flow.raw);
+        let (of_q, of_u) = (whole.kane.coordinates.clone(), whole.kane.variables.clone());
+        let there: Vec<Expr> = ground.q.clone();
+        let q = inverse(ground, &of_q, &ground.q_start.clone(), &there)?;
+        let held = level.definitions.iter().map(|d| d.symbol);
+        let known: Vec<Expr> = held.chain(level.kept.iter().map(|k| ground.kane.variables[*k])).collect();
+        let speeds: Vec<Expr> = ground.kane.variables.clone();
+        if !speeds.iter().all(|u| known.contains(u)) {
+            return None;
+        }
+        let u = inverse(ground, &of_u, &ground.u_start.clone(), &speeds)?;
+        let mut check =
+            Self { written: Substitution::default(), change, proof: Proof { identities: 0, exponent: f64::INFINITY } };
+        let u: Vec<Expr> = u.into_iter().map(|e| flow.dependence.whole(&mut ground.arena, e)).collect();
+        let rates: Vec<Expr> = u.iter().map(|e| check.change.apply(&mut ground.arena, *e)).collect();
+        let pairs = of_q
+            .into_iter()
+            .zip(q)
+            .chain(of_u.into_iter().zip(u))
+            .chain(whole.kane.unknowns.iter().copied().zip(rates));
+        check.written = Substitution::new(&pairs.collect::<Vec<_>>());
+        Some(check)
+    }
+
+    /// Notes an identity, or says which one does not hold.
+    fn zero(&mut self, ground: &Ground, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
+        self.proof.identities += 1;
+        if e == Expr::ZERO {
+            return Ok(());
+        }
+        let (answer, exponent) = bounded_zero_test(&ground.arena, e);
+        self.proof.exponent = self.proof.exponent.min(exponent);
+        match answer {
+            ZeroTest::Zero => Ok(()),
+            ZeroTest::NonZero => Err(format!("{} does not hold", what())),
+            ZeroTest::Undecided => Err(format!("{} cannot be decided", what())),
+        }
+    }
+
+    fn equal(&mut self, ground: &mut Ground, a: Expr, b: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
+        let difference = ground.arena.sub(a, b);
+        self.zero(ground, difference, what)
+    }
+
+    /// q̇ is what the speeds make it.
+    fn kinematics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
+        let rates = whole.kane.coordinates.iter().zip(&whole.kane.coordinate_rates);
+        for (at, (q, rate)) in rates.enumerate() {
+            let value = self.written.apply(&mut ground.arena, *q);
+            let found = self.change.apply(&mut ground.arena, value);
+            let stated = self.written.apply(&mut ground.arena, *rate);
+            self.equal(ground, found, stated, || format!("kinematic equation {}", at + 1))?;
+        }
+        Ok(())
+    }
+
+    /// M u̇ − f = 0, row by row.
+    fn dynamics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
+        for (at, (row, right)) in whole.kane.matrix.iter().zip(&whole.kane.forcing).enumerate() {
+            let products = row.iter().zip(&whole.kane.unknowns);
+            let products: Vec<Expr> = products.map(|(m, x)| ground.arena.mul(*m, *x)).collect();
+            let left = ground.arena.sum(&products);
+            let difference = ground.arena.sub(left, *right);
+            let residual = self.written.apply(&mut ground.arena, difference);
+            self.zero(ground, residual, || format!("Kane's equation {}", at + 1))?;
+        }
+        Ok(())
+    }
+
+    /// Each constant is what it is called, at every state of its level, and does not change.
+    fn constants(&mut self, ground: &mut Ground, level: &Level, flow: &mut Flow) -> Result<(), String> {
+        let mut back = super::pack::back(ground);
+        for held in &level.held {
+            let of_start = back.apply(&mut ground.arena, held.of_state);
+            let value = self.written.apply(&mut ground.arena, of_start);
+            self.equal(ground, value, held.symbol, || format!("that {} is constant", held.about))?;
+        }
+        for carried in &flow.carried {
+            let change = self.change.apply(&mut ground.arena, carried.position);
+            let change = flow.dependence.whole(&mut ground.arena, change);
+            self.equal(ground, change, level.held[carried.held].symbol, || "the motion of the mass centre".to_owned())?;
+        }
+        Ok(())
+    }
+
+    /// What was left out of rates, and the solved rates themselves, against the equations of the level; the energy against its rate.
+    fn rates(&mut self, ground: &mut Ground, level: &Level, flow: &mut Flow) -> Result<(), String> {
+        for variable in flow.core.iter().chain(&flow.quadratures) {
+            let (_, raw) =
+                *flow.raw.iter().find(|(symbol, _)| *symbol == variable.symbol).ok_or("a variable without a rate")?;
+            let shed = flow.dependence.whole(&mut ground.arena, variable.rate);
+            self.equal(ground, shed, raw, || "a rate without what it does not depend on".to_owned())?;
+        }
+        let accelerations: Vec<Expr> = flow.raw[ground.q.len()..].iter().map(|(_, rate)| *rate).collect();
+        for (row, right) in level.matrix.iter().zip(&level.forcing) {
+            let products: Vec<Expr> = row.iter().zip(&accelerations).map(|(m, x)| ground.arena.mul(*m, *x)).collect();
+            let left = ground.arena.sum(&products);
+            let difference = ground.arena.sub(left, *right);
+            let residual = flow.dependence.whole(&mut ground.arena, difference);
+            self.zero(ground, residual, || "a row of the equations on the level".to_owned())?;
+        }
+        if let Some(energy) = flow.energy {
+            let energy = flow.dependence.whole(&mut ground.arena, energy);
+            let change = self.change.apply(&mut ground.arena, energy);
+            self.zero(ground, change, || "that the energy is constant".to_owned())?;
+        }
+        Ok(())
+    }
+
+    /// What is wanted against the same in the whole model; a coordinate computed from the time against itself.
+    fn wanted(&mut self, ground: &mut Ground, whole: &Whole, flow: &mut Flow) -> Result<(), String> {
+        let mut started = Vec::new();
+        for carried in &flow.carried {
+            // What is called the position at the start is the position less its motion since.
+            let momentum = self.change.apply(&mut ground.arena, carried.position);
+            let moved = ground.arena.mul(momentum, flow.time);
+            started.push((carried.symbol, ground.arena.sub(carried.position, moved)));
+        }
+        let mut started = Substitution::new(&started);
+        let stated = whole.wanted.named();
+        for ((about, stated), (_, found)) in stated.into_iter().zip(flow.wanted.named()) {
+            let stated = self.written.apply(&mut ground.arena, stated);
+            let found = started.apply(&mut ground.arena, found);
+            let found = flow.dependence.whole(&mut ground.arena, found);
+            self.equal(ground, found, stated, || about)?;
+        }
+        Ok(())
+    }
+}
+
+/// The model's variables in those of the equations, which are linear functions of them with numbers for coefficients.
+fn inverse(ground: &mut Ground, model: &[Expr], stated: &[Expr], symbols: &[Expr]) -> Option<Vec<Expr>> {
+    let mut form = LinearForm::new(model);
+    let (mut rows, mut right) = (Vec::new(), Vec::new());
+    for (value, symbol) in stated.iter().zip(symbols) {
+        let (row, rest) = form.coefficients(&mut ground.arena, *value).ok()?;
+        rows.push(row);
+        right.push(vec![ground.arena.sub(*symbol, rest)]);
+    }
+    let columns: Vec<usize> = (0..model.len()).collect();
+    let solved = solve_rows(&mut ground.arena, &mut ground.simplifier, rows, right, &[], &columns);
+    let mut values = model.to_vec();
+    if solved.pivots.len() < model.len() {
+        return None;
+    }
+    for k in (0..solved.pivots.len()).rev() {
+        let value = solved.unknown(&mut ground.arena, k, 0, &values);
+        values[solved.pivots[k].1] = ground.simplifier.simplify(&mut ground.arena, value);
+    }
+    Some(values)
+}
