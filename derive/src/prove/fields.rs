@@ -6,6 +6,7 @@
 use crate::algebra::calculus::Differential;
 use crate::algebra::normal::Normalizer;
 use crate::algebra::relations::relations;
+use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Derivations, Kinematics, generalized_forces};
 use crate::model::Model;
@@ -20,6 +21,7 @@ pub struct Field {
 }
 
 /// T, V and Q in q and q̇, with their partial derivatives.
+#[derive(Clone)]
 pub struct Lagrangian {
     q: Vec<Expr>,
     q_dot: Vec<Expr>,
@@ -42,6 +44,12 @@ impl Lagrangian {
         let (q, q_dot) = (model.q(), model.q_dot());
         let (t_by_q, momenta, v_by_q) = (by(t, &q), by(t, &q_dot), by(v, &q));
         Self { q, q_dot, t_by_q, momenta, v_by_q, forces }
+    }
+
+    /// Every term.
+    pub fn terms(&mut self) -> impl Iterator<Item = &mut Expr> {
+        let Self { t_by_q, momenta, v_by_q, forces, .. } = self;
+        t_by_q.iter_mut().chain(momenta).chain(v_by_q).chain(forces)
     }
 
     /// ξ · ∂T/∂q̇.
@@ -75,9 +83,8 @@ impl Lagrangian {
 
     /// All fields ξ = A q + b with constant A and b whose momenta are conserved: a basis of the null space of
     /// conditions linear in A and b, over the field of the parameters. `None` if it is too large to decide.
-    pub fn affine(&self, model: &Model, kinematics: &mut Kinematics) -> Option<Vec<Field>> {
+    pub fn affine(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Option<Vec<Field>> {
         let n = self.q.len();
-        let Kinematics { arena, simplifier, .. } = kinematics;
         let mut unknowns: Vec<(usize, Expr)> = Vec::new();
         for i in 0..n {
             unknowns.push((i, Expr::ONE));

@@ -12,9 +12,10 @@ use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::normal::Normalizer;
 use crate::algebra::rank::rank;
+use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::{
-    Derivations, Equations, Formulation, Kinematics, motion_rates, rates_to_speeds, speeds_to_rates,
+    Derivations, Equations, Formulation, Kinematics, motion_rates, rates_to_speeds, speeds_to_rates, visit,
 };
 use crate::model::Model;
 
@@ -38,41 +39,86 @@ pub struct Integral {
 ///
 /// The second value says in words what was searched.
 pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Comparer) -> (Vec<Integral>, String) {
-    let (Some(kane), Some(lagrange)) =
-        (derivations.get(Formulation::Kane).cloned(), derivations.get(Formulation::Lagrange).cloned())
-    else {
-        return (Vec::new(), "no search: it needs the equations by Kane and by Lagrange".to_owned());
-    };
-    let lagrangian = Lagrangian::new(model, derivations, lagrange.kinetic_energy, lagrange.potential_energy);
-    let kinematics = &mut derivations.kinematics;
-    let mut search = Search { model, kane: &kane, gradients: Vec::new(), found: Vec::new(), no_potential: false };
-    search.energy(kinematics, comparer, &lagrangian, &lagrange);
-    let mut fields = lagrangian.units(model);
-    fields.extend(motions::fields(model, kinematics));
-    let affine = lagrangian.affine(model, kinematics);
-    let covered = match &affine {
-        Some(list) => format!(
-            "complete for the momenta of symmetries q' = A q + b with constant A and b: {} of them{}",
-            list.len(),
-            if list.is_empty() { "" } else { ", among those listed or combinations of them" }
-        ),
-        None => "symmetries q' = A q + b were not searched: the conditions are too large".to_owned(),
-    };
-    let covered = if search.no_potential {
-        format!("{covered}; no energy: a potential of the applied forces was not found")
-    } else {
-        covered
-    };
-    fields.extend(affine.unwrap_or_default());
-    for field in fields {
-        search.momentum(kinematics, comparer, &lagrangian, &field);
+    match Basis::new(model, derivations) {
+        Some(basis) => {
+            let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
+            basis.search(model, (arena, simplifier), comparer)
+        }
+        None => (Vec::new(), "no search: it needs the equations by Kane and by Lagrange".to_owned()),
     }
-    (search.found, covered)
+}
+
+/// What a search for integrals starts from. Parameters may be replaced in it by numbers, which may have integrals of their own.
+#[derive(Clone)]
+pub struct Basis {
+    /// T, V and Q in q and q̇.
+    pub lagrangian: Lagrangian,
+    /// The q̇ that the forces work along.
+    rates: Vec<Expr>,
+    /// Kane's equations.
+    kane: Equations,
+    /// The unit fields and the rigid motions.
+    fields: Vec<Field>,
+}
+
+impl Basis {
+    /// Of a model; nothing without the equations by Kane and by Lagrange.
+    pub fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
+        let kane = derivations.get(Formulation::Kane)?.clone();
+        let lagrange = derivations.get(Formulation::Lagrange)?.clone();
+        let lagrangian = Lagrangian::new(model, derivations, lagrange.kinetic_energy, lagrange.potential_energy);
+        let mut fields = lagrangian.units(model);
+        fields.extend(motions::fields(model, &mut derivations.kinematics));
+        Some(Self { lagrangian, rates: lagrange.variables, kane, fields })
+    }
+
+    /// Rewrites every term.
+    pub fn change(&mut self, arena: &mut Arena, rewrite: &mut dyn FnMut(&mut Arena, Expr) -> Expr) {
+        visit(&mut self.kane, &mut |e, arena| *e = rewrite(arena, *e), arena);
+        let of_fields = self.fields.iter_mut().flat_map(|f| &mut f.xi);
+        for e in self.lagrangian.terms().chain(of_fields) {
+            *e = rewrite(arena, *e);
+        }
+    }
+
+    /// As [`find`], for a model whose speeds are rewritten likewise.
+    pub fn search(
+        &self,
+        model: &Model,
+        (arena, simplifier): (&mut Arena, &mut Simplifier),
+        comparer: &mut Comparer,
+    ) -> (Vec<Integral>, String) {
+        let affine = self.lagrangian.affine(model, arena, simplifier);
+        let (gradients, found) = Default::default();
+        let mut search =
+            Search { model, basis: self, arena, simplifier, comparer, gradients, found, no_potential: false };
+        search.energy();
+        let covered = match &affine {
+            Some(list) => format!(
+                "complete for the momenta of symmetries q' = A q + b with constant A and b: {} of them{}",
+                list.len(),
+                if list.is_empty() { "" } else { ", among those listed or combinations of them" }
+            ),
+            None => "symmetries q' = A q + b were not searched: the conditions are too large".to_owned(),
+        };
+        let covered = if search.no_potential {
+            format!("{covered}; no energy: a potential of the applied forces was not found")
+        } else {
+            covered
+        };
+        for field in self.fields.iter().chain(&affine.unwrap_or_default()) {
+            search.momentum(field);
+        }
+        (search.found, covered)
+    }
 }
 
 struct Search<'a> {
     model: &'a Model,
-    kane: &'a Equations,
+    basis: &'a Basis,
+    arena: &'a mut Arena,
+    simplifier: &'a mut Simplifier,
+    comparer: &'a mut Comparer,
     /// ∂I/∂(q, u) of what was found.
     gradients: Vec<Vec<Expr>>,
     found: Vec<Integral>,
@@ -81,18 +127,11 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn energy(
-        &mut self,
-        kinematics: &mut Kinematics,
-        comparer: &mut Comparer,
-        lagrangian: &Lagrangian,
-        lagrange: &Equations,
-    ) {
-        let model = self.model;
-        let arena = &mut kinematics.arena;
-        let (mut name, mut potential) = ("energy T + V", self.kane.potential_energy);
-        let power: Vec<Expr> =
-            lagrangian.forces.iter().zip(&lagrange.variables).map(|(f, v)| arena.mul(*f, *v)).collect();
+    fn energy(&mut self) {
+        let (model, Basis { lagrangian, rates, kane, .. }) = (self.model, self.basis);
+        let arena = &mut *self.arena;
+        let (mut name, mut potential) = ("energy T + V", kane.potential_energy);
+        let power: Vec<Expr> = lagrangian.forces.iter().zip(rates).map(|(f, v)| arena.mul(*f, *v)).collect();
         let power = arena.sum(&power);
         if zero_test(arena, power) != ZeroTest::Zero {
             let Some(of_forces) = potential_of(arena, model, &lagrangian.forces) else {
@@ -102,7 +141,7 @@ impl Search<'_> {
             potential = arena.add(potential, of_forces);
             name = "energy T + V, the potential of the applied forces included";
         }
-        let energy = arena.add(self.kane.kinetic_energy, potential);
+        let energy = arena.add(kane.kinetic_energy, potential);
         // q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
         let mut at_rest = crate::algebra::calculus::Substitution::new(
             &model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>(),
@@ -115,17 +154,11 @@ impl Search<'_> {
                 arena.sub(s.symbol, offset)
             })
             .collect();
-        self.keep(kinematics, comparer, (name, None), energy, &multipliers);
+        self.keep((name, None), energy, &multipliers);
     }
 
-    fn momentum(
-        &mut self,
-        kinematics: &mut Kinematics,
-        comparer: &mut Comparer,
-        lagrangian: &Lagrangian,
-        field: &Field,
-    ) {
-        let arena = &mut kinematics.arena;
+    fn momentum(&mut self, field: &Field) {
+        let (arena, lagrangian) = (&mut *self.arena, &self.basis.lagrangian);
         let rate = lagrangian.rate(arena, &field.xi);
         if zero_test(arena, rate) != ZeroTest::Zero {
             return;
@@ -133,7 +166,7 @@ impl Search<'_> {
         let momentum = lagrangian.momentum(arena, &field.xi);
         let mut in_speeds = rates_to_speeds(self.model);
         let momentum = in_speeds.apply(arena, momentum);
-        let momentum = kinematics.simplifier.simplify(arena, momentum);
+        let momentum = self.simplifier.simplify(arena, momentum);
         let mut form = LinearForm::new(&self.model.q_dot());
         let mut multipliers = Vec::new();
         for speed in &self.model.speeds {
@@ -141,19 +174,12 @@ impl Search<'_> {
             let terms: Vec<Expr> = coefficients.iter().zip(&field.xi).map(|(j, x)| arena.mul(*j, *x)).collect();
             multipliers.push(arena.sum(&terms));
         }
-        self.keep(kinematics, comparer, (&field.name, Some(&field.xi)), momentum, &multipliers);
+        self.keep((&field.name, Some(&field.xi)), momentum, &multipliers);
     }
 
     /// Keeps an integral unless it is a function of those found; a second name of a known one is noted.
-    fn keep(
-        &mut self,
-        kinematics: &mut Kinematics,
-        comparer: &mut Comparer,
-        (name, field): (&str, Option<&[Expr]>),
-        value: Expr,
-        multipliers: &[Expr],
-    ) {
-        let arena = &mut kinematics.arena;
+    fn keep(&mut self, (name, field): (&str, Option<&[Expr]>), value: Expr, multipliers: &[Expr]) {
+        let arena = &mut *self.arena;
         for known in &mut self.found {
             let (difference, sum) = (arena.sub(value, known.expression), arena.add(value, known.expression));
             if [difference, sum].iter().any(|e| zero_test(arena, *e) == ZeroTest::Zero) {
@@ -170,7 +196,7 @@ impl Search<'_> {
         if rank(arena, &gradients).is_none_or(|found| found.dependent.is_some()) {
             return;
         }
-        let verdict = self.prove(arena, comparer, value, multipliers);
+        let verdict = self.prove(value, multipliers);
         if !verdict.is_equal() {
             return;
         }
@@ -187,19 +213,20 @@ impl Search<'_> {
     }
 
     /// dI/dt − λᵀ (M u̇ − f) = 0, coefficient by coefficient of u̇.
-    fn prove(&self, arena: &mut Arena, comparer: &mut Comparer, value: Expr, multipliers: &[Expr]) -> Verdict {
+    fn prove(&mut self, value: Expr, multipliers: &[Expr]) -> Verdict {
+        let (arena, comparer, kane) = (&mut *self.arena, &mut *self.comparer, &self.basis.kane);
         let rate = motion_rates(self.model).apply(arena, value);
-        let Ok((coefficients, rest)) = LinearForm::new(&self.kane.unknowns).coefficients(arena, rate) else {
+        let Ok((coefficients, rest)) = LinearForm::new(&kane.unknowns).coefficients(arena, rate) else {
             return Verdict::Undecided("its rate is not linear in the accelerations".to_owned());
         };
         let mut verdicts = Vec::new();
         for (column, coefficient) in coefficients.iter().enumerate() {
-            let rows = self.kane.matrix.iter().zip(multipliers);
+            let rows = kane.matrix.iter().zip(multipliers);
             let terms: Vec<Expr> = rows.map(|(row, by)| arena.mul(row[column], *by)).collect();
             let combined = arena.sum(&terms);
             verdicts.push(comparer.compare(arena, *coefficient, combined));
         }
-        let terms: Vec<Expr> = self.kane.forcing.iter().zip(multipliers).map(|(f, by)| arena.mul(*f, *by)).collect();
+        let terms: Vec<Expr> = kane.forcing.iter().zip(multipliers).map(|(f, by)| arena.mul(*f, *by)).collect();
         let combined = arena.sum(&terms);
         let combined = arena.neg(combined);
         verdicts.push(comparer.compare(arena, rest, combined));

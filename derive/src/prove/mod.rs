@@ -11,6 +11,7 @@ mod motions;
 mod singular;
 
 pub use equivalence::{Pair, ReactionEquation};
+pub(crate) use integrals::Basis;
 pub use integrals::Integral;
 pub use singular::{Place, Singularity, There, singularity, zeros};
 
@@ -58,11 +59,6 @@ pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
         search,
         singular_where: model.kinematic_equations.divisors.clone(),
     }
-}
-
-/// The first integrals of a model, each proved; nothing else is.
-pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
-    integrals::find(model, derivations, &mut Comparer::default()).0
 }
 
 /// One verdict for many: the first that is not "equal", else the weakest engine.

@@ -3,6 +3,7 @@
 use super::relative::Relative;
 use super::slice::Wanted;
 use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::compare::Comparer;
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
@@ -11,7 +12,7 @@ use crate::mechanics::{
     Derivations, DeriveError, Equations, Formulation, derive_all, motion_rates, rates_to_speeds, visit,
 };
 use crate::model::{Model, Unit};
-use crate::prove::{Integral, first_integrals};
+use crate::prove::{Basis, Integral};
 use crate::reduce::pivots::solve_rows;
 use crate::scene::Scene;
 
@@ -62,14 +63,28 @@ pub struct Ground {
     pub relatives: Vec<Relative>,
     /// The equations.
     pub kane: Equations,
-    /// The force balance that determines reactions, if the model names them all.
-    pub balance: Option<Equations>,
+    /// The force balance that determines reactions, or why there is none.
+    pub balance: Result<Equations, DeriveError>,
     /// Momenta of symmetries.
     pub momenta: Vec<Momentum>,
     /// The energy, if it is conserved.
     pub energy: Option<Expr>,
     /// Parameters that stand as numbers.
     pub folded: Vec<(String, Rational)>,
+    /// What first integrals are searched from, as long as parameters may become numbers.
+    search: Option<Search>,
+}
+
+/// What first integrals are searched from, and what the numbers of a scene would hide.
+#[derive(Clone)]
+struct Search {
+    basis: Basis,
+    /// Σ m r along each inertial axis.
+    centre: Vec<Expr>,
+    /// Their units.
+    centre_units: Vec<Unit>,
+    /// The units of ∂L/∂q̇.
+    units: Vec<Unit>,
 }
 
 impl Ground {
@@ -84,18 +99,43 @@ impl Ground {
             Some((_, Err(error))) => return Err(error.clone()),
             None => return Err(DeriveError::NotLinear),
         };
-        let balance = derivations.get(Formulation::NewtonEuler).cloned();
-        let integrals = match model.coordinates.len() {
-            0..=MOST_COORDINATES => first_integrals(model, &mut derivations),
-            _ => Vec::new(),
+        let balance = derivations.list.iter().find(|(f, _)| *f == Formulation::NewtonEuler);
+        let balance = balance.map_or(Err(DeriveError::NotLinear), |(_, balance)| balance.clone());
+        let search = match model.coordinates.len() {
+            0..=MOST_COORDINATES => Search::new(model, &mut derivations),
+            _ => None,
         };
-        let energy = integrals.iter().find(|i| i.field.is_none()).map(|i| i.expression);
-        let momenta = integrals.iter().filter_map(|i| momentum(model, &mut derivations, i)).collect();
         let crate::mechanics::Kinematics { arena, simplifier, .. } = derivations.kinematics;
         let (q, q_start, u_start) = (model.q(), model.q(), model.u());
-        let (relatives, folded) = (Vec::new(), Vec::new());
+        let (relatives, folded, momenta, energy) = Default::default();
         let model = model.clone();
-        Ok(Self { model, arena, simplifier, q, q_start, u_start, relatives, kane, balance, momenta, energy, folded })
+        let mut ground = Self {
+            model,
+            arena,
+            simplifier,
+            q,
+            q_start,
+            u_start,
+            relatives,
+            kane,
+            balance,
+            momenta,
+            energy,
+            folded,
+            search,
+        };
+        ground.find_integrals();
+        Ok(ground)
+    }
+
+    /// Finds what the motions conserve.
+    fn find_integrals(&mut self) {
+        let Some(search) = &self.search else { return };
+        let terms = (&mut self.arena, &mut self.simplifier);
+        let (integrals, _) = search.basis.search(&self.model, terms, &mut Comparer::default());
+        self.energy = integrals.iter().find(|i| i.field.is_none()).map(|i| i.expression);
+        let terms = &mut (&mut self.arena, &mut self.simplifier);
+        self.momenta = integrals.iter().filter_map(|i| search.momentum(&self.model, terms, i)).collect();
     }
 
     /// Puts the numbers of the scene in the place of the parameters that it does not leave free, where they are short and exact.
@@ -115,6 +155,7 @@ impl Ground {
             if put.undefined.is_none() {
                 trial.folded = values.into_iter().map(|(name, _, value)| (name, value)).collect();
                 trial.change(&mut |arena, simplifier, e| simplifier.simplify(arena, e));
+                trial.search_at(&mut put);
                 *self = trial;
                 return;
             }
@@ -123,10 +164,24 @@ impl Ground {
         }
     }
 
+    /// Searches again with numbers for parameters: equal inertias or a damping of zero have integrals of their own.
+    fn search_at(&mut self, put: &mut Substitution) {
+        let Some(mut search) = self.search.take().filter(|_| !self.folded.is_empty()) else { return };
+        search.basis.change(&mut self.arena, &mut |arena, e| put.apply(arena, e));
+        for e in &mut search.centre {
+            *e = put.apply(&mut self.arena, *e);
+        }
+        if put.undefined.is_none() {
+            self.search = Some(search);
+            self.find_integrals();
+        }
+        self.search = None;
+    }
+
     /// Rewrites every term.
     pub(super) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
         let Self { arena, simplifier, model, kane, balance, momenta, energy, .. } = self;
-        for equations in [Some(kane), balance.as_mut()].into_iter().flatten() {
+        for equations in [Some(kane), balance.as_mut().ok()].into_iter().flatten() {
             visit(equations, &mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
         }
         let speeds = model.speeds.iter_mut().map(|s| &mut s.definition);
@@ -185,8 +240,7 @@ impl Ground {
 
     /// Each reaction in q and u.
     fn reactions(&mut self) -> Result<Vec<(Expr, Expr)>, DeriveError> {
-        let missing = DeriveError::ReactionCount { equations: 0, speeds: self.model.speeds.len(), reactions: 0 };
-        let balance = self.balance.clone().ok_or(missing)?;
+        let balance = self.balance.clone()?;
         let n = balance.variables.len();
         let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
         let rows: Vec<Vec<Expr>> = balance.matrix.iter().map(|row| row[n..].to_vec()).collect();
@@ -250,46 +304,56 @@ impl Ground {
     }
 }
 
-/// An integral that is linear in the speeds.
-fn momentum(model: &Model, derivations: &mut Derivations, integral: &Integral) -> Option<Momentum> {
-    let field = integral.field.clone()?;
-    let arena = &mut derivations.kinematics.arena;
-    let (row, rest) = LinearForm::new(&model.u()).coefficients(arena, integral.expression).ok()?;
-    let simplifier = &mut derivations.kinematics.simplifier;
-    let row: Vec<Expr> = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
-    let mut form = LinearForm::new(&model.q_dot());
-    let mut direction = Vec::new();
-    for speed in &model.speeds {
-        let (coefficients, _) = form.coefficients(arena, speed.definition).ok()?;
-        let terms: Vec<Expr> = coefficients.iter().zip(&field).map(|(j, x)| arena.mul(*j, *x)).collect();
-        let sum = arena.sum(&terms);
-        let short = simplifier.simplify(arena, sum);
-        direction.push(if zero_test(arena, short) == ZeroTest::Zero { Expr::ZERO } else { short });
+impl Search {
+    fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
+        let basis = Basis::new(model, derivations)?;
+        let kinematics = &mut derivations.kinematics;
+        let mut centre = Vec::new();
+        for axis in 0..3 {
+            let mut terms = Vec::new();
+            for body in &model.bodies {
+                let place = kinematics.positions[body.centre].clone();
+                let component = kinematics.frames.component(&mut kinematics.arena, &place, 0, axis);
+                terms.push(kinematics.arena.mul(body.mass, component));
+            }
+            centre.push(kinematics.arena.sum(&terms));
+        }
+        let arena = &kinematics.arena;
+        let units = |list: &[Expr]| list.iter().map(|e| model.unit_of(arena, *e).unwrap_or_default()).collect();
+        let (centre_units, of_momenta) = (units(&centre), units(&basis.lagrangian.momenta));
+        Some(Self { basis, centre, centre_units, units: of_momenta })
     }
-    let position = position(model, derivations, integral.expression);
-    let unit = |e: Expr| model.unit_of(&derivations.kinematics.arena, e).unwrap_or_default();
-    let (unit_of_value, position_unit) = (unit(integral.expression), position.map(unit).unwrap_or_default());
-    let (name, value) = (integral.name.clone(), integral.expression);
-    Some(Momentum { name, value, row, rest, field, direction, unit: unit_of_value, position, position_unit })
-}
 
-/// Σ m r · e along an inertial axis e, if its rate is the momentum.
-fn position(model: &Model, derivations: &mut Derivations, momentum: Expr) -> Option<Expr> {
-    let kinematics = &mut derivations.kinematics;
-    for axis in 0..3 {
-        let mut terms = Vec::new();
-        for body in &model.bodies {
-            let place = kinematics.positions[body.centre].clone();
-            let component = kinematics.frames.component(&mut kinematics.arena, &place, 0, axis);
-            terms.push(kinematics.arena.mul(body.mass, component));
+    /// An integral that is linear in the speeds.
+    fn momentum(
+        &self,
+        model: &Model,
+        (arena, simplifier): &mut (&mut Arena, &mut Simplifier),
+        integral: &Integral,
+    ) -> Option<Momentum> {
+        let field = integral.field.clone()?;
+        let (row, rest) = LinearForm::new(&model.u()).coefficients(arena, integral.expression).ok()?;
+        let row: Vec<Expr> = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
+        let mut form = LinearForm::new(&model.q_dot());
+        let mut direction = Vec::new();
+        for speed in &model.speeds {
+            let (coefficients, _) = form.coefficients(arena, speed.definition).ok()?;
+            let terms: Vec<Expr> = coefficients.iter().zip(&field).map(|(j, x)| arena.mul(*j, *x)).collect();
+            let sum = arena.sum(&terms);
+            let short = simplifier.simplify(arena, sum);
+            direction.push(if zero_test(arena, short) == ZeroTest::Zero { Expr::ZERO } else { short });
         }
-        let sum = kinematics.arena.sum(&terms);
-        let position = kinematics.simplifier.simplify(&mut kinematics.arena, sum);
-        let rate = motion_rates(model).apply(&mut kinematics.arena, position);
-        let difference = kinematics.arena.sub(rate, momentum);
-        if zero_test(&kinematics.arena, difference) == ZeroTest::Zero {
-            return Some(position);
-        }
+        let (name, value) = (integral.name.clone(), integral.expression);
+        // A component that is a number has no unit of its own.
+        let plain = field.iter().position(|x| arena.as_number(*x).is_some_and(|k| !k.is_zero()));
+        let unit = plain.map_or_else(|| model.unit_of(arena, value).unwrap_or_default(), |at| self.units[at].clone());
+        let axis = (0..3).find(|axis| {
+            let rate = motion_rates(model).apply(arena, self.centre[*axis]);
+            let difference = arena.sub(rate, value);
+            zero_test(arena, difference) == ZeroTest::Zero
+        });
+        let position = axis.map(|axis| simplifier.simplify(arena, self.centre[axis]));
+        let position_unit = axis.map(|axis| self.centre_units[axis].clone()).unwrap_or_default();
+        Some(Momentum { name, value, row, rest, field, direction, unit, position, position_unit })
     }
-    None
 }

@@ -1,6 +1,7 @@
 //! What was left out, why, and how that is known.
 
 use super::level::Level;
+use super::proof::Proof;
 use super::slice::{Flow, Variable};
 use super::{Ground, Omission};
 use crate::algebra::Expr;
@@ -11,7 +12,7 @@ use crate::algebra::print::text;
 use crate::scene::Scene;
 
 /// Everything of the model that the scene's equations do not have.
-pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene) -> Vec<Omission> {
+pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene, proof: &Proof) -> Vec<Omission> {
     let mut list = Vec::new();
     for (name, value) in &ground.folded {
         list.push(Omission {
@@ -20,13 +21,13 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene)
             proof: "the number of the scene file, put in exactly".to_owned(),
         });
     }
-    list.extend(held(ground, level, flow));
+    list.extend(held(ground, level, flow, proof));
     for carried in &flow.carried {
         let name = text(&ground.arena, carried.coordinate);
         list.push(Omission {
             what: name.clone(),
             why: format!("not integrated: {name} = {}", text(&ground.arena, carried.value)),
-            proof: "the rate of that position is the momentum, by identity".to_owned(),
+            proof: format!("the rate of that position is the momentum, by identity{}", proof.doubt()),
         });
     }
     for relative in &ground.relatives {
@@ -48,7 +49,7 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene)
 }
 
 /// Speeds that momenta determine.
-fn held(ground: &Ground, level: &Level, flow: &Flow) -> Vec<Omission> {
+fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omission> {
     let used = flow.dependence.mentioned(&ground.arena, &flow.terms());
     let one = |d: &Definition| {
         let (name, value) = (text(&ground.arena, d.symbol), text(&ground.arena, d.value));
@@ -61,7 +62,7 @@ fn held(ground: &Ground, level: &Level, flow: &Flow) -> Vec<Omission> {
         Omission {
             why: format!("{name} = {value}, since it does not change: {}", constants.join("; ")),
             what: name,
-            proof: "its rate is zero along Kane's equations, by identity (`tripos prove`)".to_owned(),
+            proof: format!("Kane's equations of the whole model hold with it, by identity{}", proof.doubt()),
         }
     };
     level.definitions.iter().rev().map(one).collect()

@@ -28,7 +28,7 @@ pub fn pack(
     let states = quantities(&ground, &flow.core);
     let quadratures = quantities(&ground, &flow.quadratures);
     let constants = constants(&mut ground, level, &flow);
-    let omitted = super::ledger::omissions(&mut ground, level, &flow, scene);
+    let omitted = super::ledger::omissions(&mut ground, level, &flow, scene, &proof);
     let equations = equations(&mut ground, level, &flow);
     let outputs =
         flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();

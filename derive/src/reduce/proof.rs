@@ -24,20 +24,21 @@ pub struct Proof {
     pub exponent: f64,
 }
 
+impl Proof {
+    /// ` (in doubt by less than 2^-95)`, or nothing where all is zero by form.
+    pub(super) fn doubt(&self) -> String {
+        match self.exponent {
+            e if e.is_finite() => format!(" (in doubt by less than 2^-{})", e.floor().min(9999.0)),
+            _ => String::new(),
+        }
+    }
+}
+
 impl std::fmt::Display for Proof {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let n = self.identities;
-        let what =
-            "kinematic equations, Kane's rows, constants and outputs of the whole model along the reduced motion";
-        if self.exponent.is_finite() {
-            write!(
-                f,
-                "{n} identities hold ({what}); each in doubt by less than 2^-{}",
-                self.exponent.floor().min(9999.0)
-            )
-        } else {
-            write!(f, "{n} identities hold by form ({what})")
-        }
+        let (n, doubt) = (self.identities, self.doubt());
+        let what = "the kinematic equations and Kane's of the whole model, its constants and outputs, along the reduced motion";
+        write!(f, "{n} identities hold: {what}{doubt}")
     }
 }
 

@@ -131,10 +131,6 @@ impl Ground {
         });
         // The variables themselves are no terms to be rewritten.
         self.kane.coordinates.clone_from(&kept);
-        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
-        wanted.map(|e| {
-            let moved = put.apply(arena, e);
-            simplifier.simplify(arena, moved)
-        })
+        wanted.map(|e| put.apply(&mut self.arena, e))
     }
 }

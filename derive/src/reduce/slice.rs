@@ -8,6 +8,7 @@ use super::dependence::Dependence;
 use super::level::Level;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::elimination::{Definition, LinearSystem, eliminate};
+use crate::algebra::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::simplify::cost_of_all;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -120,7 +121,11 @@ impl Flow {
             let moved = accelerations.apply(arena, e);
             let moved = solved.apply(arena, moved);
             let short = simplifier.simplify(arena, moved);
-            dependence.settle(arena, simplifier, short, &symbols)
+            let short = dependence.settle(arena, simplifier, short, &symbols);
+            // Where roots or functions without rules leave a doubt, the term stays as it was stated.
+            let (before, after) = (dependence.whole(arena, moved), dependence.whole(arena, short));
+            let difference = arena.sub(before, after);
+            if bounded_zero_test(arena, difference).0 == ZeroTest::Zero { short } else { moved }
         };
         let wanted = wanted.map(&mut put);
         let energy = energy.map(&mut put);

@@ -69,7 +69,7 @@ impl Ground {
             simplifier.simplify(arena, moved)
         };
         self.change(&mut rewrite);
-        let wanted = wanted.map(|e| rewrite(&mut self.arena, &mut self.simplifier, e));
+        let wanted = wanted.map(|e| put.apply(&mut self.arena, e));
         self.q[coordinate] = surface.symbol;
         self.q_start[coordinate] = self.arena.sub(self.q_start[coordinate], origin);
         self.kane.coordinates[coordinate] = surface.symbol;
