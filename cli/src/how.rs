@@ -3,7 +3,7 @@
 use crate::How;
 use crate::failure::Failure;
 use crate::run::method;
-use tripos_derive::scene::{AbsoluteTolerance, Scene, Solve};
+use tripos_derive::scene::{AbsoluteTolerance, Project, QUADRATURE, Scene, Solve};
 
 impl How {
     /// Puts the options of the command line in place of the scene's values.
@@ -12,10 +12,14 @@ impl How {
     /// [`Failure::Request`] for a name that there is not, and for numbers that make no run.
     pub fn change(&self, scene: &mut Scene) -> Result<(), Failure> {
         if let Some(name) = &self.method {
-            method(name)?.name().clone_into(&mut scene.integration.method);
+            let known = if name == QUADRATURE { QUADRATURE } else { method(name)?.name() };
+            known.clone_into(&mut scene.integration.method);
         }
         if let Some(name) = &self.solve {
             scene.integration.solve = Some(solve(name)?);
+        }
+        if let Some(name) = &self.project {
+            scene.integration.project = Some(project(name)?);
         }
         if let Some(step) = self.step {
             if !(step.is_finite() && step > 0.0) {
@@ -50,6 +54,14 @@ impl How {
         }
         Ok(())
     }
+}
+
+/// What steps are projected onto, by this name.
+fn project(name: &str) -> Result<Project, Failure> {
+    Project::ALL.into_iter().find(|project| project.name() == name).ok_or_else(|| {
+        let help = tripos_derive::diagnostic::nearest(name, Project::ALL.map(Project::name));
+        Failure::Request(format!("runs are not projected onto `{name}`"), help)
+    })
 }
 
 /// How accelerations are found, by this name.

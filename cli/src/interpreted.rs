@@ -7,9 +7,10 @@ use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::elimination::{Definition, needed};
 use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
-use tripos_derive::mechanics::Derivation;
+use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::mechanics::{Derivation, energy_gradient};
 use tripos_derive::reduce::Reduction;
-use tripos_traits::System;
+use tripos_traits::{Scalar, System};
 
 /// One formulation, interpreted. Its working space makes it a thread's own; another thread takes a copy.
 #[derive(Clone)]
@@ -25,6 +26,10 @@ pub struct Interpreted {
     solved: Option<[Tape; 3]>,
     /// What a scene shows, in parameters, time, coordinates and motion variables, and of how many entries.
     outputs: Option<(Tape, usize)>,
+    /// T + V and its slopes by the state, of a scene that has an energy.
+    energy_gradient: Option<Tape>,
+    /// The slope of the potential energy: the angles z, then the value for sin z/z.
+    slope: Option<[Tape; 2]>,
     /// The recurrences of the Taylor coefficients.
     series: Option<Series>,
     generalized_speeds: Tape,
@@ -56,6 +61,8 @@ impl Interpreted {
         Ok(Self {
             solved: None,
             outputs: None,
+            energy_gradient: None,
+            slope: None,
             series: None,
             state: state.clone(),
             sizes: [p.len(), q.len(), e.variables.len(), e.unknowns.len() - e.variables.len()],
@@ -97,6 +104,22 @@ impl Interpreted {
         let steps = needed(reduction.terms(), &reduction.derivation.equations.definitions, &values);
         let tape = Tape::stepwise(reduction.terms(), &inputs, &steps, &values);
         self.outputs = tape.ok().map(|tape| (tape, values.len()));
+        let equations = &reduction.derivation.equations;
+        if reduction.has_energy {
+            let mut arena = reduction.terms().clone();
+            let energy = arena.add(equations.kinetic_energy, equations.potential_energy);
+            let gradient = energy_gradient(&mut arena, &mut Simplifier::default(), equations);
+            let values = [&[energy][..], &gradient].concat();
+            let steps = needed(&arena, &equations.definitions, &values);
+            self.energy_gradient = Tape::stepwise(&arena, &self.state, &steps, &values).ok();
+        }
+        self.slope = reduction.slope.as_ref().and_then(|slope| {
+            let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
+            let ends = [p, &slope.ends].concat();
+            let angles = Tape::new(reduction.terms(), &ends, &angles).ok()?;
+            let value = Tape::new(reduction.terms(), &[ends, symbols].concat(), &[slope.value]).ok()?;
+            Some([angles, value])
+        });
         self
     }
 
@@ -145,6 +168,31 @@ impl System<f64> for Interpreted {
         let (of_q, of_u) = out.split_at_mut(q.len());
         of_q.copy_from_slice(q);
         self.generalized_speeds(p, q, v, of_u);
+    }
+    fn has_energy_gradient(&self) -> bool {
+        self.energy_gradient.is_some()
+    }
+    fn energy_gradient(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) -> f64 {
+        let Some(tape) = &self.energy_gradient else {
+            out.fill(f64::NAN);
+            return f64::NAN;
+        };
+        let mut values = vec![0.0; 1 + out.len()];
+        self.run(tape, &[p, q, v], &mut values);
+        out.copy_from_slice(&values[1..]);
+        values[0]
+    }
+    fn has_potential_slope(&self) -> bool {
+        self.slope.is_some()
+    }
+    fn potential_slope(&self, p: &[f64], a: f64, b: f64) -> f64 {
+        let Some([angles, value]) = &self.slope else { return f64::NAN };
+        let mut sincs = vec![0.0; angles.outputs()];
+        self.run(angles, &[p, &[a, b]], &mut sincs);
+        sincs.iter_mut().for_each(|z| *z = z.sinc());
+        let mut out = [0.0];
+        self.run(value, &[p, &[a, b], &sincs], &mut out);
+        out[0]
     }
     fn has_accelerations(&self) -> bool {
         self.solved.is_some()

@@ -212,9 +212,13 @@ struct How {
     /// takes the scene's own reduced equations (`tripos scene`), other commands the first formulation that the model supports
     #[arg(long)]
     by: Option<String>,
-    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6 or taylor
+    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6 or taylor; or quadrature, for a scene's own equations
+    /// with one degree of freedom
     #[arg(long)]
     method: Option<String>,
+    /// What each step is projected onto: energy, for a scene's own equations; what that removes is reported
+    #[arg(long)]
+    project: Option<String>,
     /// How accelerations are found: eliminated (solved for when the code was generated) or numeric (the linear
     /// system at each state)
     #[arg(long)]

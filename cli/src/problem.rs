@@ -6,9 +6,14 @@
 use crate::catalogue::{By, Code, code};
 use crate::failure::Failure;
 use crate::reduced::Reduced;
-use tripos_derive::scene::{Extended, Motion, Scene, Solve};
+use crate::run::refused;
+use tripos_derive::scene::{Extended, Motion, Project, QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
-use tripos_sim::{Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, integrate};
+use tripos_sim::projection::Invariants;
+use tripos_sim::quadrature::{self, NoQuadrature};
+use tripos_sim::{
+    Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, integrate, integrate_projected,
+};
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 /// A scene, the equations that run it, and how.
@@ -217,6 +222,43 @@ impl<'a> Problem<'a> {
             state[at] = DoubleDouble::from_f64(y[at]) + value;
         }
         state
+    }
+
+    /// The run that the scene asks for: by steps, by projected steps or by quadrature.
+    ///
+    /// # Errors
+    /// [`Failure::Request`] if the question makes no sense, or these equations cannot be run so.
+    pub fn solve(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, Failure> {
+        let (how, system, p) = (&self.scene.integration, self.system(), self.scene.parameters.as_slice());
+        if how.method == QUADRATURE {
+            return quadrature::solve(system, p, self.scene.span, y0, options, events).map_err(|error| match error {
+                NoQuadrature::Question(error) => refused(self.scene, &error),
+                error => Failure::Request(
+                    format!("no motion by quadrature: {error}"),
+                    "it needs a scene's own equations (no --by) with one degree of freedom left, as `tripos scene` shows"
+                        .to_owned(),
+                ),
+            });
+        }
+        let Some(Project::Energy) = how.project else {
+            return self.integrate(y0, options, events).map_err(|error| refused(self.scene, &error));
+        };
+        if !system.has_energy_gradient() {
+            let what = format!("{} cannot be projected onto their energy", self.by.title);
+            let help = "projection needs a scene's own equations (no --by) of which the energy is a function".to_owned();
+            return Err(Failure::Request(what, help));
+        }
+        let n = system.coordinates();
+        let function = |_t: f64, y: &[f64], values: &mut [f64], gradient: &mut [f64]| {
+            values[0] = system.energy_gradient(p, &y[..n], &y[n..], gradient);
+        };
+        let mut invariants = Invariants { count: 1, function: Box::new(function) };
+        let mut rhs = Eliminated::new(system, p).ok_or_else(|| {
+            Failure::Request("accelerations are not eliminated".to_owned(), "leave `solve` out".to_owned())
+        })?;
+        let rhs = Lent(&mut rhs as &mut dyn RightHandSide<f64>);
+        let run = integrate_projected(rhs, self.scene.span, y0, options, events, &mut invariants);
+        run.map_err(|error| refused(self.scene, &error))
     }
 
     /// The linear system at each state.

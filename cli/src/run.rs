@@ -8,7 +8,7 @@ use crate::reduced::Reduced;
 use crate::trust;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::scene::{AbsoluteTolerance as Tolerance, Crossing, Scene, Solve};
+use tripos_derive::scene::{AbsoluteTolerance as Tolerance, Crossing, Project, QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{AbsoluteTolerance, Direction, Dynamics, Effect, Event, Method, Options, Output, SimError, Solution};
 
@@ -103,7 +103,7 @@ fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Fail
     let balance = Balance::new(problem.model, scene, problem.by)?;
     let y0 = problem.start()?;
     let mut events = events(problem, &balance);
-    let solution = problem.integrate(&y0, &options(scene)?, &mut events).map_err(|error| refused(scene, &error))?;
+    let solution = problem.solve(&y0, &options(scene)?, &mut events)?;
     drop(events);
     finish(problem, solution, watch)
 }
@@ -128,7 +128,8 @@ pub fn options(scene: &Scene) -> Result<Options, Failure> {
 pub fn options_of_ends(scene: &Scene) -> Result<Options, Failure> {
     let how = &scene.integration;
     Ok(Options {
-        method: method(&how.method)?,
+        // Quadrature takes no steps: any method will do.
+        method: if how.method == QUADRATURE { Method::Dop853 } else { method(&how.method)? },
         rtol: how.rtol,
         atol: match &how.atol {
             Tolerance::Uniform(atol) => AbsoluteTolerance::Uniform(*atol),
@@ -152,6 +153,13 @@ pub fn method(name: &str) -> Result<Method, Failure> {
 /// The method and what its steps are made by: "ode45 with rtol 1e-3, atol 1e-5".
 pub fn how(scene: &Scene) -> String {
     let how = &scene.integration;
+    if how.method == QUADRATURE {
+        return QUADRATURE.to_owned();
+    }
+    let projected = match how.project {
+        Some(Project::Energy) => ", each projected onto the energy",
+        None => "",
+    };
     let steps = match (how.step, &how.atol) {
         (Some(step), _) => format!("steps of {step:e} s"),
         (None, Tolerance::Uniform(atol)) => format!("rtol {:e}, atol {atol:e}", how.rtol),
@@ -160,7 +168,7 @@ pub fn how(scene: &Scene) -> String {
     let distance = how.distance.map_or_else(String::new, |d| {
         format!(", in a coordinate's distance from {}°", 90 * i64::from(d.quarter_turns))
     });
-    format!("{} with {steps}{distance}", how.method)
+    format!("{} with {steps}{projected}{distance}", how.method)
 }
 
 fn output(scene: &Scene) -> Output {

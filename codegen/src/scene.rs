@@ -10,9 +10,11 @@ use crate::tokens::{Cost, format};
 use proc_macro2::Literal;
 use quote::{format_ident, quote};
 use tripos_derive::Model;
-use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::energy_gradient as energy_gradient_of;
 use tripos_derive::algebra::print::text;
-use tripos_derive::reduce::{Quantity, Reduction};
+use tripos_derive::reduce::{Quantity, Reduction, Slope};
 use tripos_derive::{Equations, Formulation, derive};
 
 /// A scene's file.
@@ -30,17 +32,31 @@ pub fn file(reduction: &Reduction, name: &str, title: &str, origin: &str) -> Opt
     let mut arena = reduction.terms().clone();
     let equations = &reduction.derivation.equations;
     let solved = Solved::new(&mut arena, equations).ok()?;
+    let gradient = energy_gradient_of(&mut arena, &mut Simplifier::default(), equations);
     let writer = writer(&reduction.model, &arena, equations);
     let mut functions = eliminated(&writer, &solved);
     functions.extend(kinematics_and_energies(&writer));
     functions.push(outputs(&writer, reduction));
+    if reduction.has_energy {
+        functions.push(energy_gradient(&writer, &gradient));
+    }
+    if let Some(slope) = &reduction.slope {
+        functions.extend(potential_slope(&writer, slope));
+    }
     let header = header(reduction, name, title, origin, &functions);
     let recurrences = solved.recurrences.as_ref();
     let width = recurrences.map(taylor::function::width);
     functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
     let parts =
-        Parts { linear_system: false, eliminated: true, taylor: width, outputs: Some(reduction.outputs.len()) };
+        Parts {
+            linear_system: false,
+            eliminated: true,
+            taylor: width,
+            outputs: Some(reduction.outputs.len()),
+            energy_gradient: reduction.has_energy,
+            slope: reduction.slope.is_some(),
+        };
     let system = system::system(&reduction.model, equations, parts);
     let series = recurrences.map(taylor::function::imports);
     let parameters = parameters(&reduction.model);
@@ -99,6 +115,53 @@ fn outputs(writer: &Writer<'_>, reduction: &Reduction) -> Function {
     let arguments = Arguments::Shown { time: reduction.time };
     let definitions = &writer.equations.definitions;
     writer.stepwise("outputs", about, arguments, Returns::Vector, definitions, &values)
+}
+
+/// T + V, then its slopes.
+fn energy_gradient(writer: &Writer<'_>, gradient: &[Expr]) -> Function {
+    let e = writer.equations;
+    let mut arena = writer.arena.clone();
+    let energy = arena.add(e.kinetic_energy, e.potential_energy);
+    let writer = Writer { arena: &arena, variables: writer.variables.clone(), ..*writer };
+    let mut values: Vec<Value> = vec![("energy".to_owned(), "T + V".to_owned(), energy)];
+    for (symbol, slope) in e.coordinates.iter().chain(&e.variables).zip(gradient) {
+        let name = writer.arena.symbol_name(*symbol).unwrap_or_default();
+        values.push((format!("energy_by_{}", spelled(name)), format!("d(T + V)/d({name})"), *slope));
+    }
+    let about = "The energy, then its derivatives by the state.";
+    writer.stepwise("energy_gradient", about, Arguments::State, Returns::Vector, &e.definitions, &values)
+}
+
+/// The slope of the potential energy between two places `q`, as it stands: what would be gained by rewriting it would bring
+/// back the differences that it avoids. `u` holds sin z/z of the angles z that the other function gives.
+fn potential_slope(writer: &Writer<'_>, slope: &Slope) -> Vec<Function> {
+    let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
+    let equations = Equations {
+        coordinates: slope.ends.to_vec(),
+        variables: symbols,
+        definitions: Vec::new(),
+        ..writer.equations.clone()
+    };
+    let writer = Writer { equations: &equations, variables: writer.variables.clone(), shares: false, ..*writer };
+    let name = |at: usize| (format!("z{}", at + 1), format!("z{}", at + 1), angles[at]);
+    let values: Vec<Value> = (0..angles.len()).map(name).collect();
+    let value = [("slope".to_owned(), "(V(b) - V(a))/(b - a)".to_owned(), slope.value)];
+    vec![
+        writer.function(
+            "half_differences",
+            "The angles z whose sin z/z the slope of the potential needs.",
+            Arguments::Configuration,
+            Returns::Vector,
+            &values,
+        ),
+        writer.function(
+            "potential_slope",
+            "The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.",
+            Arguments::State,
+            Returns::Number,
+            &value,
+        ),
+    ]
 }
 
 /// The `mod.rs` of the scenes of a model.

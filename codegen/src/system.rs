@@ -16,6 +16,10 @@ pub struct Parts {
     pub taylor: Option<usize>,
     /// How many `outputs` a scene has.
     pub outputs: Option<usize>,
+    /// `energy_gradient`.
+    pub energy_gradient: bool,
+    /// `potential_slope`.
+    pub slope: bool,
 }
 
 /// The `System` that hands slices to the functions above.
@@ -99,6 +103,26 @@ pub fn system(model: &Model, e: &Equations, parts: Parts) -> TokenStream {
             }
         }
     });
+    let energy = parts.energy_gradient.then(|| {
+        quote! {
+            fn has_energy_gradient(&self) -> bool { true }
+            fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+                let [energy, gradient @ ..] = energy_gradient(#state);
+                out.copy_from_slice(&gradient);
+                energy
+            }
+        }
+    });
+    let slope = parts.slope.then(|| {
+        quote! {
+            fn has_potential_slope(&self) -> bool { true }
+            fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
+                let p = Parameters::from_slice(p);
+                let sincs = half_differences(&p, &[a, b]).map(S::sinc);
+                potential_slope(&p, &[a, b], &sincs)
+            }
+        }
+    });
     let taylor = parts.taylor.map(series);
     quote! {
         #[doc = #about]
@@ -116,6 +140,8 @@ pub fn system(model: &Model, e: &Equations, parts: Parts) -> TokenStream {
             }
             #linear_system
             #outputs
+            #energy
+            #slope
             #eliminated
             #taylor
             #conversions

@@ -20,7 +20,7 @@ use values::{Number, Start, Values, doubles};
 pub use axis::{Grid, MOST_POINTS};
 pub use extended::Extended;
 pub use family::Family;
-pub use integration::{AbsoluteTolerance, Integration, METHODS, Solve};
+pub use integration::{AbsoluteTolerance, Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
 
 /// Which way an event function must cross zero.

@@ -72,9 +72,25 @@ fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
         "evaluations": solution.evaluations,
         "stop": solution.stop.code(),
         "drift": drift,
+        "projection": projection(run),
         "events": events,
         "warnings": run.warnings,
     })
+}
+
+/// What projection did, so that it hides no drift.
+fn projection(run: &Run) -> Value {
+    match &run.solution.projection {
+        None => Value::Null,
+        Some(report) => json!({
+            "onto": ["energy"],
+            "corrections": report.corrections,
+            "removed": report.removed,
+            "largest": report.largest,
+            "moved": report.moved,
+            "left": report.singular + report.not_converged,
+        }),
+    }
 }
 
 fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
@@ -95,6 +111,16 @@ fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
         let _ = writeln!(out, "  {name} = {x}");
     }
     let _ = writeln!(out, "\nlargest change of total energy: {:e} J", run.energy_drift);
+    if let Some(report) = &run.solution.projection {
+        let _ = writeln!(
+            out,
+            "projected onto the energy after {} steps: {:e} J of drift removed in all, {:e} J at most at once; {} steps left as they were",
+            report.corrections,
+            report.removed.first().copied().unwrap_or_default(),
+            report.largest.first().copied().unwrap_or_default(),
+            report.singular + report.not_converged
+        );
+    }
     for (name, change) in run.drifts.iter().filter(|(name, _)| !name.starts_with("energy")) {
         let _ = writeln!(out, "largest change of {}: {change:e}", name.split(';').next().unwrap_or_default());
     }

@@ -76,6 +76,7 @@ fn solution(request: &Request, outcome: Outcome) -> Solution {
         jacobians: 0,
         stop,
         events: Vec::new(),
+        projection: None,
         warnings: Vec::new(),
     }
 }

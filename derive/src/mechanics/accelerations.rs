@@ -58,6 +58,22 @@ fn combine(
     simplifier.simplify(arena, sum)
 }
 
+/// ∂(T + V)/∂(q, v), by the chain rule over the definitions.
+pub fn energy_gradient(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Vec<Expr> {
+    let energy = arena.add(equations.kinetic_energy, equations.potential_energy);
+    let variables = equations.coordinates.iter().chain(&equations.variables);
+    let slope = |x: &Expr| {
+        let mut slope_of = Differential::partial(*x);
+        for definition in &equations.definitions {
+            let slope = slope_of.apply(arena, definition.value);
+            slope_of.set_rate(definition.symbol, slope);
+        }
+        let slope = slope_of.apply(arena, energy);
+        simplifier.simplify(arena, slope)
+    };
+    variables.map(slope).collect()
+}
+
 /// The Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step.
 #[derive(Clone, Debug, Default)]
 pub struct Jacobian {

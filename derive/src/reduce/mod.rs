@@ -13,6 +13,7 @@ mod dependence;
 mod ground;
 mod ledger;
 mod level;
+mod one_degree;
 mod pack;
 mod pivots;
 mod proof;
@@ -21,6 +22,7 @@ mod slice;
 mod surface;
 
 pub use ground::Ground;
+pub use one_degree::Slope;
 pub use proof::Proof;
 
 use crate::algebra::{Arena, Expr, Rational, print};
@@ -91,6 +93,8 @@ pub struct Reduction {
     pub divisors: Vec<Expr>,
     /// Whether the energy is a function of what is kept; otherwise the energies of the equations are 0.
     pub has_energy: bool,
+    /// For quadrature, if there is one degree of freedom.
+    pub slope: Option<Slope>,
     /// The time since the start, in outputs that are linear in it.
     pub time: Expr,
     /// That it gives what the whole model gives: nothing else is returned.

@@ -39,6 +39,7 @@ pub fn pack(
         *e = dependence.whole(&mut ground.arena, *e);
     }
     let events = flow.wanted.events.clone();
+    let slope = flow.slope(&mut ground, equations.kinetic_energy, equations.potential_energy);
     let mut divisors = equations.divisors.clone();
     divisors.dedup();
     let has_energy = flow.energy.is_some();
@@ -57,6 +58,7 @@ pub fn pack(
         omitted,
         divisors,
         has_energy,
+        slope,
         time,
         proof,
     })

@@ -7,7 +7,9 @@ use crate::mechanics::Distance;
 use toml::de::{DeTable, DeValue};
 
 /// The methods of integration by name, as the simulator knows them.
-pub const METHODS: [&str; 6] = ["rk4", "ode45", "dopri5", "dop853", "gauss6", "taylor"];
+pub const METHODS: [&str; 7] = ["rk4", "ode45", "dopri5", "dop853", "gauss6", "taylor", QUADRATURE];
+/// The one of them that takes no steps.
+pub const QUADRATURE: &str = "quadrature";
 
 /// How the accelerations are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -42,6 +44,26 @@ pub enum AbsoluteTolerance {
     Each(Vec<f64>),
 }
 
+/// What each step of a run is projected onto.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Project {
+    /// The energy that the run has at its start.
+    Energy,
+}
+
+impl Project {
+    /// All, in the order in which they are always listed.
+    pub const ALL: [Self; 1] = [Self::Energy];
+
+    /// The name on the command line and in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Energy => "energy",
+        }
+    }
+}
+
 /// How to integrate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Integration {
@@ -61,6 +83,8 @@ pub struct Integration {
     pub samples: Option<usize>,
     /// Whether leaving the model's domain ends the run.
     pub domain_stops: bool,
+    /// Whether and onto what each step is projected.
+    pub project: Option<Project>,
     /// The distance that is integrated instead of a coordinate.
     pub distance: Option<Distance>,
 }
@@ -76,7 +100,8 @@ impl Integration {
     }
 }
 
-const KEYS: [&str; 9] = ["method", "solve", "rtol", "atol", "step", "step_limit", "samples", "domain", "distance"];
+const KEYS: [&str; 10] =
+    ["method", "solve", "rtol", "atol", "step", "step_limit", "samples", "domain", "project", "distance"];
 
 impl<'a> Values<'a, '_> {
     /// The section `integration`; what is not said is the default.
@@ -91,6 +116,7 @@ impl<'a> Values<'a, '_> {
             let help = "give at least one tolerance above zero";
             self.reader.errors.push(Diagnostic::of_file("rtol and atol are both zero", help));
         }
+        let project = self.choice(section, "project", &Project::ALL.map(Project::name));
         let solve = self.choice(section, "solve", &Solve::ALL.map(Solve::name));
         Integration {
             method: self.choice(section, "method", &METHODS).unwrap_or("ode45").to_owned(),
@@ -101,6 +127,7 @@ impl<'a> Values<'a, '_> {
             step_limit: self.count(section, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000),
             samples: self.count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
             domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
+            project: project.and_then(|name| Project::ALL.into_iter().find(|p| p.name() == name)),
             distance: self.distance(section),
         }
     }

@@ -67,6 +67,14 @@ pub trait Scalar:
     /// −1, 0 or 1 with the sign of x; 0 at 0, as the derivative of |x| is taken there.
     #[must_use]
     fn sign(self) -> Self;
+    /// sin x/x, and 1 at 0.
+    #[must_use]
+    #[inline]
+    fn sinc(self) -> Self {
+        let sign = self.sign();
+        let at_zero = Self::int(1) - sign * sign;
+        (self.sin_cos().0 + at_zero) / (self + at_zero)
+    }
     /// x·a + b, rounded once where the processor that is compiled for does that in one instruction (as
     /// `-C target-cpu=native` may say), else twice. Results then differ in their last bits from build to build, as those of
     /// any program do that a compiler may contract.

@@ -89,6 +89,16 @@ pub trait System<S: Scalar = f64> {
         self.generalized_speeds(p, q, v, of_u);
     }
 
+    /// Whether [`System::energy_gradient`] has values.
+    fn has_energy_gradient(&self) -> bool {
+        false
+    }
+    /// T + V, and ∂(T + V)/∂(q, v) in `out`, which has `coordinates` + `speeds` entries; not numbers without it.
+    fn energy_gradient(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) -> S {
+        out.fill(S::from_f64(f64::NAN));
+        S::from_f64(f64::NAN)
+    }
+
     /// Generalized speeds u of the model file, from v; `out` has `speeds` entries.
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
     /// u̇ from v̇, so that formulations compare key by key.

@@ -9970,6 +9970,118 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 4], u: &[S; 4]) -> 
     [q0_value, q1_value, q2_value, q3_value, u0_value, u1_value, u2_value, u3_value]
 }
 
+/// The energy, then its derivatives by the state.
+///
+/// 103 operations, 3 sines and cosines.
+#[must_use]
+pub fn energy_gradient<S: Scalar>(_p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 9] {
+    let [q1, q2, q3, q0] = *q;
+    let [u1, u2, u3, u0] = *u;
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    let (s3, c3) = q3.sin_cos();
+    // Shared terms.
+    // u1*cos(q1); used 3 times
+    let u1_c1 = u1 * c1;
+    // 16*u1_c1 - 25*u0; used 3 times
+    let energy_part = (-u0).mul_add(S::int(25), S::int(16) * u1_c1);
+    // u2*cos(q2); used 2 times
+    let u2_c2 = u2 * c2;
+    // u3*cos(q3); used 2 times
+    let u3_c3 = u3 * c3;
+    // 897*u2_c2 + 298*u3_c3; used 3 times
+    let energy_part_2 = u3_c3.mul_add(S::int(298), S::int(897) * u2_c2);
+    // u1*sin(q1); used 4 times
+    let u1_s1 = u1 * s1;
+    // u2*sin(q2); used 2 times
+    let u2_s2 = u2 * s2;
+    // u3*sin(q3); used 2 times
+    let u3_s3 = u3 * s3;
+    // 897*u2_s2 + 298*u3_s3
+    let energy_part_3 = u3_s3.mul_add(S::int(298), S::int(897) * u2_s2);
+    // 4*energy_part_3/3125; used 3 times
+    let energy_part_3_scaled = S::ratio(4, 3125) * energy_part_3;
+    // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 3 times
+    let energy_part_4 = c2.mul_add(c3, s2 * s3);
+    // 1937*u2/6250; used 2 times
+    let u2_scaled = S::ratio(1937, 6250) * u2;
+    // u3*u2_scaled; used 2 times
+    let u3_u2_scaled = u3 * u2_scaled;
+    // 1928*u1_c1/625; used 2 times
+    let u1_c1_scaled = S::ratio(1928, 625) * u1_c1;
+    // 2410*u0 - energy_part_2
+    let energy_by_q1_part = u0.mul_add(S::int(2410), -energy_part_2);
+    // 4*energy_by_q1_part/3125; used 2 times
+    let energy_by_q1_part_scaled = S::ratio(4, 3125) * energy_by_q1_part;
+    // 897*energy_part/12500; used 2 times
+    let energy_part_scaled = S::ratio(897, 12500) * energy_part;
+    // 3588*u1_s1/3125; used 2 times
+    let u1_s1_scaled = S::ratio(3588, 3125) * u1_s1;
+    // u3_u2_scaled*(cos(q2)*sin(q3) - sin(q2)*cos(q3)); used 2 times
+    let energy_by_q2_part = u3_u2_scaled * (-s2).mul_add(c3, c2 * s3);
+    // 149*energy_part/6250; used 2 times
+    let energy_part_scaled_2 = S::ratio(149, 6250) * energy_part;
+    // 1192*u1_s1/3125; used 2 times
+    let u1_s1_scaled_2 = S::ratio(1192, 3125) * u1_s1;
+    // Values.
+    // T + V = 472842*cos(q1)/15625 - 11*q0/4 + 879957*cos(q2)/50000 + 146169*cos(q3)/25000 + 149*u3^2/1250
+    //   + u0*(14225*u0 - 15424*u1*cos(q1) - 8970*u2*cos(q2) - 2980*u3*cos(q3))/5000 + 4*u1*(3856*u1 +
+    //   4485*u2*cos(q1 - q2) + 1490*u3*cos(q1 - q3))/15625 + 13*u2*(897*u2 + 596*u3*cos(q2 - q3))/25000
+    let energy = u1_s1
+        .mul_add(
+            energy_part_3_scaled,
+            S::ratio(472842, 15625) * c1 - S::ratio(11, 4) * q0
+                + S::ratio(879957, 50000) * c2 + S::ratio(146169, 25000) * c3
+                + S::ratio(569, 200) * u0 * u0 + S::ratio(15424, 15625) * u1 * u1
+                + S::ratio(11661, 25000) * u2 * u2 + S::ratio(149, 1250) * u3 * u3
+                + S::ratio(1, 12500) * energy_part * energy_part_2,
+        ) + energy_part_4 * u3_u2_scaled - u0 * u1_c1_scaled;
+    // d(T + V)/d(q1) = 4*u1*(2410*u0*sin(q1) - 897*u2*sin(q1 - q2) - 298*u3*sin(q1 - q3))/3125 -
+    //   472842*sin(q1)/15625
+    let energy_by_q1 = u1_c1.mul_add(energy_part_3_scaled, -S::ratio(472842, 15625) * s1)
+        + u1_s1 * energy_by_q1_part_scaled;
+    // d(T + V)/d(q2) = 13*u2*(1725*u0*sin(q2) - 298*u3*sin(q2 - q3) + 1104*u1*sin(q1 - q2))/12500 -
+    //   879957*sin(q2)/50000
+    let energy_by_q2 = u2_c2.mul_add(u1_s1_scaled, -S::ratio(879957, 50000) * s2)
+        - u2_s2 * energy_part_scaled + energy_by_q2_part;
+    // d(T + V)/d(q3) = 149*u3*(25*u0*sin(q3) + 16*u1*sin(q1 - q3) + 13*u2*sin(q2 - q3))/6250 -
+    //   146169*sin(q3)/25000
+    let energy_by_q3 = u3_c3.mul_add(u1_s1_scaled_2, -S::ratio(146169, 25000) * s3)
+        - energy_by_q2_part - u3_s3 * energy_part_scaled_2;
+    // d(T + V)/d(q0) = -11/4
+    let energy_by_q0 = -S::ratio(11, 4);
+    // d(T + V)/d(u1) = 30848*u1/15625 - 1928*u0*cos(q1)/625 + 3588*u2*cos(q1 - q2)/3125 + 1192*u3*cos(q1 -
+    //   q3)/3125
+    let energy_by_u1 = energy_part_3_scaled.mul_add(s1, S::ratio(30848, 15625) * u1)
+        - energy_by_q1_part_scaled * c1;
+    // d(T + V)/d(u2) = 3588*u1*cos(q1 - q2)/3125 - 897*u0*cos(q2)/500 + 11661*u2/12500 + 1937*u3*cos(q2 -
+    //   q3)/6250
+    let energy_by_u2 = energy_part_scaled
+        .mul_add(
+            c2,
+            S::ratio(11661, 12500) * u2 + S::ratio(1937, 6250) * u3 * energy_part_4,
+        ) + u1_s1_scaled * s2;
+    // d(T + V)/d(u3) = 1192*u1*cos(q1 - q3)/3125 - 149*u0*cos(q3)/250 + 1937*u2*cos(q2 - q3)/6250 +
+    //   149*u3/625
+    let energy_by_u3 = energy_part_4.mul_add(u2_scaled, S::ratio(149, 625) * u3)
+        + energy_part_scaled_2 * c3 + u1_s1_scaled_2 * s3;
+    // d(T + V)/d(u0) = 569*u0/100 - 1928*u1*cos(q1)/625 - 897*u2*cos(q2)/500 - 149*u3*cos(q3)/250
+    let energy_by_u0 = S::ratio(569, 100) * u0 - S::ratio(1, 500) * energy_part_2
+        - u1_c1_scaled;
+    [
+        energy,
+        energy_by_q1,
+        energy_by_q2,
+        energy_by_q3,
+        energy_by_q0,
+        energy_by_u1,
+        energy_by_u2,
+        energy_by_u3,
+        energy_by_u0,
+    ]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 70 convolutions and 206 linear operations an order.
@@ -11653,6 +11765,18 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
     }
     fn has_accelerations(&self) -> bool {
         true

@@ -221,6 +221,34 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 2]) -> 
     [theta_value, phi_value, omega_value, alpha_value]
 }
 
+/// The energy, then its derivatives by the state.
+///
+/// 19 operations, 2 sines and cosines.
+#[must_use]
+pub fn energy_gradient<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 5] {
+    let [theta, phi] = *q;
+    let [omega, alpha] = *u;
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // omega*(229 + 5*cos(phi)^2); used 2 times
+    let energy_part = omega * (S::int(229) + S::int(5) * cos_phi * cos_phi);
+    // Values.
+    // T + V = 3*omega^2*(229 + 5*cos(phi)^2)/1000 - 163827*cos(theta)/10000 + 13*alpha^2/400
+    let energy = S::ratio(13, 400) * alpha * alpha - S::ratio(163827, 10000) * cos_theta
+        + S::ratio(3, 1000) * omega * energy_part;
+    // d(T + V)/d(theta) = 163827*sin(theta)/10000
+    let energy_by_theta = S::ratio(163827, 10000) * sin_theta;
+    // d(T + V)/d(phi) = -3*omega^2*sin(phi)*cos(phi)/100
+    let energy_by_phi = -S::ratio(3, 100) * omega * omega * sin_phi * cos_phi;
+    // d(T + V)/d(omega) = 3*omega*(229 + 5*cos(phi)^2)/500
+    let energy_by_omega = S::ratio(3, 500) * energy_part;
+    // d(T + V)/d(alpha) = 13*alpha/200
+    let energy_by_alpha = S::ratio(13, 200) * alpha;
+    [energy, energy_by_theta, energy_by_phi, energy_by_omega, energy_by_alpha]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 10 convolutions and 6 linear operations an order.
@@ -501,6 +529,18 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
     }
     fn has_accelerations(&self) -> bool {
         true

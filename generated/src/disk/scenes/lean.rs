@@ -15,9 +15,9 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_q3 = ∂L/∂q3', kg*m^2/s
+    /// momentum p_q3 = ∂L/∂q3', 1
     pub p_q3: S,
-    /// angular momentum about a3 through the mass centre, what is left of it on the singular surface, kg*m^2/s
+    /// angular momentum about a3 through the mass centre, what is left of it on the singular surface, 1
     pub H_a3_there: S,
 }
 
@@ -273,6 +273,117 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 1], u: &[S; 1]) -> 
     // u1 = u1
     let u1_value = u1;
     [q2_value, u1_value]
+}
+
+/// The energy, then its derivatives by the state.
+///
+/// 36 operations, 2 sines and cosines.
+#[must_use]
+pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
+    let Parameters { p_q3, H_a3_there } = *p;
+    let [q2_minus_90deg] = *q;
+    let [u1] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Elimination, step by step.
+    // u3 = 2*p_q3
+    let u3 = S::int(2) * p_q3;
+    // Shared terms.
+    // q2_minus_90deg/2; used 2 times
+    let q2_minus_90deg_scaled = S::ratio(1, 2) * q2_minus_90deg;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg_by_2, cos_q2_minus_90deg_by_2) = q2_minus_90deg_scaled
+        .sin_cos();
+    // Shared terms.
+    // u3*sin(q2_minus_90deg/2); used 2 times
+    let u2_part = u3 * sin_q2_minus_90deg_by_2;
+    // 1/sin(q2_minus_90deg); used 2 times
+    let u2_part_2 = S::int(1) / sin_q2_minus_90deg;
+    // u2_part_2*(H_a3_there + u2_part*sin(q2_minus_90deg/2)); used 2 times
+    let u2_part_3 = u2_part_2 * u2_part.mul_add(sin_q2_minus_90deg_by_2, H_a3_there);
+    // Elimination, step by step.
+    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
+    let u2 = -S::int(4) * u2_part_3;
+    // Shared terms.
+    // u1*(4*sin(q2_minus_90deg)^2 - 5); used 2 times
+    let energy_part = u1
+        * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    // u2^2 - u1*energy_part
+    let energy_part_2 = (-u1).mul_add(energy_part, u2 * u2);
+    // Values.
+    // T + V = u2^2/8 - 981/100 + u3^2/4 - 981*sin(q2_minus_90deg)/100 + u1^2*(5 -
+    //   4*sin(q2_minus_90deg)^2)/8
+    let energy = S::ratio(1, 4) * u3 * u3 - S::ratio(981, 100)
+        - S::ratio(981, 100) * sin_q2_minus_90deg + S::ratio(1, 8) * energy_part_2;
+    // d(T + V)/d(q2_minus_90deg) = u2*((2*p_q3*sin(q2_minus_90deg/2)^2 +
+    //   H_a3_there)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
+    //   2*p_q3*sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2)/sin(q2_minus_90deg)) -
+    //   981*cos(q2_minus_90deg)/100 - u1^2*sin(q2_minus_90deg)*cos(q2_minus_90deg)
+    let energy_by_q2_minus_90deg = u2 * u2_part_2
+        * (-u2_part).mul_add(cos_q2_minus_90deg_by_2, u2_part_3 * cos_q2_minus_90deg)
+        - S::ratio(981, 100) * cos_q2_minus_90deg
+        - u1 * u1 * sin_q2_minus_90deg * cos_q2_minus_90deg;
+    // d(T + V)/d(u1) = u1*(5 - 4*sin(q2_minus_90deg)^2)/4
+    let energy_by_u1 = -S::ratio(1, 4) * energy_part;
+    [energy, energy_by_q2_minus_90deg, energy_by_u1]
+}
+
+/// The angles z whose sin z/z the slope of the potential needs.
+///
+/// 6 operations.
+#[must_use]
+pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
+    let [q2_minus_90deg_from, q2_minus_90deg_to] = *q;
+    // Values.
+    // z1 = q2_minus_90deg_to/2 - q2_minus_90deg_from/2
+    let z1 = S::ratio(1, 2) * q2_minus_90deg_to - S::ratio(1, 2) * q2_minus_90deg_from;
+    // z2 = q2_minus_90deg_to/4 - q2_minus_90deg_from/4
+    let z2 = S::ratio(1, 4) * q2_minus_90deg_to - S::ratio(1, 4) * q2_minus_90deg_from;
+    [z1, z2]
+}
+
+/// The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.
+///
+/// 38 operations, 6 sines and cosines.
+#[must_use]
+pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
+    let Parameters { p_q3, H_a3_there } = *p;
+    let [q2_minus_90deg_from, q2_minus_90deg_to] = *q;
+    let [sinc1, sinc2] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg_from, _) = q2_minus_90deg_from.sin_cos();
+    let (sin_q2_minus_90deg_to, _) = q2_minus_90deg_to.sin_cos();
+    let (_, cos_angle) = (S::ratio(1, 2) * q2_minus_90deg_from
+        + S::ratio(1, 2) * q2_minus_90deg_to)
+        .sin_cos();
+    let (_, cos_angle_2) = (S::ratio(1, 4) * q2_minus_90deg_from
+        + S::ratio(1, 4) * q2_minus_90deg_to)
+        .sin_cos();
+    let (sin_q2_minus_90deg_from_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg_from)
+        .sin_cos();
+    let (sin_q2_minus_90deg_to_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg_to).sin_cos();
+    // Shared terms.
+    // p_q3*sin(q2_minus_90deg_to/2)^2; used 2 times
+    let slope_part = p_q3 * sin_q2_minus_90deg_to_by_2 * sin_q2_minus_90deg_to_by_2;
+    // Values.
+    // (V(b) - V(a))/(b - a) = 4*p_q3*sinc2*cos(q2_minus_90deg_from/4 +
+    //   q2_minus_90deg_to/4)*(sin(q2_minus_90deg_from/2) + sin(q2_minus_90deg_to/2))*(H_a3_there +
+    //   p_q3*sin(q2_minus_90deg_from/2)^2 + p_q3*sin(q2_minus_90deg_to/2)^2)/sin(q2_minus_90deg_from)^2 -
+    //   981*sinc1*cos(q2_minus_90deg_from/2 + q2_minus_90deg_to/2)/100 - 2*sinc1*cos(q2_minus_90deg_from/2 +
+    //   q2_minus_90deg_to/2)*(sin(q2_minus_90deg_from) + sin(q2_minus_90deg_to))*(H_a3_there +
+    //   2*p_q3*sin(q2_minus_90deg_to/2)^2)^2/(sin(q2_minus_90deg_from)^2*sin(q2_minus_90deg_to)^2)
+    let slope = S::int(4) * p_q3 * sinc2 * cos_angle_2
+        * (sin_q2_minus_90deg_from_by_2 + sin_q2_minus_90deg_to_by_2)
+        * (H_a3_there
+            + p_q3 * sin_q2_minus_90deg_from_by_2 * sin_q2_minus_90deg_from_by_2
+            + slope_part) / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from)
+        - S::ratio(981, 100) * sinc1 * cos_angle
+        - S::int(2) * sinc1 * cos_angle
+            * (sin_q2_minus_90deg_from + sin_q2_minus_90deg_to)
+            * slope_part.mul_add(S::int(2), H_a3_there).powi(2)
+            / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from * sin_q2_minus_90deg_to
+                * sin_q2_minus_90deg_to);
+    slope
 }
 
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
@@ -648,6 +759,26 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
+    }
+    fn has_potential_slope(&self) -> bool {
+        true
+    }
+    fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
+        let p = Parameters::from_slice(p);
+        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
+        potential_slope(&p, &[a, b], &sincs)
     }
     fn has_accelerations(&self) -> bool {
         true

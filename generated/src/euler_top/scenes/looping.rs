@@ -15,9 +15,9 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, kg*m^2/s
+    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, 1
     pub p_psi_there: S,
-    /// momentum p_phi = ∂L/∂phi', kg*m^2/s
+    /// momentum p_phi = ∂L/∂phi', 1
     pub p_phi: S,
 }
 
@@ -278,6 +278,108 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 1]) -> [
     // u1 = u1
     let u1_value = u1;
     [psi_value, theta_value, phi_value, u1_value, u2, u3]
+}
+
+/// The energy, then its derivatives by the state.
+///
+/// 35 operations, 2 sines and cosines.
+#[must_use]
+pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 5] {
+    let Parameters { p_psi_there, p_phi } = *p;
+    let [theta, _, _] = *q;
+    let [u1] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // theta/2; used 2 times
+    let theta_scaled = S::ratio(1, 2) * theta;
+    // Sines and cosines.
+    let (sin_theta_by_2, cos_theta_by_2) = theta_scaled.sin_cos();
+    // Shared terms.
+    // sin(theta/2)^2; used 3 times
+    let sin_theta_by_2_sq = sin_theta_by_2 * sin_theta_by_2;
+    // Elimination, step by step.
+    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
+    let u2 = S::ratio(200, 19)
+        * (p_phi * sin_theta_by_2_sq).mul_add(S::int(2), p_psi_there) / sin_theta;
+    // u3 = 1000*p_phi/21
+    let u3 = S::ratio(1000, 21) * p_phi;
+    // Shared terms.
+    // u1^2 + u2^2
+    let u1_2_plus_u2_2 = u2.mul_add(u2, u1 * u1);
+    // 1/(sin(theta/2)*cos(theta/2))
+    let energy_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
+    // Values.
+    // T + V = 140283*cos(theta)/50000 + 19*u1^2/400 + 19*u2^2/400 + 21*u3^2/2000
+    let energy = S::ratio(140283, 50000) * cos_theta + S::ratio(21, 2000) * u3 * u3
+        + S::ratio(19, 400) * u1_2_plus_u2_2;
+    // d(T + V)/d(theta) = (sin(theta/2)^2*(140283*sin(theta/2)*cos(theta/2)*(sin(theta/2)^2 - 1) +
+    //   12500*u2*(p_phi + p_psi_there)) - 6250*u2*p_psi_there)/(25000*sin(theta/2)^2*cos(theta/2)^2)
+    let energy_by_theta = S::ratio(1, 25000) * energy_by_theta_part
+        * energy_by_theta_part
+        * (sin_theta_by_2_sq
+            * (S::int(12500) * u2 * (p_phi + p_psi_there)
+                + S::int(140283) * sin_theta_by_2 * cos_theta_by_2
+                    * (sin_theta_by_2_sq - S::int(1)))
+            - S::int(6250) * u2 * p_psi_there);
+    // d(T + V)/d(u1) = 19*u1/200
+    let energy_by_u1 = S::ratio(19, 200) * u1;
+    [energy, energy_by_theta, zero, zero, energy_by_u1]
+}
+
+/// The angles z whose sin z/z the slope of the potential needs.
+///
+/// 6 operations.
+#[must_use]
+pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
+    let [theta_from, theta_to] = *q;
+    // Values.
+    // z1 = theta_to/2 - theta_from/2
+    let z1 = S::ratio(1, 2) * theta_to - S::ratio(1, 2) * theta_from;
+    // z2 = theta_to/4 - theta_from/4
+    let z2 = S::ratio(1, 4) * theta_to - S::ratio(1, 4) * theta_from;
+    [z1, z2]
+}
+
+/// The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.
+///
+/// 38 operations, 6 sines and cosines.
+#[must_use]
+pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
+    let Parameters { p_psi_there, p_phi } = *p;
+    let [theta_from, theta_to] = *q;
+    let [sinc1, sinc2] = *u;
+    // Sines and cosines.
+    let (sin_theta_from, _) = theta_from.sin_cos();
+    let (sin_theta_to, _) = theta_to.sin_cos();
+    // Shared terms.
+    // theta_from/2 + theta_to/2; used 2 times
+    let slope_part = S::ratio(1, 2) * theta_from + S::ratio(1, 2) * theta_to;
+    // Sines and cosines.
+    let (sin_angle, cos_angle) = slope_part.sin_cos();
+    let (_, cos_angle_2) = (S::ratio(1, 4) * theta_from + S::ratio(1, 4) * theta_to)
+        .sin_cos();
+    let (sin_theta_from_by_2, _) = (S::ratio(1, 2) * theta_from).sin_cos();
+    let (sin_theta_to_by_2, _) = (S::ratio(1, 2) * theta_to).sin_cos();
+    // Shared terms.
+    // p_phi*sin(theta_to/2)^2; used 2 times
+    let slope_part_2 = p_phi * sin_theta_to_by_2 * sin_theta_to_by_2;
+    // Values.
+    // (V(b) - V(a))/(b - a) = 200*p_phi*sinc2*cos(theta_from/4 + theta_to/4)*(sin(theta_from/2) +
+    //   sin(theta_to/2))*(p_psi_there + p_phi*sin(theta_from/2)^2 +
+    //   p_phi*sin(theta_to/2)^2)/(19*sin(theta_from)^2) - 140283*sinc1*sin(theta_from/2 + theta_to/2)/50000
+    //   - 100*sinc1*cos(theta_from/2 + theta_to/2)*(sin(theta_from) + sin(theta_to))*(p_psi_there +
+    //   2*p_phi*sin(theta_to/2)^2)^2/(19*sin(theta_from)^2*sin(theta_to)^2)
+    let slope = S::ratio(200, 19) * p_phi * sinc2 * cos_angle_2
+        * (sin_theta_from_by_2 + sin_theta_to_by_2)
+        * (p_psi_there + p_phi * sin_theta_from_by_2 * sin_theta_from_by_2
+            + slope_part_2) / (sin_theta_from * sin_theta_from)
+        - S::ratio(140283, 50000) * sinc1 * sin_angle
+        - S::ratio(100, 19) * sinc1 * cos_angle * (sin_theta_from + sin_theta_to)
+            * slope_part_2.mul_add(S::int(2), p_psi_there).powi(2)
+            / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to);
+    slope
 }
 
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
@@ -579,6 +681,26 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
+    }
+    fn has_potential_slope(&self) -> bool {
+        true
+    }
+    fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
+        let p = Parameters::from_slice(p);
+        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
+        potential_slope(&p, &[a, b], &sincs)
     }
     fn has_accelerations(&self) -> bool {
         true

@@ -18,11 +18,11 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_x = ∂L/∂x', kg*m/s
+    /// momentum p_x = ∂L/∂x', 1
     pub p_x: S,
-    /// momentum p_y = ∂L/∂y', kg*m/s
+    /// momentum p_y = ∂L/∂y', 1
     pub p_y: S,
-    /// angular momentum about n3 through the mass centre, kg*m^2/s
+    /// angular momentum about n3 through the mass centre, 1
     pub H_n3: S,
     /// 21*x/10 + 7*cos(theta1)/25 + 21*cos(theta1 + theta2_from_theta1)/50 + 7*cos(theta1 + theta3_from_theta1)/50 at the start, kg*m
     pub centre_x: S,
@@ -2997,6 +2997,273 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     ]
 }
 
+/// The energy, then its derivatives by the state.
+///
+/// 111 operations, 2 sines and cosines.
+#[must_use]
+pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 6] {
+    let Parameters { p_x, p_y, H_n3, .. } = *p;
+    let [theta2_from_theta1, theta3_from_theta1, _] = *q;
+    let [u4_from_u3, u5_from_u3] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta3_from_theta1, cos_theta3_from_theta1) = theta3_from_theta1.sin_cos();
+    let (sin_theta2_from_theta1, cos_theta2_from_theta1) = theta2_from_theta1.sin_cos();
+    // Shared terms.
+    // 1 + cos(theta3_from_theta1); used 2 times
+    let u3_part = S::int(1) + cos_theta3_from_theta1;
+    // sin(theta2_from_theta1)*sin(theta3_from_theta1); used 3 times
+    let u3_part_2 = sin_theta2_from_theta1 * sin_theta3_from_theta1;
+    // u3_part*cos(theta2_from_theta1) + u3_part_2; used 2 times
+    let u3_part_3 = u3_part.mul_add(cos_theta2_from_theta1, u3_part_2);
+    // 7 + 3*u3_part_3; used 2 times
+    let u3_part_4 = u3_part_3.mul_add(S::int(3), S::int(7));
+    // 1 + 3*cos(theta2_from_theta1); used 2 times
+    let u3_part_5 = cos_theta2_from_theta1.mul_add(S::int(3), S::int(1));
+    // 3 + 3*u3_part_2 + u3_part_5*cos(theta3_from_theta1); used 2 times
+    let u3_part_6 = u3_part_2.mul_add(S::int(3), S::int(3))
+        + u3_part_5 * cos_theta3_from_theta1;
+    // u4_from_u3*u3_part_4 + u5_from_u3*u3_part_6; used 2 times
+    let u3_part_7 = u5_from_u3.mul_add(u3_part_6, u4_from_u3 * u3_part_4);
+    // 13 + 2*cos(theta3_from_theta1) + 6*u3_part_3; used 4 times
+    let u3_part_8 = cos_theta3_from_theta1.mul_add(S::int(2), S::int(13))
+        + S::int(6) * u3_part_3;
+    // 1/u3_part_8; used 4 times
+    let u3_part_8_inv = S::int(1) / u3_part_8;
+    // u3_part_8_inv*(7*u3_part_7 - 750*H_n3); used 2 times
+    let u3_part_9 = u3_part_8_inv * (-H_n3).mul_add(S::int(750), S::int(7) * u3_part_7);
+    // Elimination, step by step.
+    // u3 = (750*H_n3 - 7*u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - 7*u5_from_u3*(3 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(1 +
+    //   3*cos(theta2_from_theta1))))/(7*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))))
+    let u3 = -S::ratio(1, 7) * u3_part_9;
+    // Shared terms.
+    // cos(theta2_from_theta1)*cos(theta3_from_theta1) + u3_part_2; used 3 times
+    let energy_part = cos_theta2_from_theta1.mul_add(cos_theta3_from_theta1, u3_part_2);
+    // 2*u3_part_7 + u3*u3_part_8; used 4 times
+    let energy_part_2 = u3.mul_add(u3_part_8, S::int(2) * u3_part_7);
+    // u4_from_u3*(7*u4_from_u3 + 6*u5_from_u3*energy_part) + u3*energy_part_2
+    let energy_part_3 = u4_from_u3
+        * (u5_from_u3 * energy_part).mul_add(S::int(6), S::int(7) * u4_from_u3)
+        + u3 * energy_part_2;
+    // p_x^2 + p_y^2
+    let p_x_2_plus_p_y_2 = p_y.mul_add(p_y, p_x * p_x);
+    // cos(theta2_from_theta1)*sin(theta3_from_theta1); used 2 times
+    let energy_by_theta2_from_theta1_part = cos_theta2_from_theta1
+        * sin_theta3_from_theta1;
+    // sin(theta2_from_theta1)*cos(theta3_from_theta1); used 2 times
+    let energy_by_theta2_from_theta1_part_2 = sin_theta2_from_theta1
+        * cos_theta3_from_theta1;
+    // energy_by_theta2_from_theta1_part_2 - energy_by_theta2_from_theta1_part; used 2 times
+    let energy_by_theta2_from_theta1_part_3 = energy_by_theta2_from_theta1_part_2
+        - energy_by_theta2_from_theta1_part;
+    // -energy_by_theta2_from_theta1_part_3; used 2 times
+    let energy_by_theta2_from_theta1_part_4 = -energy_by_theta2_from_theta1_part_3;
+    // energy_by_theta2_from_theta1_part - u3_part*sin(theta2_from_theta1); used 3 times
+    let energy_by_theta2_from_theta1_part_5 = (-u3_part)
+        .mul_add(sin_theta2_from_theta1, energy_by_theta2_from_theta1_part);
+    // u5_from_u3*energy_by_theta2_from_theta1_part_4 + u4_from_u3*energy_by_theta2_from_theta1_part_5;
+    //   used 2 times
+    let energy_by_theta2_from_theta1_part_6 = u4_from_u3
+        .mul_add(
+            energy_by_theta2_from_theta1_part_5,
+            u5_from_u3 * energy_by_theta2_from_theta1_part_4,
+        );
+    // 7*u3_part_8_inv; used 2 times
+    let u3_part_8_inv_scaled = S::int(7) * u3_part_8_inv;
+    // 2*u3_part_8_inv*u3_part_9; used 2 times
+    let energy_by_theta2_from_theta1_part_7 = S::int(2) * u3_part_8_inv * u3_part_9;
+    // energy_by_theta2_from_theta1_part_5*energy_by_theta2_from_theta1_part_7 -
+    //   energy_by_theta2_from_theta1_part_6*u3_part_8_inv_scaled; used 2 times
+    let energy_by_theta2_from_theta1_part_8 = (-energy_by_theta2_from_theta1_part_6)
+        .mul_add(
+            u3_part_8_inv_scaled,
+            energy_by_theta2_from_theta1_part_5 * energy_by_theta2_from_theta1_part_7,
+        );
+    // 14*u3; used 2 times
+    let u3_scaled = S::int(14) * u3;
+    // 7*u5_from_u3/250; used 3 times
+    let u5_from_u3_scaled = S::ratio(7, 250) * u5_from_u3;
+    // u4_from_u3*energy_by_theta2_from_theta1_part_4; used 2 times
+    let energy_by_theta2_from_theta1_part_9 = u4_from_u3
+        * energy_by_theta2_from_theta1_part_4;
+    // u5_from_u3_scaled*energy_by_theta2_from_theta1_part_9; used 2 times
+    let energy_by_theta2_from_theta1_part_10 = u5_from_u3_scaled
+        * energy_by_theta2_from_theta1_part_9;
+    // energy_part_2*energy_by_theta2_from_theta1_part_8 + u3*(14*energy_by_theta2_from_theta1_part_6 +
+    //   u3_part_8*energy_by_theta2_from_theta1_part_8 + energy_by_theta2_from_theta1_part_5*u3_scaled)
+    let energy_by_theta2_from_theta1_part_11 = u3
+        * (u3_part_8
+            .mul_add(
+                energy_by_theta2_from_theta1_part_8,
+                S::int(14) * energy_by_theta2_from_theta1_part_6,
+            ) + energy_by_theta2_from_theta1_part_5 * u3_scaled)
+        + energy_part_2 * energy_by_theta2_from_theta1_part_8;
+    // u5_from_u3*(u3_part_5*sin(theta3_from_theta1) - 3*energy_by_theta2_from_theta1_part_2) +
+    //   3*energy_by_theta2_from_theta1_part_9; used 2 times
+    let energy_by_theta3_from_theta1_part = u5_from_u3
+        * (-energy_by_theta2_from_theta1_part_2)
+            .mul_add(S::int(3), u3_part_5 * sin_theta3_from_theta1)
+        + S::int(3) * energy_by_theta2_from_theta1_part_9;
+    // sin(theta3_from_theta1) - 3*energy_by_theta2_from_theta1_part_3; used 2 times
+    let energy_by_theta3_from_theta1_part_2 = (-energy_by_theta2_from_theta1_part_3)
+        .mul_add(S::int(3), sin_theta3_from_theta1);
+    // energy_by_theta2_from_theta1_part_7*energy_by_theta3_from_theta1_part_2 -
+    //   u3_part_8_inv_scaled*energy_by_theta3_from_theta1_part; used 2 times
+    let energy_by_theta3_from_theta1_part_3 = (-u3_part_8_inv_scaled)
+        .mul_add(
+            energy_by_theta3_from_theta1_part,
+            energy_by_theta2_from_theta1_part_7 * energy_by_theta3_from_theta1_part_2,
+        );
+    // energy_part_2*energy_by_theta3_from_theta1_part_3 + u3*(14*energy_by_theta3_from_theta1_part +
+    //   u3_scaled*energy_by_theta3_from_theta1_part_2 + u3_part_8*energy_by_theta3_from_theta1_part_3)
+    let energy_by_theta3_from_theta1_part_4 = u3
+        * (u3_scaled
+            .mul_add(
+                energy_by_theta3_from_theta1_part_2,
+                S::int(14) * energy_by_theta3_from_theta1_part,
+            ) + u3_part_8 * energy_by_theta3_from_theta1_part_3)
+        + energy_part_2 * energy_by_theta3_from_theta1_part_3;
+    // u3_part_8_inv*energy_part_2 - u3
+    let energy_by_u4_from_u3_part = u3_part_8_inv.mul_add(energy_part_2, -u3);
+    // 7*energy_by_u4_from_u3_part/1500; used 2 times
+    let energy_by_u4_from_u3_part_2 = S::ratio(7, 1500) * energy_by_u4_from_u3_part;
+    // Values.
+    // T + V = 7*u5_from_u3^2/500 + 7*u3*(u3*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
+    //   2*u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 2*u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/1500 + 7*u4_from_u3*(7*u4_from_u3 +
+    //   6*u5_from_u3*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))/1500 + 5*p_x^2/21 + 5*p_y^2/21
+    let energy = S::ratio(7, 500) * u5_from_u3 * u5_from_u3
+        + S::ratio(7, 1500) * energy_part_3 + S::ratio(5, 21) * p_x_2_plus_p_y_2;
+    // d(T + V)/d(theta2_from_theta1) =
+    //   7*u4_from_u3*u5_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*cos(theta3_from_theta1))/250 + (u3*(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) + 2*u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 2*u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 +
+    //   3*cos(theta2_from_theta1))))*(2*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))*(7*u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 7*u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - 750*H_n3)/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2 -
+    //   7*(u4_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) - sin(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + u5_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*cos(theta3_from_theta1)))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))))/500 +
+    //   u3*(14*u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) - sin(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 14*u4_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
+    //   14*u5_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*cos(theta3_from_theta1)) + (13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1)))*(2*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))*(7*u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 7*u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - 750*H_n3)/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2 -
+    //   7*(u4_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) - sin(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + u5_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*cos(theta3_from_theta1)))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/500
+    let energy_by_theta2_from_theta1 = energy_by_theta2_from_theta1_part_10
+        + S::ratio(1, 500) * energy_by_theta2_from_theta1_part_11;
+    // d(T + V)/d(theta3_from_theta1) =
+    //   7*u4_from_u3*u5_from_u3*(sin(theta2_from_theta1)*cos(theta3_from_theta1) -
+    //   cos(theta2_from_theta1)*sin(theta3_from_theta1))/250 + (u3*(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) + 2*u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 2*u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 +
+    //   3*cos(theta2_from_theta1))))*(7*(3*u4_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*cos(theta3_from_theta1)) + u5_from_u3*(sin(theta3_from_theta1)*(1 +
+    //   3*cos(theta2_from_theta1)) - 3*sin(theta2_from_theta1)*cos(theta3_from_theta1)))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - 2*(sin(theta3_from_theta1) +
+    //   3*cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   3*sin(theta2_from_theta1)*cos(theta3_from_theta1))*(7*u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 7*u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - 750*H_n3)/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2)/1500 -
+    //   u3*(14*u3*(sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   3*sin(theta2_from_theta1)*cos(theta3_from_theta1)) +
+    //   42*u4_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*cos(theta3_from_theta1)) + 14*u5_from_u3*(sin(theta3_from_theta1)*(1 +
+    //   3*cos(theta2_from_theta1)) - 3*sin(theta2_from_theta1)*cos(theta3_from_theta1)) + (13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))*(2*(sin(theta3_from_theta1) +
+    //   3*cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   3*sin(theta2_from_theta1)*cos(theta3_from_theta1))*(7*u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 7*u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - 750*H_n3)/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2 -
+    //   7*(3*u4_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   sin(theta2_from_theta1)*cos(theta3_from_theta1)) + u5_from_u3*(sin(theta3_from_theta1)*(1 +
+    //   3*cos(theta2_from_theta1)) - 3*sin(theta2_from_theta1)*cos(theta3_from_theta1)))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/1500
+    let energy_by_theta3_from_theta1 = -energy_by_theta2_from_theta1_part_10
+        - S::ratio(1, 1500) * energy_by_theta3_from_theta1_part_4;
+    // d(T + V)/d(u4_from_u3) = 7*u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))/1500 + 49*u4_from_u3/750 +
+    //   7*u5_from_u3*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta2_from_theta1)*cos(theta3_from_theta1))/250 - 7*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1)))*(u3*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
+    //   2*u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 2*u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(1500*(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))))
+    let energy_by_u4_from_u3 = energy_part
+        .mul_add(u5_from_u3_scaled, S::ratio(49, 750) * u4_from_u3)
+        - u3_part_4 * energy_by_u4_from_u3_part_2;
+    // d(T + V)/d(u5_from_u3) = 7*u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1)))/1500 +
+    //   7*u4_from_u3*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta2_from_theta1)*cos(theta3_from_theta1))/250 + 7*u5_from_u3/250 - 7*(3 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(1 +
+    //   3*cos(theta2_from_theta1)))*(u3*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
+    //   2*u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) + 2*u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(1500*(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))))
+    let energy_by_u5_from_u3 = (-u3_part_6)
+        .mul_add(
+            energy_by_u4_from_u3_part_2,
+            S::ratio(7, 250) * u4_from_u3 * energy_part + u5_from_u3_scaled,
+        );
+    [
+        energy,
+        energy_by_theta2_from_theta1,
+        energy_by_theta3_from_theta1,
+        zero,
+        energy_by_u4_from_u3,
+        energy_by_u5_from_u3,
+    ]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 88 convolutions and 288 linear operations an order.
@@ -5350,6 +5617,18 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
     }
     fn has_accelerations(&self) -> bool {
         true

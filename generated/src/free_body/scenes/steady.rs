@@ -21,15 +21,15 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_x = ∂L/∂x', kg*m/s
+    /// momentum p_x = ∂L/∂x', 1
     pub p_x: S,
-    /// momentum p_y = ∂L/∂y', kg*m/s
+    /// momentum p_y = ∂L/∂y', 1
     pub p_y: S,
-    /// momentum p_z = ∂L/∂z', kg*m/s
+    /// momentum p_z = ∂L/∂z', 1
     pub p_z: S,
-    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, kg*m^2/s
+    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, 1
     pub p_psi_there: S,
-    /// momentum p_phi = ∂L/∂phi', kg*m^2/s
+    /// momentum p_phi = ∂L/∂phi', 1
     pub p_phi: S,
     /// 2*x at the start, kg*m
     pub centre_x: S,
@@ -361,6 +361,109 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
     ]
 }
 
+/// The energy, then its derivatives by the state.
+///
+/// 34 operations, 2 sines and cosines.
+#[must_use]
+pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 5] {
+    let Parameters { p_x, p_y, p_z, p_psi_there, p_phi, .. } = *p;
+    let [theta, _, _] = *q;
+    let [w1] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Elimination, step by step.
+    // w3 = 2*p_phi
+    let w3 = S::int(2) * p_phi;
+    // Shared terms.
+    // theta/2; used 2 times
+    let theta_scaled = S::ratio(1, 2) * theta;
+    // Sines and cosines.
+    let (sin_theta_by_2, cos_theta_by_2) = theta_scaled.sin_cos();
+    // Shared terms.
+    // sin(theta/2)^2; used 2 times
+    let sin_theta_by_2_sq = sin_theta_by_2 * sin_theta_by_2;
+    // w3*sin_theta_by_2_sq; used 2 times
+    let w3_sin_theta_by_2_sq = w3 * sin_theta_by_2_sq;
+    // Elimination, step by step.
+    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
+    let w2 = S::ratio(10, 3) * (p_psi_there + w3_sin_theta_by_2_sq) / sin_theta;
+    // v3 = p_z/2
+    let v3 = S::ratio(1, 2) * p_z;
+    // v2 = p_y/2
+    let v2 = S::ratio(1, 2) * p_y;
+    // v1 = p_x/2
+    let v1 = S::ratio(1, 2) * p_x;
+    // Shared terms.
+    // w1^2 + w2^2
+    let w1_2_plus_w2_2 = w2.mul_add(w2, w1 * w1);
+    // 1/(sin(theta/2)*cos(theta/2))
+    let energy_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
+    // Values.
+    // T + V = v1^2 + v2^2 + v3^2 + 3*w1^2/20 + 3*w2^2/20 + w3^2/4
+    let energy = v2.mul_add(v2, v1 * v1) + v3 * v3 + S::ratio(1, 4) * w3 * w3
+        + S::ratio(3, 20) * w1_2_plus_w2_2;
+    // d(T + V)/d(theta) = w2*(2*p_phi*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
+    //   1))/(4*sin(theta/2)^2*cos(theta/2)^2)
+    let energy_by_theta = S::ratio(1, 4) * w2 * energy_by_theta_part
+        * energy_by_theta_part
+        * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1))
+            + w3_sin_theta_by_2_sq);
+    // d(T + V)/d(w1) = 3*w1/10
+    let energy_by_w1 = S::ratio(3, 10) * w1;
+    [energy, energy_by_theta, zero, zero, energy_by_w1]
+}
+
+/// The angles z whose sin z/z the slope of the potential needs.
+///
+/// 6 operations.
+#[must_use]
+pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
+    let [theta_from, theta_to] = *q;
+    // Values.
+    // z1 = theta_to/2 - theta_from/2
+    let z1 = S::ratio(1, 2) * theta_to - S::ratio(1, 2) * theta_from;
+    // z2 = theta_to/4 - theta_from/4
+    let z2 = S::ratio(1, 4) * theta_to - S::ratio(1, 4) * theta_from;
+    [z1, z2]
+}
+
+/// The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.
+///
+/// 35 operations, 6 sines and cosines.
+#[must_use]
+pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
+    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let [theta_from, theta_to] = *q;
+    let [sinc1, sinc2] = *u;
+    // Sines and cosines.
+    let (sin_theta_from, _) = theta_from.sin_cos();
+    let (sin_theta_to, _) = theta_to.sin_cos();
+    let (_, cos_angle) = (S::ratio(1, 2) * theta_from + S::ratio(1, 2) * theta_to)
+        .sin_cos();
+    let (_, cos_angle_2) = (S::ratio(1, 4) * theta_from + S::ratio(1, 4) * theta_to)
+        .sin_cos();
+    let (sin_theta_from_by_2, _) = (S::ratio(1, 2) * theta_from).sin_cos();
+    let (sin_theta_to_by_2, _) = (S::ratio(1, 2) * theta_to).sin_cos();
+    // Shared terms.
+    // p_phi*sin(theta_to/2)^2; used 2 times
+    let slope_part = p_phi * sin_theta_to_by_2 * sin_theta_to_by_2;
+    // Values.
+    // (V(b) - V(a))/(b - a) = 10*p_phi*sinc2*cos(theta_from/4 + theta_to/4)*(sin(theta_from/2) +
+    //   sin(theta_to/2))*(p_psi_there + p_phi*sin(theta_from/2)^2 +
+    //   p_phi*sin(theta_to/2)^2)/(3*sin(theta_from)^2) - 5*sinc1*cos(theta_from/2 +
+    //   theta_to/2)*(sin(theta_from) + sin(theta_to))*(p_psi_there +
+    //   2*p_phi*sin(theta_to/2)^2)^2/(3*sin(theta_from)^2*sin(theta_to)^2)
+    let slope = S::ratio(10, 3) * p_phi * sinc2 * cos_angle_2
+        * (sin_theta_from_by_2 + sin_theta_to_by_2)
+        * (p_psi_there + p_phi * sin_theta_from_by_2 * sin_theta_from_by_2 + slope_part)
+        / (sin_theta_from * sin_theta_from)
+        - S::ratio(5, 3) * sinc1 * cos_angle * (sin_theta_from + sin_theta_to)
+            * slope_part.mul_add(S::int(2), p_psi_there).powi(2)
+            / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to);
+    slope
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 9 convolutions and 8 linear operations an order.
@@ -640,6 +743,26 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
+    }
+    fn has_potential_slope(&self) -> bool {
+        true
+    }
+    fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
+        let p = Parameters::from_slice(p);
+        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
+        potential_slope(&p, &[a, b], &sincs)
     }
     fn has_accelerations(&self) -> bool {
         true

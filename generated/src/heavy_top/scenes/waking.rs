@@ -14,7 +14,7 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_q3 = ∂L/∂q3', kg*m^2/s
+    /// momentum p_q3 = ∂L/∂q3', 1
     pub p_q3: S,
 }
 
@@ -265,6 +265,41 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 2]) -> [
     [q1_value, q2_value, q3_value, u1_value, u2_value, u3]
 }
 
+/// The energy, then its derivatives by the state.
+///
+/// 18 operations, 2 sines and cosines.
+#[must_use]
+pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 6] {
+    let Parameters { p_q3 } = *p;
+    let [q1, q2, _] = *q;
+    let [u1, u2] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step.
+    // u3 = 1000*p_q3/21
+    let u3 = S::ratio(1000, 21) * p_q3;
+    // Shared terms.
+    // 140283*cos(q2)/50000; used 2 times
+    let c2_scaled = S::ratio(140283, 50000) * c2;
+    // u1^2 + u2^2
+    let u1_2_plus_u2_2 = u2.mul_add(u2, u1 * u1);
+    // Values.
+    // T + V = 140283*cos(q1)*cos(q2)/50000 + 19*u1^2/400 + 19*u2^2/400 + 21*u3^2/2000
+    let energy = c2_scaled.mul_add(c1, S::ratio(21, 2000) * u3 * u3)
+        + S::ratio(19, 400) * u1_2_plus_u2_2;
+    // d(T + V)/d(q1) = -140283*sin(q1)*cos(q2)/50000
+    let energy_by_q1 = -c2_scaled * s1;
+    // d(T + V)/d(q2) = -140283*cos(q1)*sin(q2)/50000
+    let energy_by_q2 = -S::ratio(140283, 50000) * c1 * s2;
+    // d(T + V)/d(u1) = 19*u1/200
+    let energy_by_u1 = S::ratio(19, 200) * u1;
+    // d(T + V)/d(u2) = 19*u2/200
+    let energy_by_u2 = S::ratio(19, 200) * u2;
+    [energy, energy_by_q1, energy_by_q2, zero, energy_by_u1, energy_by_u2]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 9 convolutions and 12 linear operations an order.
@@ -479,6 +514,18 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
     }
     fn has_accelerations(&self) -> bool {
         true

@@ -14,7 +14,7 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_phi = ∂L/∂phi', kg*m^2/s
+    /// momentum p_phi = ∂L/∂phi', 1
     pub p_phi: S,
 }
 
@@ -209,6 +209,79 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 1]) -> [
     // u1 = u1
     let u1_value = u1;
     [theta_value, phi_value, u1_value, u2]
+}
+
+/// The energy, then its derivatives by the state.
+///
+/// 13 operations, 1 sine and cosine.
+#[must_use]
+pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 4] {
+    let Parameters { p_phi } = *p;
+    let [theta, _] = *q;
+    let [u1] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // 1/sin(theta); used 2 times
+    let sin_theta_inv = S::int(1) / sin_theta;
+    // Elimination, step by step.
+    // u2 = p_phi/sin(theta)
+    let u2 = p_phi * sin_theta_inv;
+    // Shared terms.
+    // u2^2; used 2 times
+    let u2_sq = u2 * u2;
+    // u1^2 + u2_sq
+    let u1_2_plus_u2_sq = u1.mul_add(u1, u2_sq);
+    // Values.
+    // T + V = 981/100 - 981*cos(theta)/100 + u1^2/2 + u2^2/2
+    let energy = S::ratio(981, 100) - S::ratio(981, 100) * cos_theta
+        + S::ratio(1, 2) * u1_2_plus_u2_sq;
+    // d(T + V)/d(theta) = 981*sin(theta)/100 - u2*p_phi/(sin(theta)*tan(theta))
+    let energy_by_theta = (-(sin_theta_inv * u2_sq))
+        .mul_add(cos_theta, S::ratio(981, 100) * sin_theta);
+    // d(T + V)/d(u1) = u1
+    let energy_by_u1 = u1;
+    [energy, energy_by_theta, zero, energy_by_u1]
+}
+
+/// The angles z whose sin z/z the slope of the potential needs.
+///
+/// 3 operations.
+#[must_use]
+pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 1] {
+    let [theta_from, theta_to] = *q;
+    // Values.
+    // z1 = theta_to/2 - theta_from/2
+    let z1 = S::ratio(1, 2) * theta_to - S::ratio(1, 2) * theta_from;
+    [z1]
+}
+
+/// The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.
+///
+/// 16 operations, 3 sines and cosines.
+#[must_use]
+pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> S {
+    let Parameters { p_phi } = *p;
+    let [theta_from, theta_to] = *q;
+    let [sinc1] = *u;
+    // Sines and cosines.
+    let (sin_theta_from, _) = theta_from.sin_cos();
+    let (sin_theta_to, _) = theta_to.sin_cos();
+    // Shared terms.
+    // theta_from/2 + theta_to/2; used 2 times
+    let slope_part = S::ratio(1, 2) * theta_from + S::ratio(1, 2) * theta_to;
+    // Sines and cosines.
+    let (sin_angle, cos_angle) = slope_part.sin_cos();
+    // Values.
+    // (V(b) - V(a))/(b - a) = 981*sinc1*sin(theta_from/2 + theta_to/2)/100 -
+    //   p_phi^2*sinc1*cos(theta_from/2 + theta_to/2)*(sin(theta_from) +
+    //   sin(theta_to))/(2*sin(theta_from)^2*sin(theta_to)^2)
+    let slope = S::ratio(981, 100) * sinc1 * sin_angle
+        - S::ratio(1, 2) * p_phi * p_phi * sinc1 * cos_angle
+            * (sin_theta_from + sin_theta_to)
+            / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to);
+    slope
 }
 
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
@@ -415,6 +488,26 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
+    }
+    fn has_potential_slope(&self) -> bool {
+        true
+    }
+    fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
+        let p = Parameters::from_slice(p);
+        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
+        potential_slope(&p, &[a, b], &sincs)
     }
     fn has_accelerations(&self) -> bool {
         true

@@ -1,0 +1,63 @@
+//! What quadrature needs of a system with one degree of freedom: its potential energy without cancellation.
+
+use super::ground::Ground;
+use super::slice::Flow;
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::divided::divided_difference;
+use crate::algebra::elimination::fresh_symbol;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr, Rational};
+
+/// (V(b) − V(a))/(b − a) of the potential energy in the one coordinate among the states.
+#[derive(Clone, Debug)]
+pub struct Slope {
+    /// The symbols a and b.
+    pub ends: [Expr; 2],
+    /// The value, in parameters, a, b and the symbols below.
+    pub value: Expr,
+    /// (symbol, z): the symbol stands for sin z/z.
+    pub sincs: Vec<(Expr, Expr)>,
+}
+
+impl Flow {
+    /// The slope of the potential, if the system is one degree of freedom with q′ = k(q) v and T = ½ m(q) v², and the rates of
+    /// its quadratures are functions of q and v.
+    pub(super) fn slope(&self, ground: &mut Ground, kinetic: Expr, potential: Expr) -> Option<Slope> {
+        let [q, v] = self.core.as_slice() else { return None };
+        if q.is_speed || !v.is_speed || self.quadratures.iter().any(|v| v.is_speed) {
+            return None;
+        }
+        self.energy?;
+        let mut dependence = self.dependence.clone();
+        let arena = &mut ground.arena;
+        let of_core = |arena: &Arena, e: Expr| {
+            self.quadratures.iter().chain(&self.dropped).all(|other| !arena.mentions(e, other.symbol))
+        };
+        for quadrature in &self.quadratures {
+            let rate = dependence.whole(arena, quadrature.rate);
+            if !of_core(arena, rate) {
+                return None;
+            }
+        }
+        let [rate, kinetic, potential] = [q.rate, kinetic, potential].map(|e| dependence.whole(arena, e));
+        let homogeneous = is_homogeneous(arena, rate, v.symbol, 1) && is_homogeneous(arena, kinetic, v.symbol, 2);
+        if !homogeneous || arena.mentions(potential, v.symbol) || ![kinetic, potential].iter().all(|e| of_core(arena, *e)) {
+            return None;
+        }
+        let name = arena.symbol_name(q.symbol).unwrap_or_default().to_owned();
+        let ends = ["from", "to"].map(|end| fresh_symbol(arena, &format!("{name}_{end}")));
+        let divided = divided_difference(arena, potential, q.symbol, ends[0], ends[1])?;
+        Some(Slope { ends, value: divided.value, sincs: divided.sincs })
+    }
+}
+
+/// Whether e = xⁿ e(x = 1), by meaning.
+fn is_homogeneous(arena: &mut Arena, e: Expr, x: Expr, n: i64) -> bool {
+    let slope = Differential::partial(x).apply(arena, e);
+    let times = arena.mul(x, slope);
+    let degree = arena.scale(e, &Rational::integer(n));
+    let euler = arena.sub(times, degree);
+    let mut at_zero = Substitution::new(&[(x, Expr::ZERO)]);
+    let rest = at_zero.apply(arena, e);
+    zero_test(arena, euler) == ZeroTest::Zero && zero_test(arena, rest) == ZeroTest::Zero
+}
