@@ -3,6 +3,7 @@
 mod common;
 
 use common::place;
+use expect_test::{Expect, expect};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::load;
 use tripos_derive::scene::{self, FigureKind};
@@ -99,4 +100,118 @@ fn every_kind_of_figure_is_read() {
     let scene = scene::load(&Source::from_text("scene.toml", &text), &mut model).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(scene.figures.iter().map(|f| f.kind).collect::<Vec<_>>(), FigureKind::ALL);
     assert_eq!(scene.rungs().len(), 2);
+}
+
+/// What is said about an `outputs` line that cannot be answered.
+#[allow(clippy::needless_pass_by_value, reason = "as expect! is used everywhere")]
+fn check_outputs(line: &str, expected: Expect) {
+    let text = format!("{line}\n{SCENE}");
+    let mut model = load(&Source::from_text("model.toml", MODEL)).unwrap_or_else(|e| panic!("{e}"));
+    let found = scene::load(&Source::from_text("scene.toml", &text), &mut model).err();
+    expected.assert_eq(&found.map_or("taken".to_owned(), |e| e.to_string()));
+}
+
+#[test]
+fn an_output_that_the_model_does_not_know() {
+    check_outputs(
+        "outputs = [\"q2\", \"q7\"]",
+        expect![[r#"
+        error: unknown name `q7`
+         --> scene.toml:1:19
+          |
+        1 | outputs = ["q2", "q7"]
+          |                   ^^
+          |
+          = help: did you mean `q1`?"#]],
+    );
+}
+
+#[test]
+fn empty_outputs() {
+    check_outputs(
+        "outputs = []",
+        expect![[r#"
+        error: `outputs` is empty
+         --> scene.toml:1:11
+          |
+        1 | outputs = []
+          |           ^^
+          |
+          = help: name what the scene shall show, or leave `outputs` out to see every coordinate and speed"#]],
+    );
+}
+
+#[test]
+fn an_impact_is_not_in_the_equations() {
+    check_outputs(
+        "outputs = [\"impact\"]",
+        expect![[r#"
+        error: no output `impact` can be had
+         --> scene.toml:1:13
+          |
+        1 | outputs = ["impact"]
+          |             ^^^^^^
+          |
+          = help: an impact is not in the equations: they end where the domain does. Let an event or a condition of the domain end the run there, and start another scene from the state after the impact"#]],
+    );
+}
+
+#[test]
+fn a_bounce_is_not_in_the_equations() {
+    check_outputs(
+        "outputs = [{ name = \"after\", value = \"bounce\" }]",
+        expect![[r#"
+        error: no output `bounce` can be had
+         --> scene.toml:1:39
+          |
+        1 | outputs = [{ name = "after", value = "bounce" }]
+          |                                       ^^^^^^
+          |
+          = help: an impact is not in the equations: they end where the domain does. Let an event or a condition of the domain end the run there, and start another scene from the state after the impact"#]],
+    );
+}
+
+#[test]
+fn slip_is_not_in_the_equations() {
+    check_outputs(
+        "outputs = [\"Slip\"]",
+        expect![[r#"
+        error: no output `Slip` can be had
+         --> scene.toml:1:13
+          |
+        1 | outputs = ["Slip"]
+          |             ^^^^
+          |
+          = help: a change between sticking and slipping is not in the equations: they hold for one kind of contact. Model the friction as an applied force"#]],
+    );
+}
+
+#[test]
+fn the_same_output_twice() {
+    check_outputs(
+        "outputs = [\"q2\", \"q2\"]",
+        expect![[r#"
+        error: the output `q2` is listed twice
+         --> scene.toml:1:19
+          |
+        1 | outputs = ["q2", "q2"]
+          |                   ^^
+          |
+          = help: leave one of them out"#]],
+    );
+}
+
+#[test]
+fn a_free_parameter_that_the_model_does_not_have() {
+    check_outputs(
+        "outputs = [\"q2\"]\nfree = [\"m\"]",
+        expect![[r#"
+        error: the model has no parameter `m`
+         --> scene.toml:2:10
+          |
+        2 | free = ["m"]
+          |          ^
+          |
+          = help: did you mean `M`?"#]],
+    );
 }

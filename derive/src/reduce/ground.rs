@@ -318,9 +318,12 @@ impl Search {
             }
             centre.push(kinematics.arena.sum(&terms));
         }
-        let arena = &kinematics.arena;
+        let arena = &mut kinematics.arena;
+        let mut in_speeds = rates_to_speeds(model);
+        let momenta: Vec<Expr> = basis.lagrangian.momenta.iter().map(|p| in_speeds.apply(arena, *p)).collect();
+        let momenta: Vec<Expr> = momenta.into_iter().map(|p| kinematics.simplifier.simplify(arena, p)).collect();
         let units = |list: &[Expr]| list.iter().map(|e| model.unit_of(arena, *e).unwrap_or_default()).collect();
-        let (centre_units, of_momenta) = (units(&centre), units(&basis.lagrangian.momenta));
+        let (centre_units, of_momenta) = (units(&centre), units(&momenta));
         Some(Self { basis, centre, centre_units, units: of_momenta })
     }
 

@@ -24,6 +24,7 @@ pub fn pack(
     scene: &Scene,
 ) -> Result<Reduction, String> {
     flow.strip_energy(&mut ground, level);
+    flow.keep_system(&mut ground, level);
     let proof = prove(&mut ground, whole, level, &mut flow)?;
     let states = quantities(&ground, &flow.core);
     let quadratures = quantities(&ground, &flow.quadratures);
@@ -138,6 +139,26 @@ impl Flow {
         };
     }
 
+    /// The linear system on the level, if all of its speeds are there and it mentions nothing but what they depend on.
+    fn keep_system(&mut self, ground: &mut Ground, level: &Level) {
+        let all: Vec<Variable> = self.core.iter().chain(&self.quadratures).copied().collect();
+        let speeds = all.iter().filter(|v| v.is_speed).map(|v| v.place);
+        if !speeds.eq(level.kept.iter().copied()) {
+            return;
+        }
+        let variables: Vec<Expr> = self.raw.iter().map(|(symbol, _)| *symbol).collect();
+        let (arena, simplifier, dependence) = (&mut ground.arena, &mut ground.simplifier, &mut self.dependence);
+        let mut settle = |e: &Expr| dependence.settle(arena, simplifier, *e, &variables);
+        let matrix: Vec<Vec<Expr>> = level.matrix.iter().map(|row| row.iter().map(&mut settle).collect()).collect();
+        let forcing: Vec<Expr> = level.forcing.iter().map(&mut settle).collect();
+        let mentioned = self.dependence.mentioned(&ground.arena, &[matrix.concat(), forcing.clone()].concat());
+        let of_rates: Vec<Expr> = all.iter().filter(|v| v.is_speed).map(|v| v.rate).collect();
+        let needed = self.dependence.mentioned(&ground.arena, &of_rates);
+        if variables.iter().all(|v| !mentioned.contains(v) || needed.contains(v)) {
+            self.system = Some((matrix, forcing));
+        }
+    }
+
     /// Everything that the reduced system computes.
     pub(super) fn terms(&self) -> Vec<Expr> {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate);
@@ -166,14 +187,10 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     let (mut matrix, mut forcing): (Vec<Vec<Expr>>, Vec<Expr>) =
         ((0..n).map(identity).collect(), speeds.iter().map(|v| v.rate).collect());
     let mut terms = flow.terms();
-    if speeds.iter().map(|v| v.place).eq(level.kept.iter().copied()) {
-        let whole = [level.matrix.concat(), level.forcing.clone()].concat();
-        let mentioned = flow.dependence.mentioned(&ground.arena, &whole);
-        if !flow.dropped.iter().any(|v| mentioned.contains(&v.symbol)) {
-            (matrix, forcing) = (level.matrix.clone(), level.forcing.clone());
-            terms.retain(|e| !speeds.iter().any(|v| v.rate == *e));
-            terms.extend(whole);
-        }
+    if let Some((whole_matrix, whole_forcing)) = &flow.system {
+        terms.retain(|e| !speeds.iter().any(|v| v.rate == *e));
+        terms.extend(whole_matrix.concat().iter().chain(whole_forcing));
+        (matrix, forcing) = (whole_matrix.clone(), whole_forcing.clone());
     }
     let arena = &mut ground.arena;
     let (kinetic_energy, potential_energy) = flow.energy.map_or((Expr::ZERO, Expr::ZERO), |energy| {

@@ -60,7 +60,7 @@ pub fn prove(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow)
     check.kinematics(ground, whole)?;
     check.dynamics(ground, whole)?;
     check.constants(ground, level, flow)?;
-    check.rates(ground, level, flow)?;
+    check.rates(ground, flow)?;
     check.wanted(ground, whole, flow)?;
     Ok(check.proof)
 }
@@ -162,7 +162,7 @@ impl Check {
     }
 
     /// What was left out of rates, and the solved rates themselves, against the equations of the level; the energy against its rate.
-    fn rates(&mut self, ground: &mut Ground, level: &Level, flow: &mut Flow) -> Result<(), String> {
+    fn rates(&mut self, ground: &mut Ground, flow: &mut Flow) -> Result<(), String> {
         for variable in flow.core.iter().chain(&flow.quadratures) {
             let (_, raw) =
                 *flow.raw.iter().find(|(symbol, _)| *symbol == variable.symbol).ok_or("a variable without a rate")?;
@@ -170,10 +170,11 @@ impl Check {
             self.equal(ground, shed, raw, || "a rate without what it does not depend on".to_owned())?;
         }
         let accelerations: Vec<Expr> = flow.raw[ground.q.len()..].iter().map(|(_, rate)| *rate).collect();
-        for (row, right) in level.matrix.iter().zip(&level.forcing) {
+        let (matrix, forcing) = flow.system.clone().unwrap_or_default();
+        for (row, right) in matrix.iter().zip(forcing) {
             let products: Vec<Expr> = row.iter().zip(&accelerations).map(|(m, x)| ground.arena.mul(*m, *x)).collect();
             let left = ground.arena.sum(&products);
-            let difference = ground.arena.sub(left, *right);
+            let difference = ground.arena.sub(left, right);
             let residual = flow.dependence.whole(&mut ground.arena, difference);
             self.zero(ground, residual, || "a row of the equations on the level".to_owned())?;
         }
@@ -226,4 +227,70 @@ fn inverse(ground: &mut Ground, model: &[Expr], stated: &[Expr], symbols: &[Expr
         values[solved.pivots[k].1] = ground.simplifier.simplify(&mut ground.arena, value);
     }
     Some(values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Source;
+    use crate::model::Model;
+    use std::path::Path;
+
+    /// The proof of the spherical pendulum's reduction with something spoilt on the way.
+    fn spoilt(spoil: impl FnOnce(&mut Ground, &mut Level, &mut Flow)) -> Result<Proof, String> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/spherical_pendulum");
+        let mut model = Model::read(&folder.join("model.toml")).unwrap();
+        let source = Source::read(&folder.join("scenes/wide.toml")).unwrap();
+        let scene = crate::scene::load(&source, &mut model).unwrap();
+        let mut ground = Ground::new(&model).unwrap();
+        let wanted = ground.wanted(&scene).unwrap();
+        let whole = Whole { kane: ground.kane.clone(), wanted: wanted.clone() };
+        let mut level = ground.level(&[0], None).unwrap();
+        let mut flow = Flow::new(&mut ground, &level, &wanted);
+        spoil(&mut ground, &mut level, &mut flow);
+        prove(&mut ground, &whole, &level, &mut flow)
+    }
+
+    /// A small part of a term, so that nothing is grossly wrong.
+    fn slightly(ground: &mut Ground, e: &mut Expr) {
+        let part = ground.arena.ratio(1, 1_000_000);
+        let part = ground.arena.mul(part, ground.q[0]);
+        *e = ground.arena.add(*e, part);
+    }
+
+    #[test]
+    fn what_is_right_is_proved() {
+        let proof = spoilt(|_, _, _| ()).unwrap();
+        assert!(proof.identities > 10 && proof.exponent > 64.0, "{proof}");
+    }
+
+    #[test]
+    fn a_wrong_acceleration_is_seen_in_kanes_equations() {
+        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.raw.last_mut().unwrap().1)).unwrap_err();
+        assert_eq!(error, "Kane's equation 1 does not hold");
+    }
+
+    #[test]
+    fn a_wrong_rate_of_a_coordinate_is_seen_in_the_kinematic_equations() {
+        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.raw[0].1)).unwrap_err();
+        assert_eq!(error, "kinematic equation 1 does not hold");
+    }
+
+    #[test]
+    fn a_constant_that_is_called_something_else_is_seen() {
+        let error = spoilt(|ground, level, _| slightly(ground, &mut level.held[0].of_state)).unwrap_err();
+        assert_eq!(error, "that momentum p_phi = ∂L/∂phi' is constant does not hold");
+    }
+
+    #[test]
+    fn a_rate_that_lost_what_it_depends_on_is_seen() {
+        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.core[0].rate)).unwrap_err();
+        assert_eq!(error, "a rate without what it does not depend on does not hold");
+    }
+
+    #[test]
+    fn a_wrong_output_is_named() {
+        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.wanted.outputs[1].1)).unwrap_err();
+        assert_eq!(error, "the output phi does not hold");
+    }
 }

@@ -95,6 +95,8 @@ pub struct Flow {
     pub carried: Vec<Carried>,
     /// The time since the start.
     pub time: Expr,
+    /// The matrix and the right-hand side of the speeds' rates, if that form of the equations is kept.
+    pub system: Option<(Vec<Vec<Expr>>, Vec<Expr>)>,
     /// Each variable and its rate before what it does not depend on was taken out.
     pub raw: Vec<(Expr, Expr)>,
 }
@@ -135,7 +137,18 @@ impl Flow {
             variable.rate = dependence.settle(arena, simplifier, variable.rate, &symbols);
         }
         let (core, quadratures, carried) = Default::default();
-        let mut flow = Self { core, quadratures, dropped: variables, dependence, wanted, energy, carried, time, raw };
+        let mut flow = Self {
+            core,
+            quadratures,
+            dropped: variables,
+            dependence,
+            wanted,
+            energy,
+            carried,
+            time,
+            raw,
+            system: None,
+        };
         flow.close(&ground.arena);
         flow.carry(ground, level);
         let present: Vec<Expr> = flow.core.iter().chain(&flow.quadratures).map(|v| v.symbol).collect();
