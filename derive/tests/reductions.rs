@@ -17,7 +17,7 @@ fn disk_lean() {
         "disk",
         "report-10s",
         r#"["q2", "u1"]"#,
-        expect![[r#"
+        expect![[r"
             states: q2_minus_90deg, u1
             p_q3 [kg*m^2/s] = u3/2
             H_a3_there [kg*m^2/s] = u2*cos(q2)/4 + u3*(sin(q2) - 1)/2
@@ -29,7 +29,7 @@ fn disk_lean() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (100*u1^2 + 981*sin(q2_minus_90deg) - 100*cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + u2*(2*u3*sin(q2_minus_90deg) + u2*cos(q2_minus_90deg))))/(100*sin(q2_minus_90deg)*(1 + 4*cos(q2_minus_90deg)^2)) > 0
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "#]],
+        "]],
     );
 }
 
@@ -39,7 +39,7 @@ fn disk_with_ten_outputs() {
         "disk",
         "report-10s",
         "",
-        expect![[r#"
+        expect![[r"
             states: q2_minus_90deg, u1
             quadratures: q3, q1
             p_q3 [kg*m^2/s] = u3/2
@@ -62,7 +62,7 @@ fn disk_with_ten_outputs() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (100*u1^2 + 981*sin(q2_minus_90deg) - 100*cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + u2*(2*u3*sin(q2_minus_90deg) + u2*cos(q2_minus_90deg))))/(100*sin(q2_minus_90deg)*(1 + 4*cos(q2_minus_90deg)^2)) > 0
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "#]],
+        "]],
     );
 }
 
@@ -72,7 +72,7 @@ fn disk_contact_force_and_accelerations() {
         "disk",
         "report-10s",
         r#"["N", "u1'", "q1'"]"#,
-        expect![[r#"
+        expect![[r"
             states: q2_minus_90deg, u1
             p_q3 [kg*m^2/s] = u3/2
             H_a3_there [kg*m^2/s] = u2*cos(q2)/4 + u3*(sin(q2) - 1)/2
@@ -86,7 +86,7 @@ fn disk_contact_force_and_accelerations() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (100*u1^2 + 981*sin(q2_minus_90deg) - 100*cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + u2*(2*u3*sin(q2_minus_90deg) + u2*cos(q2_minus_90deg))))/(100*sin(q2_minus_90deg)*(1 + 4*cos(q2_minus_90deg)^2)) > 0
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "#]],
+        "]],
     );
 }
 
@@ -96,7 +96,7 @@ fn top_in_eulers_angles() {
         "euler_top",
         "looping",
         "",
-        expect![[r#"
+        expect![[r"
             states: theta, u1
             quadratures: phi, psi
             p_psi_there [kg*m^2/s] = 19*u2*sin(theta)/200 + 21*u3*(cos(theta) - 1)/1000
@@ -109,7 +109,7 @@ fn top_in_eulers_angles() {
             (19/200)*u1' = 140283*sin(theta)/50000 + u2*(95*u2/tan(theta) - 21*u3)/1000
             regular while sin(theta) > 0
             energy known; divided by: sin(theta); 19*sin(theta)/200
-        "#]],
+        "]],
     );
 }
 
@@ -119,7 +119,7 @@ fn spherical_pendulum() {
         "spherical_pendulum",
         "wide",
         "",
-        expect![[r#"
+        expect![[r"
             states: theta, u1
             quadratures: phi
             p_phi [kg*m^2/s] = u2*sin(theta)
@@ -129,7 +129,7 @@ fn spherical_pendulum() {
             u1' = u2^2/tan(theta) - 981*sin(theta)/100
             regular while sin(theta) > 0
             energy known; divided by: sin(theta)
-        "#]],
+        "]],
     );
 }
 
@@ -139,7 +139,7 @@ fn free_body() {
         "free_body",
         "steady",
         "",
-        expect![[r#"
+        expect![[r"
             states: theta, w1
             quadratures: phi, psi
             p_x [kg*m/s] = 2*v1
@@ -164,7 +164,7 @@ fn free_body() {
             z -> p_z*t/2 + centre_z/2
             regular while sin(theta) > 0
             energy known; divided by: sin(theta); 3*sin(theta)/10
-        "#]],
+        "]],
     );
 }
 
@@ -174,7 +174,7 @@ fn floating_chain_folding_angle() {
         "floating_chain",
         "folding",
         r#"["theta2 - theta1", "x"]"#,
-        expect![[r#"
+        expect![[r"
             states: theta2_from_theta1, theta3_from_theta1, u4_from_u3, u5_from_u3
             quadratures: theta1
             p_x [kg*m/s] = 21*u1/10 - 7*u3*sin(theta1)/25 - 21*u4*sin(theta2)/50 - 7*u5*sin(theta3)/50
@@ -189,7 +189,7 @@ fn floating_chain_folding_angle() {
             theta2 - theta1 -> theta2_from_theta1
             x -> 10*p_x*t/21 - 2*cos(theta1)/15 - cos(theta1 + theta2_from_theta1)/5 - cos(theta1 + theta3_from_theta1)/15 + 10*centre_x/21
             energy known; divided by: 91/750 + 7*sin(theta2_from_theta1)*sin(theta3_from_theta1)/125 + 7*cos(theta3_from_theta1)/375 + 7*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))/125
-        "#]],
+        "]],
     );
 }
 
@@ -199,7 +199,7 @@ fn top_in_cardans_angles() {
         "heavy_top",
         "looping",
         "",
-        expect![[r#"
+        expect![[r"
             states: q1, q2, u1, u2
             quadratures: q3
             p_q3 [kg*m^2/s] = 21*u3/1000
@@ -211,7 +211,7 @@ fn top_in_cardans_angles() {
             (19/200)*u2' = 140283*cos(q1)*sin(q2)/50000 + u1*(21*u3 - 95*u1*tan(q2))/1000
             regular while pi/2 - abs(q2) > 0
             energy known; divided by: cos(q2)
-        "#]],
+        "]],
     );
 }
 
@@ -221,14 +221,14 @@ fn chaotic_pendulum_is_left_alone() {
         "chaotic_pendulum",
         "swing",
         "",
-        expect![[r#"
+        expect![[r"
             states: theta, phi, omega, alpha
             theta' = omega
             phi' = alpha
             (687/500 + 3*cos(phi)^2/100)*omega' = 3*omega*alpha*sin(phi)*cos(phi)/50 - 163827*sin(theta)/10000
             (13/200)*alpha' = -3*omega^2*sin(phi)*cos(phi)/100
             energy known; divided by: nothing
-        "#]],
+        "]],
     );
 }
 
@@ -244,7 +244,7 @@ fn links_do_not_depend_on_the_cart() {
 
 #[test]
 fn the_ledger_of_the_lean_disk_says_what_is_left_out_and_why() {
-    expect![[r#"
+    expect![[r"
         parameter M | the scene fixes it at 1 | the number of the scene file, put in exactly
         parameter R | the scene fixes it at 1 | the number of the scene file, put in exactly
         parameter g | the scene fixes it at 9.81 | the number of the scene file, put in exactly
@@ -256,7 +256,7 @@ fn the_ledger_of_the_lean_disk_says_what_is_left_out_and_why() {
         q3 | no output and nothing that outputs need depends on q3 | no formula that is left mentions it
         q4 | no output and nothing that outputs need depends on q4 | no formula that is left mentions it
         q5 | no output and nothing that outputs need depends on q5 | no formula that is left mentions it
-    "#]].assert_eq(&ledger(&library("disk", "report-10s", r#"["q2", "u1"]"#)));
+    "]].assert_eq(&ledger(&library("disk", "report-10s", r#"["q2", "u1"]"#)));
 }
 
 #[test]

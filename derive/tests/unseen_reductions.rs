@@ -96,13 +96,13 @@ fn damped_arms() -> String {
 #[test]
 fn two_masses_on_a_spring_move_by_their_distance() {
     let r = reduced(&two_masses(), "outputs = [\"y - x\"]\nfree = [\"m\", \"M\", \"k\"]");
-    expect![[r#"
+    expect![[r"
         states: y_from_x, vy_from_vx
         y_from_x' = vy_from_vx
         (m*M/(m + M))*vy_from_vx' = -k*y_from_x
         y - x -> y_from_x
         energy known; divided by: nothing
-    "#]]
+    "]]
     .assert_eq(&show(&r));
     let r = reduced(&two_masses(), "outputs = [\"x\", \"vy\"]");
     assert_eq!(integrated(&r).0.len(), 2);
@@ -112,14 +112,14 @@ fn two_masses_on_a_spring_move_by_their_distance() {
 #[test]
 fn a_bead_on_an_arm_feels_its_angular_momentum() {
     let r = reduced(&bead_on_an_arm(), "outputs = [\"r\"]\nfree = [\"m\", \"k\"]");
-    expect![[r#"
+    expect![[r"
         states: r, vr
         p_turn [kg*m^2/s] = m*r^2*vturn
         vturn = p_turn/(m*r^2)
         r' = vr
         (m)*vr' = r*(m*vturn^2 - k)
         energy known; divided by: m*r^2
-    "#]]
+    "]]
     .assert_eq(&show(&r));
     let r = reduced(&bead_on_an_arm(), "outputs = [\"turn\"]");
     assert_eq!(integrated(&r), (vec!["r", "vr"], vec!["turn"]));
@@ -173,7 +173,7 @@ fn outputs_may_be_formulas_energies_rates_and_accelerations() {
     free = ["m", "k"]"#;
     let r = reduced(&bead_on_an_arm(), &outputs.replace("\"turn''\"", "\"vturn'\""));
     assert_eq!(integrated(&r), (vec!["r", "vr"], vec![]));
-    expect![[r#"
+    expect![[r"
         states: r, vr
         p_turn [kg*m^2/s] = m*r^2*vturn
         vturn = p_turn/(m*r^2)
@@ -187,7 +187,7 @@ fn outputs_may_be_formulas_energies_rates_and_accelerations() {
         kinetic_energy -> m*(r^2*vturn^2 + vr^2)/2
         potential_energy -> 0
         energy known; divided by: m*r^2
-    "#]]
+    "]]
     .assert_eq(&show(&r));
 }
 
