@@ -130,14 +130,14 @@ fn an_output_that_the_model_does_not_know() {
 fn empty_outputs() {
     check_outputs(
         "outputs = []",
-        expect![[r#"
+        expect![[r"
         error: `outputs` is empty
          --> scene.toml:1:11
           |
         1 | outputs = []
           |           ^^
           |
-          = help: name what the scene shall show, or leave `outputs` out to see every coordinate and speed"#]],
+          = help: name what the scene shall show, or leave `outputs` out to see every coordinate and speed"]],
     );
 }
 

@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test uses its part")]
 
 pub mod exact;
+pub mod reduced;
 pub mod stability;
 
 use rustc_hash::FxHashMap;

@@ -1,0 +1,124 @@
+//! Reduced systems of the library's scenes along runs: against the whole equations in 32 digits, and against closed forms.
+
+mod support;
+
+use std::path::Path;
+use support::Random;
+use support::exact::{exact, start_of};
+use support::reduced::Reduced;
+use support::stability::Equations;
+use tripos_derive::Model;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::reduce::reduce;
+use tripos_derive::scene::{self, Scene};
+use tripos_traits::{DoubleDouble, Real, Scalar};
+
+type Dd = DoubleDouble;
+
+/// Every model, a scene, and how far it is followed, s.
+const RUNS: [(&str, &str, f64); 10] = [
+    ("disk", "report-10s", 4.0),
+    ("disk", "near-flat", 2.0),
+    ("euler_top", "looping", 2.0),
+    ("heavy_top", "waking", 1.0),
+    ("spherical_pendulum", "narrow", 3.0),
+    ("free_body", "tumbling", 4.0),
+    ("floating_chain", "folding", 2.0),
+    ("cart_pendulum_3", "fall", 1.0),
+    ("chaotic_pendulum", "swing", 1.0),
+    ("pendulum", "over", 2.0),
+];
+
+/// |e| / (1 + |exact|) of what is shown. DOP853 at 1e-14 leaves what some hundred steps add up to; accelerations of 100/s² multiply
+/// it by ten.
+const BOUND: f64 = 1e-11;
+/// The disk passes flat by 5 mrad within these 4 s, and the rounding of the start grows with the inverse of that, twice in accelerations.
+const NEAR_FLAT: f64 = 3e-10;
+
+/// The model and a scene of it that wants to see this.
+fn scene_with(model: &str, scene: &str, outputs: &[String]) -> (Model, Scene) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model);
+    let mut model = Model::read(&folder.join("model.toml")).unwrap();
+    let text = std::fs::read_to_string(folder.join(format!("scenes/{scene}.toml"))).unwrap();
+    let source = Source::from_text("scene.toml", &format!("outputs = {outputs:?}\n{text}"));
+    let scene = scene::load(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    (model, scene)
+}
+
+/// Names that a scene may ask for, with their values t seconds after the start by Kane's whole equations in 32 digits.
+fn whole(model: &str, scene: &str, t: f64) -> Vec<(String, f64)> {
+    let start = start_of(model, scene);
+    let state = Equations::new(model, "kane").reference(&start, t, 1e-19);
+    let system = support::compiled(model, "kane").extended;
+    let (q, u) = state.split_at(start.q.len());
+    let mut rates = vec![Dd::int(0); state.len()];
+    let (q_dot, u_dot) = rates.split_at_mut(q.len());
+    system.derivative(&start.p, q, u, q_dot, u_dot);
+    let (kinetic, potential) = (system.kinetic_energy(&start.p, q, u), system.potential_energy(&start.p, q));
+    let (read, _) = support::exact::read(model, scene);
+    let names: Vec<String> =
+        read.coordinates.iter().map(|c| c.name.clone()).chain(read.speeds.iter().map(|s| s.name.clone())).collect();
+    let energies =
+        [("kinetic_energy", kinetic), ("potential_energy", potential), ("total_energy", kinetic + potential)];
+    let primed = names.iter().map(|n| format!("{n}'")).zip(rates);
+    let energies = energies.into_iter().map(|(name, e)| (name.to_owned(), e));
+    let all = names.iter().cloned().zip(state).chain(primed).chain(energies);
+    all.map(|(name, x)| (name, x.to_f64())).collect()
+}
+
+/// The largest error of a reduced system that shows some of these.
+fn error_of(model: &str, scene: &str, t: f64, wanted: &[(String, f64)]) -> f64 {
+    let names: Vec<String> = wanted.iter().map(|(name, _)| name.clone()).collect();
+    let (model, scene) = scene_with(model, scene, &names);
+    let reduction = reduce(&model, &scene).unwrap();
+    let found = Reduced::new(&reduction, &scene, &model).after(t, 1e-14);
+    let errors = found.iter().zip(wanted).map(|(x, (_, exact))| (x - exact).abs() / (1.0 + exact.abs()));
+    errors.fold(0.0, |worst, e| if e <= worst { worst } else { e })
+}
+
+/// Goal: a scene gets the same numbers whatever else it asks for. Method: random outputs, each with a reduced system of its own,
+/// in doubles, against the whole system in 32 digits.
+#[test]
+fn any_outputs_of_any_scene_are_those_of_the_whole_equations() {
+    let mut random = Random(29);
+    for (model, scene, t) in RUNS {
+        let all = whole(model, scene, t);
+        for count in [1, 1, 2, 3, 5] {
+            let mut wanted: Vec<(String, f64)> = Vec::new();
+            for _ in 0..count {
+                let pick = &all[random.between(0.0, all.len() as f64) as usize];
+                if !wanted.contains(pick) {
+                    wanted.push(pick.clone());
+                }
+            }
+            let names: Vec<&str> = wanted.iter().map(|(name, _)| name.as_str()).collect();
+            let error = error_of(model, scene, t, &wanted);
+            let bound = if scene == "report-10s" { NEAR_FLAT } else { BOUND };
+            assert!(error < bound, "{model} {scene} {names:?}: {error:e}");
+        }
+    }
+}
+
+/// All coordinates and speeds, at three instants. 1e-12: the tolerance of a step times some hundred steps.
+#[test]
+fn reduced_systems_move_by_the_closed_forms() {
+    for (model, scene) in [
+        ("pendulum", "swing"),
+        ("pendulum", "over"),
+        ("spherical_pendulum", "wide"),
+        ("spherical_pendulum", "narrow"),
+        ("heavy_top", "looping"),
+        ("euler_top", "looping"),
+        ("euler_top", "cusps"),
+        ("free_body", "steady"),
+        ("free_body", "tumbling"),
+        ("floating_chain", "straight"),
+    ] {
+        let end = support::exact::read(model, scene).1.span.1;
+        for part in [0.13, 0.5, 1.0] {
+            let wanted = exact(model, scene, end * part).unwrap();
+            let error = error_of(model, scene, end * part, &wanted);
+            assert!(error < 1e-12, "{model} {scene} at {}: {error:e}", end * part);
+        }
+    }
+}
