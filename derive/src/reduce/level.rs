@@ -71,6 +71,7 @@ impl Ground {
         if let Some(surface) = surface {
             surface.separate(arena, simplifier, &mut solved, &mut held);
         }
+        self.choose_constants(&mut solved, &mut held);
         Some(self.equations_on(held, kept, &solved, &z))
     }
 
@@ -108,7 +109,11 @@ impl Ground {
         for k in (0..solved.pivots.len()).rev() {
             let (_, column) = solved.pivots[k];
             let value = solved.unknown(arena, k, 0, variables);
-            definitions.push(Definition { symbol: variables[column], value: short(arena, value) });
+            let value = short(arena, value);
+            // A constant speed stands for itself.
+            if value != variables[column] {
+                definitions.push(Definition { symbol: variables[column], value });
+            }
             let drift = solved.unknown(arena, k, 1, &drifts);
             drifts[column] = short(arena, drift);
             let acceleration = solved.unknown(arena, k, 1, &accelerations);

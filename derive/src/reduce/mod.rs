@@ -9,8 +9,10 @@
 //! Absent on purpose: numbers of the start. A reduction holds for every start on every level set, but for the distance from
 //! a singular surface, whose side the start decides.
 
+mod constants;
 mod dependence;
 mod ground;
+mod hoist;
 mod ledger;
 mod level;
 mod one_degree;

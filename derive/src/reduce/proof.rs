@@ -80,7 +80,8 @@ impl Check {
         let (of_q, of_u) = (whole.kane.coordinates.clone(), whole.kane.variables.clone());
         let there: Vec<Expr> = ground.q.clone();
         let q = inverse(ground, &of_q, &ground.q_start.clone(), &there)?;
-        let held = level.definitions.iter().map(|d| d.symbol);
+        // A speed is kept, defined, or a constant itself.
+        let held = level.definitions.iter().map(|d| d.symbol).chain(level.held.iter().map(|h| h.symbol));
         let known: Vec<Expr> = held.chain(level.kept.iter().map(|k| ground.kane.variables[*k])).collect();
         let speeds: Vec<Expr> = ground.kane.variables.clone();
         if !speeds.iter().all(|u| known.contains(u)) {

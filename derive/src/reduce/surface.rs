@@ -28,6 +28,9 @@ impl Ground {
     /// names, or else the one nearest to the start.
     pub(super) fn surface(&mut self, level: &Level, wanted: &Wanted, scene: &Scene) -> Option<Distance> {
         let flow = Flow::new(self, level, wanted);
+        if !scene.integration.may_measure {
+            return None;
+        }
         let stated = scene.integration.distance;
         let candidates: Vec<usize> = (0..self.q.len()).filter(|at| flow.is_core(self.q[*at])).collect();
         let mut found: Vec<(f64, usize, i32)> = Vec::new();

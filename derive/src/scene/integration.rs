@@ -87,6 +87,8 @@ pub struct Integration {
     pub project: Option<Project>,
     /// The distance that is integrated instead of a coordinate.
     pub distance: Option<Distance>,
+    /// Whether the scene's own equations may choose a distance: not if the file says `distance = "none"`.
+    pub may_measure: bool,
 }
 
 impl Integration {
@@ -128,6 +130,7 @@ impl<'a> Values<'a, '_> {
             samples: self.count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
             domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
             project: project.and_then(|name| Project::ALL.into_iter().find(|p| p.name() == name)),
+            may_measure: !self.says_none(section),
             distance: self.distance(section),
         }
     }
@@ -180,10 +183,19 @@ impl<'a> Values<'a, '_> {
         AbsoluteTolerance::Each(each)
     }
 
+    /// `distance = "none"`: coordinates stay what they are.
+    fn says_none(&self, section: Option<&'a DeTable<'a>>) -> bool {
+        let value = section.and_then(|s| self.reader.get(s, "distance"));
+        value.is_some_and(|v| v.get_ref().as_str() == Some("none"))
+    }
+
     /// `distance = { q2 = "90*deg" }`: q2 − 90° is integrated instead of q2.
     fn distance(&mut self, section: Option<&'a DeTable<'a>>) -> Option<Distance> {
         const HOW: &str = "distance = { q2 = \"90*deg\" }";
         let value = section.and_then(|s| self.reader.get(s, "distance"))?;
+        if value.get_ref().as_str() == Some("none") {
+            return None;
+        }
         let table = self.reader.table(value, "`distance`", HOW)?;
         let entries = self.reader.entries(table);
         let [(name, origin)] = entries.as_slice() else {

@@ -1,0 +1,96 @@
+//! Factors of parameters alone become constants.
+//!
+//! What the start of a motion fixes is computed there once, and not in every call of the equations: 2 u₃ sin q₂ with a constant u₃ is
+//! c sin q₂ with c = 2 u₃.
+
+use crate::algebra::calculus::Substitution;
+use crate::algebra::elimination::fresh_symbol;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::print::text;
+use crate::algebra::{Arena, Expr, Node, Rational};
+use rustc_hash::FxHashMap;
+
+/// Constants that stand for products of parameters and numbers.
+#[derive(Default)]
+pub struct Hoist {
+    /// (symbol, product)
+    pub constants: Vec<(Expr, Expr)>,
+}
+
+impl Hoist {
+    /// The term with a constant for every factor of parameters that costs an operation.
+    pub fn apply(&mut self, arena: &mut Arena, parameters: &[Expr], e: Expr) -> Expr {
+        let before = self.constants.len();
+        let mut map: FxHashMap<Expr, Expr> = FxHashMap::default();
+        for part in arena.reachable(&[e]) {
+            let new = match arena.node(part).clone() {
+                Node::Sum(constant, terms) => {
+                    let mut list = vec![(arena.number(constant), Rational::ONE)];
+                    for (term, k) in terms {
+                        list.push(self.term(arena, parameters, &map, term, &k));
+                    }
+                    arena.linear_combination(&list)
+                }
+                Node::Product(factors) => {
+                    let factors: Vec<(Expr, i32)> = factors.iter().map(|(base, n)| (map[base], *n)).collect();
+                    arena.try_product(&factors).unwrap_or(part)
+                }
+                Node::Apply(f, argument) => arena.apply(f, map[&argument]),
+                Node::Number(_) | Node::Symbol(_) | Node::Pi => part,
+            };
+            map.insert(part, new);
+        }
+        // Written back it must be the same term by meaning; if a constant is in doubt, none is used.
+        let written = Substitution::new(&self.constants).apply(arena, map[&e]);
+        let difference = arena.sub(written, e);
+        if zero_test(arena, difference) == ZeroTest::Zero {
+            return map[&e];
+        }
+        self.constants.truncate(before);
+        e
+    }
+
+    /// k · term as another factor times a constant, where that saves a multiplication.
+    fn term(
+        &mut self,
+        arena: &mut Arena,
+        parameters: &[Expr],
+        map: &FxHashMap<Expr, Expr>,
+        term: Expr,
+        k: &Rational,
+    ) -> (Expr, Rational) {
+        let factors = match arena.node(term).clone() {
+            Node::Product(factors) => factors.to_vec(),
+            _ => vec![(term, 1)],
+        };
+        let (fixed, rest): (Vec<_>, Vec<_>) = factors.into_iter().partition(|(base, _)| parameters.contains(base));
+        let sign = if k.is_negative() { Rational::MINUS_ONE } else { Rational::ONE };
+        let magnitude = k.mul(&sign);
+        let plain = fixed.len() == 1 && fixed[0].1 == 1 && magnitude.is_one();
+        if fixed.is_empty() || plain || rest.is_empty() && fixed.len() == 1 && magnitude.is_one() {
+            return (map[&term], k.clone());
+        }
+        let Ok(product) = arena.try_product(&fixed) else { return (map[&term], k.clone()) };
+        let value = arena.scale(product, &magnitude);
+        let symbol = match self.constants.iter().find(|(_, known)| *known == value) {
+            Some((symbol, _)) => *symbol,
+            None => {
+                let symbol = fresh_symbol(arena, &name(&text(arena, value)));
+                self.constants.push((symbol, value));
+                symbol
+            }
+        };
+        let rest: Vec<(Expr, i32)> = rest.iter().map(|(base, n)| (map[base], *n)).chain([(symbol, 1)]).collect();
+        match arena.try_product(&rest) {
+            Ok(product) => (product, sign),
+            Err(_) => (map[&term], k.clone()),
+        }
+    }
+}
+
+/// `c_2_u3` for 2*u3.
+fn name(formula: &str) -> String {
+    let words = formula.replace('/', "_by_").replace('^', "_to_");
+    let words: Vec<&str> = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|w| !w.is_empty()).collect();
+    format!("c_{}", words.join("_"))
+}
