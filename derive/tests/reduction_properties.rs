@@ -76,11 +76,7 @@ fn text(links: &[Link], gravity: Option<usize>) -> String {
             1 => format!("-c*u{i}{}", if link.joint < 3 { "*l" } else { "" }),
             _ => continue,
         };
-        let _ = writeln!(
-            forces,
-            "[forces.f{i}]\non = \"b{i}\"\nframe = \"N\"\nvector = [0, \"{}\", 0]",
-            load.replace("k*l*", "k*").replace("*l", "*l")
-        );
+        let _ = writeln!(forces, "[forces.f{i}]\non = \"b{i}\"\nframe = \"N\"\nvector = [0, \"{load}\", 0]");
     }
     let mut out = "name = \"Random\"\n[parameters]\n".to_owned();
     for (name, unit) in [("m", "kg"), ("l", "m"), ("I", "kg*m^2"), ("k", "N/m"), ("c", "N*s/m"), ("g", "m/s^2")] {

@@ -258,3 +258,29 @@ fn a_reaction_that_nothing_determines_is_refused_with_the_reason() {
     let error = reduce(&model, &scene).err().expect("one equation for two of them").to_string();
     assert!(error.contains("newton-euler"), "{error}");
 }
+
+/// One particle goes along the rail, driven by a massless crank on the cart x, the other across with the crank's angle: no
+/// rigid motion of the whole moves the second alone, and its coordinate stands in the kinetic energy.
+#[test]
+fn a_symmetry_that_is_no_rigid_motion_is_found() {
+    let rest = r#"
+        [points]
+        A = { from = "O", frame = "N", position = ["x + l*sin(turn)", 0, 0] }
+        B = { from = "O", frame = "N", position = [0, "l*turn", 0] }
+        [particles]
+        a = { point = "A", mass = "m" }
+        b = { point = "B", mass = "M" }
+    "#;
+    let text = model("m:kg M:kg l:m", "x:m turn:rad", rest);
+    let r = reduced(&text, "outputs = [\"turn\", \"x\"]\nfree = [\"m\", \"M\", \"l\"]");
+    expect![[r"
+        p_x [kg*m/s] = m*(vx + l*vturn*cos(turn))
+        momentum2 [kg*m/s] = M*l*vturn
+        centre_x [kg*m] = m*(x + l*sin(turn))
+        centre_turn [kg*m] = M*l*turn
+        vturn = momentum2/(M*l)
+        turn -> (momentum2*t + centre_turn)/(M*l)
+        x -> (p_x*t + centre_x)/m - l*sin((momentum2*t + centre_turn)/(M*l))
+        energy known; divided by: nothing
+    "]].assert_eq(&show(&r));
+}

@@ -4,12 +4,16 @@
 //! momentum is conserved iff the right-hand side is zero identically; forces that work along ξ are in it.
 
 use crate::algebra::calculus::Differential;
+use crate::algebra::linear::LinearForm;
+use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::normal::Normalizer;
+use crate::algebra::polynomial::monomial_expr;
 use crate::algebra::relations::relations;
 use crate::algebra::simplify::Simplifier;
-use crate::algebra::{Arena, Expr};
+use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::{Derivations, Kinematics, generalized_forces};
 use crate::model::Model;
+use std::collections::BTreeSet;
 
 /// ξ(q), one component for each coordinate, and what its momentum is called.
 #[derive(Clone, Debug)]
@@ -90,8 +94,19 @@ impl Lagrangian {
             unknowns.push((i, Expr::ONE));
             unknowns.extend(self.q.iter().map(|q| (i, *q)));
         }
+        self.conserved(model, (arena, simplifier), &unknowns)
+    }
+
+    /// The fields that are sums of these components, each with a constant factor, and whose momenta are conserved.
+    fn conserved(
+        &self,
+        model: &Model,
+        (arena, simplifier): (&mut Arena, &mut Simplifier),
+        unknowns: &[(usize, Expr)],
+    ) -> Option<Vec<Field>> {
+        let n = self.q.len();
         let mut conditions = Vec::new();
-        for (i, factor) in &unknowns {
+        for (i, factor) in unknowns {
             let xi: Vec<Expr> = (0..n).map(|k| if k == *i { *factor } else { Expr::ZERO }).collect();
             conditions.push(self.rate(arena, &xi));
         }
@@ -110,5 +125,61 @@ impl Lagrangian {
             fields.push(Field { name: format!("momentum of the symmetry {}", parts.join(", ")), xi });
         }
         Some(fields)
+    }
+    /// Fields e_k + Σ m(q) e_s whose momenta are conserved, e_s along cyclic coordinates and m sums of the products of sines and
+    /// cosines by which these hang together with others: then q_k is quasi-cyclic. With the p_s held, ∂L/∂q_k is the rate of
+    /// f = −Σ m(q) p_s, and p_k − f does not change. Nothing if there is none, or if it is too large to decide.
+    pub fn quasi_cyclic(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Vec<Field> {
+        let cyclic: Vec<usize> = (0..self.q.len()).filter(|s| self.is_cyclic(arena, *s)).collect();
+        let products = self.trigonometric(arena, &cyclic);
+        if products.is_empty() || cyclic.len() == self.q.len() {
+            return Vec::new();
+        }
+        // What stands last is what the basis is normed by.
+        let along = cyclic.iter().flat_map(|s| products.iter().map(|m| (*s, *m)));
+        let unknowns: Vec<(usize, Expr)> = along.chain((0..self.q.len()).map(|k| (k, Expr::ONE))).collect();
+        let found = self.conserved(model, (arena, simplifier), &unknowns).unwrap_or_default();
+        let constant = |x: &Expr| !self.q.iter().any(|q| arena.mentions(*x, *q));
+        found.into_iter().filter(|field| !field.xi.iter().all(constant)).collect()
+    }
+
+    /// Whether a momentum is conserved as it stands.
+    fn is_cyclic(&self, arena: &mut Arena, s: usize) -> bool {
+        let gain = arena.add(self.t_by_q[s], self.forces[s]);
+        let gain = arena.sub(gain, self.v_by_q[s]);
+        zero_test(arena, gain) == ZeroTest::Zero
+    }
+
+    /// The products of one or two sines and cosines in the rows of the mass matrix of these coordinates, and in their derivatives.
+    fn trigonometric(&self, arena: &mut Arena, cyclic: &[usize]) -> BTreeSet<Expr> {
+        let mut normalizer = Normalizer::new(Normalizer::BUDGET);
+        let mut products = BTreeSet::new();
+        let mut form = LinearForm::new(&self.q_dot);
+        for s in cyclic {
+            let Ok((row, _)) = form.coefficients(arena, self.momenta[*s]) else { continue };
+            for entry in row {
+                collect(arena, &mut normalizer, entry, &mut products);
+            }
+        }
+        for product in products.clone() {
+            for q in &self.q {
+                let slope = Differential::partial(*q).apply(arena, product);
+                collect(arena, &mut normalizer, slope, &mut products);
+            }
+        }
+        products
+    }
+}
+
+/// The products of one or two sines and cosines that stand in the terms of a polynomial.
+fn collect(arena: &mut Arena, normalizer: &mut Normalizer, e: Expr, products: &mut BTreeSet<Expr>) {
+    let Some(form) = normalizer.fraction(arena, e) else { return };
+    for monomial in normalizer.polynomial(&form.numerator).terms.keys() {
+        let is_wave = |e: Expr| matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _));
+        let waves: Vec<(Expr, i32)> = monomial.iter().copied().filter(|(e, _)| is_wave(*e)).collect();
+        let degree: i32 = waves.iter().map(|(_, n)| *n).sum();
+        if (1..=2).contains(&degree) {
+            products.insert(monomial_expr(arena, &waves));
+        }
     }
 }

@@ -34,7 +34,8 @@ pub struct Integral {
 
 /// Finds first integrals: the energy T + V and of forces with a polynomial potential; the momenta of coordinates;
 /// of translations along the inertial axes and rotations about them through the mass centre and through the
-/// origin, of the whole and of each body; and of all fields ξ = A q + b. Of the momenta only functionally independent
+/// origin, of the whole and of each body; of all fields ξ = A q + b; and of quasi-cyclic
+/// coordinates. Of the momenta only functionally independent
 /// ones are kept.
 ///
 /// The second value says in words what was searched.
@@ -89,6 +90,7 @@ impl Basis {
         comparer: &mut Comparer,
     ) -> (Vec<Integral>, String) {
         let affine = self.lagrangian.affine(model, arena, simplifier);
+        let quasi_cyclic = self.lagrangian.quasi_cyclic(model, arena, simplifier);
         let (gradients, found) = Default::default();
         let mut search =
             Search { model, basis: self, arena, simplifier, comparer, gradients, found, no_potential: false };
@@ -106,7 +108,7 @@ impl Basis {
         } else {
             covered
         };
-        for field in self.fields.iter().chain(&affine.unwrap_or_default()) {
+        for field in self.fields.iter().chain(&affine.unwrap_or_default()).chain(&quasi_cyclic) {
             search.momentum(field);
         }
         (search.found, covered)
@@ -280,4 +282,32 @@ fn potential_of(arena: &mut Arena, model: &Model, forces: &[Expr]) -> Option<Exp
         }
     }
     Some(potential)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::print::text;
+    use crate::mechanics::derive_all;
+    use std::path::Path;
+
+    /// Goal: a symmetry is found from the Lagrangian alone. Method: the heading q1 of the disk is quasi-cyclic: with the momenta of the
+    /// contact point, p1 makes the angular momentum about the vertical through the mass centre, which the rigid motions give.
+    #[test]
+    fn heading_of_the_disk_is_quasi_cyclic() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/disk/model.toml");
+        let model = Model::read(&path).unwrap();
+        let mut derivations = derive_all(&model).unwrap();
+        let mut basis = Basis::new(&model, &mut derivations).unwrap();
+        let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
+        let fields = basis.lagrangian.quasi_cyclic(&model, arena, simplifier);
+        let shown: Vec<Vec<String>> = fields.iter().map(|f| f.xi.iter().map(|x| text(arena, *x)).collect()).collect();
+        assert_eq!(shown, [["1", "0", "0", "R*cos(q1)*sin(q2)", "R*sin(q1)*sin(q2)"]]);
+        let mut search = |basis: &Basis| basis.search(&model, (arena, simplifier), &mut Comparer::default()).0;
+        let all = search(&basis);
+        basis.fields.retain(|f| f.name.starts_with("momentum p_"));
+        let found = search(&basis);
+        assert_eq!(found.len(), all.len());
+        assert!(found.iter().all(|i| i.verdict.is_equal()));
+    }
 }
