@@ -248,10 +248,10 @@ fn the_ledger_of_the_lean_disk_says_what_is_left_out_and_why() {
         parameter M | the scene fixes it at 1 | the number of the scene file, put in exactly
         parameter R | the scene fixes it at 1 | the number of the scene file, put in exactly
         parameter g | the scene fixes it at 9.81 | the number of the scene file, put in exactly
-        u3 | u3 = 2*p_q3, since it does not change: momentum p_q3 = ∂L/∂q3' | Kane's equations of the whole model hold with it, by identity (in doubt by less than 2^-96)
+        u3 | u3 = 2*p_q3, from what is constant: momentum p_q3 = ∂L/∂q3' | Kane's equations of the whole model hold with it, by identity (in doubt by less than 2^-96)
         u4 | no output and nothing that outputs need depends on u4 | no formula that is left mentions it
         u5 | no output and nothing that outputs need depends on u5 | no formula that is left mentions it
-        u2 | u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg), since it does not change: momentum p_q3 = ∂L/∂q3'; angular momentum about a3 through the mass centre, what is left of it on the singular surface | Kane's equations of the whole model hold with it, by identity (in doubt by less than 2^-96)
+        u2 | u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg), from what is constant: momentum p_q3 = ∂L/∂q3'; angular momentum about a3 through the mass centre, what is left of it on the singular surface | Kane's equations of the whole model hold with it, by identity (in doubt by less than 2^-96)
         q1 | no output and nothing that outputs need depends on q1 | no formula that is left mentions it
         q3 | no output and nothing that outputs need depends on q3 | no formula that is left mentions it
         q4 | no output and nothing that outputs need depends on q4 | no formula that is left mentions it

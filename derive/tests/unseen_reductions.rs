@@ -282,5 +282,23 @@ fn a_symmetry_that_is_no_rigid_motion_is_found() {
         turn -> (momentum2*t + centre_turn)/(M*l)
         x -> (p_x*t + centre_x)/m - l*sin((momentum2*t + centre_turn)/(M*l))
         energy known; divided by: nothing
-    "]].assert_eq(&show(&r));
+    "]]
+    .assert_eq(&show(&r));
+}
+
+/// The pendulum is singular at each half turn; from which the distance is taken the start decides.
+#[test]
+fn the_distance_is_from_the_singular_surface_next_to_the_start() {
+    let text = include_str!("../../models/spherical_pendulum/model.toml");
+    for (start, state) in
+        [("0.3", "theta"), ("3", "theta_minus_180deg"), ("-6", "theta_plus_360deg"), ("2*pi + 3", "theta_minus_540deg")]
+    {
+        let source = tripos_derive::diagnostic::Source::from_text("model.toml", text);
+        let mut model = tripos_derive::model::load(&source).unwrap();
+        let scene =
+            format!("span = [0, 1]\noutputs = [\"theta\"]\n[start]\ntheta = \"{start}\"\nphi = 0\nu1 = 0\nu2 = 1");
+        let scene = reduced::scene_of(&mut model, &scene);
+        let r = tripos_derive::reduce::reduce(&model, &scene).unwrap();
+        assert_eq!(integrated(&r), (vec![state, "u1"], vec![]), "{start}");
+    }
 }

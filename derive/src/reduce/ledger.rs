@@ -60,7 +60,7 @@ fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omiss
         let constants = level.held.iter().filter(|h| ground.arena.mentions(d.value, h.symbol));
         let constants: Vec<&str> = constants.map(|h| h.about.as_str()).collect();
         Omission {
-            why: format!("{name} = {value}, since it does not change: {}", constants.join("; ")),
+            why: format!("{name} = {value}, from what is constant: {}", constants.join("; ")),
             what: name,
             proof: format!("Kane's equations of the whole model hold with it, by identity{}", proof.doubt()),
         }

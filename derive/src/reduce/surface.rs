@@ -15,6 +15,10 @@ use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::Distance;
 use crate::scene::Scene;
+use std::f64::consts::FRAC_PI_2;
+
+/// Turns from the origin within which surfaces are looked for.
+const MOST_TURNS: i32 = 100;
 
 /// A singular surface q = k π/2.
 #[derive(Clone, Copy, Debug)]
@@ -35,11 +39,14 @@ impl Ground {
         let candidates: Vec<usize> = (0..self.q.len()).filter(|at| flow.is_core(self.q[*at])).collect();
         let mut found: Vec<(f64, usize, i32)> = Vec::new();
         for at in candidates {
-            for quarter_turns in -2..=2 {
-                let place = Distance { coordinate: at, quarter_turns };
+            let away = |turns: i32| (scene.q[at] - f64::from(turns) * FRAC_PI_2).abs();
+            for quarter_turns in -2..2 {
+                // Whole turns later the same surface comes again: the one next to the start counts.
+                let again = (-MOST_TURNS..=MOST_TURNS).map(|turn| quarter_turns + 4 * turn);
+                let nearest = again.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(quarter_turns);
+                let place = Distance { coordinate: at, quarter_turns: nearest };
                 if level.divisors.iter().any(|d| self.vanishes(*d, place)) {
-                    let away = scene.q[at] - f64::from(quarter_turns) * std::f64::consts::FRAC_PI_2;
-                    found.push((away.abs(), at, quarter_turns));
+                    found.push((away(nearest), at, nearest));
                 }
             }
         }
