@@ -143,7 +143,7 @@ impl Ground {
         let parameters = self.model.parameters.iter().enumerate();
         let fixed = parameters.filter(|(at, _)| !scene.free.contains(at)).filter_map(|(at, p)| {
             let value = scene.exact.rational.get(at)?.clone()?;
-            value.small().map(|_| (p.name.clone(), p.symbol, value))
+            is_plain(&value).then(|| (p.name.clone(), p.symbol, value))
         });
         let mut values: Vec<(String, Expr, Rational)> = fixed.collect();
         // A number under which a term loses its divisor stays a letter.
@@ -327,7 +327,13 @@ impl Search {
         Some(Self { basis, centre, centre_units, units: of_momenta })
     }
 
-    /// An integral that is linear in the speeds.
+    /// Numbers that make formulas shorter: halves, quarters and small whole numbers. Others cost as much as the letter, which
+/// reads better.
+fn is_plain(value: &Rational) -> bool {
+    value.small().is_some_and(|(n, d)| n.abs() <= 12 && [1, 2, 4].contains(&d))
+}
+
+/// An integral that is linear in the speeds.
     fn momentum(
         &self,
         model: &Model,
@@ -359,4 +365,10 @@ impl Search {
         let position_unit = axis.map(|axis| self.centre_units[axis].clone()).unwrap_or_default();
         Some(Momentum { name, value, row, rest, field, direction, unit, position, position_unit })
     }
+}
+
+/// Numbers that make formulas shorter: halves, quarters and small whole numbers. Others cost as much as the letter, which
+/// reads better.
+fn is_plain(value: &Rational) -> bool {
+    value.small().is_some_and(|(n, d)| n.abs() <= 12 && [1, 2, 4].contains(&d))
 }

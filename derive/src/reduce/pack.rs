@@ -1,16 +1,18 @@
 //! A reduced system as a model and equations like any others, with the account of what was left out.
 
+use super::hoist::Hoist;
 use super::level::Level;
 use super::proof::{Whole, prove};
 use super::slice::{Flow, Variable};
 use super::{Ground, Output, Quantity, Reduction};
-use crate::algebra::Expr;
+use crate::algebra::{Arena, Expr};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::print::text;
 use crate::mechanics::{Derivation, Equations, Formulation};
 use crate::model::{Condition, Coordinate, KinematicEquations, Parameter, Speed, Unit};
 use crate::scene::Scene;
+use rustc_hash::FxHashSet;
 
 /// The reduced system of a scene.
 ///
@@ -28,9 +30,9 @@ pub fn pack(
     let proof = prove(&mut ground, whole, level, &mut flow)?;
     let states = quantities(&ground, &flow.core);
     let quadratures = quantities(&ground, &flow.quadratures);
-    let constants = constants(&mut ground, level, &flow);
     let omitted = super::ledger::omissions(&mut ground, level, &flow, scene, &proof);
-    let equations = equations(&mut ground, level, &flow);
+    let mut equations = equations(&mut ground, level, &flow);
+    let hoisted = hoist(&mut ground, level, &mut equations);
     let outputs =
         flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
     let folded = ground.folded.clone();
@@ -40,6 +42,7 @@ pub fn pack(
         *e = dependence.whole(&mut ground.arena, *e);
     }
     let events = flow.wanted.events.clone();
+    let constants = constants(&mut ground, level, &flow, &equations, &hoisted);
     let slope = flow.slope(&mut ground, equations.kinetic_energy, equations.potential_energy);
     let mut divisors = equations.divisors.clone();
     divisors.dedup();
@@ -84,7 +87,13 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
 }
 
 /// What is held, and the mass centre's place at the start, as far as the system mentions them.
-fn constants(ground: &mut Ground, level: &Level, flow: &Flow) -> Vec<Quantity> {
+fn constants(
+    ground: &mut Ground,
+    level: &Level,
+    flow: &Flow,
+    equations: &Equations,
+    hoisted: &Hoist,
+) -> Vec<Quantity> {
     let held =
         level.held.iter().map(|h| (h.symbol, h.about.clone(), ground.momenta[h.momentum].unit.clone(), h.of_state));
     let places = flow.carried.iter().map(|c| {
@@ -92,8 +101,14 @@ fn constants(ground: &mut Ground, level: &Level, flow: &Flow) -> Vec<Quantity> {
         let unit = ground.momenta[level.held[c.held].momentum].position_unit.clone();
         (c.symbol, about, unit, c.position)
     });
-    let all: Vec<(Expr, String, Unit, Expr)> = held.chain(places).collect();
-    let mentioned = flow.dependence.mentioned(&ground.arena, &flow.terms());
+    let mut all: Vec<(Expr, String, Unit, Expr)> = held.chain(places).collect();
+    let mut of_held = Substitution::new(&level.held.iter().map(|h| (h.symbol, h.of_state)).collect::<Vec<_>>());
+    for (symbol, value) in &hoisted.constants {
+        let unit = ground.model.unit_of(&ground.arena, *value).unwrap_or_default();
+        let of_state = of_held.apply(&mut ground.arena, *value);
+        all.push((*symbol, text(&ground.arena, *value), unit, of_state));
+    }
+    let mentioned = mentioned(&ground.arena, flow, equations);
     let mut back = back(ground);
     all.into_iter()
         .filter(|(symbol, ..)| mentioned.contains(symbol))
@@ -103,6 +118,33 @@ fn constants(ground: &mut Ground, level: &Level, flow: &Flow) -> Vec<Quantity> {
             Quantity { name, symbol, about, unit, of_start }
         })
         .collect()
+}
+
+/// The symbols of everything that is computed, definitions included.
+fn mentioned(arena: &Arena, flow: &Flow, e: &Equations) -> FxHashSet<Expr> {
+    let wanted = flow.wanted.named().into_iter().map(|(_, value)| value);
+    let lists = [&e.forcing, &e.coordinate_rates].into_iter().flatten().chain(e.matrix.iter().flatten()).copied();
+    let all: Vec<Expr> = wanted.chain(lists).chain([e.kinetic_energy, e.potential_energy]).collect();
+    let mut found: FxHashSet<Expr> = arena.reachable(&all).into_iter().collect();
+    for definition in e.definitions.iter().rev() {
+        if found.contains(&definition.symbol) {
+            found.extend(arena.reachable(&[definition.value]));
+        }
+    }
+    found
+}
+
+/// Takes constants out of the equations that are called in every step.
+fn hoist(ground: &mut Ground, level: &Level, e: &mut Equations) -> Hoist {
+    let folded = &ground.folded;
+    let free = ground.model.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name));
+    let parameters: Vec<Expr> = free.map(|p| p.symbol).chain(level.held.iter().map(|h| h.symbol)).collect();
+    let mut hoist = Hoist::default();
+    let definitions = e.definitions.iter_mut().map(|d| &mut d.value);
+    for value in definitions.chain(&mut e.forcing).chain(&mut e.coordinate_rates).chain(e.matrix.iter_mut().flatten()) {
+        *value = hoist.apply(&mut ground.arena, &parameters, *value);
+    }
+    hoist
 }
 
 /// From the variables of the equations to those of the model.
@@ -187,7 +229,7 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     let (mut matrix, mut forcing): (Vec<Vec<Expr>>, Vec<Expr>) =
         ((0..n).map(identity).collect(), speeds.iter().map(|v| v.rate).collect());
     let mut terms = flow.terms();
-    if let Some((whole_matrix, whole_forcing)) = &flow.system {
+    if let Some((whole_matrix, whole_forcing)) = flow.system.as_ref().filter(|_| n > 1) {
         terms.retain(|e| !speeds.iter().any(|v| v.rate == *e));
         terms.extend(whole_matrix.concat().iter().chain(whole_forcing));
         (matrix, forcing) = (whole_matrix.clone(), whole_forcing.clone());

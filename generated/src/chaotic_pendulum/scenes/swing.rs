@@ -3,8 +3,13 @@
 //! Generated from `models/chaotic_pendulum/scenes/swing.toml`. Do not edit; run `tripos regenerate`.
 //! Outputs: theta, phi, omega, alpha.
 //! States: theta, phi, omega, alpha. Quadratures: none.
-//! Parameters that the scene fixes: mA = 0.8, mB = 1.5, lA = 0.4, lB = 0.9, IAxx = 0.011, IBxx = 0.02, IByy = 0.05, IBzz = 0.065, g = 9.81.
-//! Cost: accelerations 14 operations, 2 sines and cosines; derivative 14 operations, 2 sines and cosines.
+//! c_3_lB = 3*lB: 3*lB.
+//! c_2_mA_lA = 2*mA*lA: 2*mA*lA.
+//! c_g_by_2 = g/2: g/2.
+//! c_mA_lA_to_2 = mA*lA^2: mA*lA^2.
+//! c_3_lB_to_2_by_2 = 3*lB^2/2: 3*lB^2/2.
+//! Parameters that the scene fixes: mB = 1.5.
+//! Cost: accelerations 22 operations, 2 sines and cosines; derivative 22 operations, 2 sines and cosines.
 //! Singular nowhere.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
@@ -13,8 +18,32 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// A model without parameters.
-    pub none: core::marker::PhantomData<S>,
+    /// mass of the rod, kg
+    pub mA: S,
+    /// pin to the centre of the rod, m
+    pub lA: S,
+    /// pin to the centre of the plate, m
+    pub lB: S,
+    /// rod, across its axis, kg*m^2
+    pub IAxx: S,
+    /// plate, about its first axis, kg*m^2
+    pub IBxx: S,
+    /// plate, about its second axis, kg*m^2
+    pub IByy: S,
+    /// plate, about the rod, kg*m^2
+    pub IBzz: S,
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+    /// 3*lB, m
+    pub c_3_lB: S,
+    /// 2*mA*lA, kg*m
+    pub c_2_mA_lA: S,
+    /// g/2, m/s^2
+    pub c_g_by_2: S,
+    /// mA*lA^2, kg*m^2
+    pub c_mA_lA_to_2: S,
+    /// 3*lB^2/2, m^2
+    pub c_3_lB_to_2_by_2: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -24,68 +53,122 @@ impl<S: Scalar> Parameters<S> {
     /// If `p` has fewer values than there are parameters.
     #[must_use]
     #[inline(always)]
-    pub fn from_slice(_p: &[S]) -> Self {
+    pub fn from_slice(p: &[S]) -> Self {
         Self {
-            none: core::marker::PhantomData,
+            mA: p[0],
+            lA: p[1],
+            lB: p[2],
+            IAxx: p[3],
+            IBxx: p[4],
+            IByy: p[5],
+            IBzz: p[6],
+            g: p[7],
+            c_3_lB: p[8],
+            c_2_mA_lA: p[9],
+            c_g_by_2: p[10],
+            c_mA_lA_to_2: p[11],
+            c_3_lB_to_2_by_2: p[12],
         }
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 0] = [];
+pub const PARAMETERS: [&str; 13] = [
+    "mA",
+    "lA",
+    "lB",
+    "IAxx",
+    "IBxx",
+    "IByy",
+    "IBzz",
+    "g",
+    "c_3_lB",
+    "c_2_mA_lA",
+    "c_g_by_2",
+    "c_mA_lA_to_2",
+    "c_3_lB_to_2_by_2",
+];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 4] = ["theta", "phi", "omega", "alpha"];
 
 /// The accelerations (omega', alpha'), solved for when this code was generated.
 ///
-/// 14 operations, 2 sines and cosines.
+/// 22 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
-pub fn accelerations<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
+    let Parameters {
+        IAxx,
+        IBxx,
+        IByy,
+        IBzz,
+        c_3_lB,
+        c_2_mA_lA,
+        c_g_by_2,
+        c_mA_lA_to_2,
+        c_3_lB_to_2_by_2,
+        ..
+    } = *p;
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // omega*sin(phi)*cos(phi); used 2 times
-    let omega_dot_part = omega * sin_phi * cos_phi;
+    // omega*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
+    let omega_dot_part = omega * sin_phi * cos_phi * (IBxx - IByy);
     // Elimination, step by step.
-    // omega' = (200*omega*alpha*sin(phi)*cos(phi) - 54609*sin(theta))/(20*(229 + 5*cos(phi)^2))
-    let omega_dot = S::ratio(1, 20)
-        * (-sin_theta).mul_add(S::int(54609), S::int(200) * alpha * omega_dot_part)
-        / (S::int(229) + S::int(5) * cos_phi * cos_phi);
-    // alpha' = -6*omega^2*sin(phi)*cos(phi)/13
-    let alpha_dot = -S::ratio(6, 13) * omega * omega_dot_part;
+    // omega' = -(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + c_g_by_2*sin(theta)*(c_3_lB +
+    //   c_2_mA_lA))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    let omega_dot = -(c_g_by_2 * sin_theta * (c_3_lB + c_2_mA_lA)
+        + S::int(2) * alpha * omega_dot_part)
+        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + c_mA_lA_to_2
+            + c_3_lB_to_2_by_2);
+    // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
+    let alpha_dot = omega * omega_dot_part / IBzz;
     [omega_dot, alpha_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 14 operations, 2 sines and cosines.
+/// 22 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
-    _p: &Parameters<S>,
+    p: &Parameters<S>,
     q: &[S; 2],
     u: &[S; 2],
 ) -> ([S; 2], [S; 2]) {
+    let Parameters {
+        IAxx,
+        IBxx,
+        IByy,
+        IBzz,
+        c_3_lB,
+        c_2_mA_lA,
+        c_g_by_2,
+        c_mA_lA_to_2,
+        c_3_lB_to_2_by_2,
+        ..
+    } = *p;
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
-    // omega*sin(phi)*cos(phi); used 2 times
-    let omega_dot_part = omega * sin_phi * cos_phi;
+    // omega*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
+    let omega_dot_part = omega * sin_phi * cos_phi * (IBxx - IByy);
     // Elimination, step by step.
-    // omega' = (200*omega*alpha*sin(phi)*cos(phi) - 54609*sin(theta))/(20*(229 + 5*cos(phi)^2))
-    let omega_dot = S::ratio(1, 20)
-        * (-sin_theta).mul_add(S::int(54609), S::int(200) * alpha * omega_dot_part)
-        / (S::int(229) + S::int(5) * cos_phi * cos_phi);
-    // alpha' = -6*omega^2*sin(phi)*cos(phi)/13
-    let alpha_dot = -S::ratio(6, 13) * omega * omega_dot_part;
+    // omega' = -(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + c_g_by_2*sin(theta)*(c_3_lB +
+    //   c_2_mA_lA))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    let omega_dot = -(c_g_by_2 * sin_theta * (c_3_lB + c_2_mA_lA)
+        + S::int(2) * alpha * omega_dot_part)
+        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + c_mA_lA_to_2
+            + c_3_lB_to_2_by_2);
+    // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
+    let alpha_dot = omega * omega_dot_part / IBzz;
     // Values.
     // theta' = omega
     let theta_dot_value = omega;
@@ -96,9 +179,21 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns theta, phi, omega, alpha.
 ///
-/// 31 operations, 2 sines and cosines.
+/// 42 operations, 2 sines and cosines.
 #[must_use]
-pub fn jacobian<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
+    let Parameters {
+        IAxx,
+        IBxx,
+        IByy,
+        IBzz,
+        c_3_lB,
+        c_2_mA_lA,
+        c_g_by_2,
+        c_mA_lA_to_2,
+        c_3_lB_to_2_by_2,
+        ..
+    } = *p;
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
     let zero = S::int(0);
@@ -108,38 +203,61 @@ pub fn jacobian<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4
     // Shared terms.
     // cos(phi)^2; used 3 times
     let cos_phi_sq = cos_phi * cos_phi;
-    // 1/(229 + 5*cos_phi_sq); used 3 times
-    let omega_dot_by_theta_part = S::int(1) / cos_phi_sq.mul_add(S::int(5), S::int(229));
+    // sin(phi)^2; used 2 times
+    let sin_phi_sq = sin_phi * sin_phi;
+    // 1/(IAxx + c_mA_lA_to_2 + c_3_lB_to_2_by_2 + IByy*cos_phi_sq + IBxx*sin_phi_sq); used 3 times
+    let omega_dot_by_theta_part = S::int(1)
+        / (IByy.mul_add(cos_phi_sq, IAxx + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+            + IBxx * sin_phi_sq);
+    // c_g_by_2*(c_3_lB + c_2_mA_lA); used 2 times
+    let omega_dot_by_theta_part_2 = c_g_by_2 * (c_3_lB + c_2_mA_lA);
     // Elimination, step by step.
-    // omega_dot_by_theta = -54609*cos(theta)/(20*(229 + 5*cos(phi)^2))
-    let omega_dot_by_theta = -S::ratio(54609, 20) * omega_dot_by_theta_part * cos_theta;
+    // omega_dot_by_theta = -c_g_by_2*cos(theta)*(c_3_lB + c_2_mA_lA)/(IAxx + IBxx*sin(phi)^2 +
+    //   IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    let omega_dot_by_theta = -omega_dot_by_theta_part * omega_dot_by_theta_part_2
+        * cos_theta;
     // Shared terms.
+    // 2*omega_dot_by_theta_part; used 3 times
+    let omega_dot_by_phi_part = S::int(2) * omega_dot_by_theta_part;
+    // IBxx - IByy; used 2 times
+    let ibxx_minus_ibyy = IBxx - IByy;
     // sin(phi)*cos(phi); used 3 times
     let sin_phi_cos_phi = sin_phi * cos_phi;
+    // ibxx_minus_ibyy*sin_phi_cos_phi; used 2 times
+    let omega_dot_by_phi_part_2 = ibxx_minus_ibyy * sin_phi_cos_phi;
+    // omega*ibxx_minus_ibyy; used 3 times
+    let omega_dot_by_phi_part_3 = omega * ibxx_minus_ibyy;
+    // alpha*omega_dot_by_phi_part_3; used 2 times
+    let omega_dot_by_phi_part_4 = alpha * omega_dot_by_phi_part_3;
+    // 2*sin_phi_cos_phi; used 2 times
+    let sin_phi_cos_phi_scaled = S::int(2) * sin_phi_cos_phi;
     // Elimination, step by step.
-    // omega_dot_by_phi = (20*omega*alpha*(463*cos(phi)^2 - 229) -
-    //   54609*sin(theta)*sin(phi)*cos(phi))/(2*(229 + 5*cos(phi)^2)^2)
-    let omega_dot_by_phi = S::ratio(1, 2) * omega_dot_by_theta_part
-        * omega_dot_by_theta_part
-        * (S::int(20) * omega * alpha * cos_phi_sq.mul_add(S::int(463), -S::int(229))
-            - S::int(54609) * sin_phi_cos_phi * sin_theta);
-    // alpha_dot_by_phi = 6*omega^2*(1 - 2*cos(phi)^2)/13
-    let alpha_dot_by_phi = S::ratio(6, 13) * omega * omega
-        * (-cos_phi_sq).mul_add(S::int(2), S::int(1));
+    // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) -
+    //   IByy*sin(phi)*cos(phi))*(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + c_g_by_2*sin(theta)*(c_3_lB
+    //   + c_2_mA_lA))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)^2 -
+    //   2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx - IByy))/(IAxx +
+    //   IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    let omega_dot_by_phi = omega_dot_by_phi_part
+        * (omega_dot_by_theta_part * omega_dot_by_phi_part_2
+            * omega_dot_by_phi_part_4
+                .mul_add(sin_phi_cos_phi_scaled, omega_dot_by_theta_part_2 * sin_theta)
+            - omega_dot_by_phi_part_4 * (cos_phi_sq - sin_phi_sq));
     // Shared terms.
-    // 10*omega_dot_by_theta_part; used 2 times
-    let omega_dot_by_omega_part = S::int(10) * omega_dot_by_theta_part;
+    // omega_dot_by_phi_part_3/IBzz; used 2 times
+    let alpha_dot_by_phi_part = omega_dot_by_phi_part_3 / IBzz;
     // Elimination, step by step.
-    // omega_dot_by_omega = 10*alpha*sin(phi)*cos(phi)/(229 + 5*cos(phi)^2)
-    let omega_dot_by_omega = alpha * sin_phi_cos_phi * omega_dot_by_omega_part;
-    // Shared terms.
-    // omega*sin_phi_cos_phi; used 2 times
-    let alpha_dot_by_omega_part = omega * sin_phi_cos_phi;
-    // Elimination, step by step.
-    // alpha_dot_by_omega = -12*omega*sin(phi)*cos(phi)/13
-    let alpha_dot_by_omega = -S::ratio(12, 13) * alpha_dot_by_omega_part;
-    // omega_dot_by_alpha = 10*omega*sin(phi)*cos(phi)/(229 + 5*cos(phi)^2)
-    let omega_dot_by_alpha = omega_dot_by_omega_part * alpha_dot_by_omega_part;
+    // alpha_dot_by_phi = omega^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
+    let alpha_dot_by_phi = omega * alpha_dot_by_phi_part
+        * cos_phi_sq.mul_add(S::int(2), -S::int(1));
+    // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
+    //   IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    let omega_dot_by_omega = -alpha * omega_dot_by_phi_part * omega_dot_by_phi_part_2;
+    // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
+    let alpha_dot_by_omega = sin_phi_cos_phi_scaled * alpha_dot_by_phi_part;
+    // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
+    //   IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    let omega_dot_by_alpha = -omega_dot_by_phi_part * sin_phi_cos_phi
+        * omega_dot_by_phi_part_3;
     // Entries that are not zero.
     // d(theta')/d(omega) = 1
     let theta_dot_by_omega_value = S::int(1);
@@ -173,32 +291,44 @@ pub fn coordinate_rates<S: Scalar>(
 
 /// Kinetic energy T.
 ///
-/// 9 operations, 1 sine and cosine.
+/// 19 operations, 1 sine and cosine.
 #[must_use]
-pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
+    let Parameters { mA, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
     let [_, phi] = *q;
     let [omega, alpha] = *u;
     // Sines and cosines.
     let (_, cos_phi) = phi.sin_cos();
+    // Shared terms.
+    // omega^2; used 2 times
+    let omega_sq = omega * omega;
+    // mA*lA^2 + IAxx
+    let energy_part = mA * lA * lA + IAxx;
+    // IBxx + cos(phi)^2*(IByy - IBxx)
+    let energy_part_2 = IBxx + cos_phi * cos_phi * (IByy - IBxx);
     // Values.
-    // T = 3*omega^2*(229 + 5*cos(phi)^2)/1000 + 13*alpha^2/400
-    let energy = S::ratio(3, 1000) * omega * omega
-        * (S::int(229) + S::int(5) * cos_phi * cos_phi)
-        + S::ratio(13, 400) * alpha * alpha;
+    // T = omega^2*(2*mA*lA^2 + 3*lB^2 + 2*IAxx + 2*IBxx*sin(phi)^2 + 2*IByy*cos(phi)^2)/4 + IBzz*alpha^2/2
+    let energy = S::ratio(1, 2) * IBzz * alpha * alpha
+        + S::ratio(3, 4) * lB * lB * omega_sq
+        + S::ratio(1, 2) * omega_sq * (energy_part + energy_part_2);
     energy
 }
 
 /// Potential energy V of gravity.
 ///
-/// 2 operations, 1 sine and cosine.
+/// 7 operations, 1 sine and cosine.
 #[must_use]
-pub fn potential_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> S {
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
+    let Parameters { mA, lA, lB, g, .. } = *p;
     let [theta, _] = *q;
     // Sines and cosines.
     let (_, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // g*cos(theta); used 2 times
+    let g_cos_theta = g * cos_theta;
     // Values.
-    // V = -163827*cos(theta)/10000
-    let energy = -S::ratio(163827, 10000) * cos_theta;
+    // V = -g*cos(theta)*(2*mA*lA + 3*lB)/2
+    let energy = (-(mA * lA)).mul_add(g_cos_theta, -S::ratio(3, 2) * lB * g_cos_theta);
     energy
 }
 
@@ -223,58 +353,106 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 2]) -> 
 
 /// The energy, then its derivatives by the state.
 ///
-/// 19 operations, 2 sines and cosines.
+/// 30 operations, 2 sines and cosines.
 #[must_use]
-pub fn energy_gradient<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 5] {
+pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 5] {
+    let Parameters { mA, lA, lB, IAxx, IBxx, IByy, IBzz, g, .. } = *p;
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
-    // omega*(229 + 5*cos(phi)^2); used 2 times
-    let energy_part = omega * (S::int(229) + S::int(5) * cos_phi * cos_phi);
+    // IBzz*alpha; used 2 times
+    let ibzz_alpha = IBzz * alpha;
+    // mA*lA; used 2 times
+    let ma_la = mA * lA;
+    // sin(phi)*(IBxx - IByy); used 2 times
+    let energy_part = sin_phi * (IBxx - IByy);
+    // lA*ma_la + energy_part*sin(phi)
+    let energy_part_2 = energy_part.mul_add(sin_phi, lA * ma_la);
+    // IAxx + IByy
+    let iaxx_plus_ibyy = IAxx + IByy;
+    // 3*lB; used 2 times
+    let lb_scaled = S::int(3) * lB;
+    // energy_part_2 + iaxx_plus_ibyy
+    let energy_part_3 = energy_part_2 + iaxx_plus_ibyy;
+    // lB*lb_scaled + 2*energy_part_3; used 2 times
+    let energy_part_4 = energy_part_3.mul_add(S::int(2), lB * lb_scaled);
+    // omega^2; used 2 times
+    let omega_sq = omega * omega;
+    // g*(2*ma_la + lb_scaled)/2; used 2 times
+    let energy_part_5 = S::ratio(1, 2) * g * ma_la.mul_add(S::int(2), lb_scaled);
     // Values.
-    // T + V = 3*omega^2*(229 + 5*cos(phi)^2)/1000 - 163827*cos(theta)/10000 + 13*alpha^2/400
-    let energy = S::ratio(13, 400) * alpha * alpha - S::ratio(163827, 10000) * cos_theta
-        + S::ratio(3, 1000) * omega * energy_part;
-    // d(T + V)/d(theta) = 163827*sin(theta)/10000
-    let energy_by_theta = S::ratio(163827, 10000) * sin_theta;
-    // d(T + V)/d(phi) = -3*omega^2*sin(phi)*cos(phi)/100
-    let energy_by_phi = -S::ratio(3, 100) * omega * omega * sin_phi * cos_phi;
-    // d(T + V)/d(omega) = 3*omega*(229 + 5*cos(phi)^2)/500
-    let energy_by_omega = S::ratio(3, 500) * energy_part;
-    // d(T + V)/d(alpha) = 13*alpha/200
-    let energy_by_alpha = S::ratio(13, 200) * alpha;
+    // T + V = omega^2*(2*mA*lA^2 + 3*lB^2 + 2*IAxx + 2*IBxx*sin(phi)^2 + 2*IByy*cos(phi)^2)/4 -
+    //   g*cos(theta)*(2*mA*lA + 3*lB)/2 + IBzz*alpha^2/2
+    let energy = (-energy_part_5)
+        .mul_add(
+            cos_theta,
+            S::ratio(1, 2) * alpha * ibzz_alpha
+                + S::ratio(1, 4) * energy_part_4 * omega_sq,
+        );
+    // d(T + V)/d(theta) = g*sin(theta)*(2*mA*lA + 3*lB)/2
+    let energy_by_theta = energy_part_5 * sin_theta;
+    // d(T + V)/d(phi) = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
+    let energy_by_phi = energy_part * omega_sq * cos_phi;
+    // d(T + V)/d(omega) = omega*(2*mA*lA^2 + 3*lB^2 + 2*IAxx + 2*IBxx*sin(phi)^2 + 2*IByy*cos(phi)^2)/2
+    let energy_by_omega = S::ratio(1, 2) * omega * energy_part_4;
+    // d(T + V)/d(alpha) = IBzz*alpha
+    let energy_by_alpha = ibzz_alpha;
     [energy, energy_by_theta, energy_by_phi, energy_by_omega, energy_by_alpha]
 }
 
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
-/// 10 convolutions and 6 linear operations an order.
+/// 11 convolutions and 8 linear operations an order.
 pub fn taylor<S: Scalar>(
-    _p: &Parameters<S>,
+    p: &Parameters<S>,
     series: &mut [[S; 4]],
     history: &mut [Factors<S, 16>],
 ) {
+    let Parameters {
+        IAxx,
+        IBxx,
+        IByy,
+        IBzz,
+        c_3_lB,
+        c_2_mA_lA,
+        c_g_by_2,
+        c_mA_lA_to_2,
+        c_3_lB_to_2_by_2,
+        ..
+    } = *p;
     let [theta_0, phi_0, omega_0, alpha_0] = series[0];
+    // Constant in time.
+    // weight = IAxx + c_mA_lA_to_2 + c_3_lB_to_2_by_2
+    let weight = IAxx + c_mA_lA_to_2 + c_3_lB_to_2_by_2;
+    // weight_2 = 2*IBxx - 2*IByy
+    let weight_2 = (-IByy).mul_add(S::int(2), S::int(2) * IBxx);
+    // weight_3 = c_g_by_2*(c_3_lB + c_2_mA_lA)
+    let weight_3 = c_g_by_2 * (c_3_lB + c_2_mA_lA);
+    // ibxx_minus_ibyy_by_ibzz = (IBxx - IByy)/IBzz
+    let ibxx_minus_ibyy_by_ibzz = (IBxx - IByy) / IBzz;
     // Order 0.
     let (sin_phi_0, cos_phi_0) = phi_0.sin_cos();
     let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
+    // sin_phi_p2 = sin_phi*sin_phi
+    let sin_phi_p2_0 = sin_phi_0 * sin_phi_0;
+    // cos_phi_p2 = cos_phi*cos_phi
+    let cos_phi_p2_0 = cos_phi_0 * cos_phi_0;
     // omega_sin_phi = omega*sin_phi
     let omega_sin_phi_0 = omega_0 * sin_phi_0;
     // omega_dot_part = cos_phi*omega_sin_phi
     let omega_dot_part_0 = cos_phi_0 * omega_sin_phi_0;
     // omega_dot_part_2 = alpha*omega_dot_part
     let omega_dot_part_2_0 = alpha_0 * omega_dot_part_0;
-    // cos_phi_p2 = cos_phi*cos_phi
-    let cos_phi_p2_0 = cos_phi_0 * cos_phi_0;
-    // omega_dot_part_3 = 229 + 5*cos_phi_p2
-    let omega_dot_part_3_0 = cos_phi_p2_0.mul_add(S::int(5), S::int(229));
+    // omega_dot_part_3 = weight + IBxx*sin_phi_p2 + IByy*cos_phi_p2
+    let omega_dot_part_3_0 = cos_phi_p2_0
+        .mul_add(IByy, sin_phi_p2_0.mul_add(IBxx, weight));
     let over_omega_dot_part_3 = S::int(1) / omega_dot_part_3_0;
-    // omega_dot_part_4 = 54609*sin_theta - 200*omega_dot_part_2
+    // omega_dot_part_4 = weight_2*omega_dot_part_2 + weight_3*sin_theta
     let omega_dot_part_4_0 = omega_dot_part_2_0
-        .mul_add(-S::int(200), S::int(54609) * sin_theta_0);
+        .mul_add(weight_2, weight_3 * sin_theta_0);
     // omega_dot_part_5 = omega_dot_part_4/omega_dot_part_3
     let omega_dot_part_5_0 = omega_dot_part_4_0 * over_omega_dot_part_3;
     // alpha_dot_part = omega*omega_dot_part
@@ -282,8 +460,8 @@ pub fn taylor<S: Scalar>(
     // Order 1: the rates, and what follows from them.
     let theta_1 = omega_0;
     let phi_1 = alpha_0;
-    let omega_1 = -S::ratio(1, 20) * omega_dot_part_5_0;
-    let alpha_1 = -S::ratio(6, 13) * alpha_dot_part_0;
+    let omega_1 = -omega_dot_part_5_0;
+    let alpha_1 = ibxx_minus_ibyy_by_ibzz * alpha_dot_part_0;
     if series.len() > 1 {
         series[1] = [theta_1, phi_1, omega_1, alpha_1];
     }
@@ -291,15 +469,16 @@ pub fn taylor<S: Scalar>(
     let cos_phi_1 = -phi_1 * sin_phi_0;
     let sin_theta_1 = theta_1 * cos_theta_0;
     let cos_theta_1 = -theta_1 * sin_theta_0;
+    let sin_phi_p2_1 = sin_phi_1 * (sin_phi_0 + sin_phi_0);
+    let cos_phi_p2_1 = cos_phi_1 * (cos_phi_0 + cos_phi_0);
     let omega_sin_phi_1 = sin_phi_1.mul_add(omega_0, omega_1 * sin_phi_0);
     let omega_dot_part_1 = omega_sin_phi_1
         .mul_add(cos_phi_0, cos_phi_1 * omega_sin_phi_0);
     let omega_dot_part_2_1 = omega_dot_part_1
         .mul_add(alpha_0, alpha_1 * omega_dot_part_0);
-    let cos_phi_p2_1 = cos_phi_1 * (cos_phi_0 + cos_phi_0);
-    let omega_dot_part_3_1 = S::int(5) * cos_phi_p2_1;
+    let omega_dot_part_3_1 = cos_phi_p2_1.mul_add(IByy, IBxx * sin_phi_p2_1);
     let omega_dot_part_4_1 = omega_dot_part_2_1
-        .mul_add(-S::int(200), S::int(54609) * sin_theta_1);
+        .mul_add(weight_2, weight_3 * sin_theta_1);
     let omega_dot_part_5_1 = omega_dot_part_3_1
         .mul_add(
             -(omega_dot_part_5_0 * over_omega_dot_part_3),
@@ -314,10 +493,11 @@ pub fn taylor<S: Scalar>(
                 phi_1,
                 theta_1,
                 theta_1,
+                sin_phi_1,
+                cos_phi_1,
                 omega_1,
                 cos_phi_1,
                 alpha_1,
-                cos_phi_1,
                 omega_dot_part_3_1,
                 omega_1,
             ]),
@@ -327,9 +507,10 @@ pub fn taylor<S: Scalar>(
                 cos_theta_1,
                 sin_theta_1,
                 sin_phi_1,
+                cos_phi_1,
+                sin_phi_1,
                 omega_sin_phi_1,
                 omega_dot_part_1,
-                cos_phi_1,
                 omega_dot_part_5_1,
                 omega_dot_part_1,
             ]),
@@ -352,8 +533,8 @@ pub fn taylor<S: Scalar>(
     // Rates at order k - 1.
     let mut theta_rate = omega_1;
     let mut phi_rate = alpha_1;
-    let mut omega_rate = -S::ratio(1, 20) * omega_dot_part_5_1;
-    let mut alpha_rate = -S::ratio(6, 13) * alpha_dot_part_1;
+    let mut omega_rate = -omega_dot_part_5_1;
+    let mut alpha_rate = ibxx_minus_ibyy_by_ibzz * alpha_dot_part_1;
     for order in 2..series.len() {
         let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
@@ -395,27 +576,28 @@ pub fn taylor<S: Scalar>(
                         sin_theta_last,
                         (count_last * theta_last).mul_add(sin_theta_1, next[3]),
                     ),
-                omega_1.mul_add(sin_phi_last, omega_last.mul_add(sin_phi_1, next[4])),
+                (sin_phi_1 + sin_phi_1).mul_add(sin_phi_last, next[4]),
+                (cos_phi_1 + cos_phi_1).mul_add(cos_phi_last, next[5]),
+                omega_1.mul_add(sin_phi_last, omega_last.mul_add(sin_phi_1, next[6])),
                 cos_phi_1
                     .mul_add(
                         omega_sin_phi_last,
-                        cos_phi_last.mul_add(omega_sin_phi_1, next[5]),
+                        cos_phi_last.mul_add(omega_sin_phi_1, next[7]),
                     ),
                 alpha_1
                     .mul_add(
                         omega_dot_part_last,
-                        alpha_last.mul_add(omega_dot_part_1, next[6]),
+                        alpha_last.mul_add(omega_dot_part_1, next[8]),
                     ),
-                (cos_phi_1 + cos_phi_1).mul_add(cos_phi_last, next[7]),
                 omega_dot_part_3_1
                     .mul_add(
                         omega_dot_part_5_last,
-                        omega_dot_part_3_last.mul_add(omega_dot_part_5_1, next[8]),
+                        omega_dot_part_3_last.mul_add(omega_dot_part_5_1, next[9]),
                     ),
                 omega_1
                     .mul_add(
                         omega_dot_part_last,
-                        omega_last.mul_add(omega_dot_part_1, next[9]),
+                        omega_last.mul_add(omega_dot_part_1, next[10]),
                     ),
             ])
         };
@@ -427,35 +609,36 @@ pub fn taylor<S: Scalar>(
         let sin_theta = theta.mul_add(cos_theta_0, sums[2] * over_k);
         // cos_theta = cos(theta)
         let cos_theta = -theta.mul_add(sin_theta_0, sums[3] * over_k);
+        // sin_phi_p2 = sin_phi*sin_phi
+        let sin_phi_p2 = sin_phi.mul_add(sin_phi_0 + sin_phi_0, sums[4]);
+        // cos_phi_p2 = cos_phi*cos_phi
+        let cos_phi_p2 = cos_phi.mul_add(cos_phi_0 + cos_phi_0, sums[5]);
         // omega_sin_phi = omega*sin_phi
-        let omega_sin_phi = sin_phi.mul_add(omega_0, omega.mul_add(sin_phi_0, sums[4]));
+        let omega_sin_phi = sin_phi.mul_add(omega_0, omega.mul_add(sin_phi_0, sums[6]));
         // omega_dot_part = cos_phi*omega_sin_phi
         let omega_dot_part = omega_sin_phi
-            .mul_add(cos_phi_0, cos_phi.mul_add(omega_sin_phi_0, sums[5]));
+            .mul_add(cos_phi_0, cos_phi.mul_add(omega_sin_phi_0, sums[7]));
         // omega_dot_part_2 = alpha*omega_dot_part
         let omega_dot_part_2 = omega_dot_part
-            .mul_add(alpha_0, alpha.mul_add(omega_dot_part_0, sums[6]));
-        // cos_phi_p2 = cos_phi*cos_phi
-        let cos_phi_p2 = cos_phi.mul_add(cos_phi_0 + cos_phi_0, sums[7]);
-        // omega_dot_part_3 = 229 + 5*cos_phi_p2
-        let omega_dot_part_3 = S::int(5) * cos_phi_p2;
-        // omega_dot_part_4 = 54609*sin_theta - 200*omega_dot_part_2
-        let omega_dot_part_4 = omega_dot_part_2
-            .mul_add(-S::int(200), S::int(54609) * sin_theta);
+            .mul_add(alpha_0, alpha.mul_add(omega_dot_part_0, sums[8]));
+        // omega_dot_part_3 = weight + IBxx*sin_phi_p2 + IByy*cos_phi_p2
+        let omega_dot_part_3 = cos_phi_p2.mul_add(IByy, IBxx * sin_phi_p2);
+        // omega_dot_part_4 = weight_2*omega_dot_part_2 + weight_3*sin_theta
+        let omega_dot_part_4 = omega_dot_part_2.mul_add(weight_2, weight_3 * sin_theta);
         // omega_dot_part_5 = omega_dot_part_4/omega_dot_part_3
         let omega_dot_part_5 = omega_dot_part_4
             .mul_add(
                 over_omega_dot_part_3,
-                -(omega_dot_part_3.mul_add(omega_dot_part_5_0, sums[8])
+                -(omega_dot_part_3.mul_add(omega_dot_part_5_0, sums[9])
                     * over_omega_dot_part_3),
             );
         // alpha_dot_part = omega*omega_dot_part
         let alpha_dot_part = omega_dot_part
-            .mul_add(omega_0, omega.mul_add(omega_dot_part_0, sums[9]));
+            .mul_add(omega_0, omega.mul_add(omega_dot_part_0, sums[10]));
         theta_rate = omega;
         phi_rate = alpha;
-        omega_rate = -S::ratio(1, 20) * omega_dot_part_5;
-        alpha_rate = -S::ratio(6, 13) * alpha_dot_part;
+        omega_rate = -omega_dot_part_5;
+        alpha_rate = ibxx_minus_ibyy_by_ibzz * alpha_dot_part;
         // Factors of the convolutions: left, right.
         history[order] = [
             padded([
@@ -463,10 +646,11 @@ pub fn taylor<S: Scalar>(
                 count * phi,
                 count * theta,
                 count * theta,
+                sin_phi,
+                cos_phi,
                 omega,
                 cos_phi,
                 alpha,
-                cos_phi,
                 omega_dot_part_3,
                 omega,
             ]),
@@ -476,9 +660,10 @@ pub fn taylor<S: Scalar>(
                 cos_theta,
                 sin_theta,
                 sin_phi,
+                cos_phi,
+                sin_phi,
                 omega_sin_phi,
                 omega_dot_part,
-                cos_phi,
                 omega_dot_part_5,
                 omega_dot_part,
             ]),
@@ -505,7 +690,7 @@ pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
     fn parameters(&self) -> usize {
-        0
+        13
     }
     fn coordinates(&self) -> usize {
         2
@@ -617,7 +802,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "swing",
-    key: "a1d9eec417bfde62",
+    key: "d9382b40e9b9bcc1",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

@@ -2,12 +2,14 @@
 //!
 //! Generated from `models/disk/scenes/lean.toml`. Do not edit; run `tripos regenerate`.
 //! Outputs: q2, u1.
-//! States: q2_minus_90deg, u1. Quadratures: none.
-//! p_q3 = u3/2: momentum p_q3 = ∂L/∂q3'.
-//! H_a3_there = u2*cos(q2)/4 + u3*(sin(q2) - 1)/2: angular momentum about a3 through the mass centre, what is left of it on the singular surface.
-//! Parameters that the scene fixes: M = 1, R = 1, g = 9.81.
-//! Cost: accelerations 26 operations, 2 sines and cosines; derivative 27 operations, 2 sines and cosines.
-//! Singular where -sin(q2_minus_90deg) = 0 and where -sin(q2_minus_90deg)/4 = 0.
+//! States: q2, u1. Quadratures: none.
+//! u3 = u3: generalized speed, constant with the momentum p_q3 = ∂L/∂q3'.
+//! H_a3_scaled = u2*cos(q2) + 2*u3*sin(q2): 4 times the angular momentum about a3 through the mass centre.
+//! c_2_u3 = 2*u3: 2*u3.
+//! c_4_g = 4*g: 4*g.
+//! Parameters that the scene fixes: M = 1, R = 1.
+//! Cost: accelerations 17 operations, 1 sine and cosine; derivative 18 operations, 1 sine and cosine.
+//! Singular where cos(q2) = 0 and where cos(q2)/4 = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
@@ -15,10 +17,16 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_q3 = ∂L/∂q3', 1
-    pub p_q3: S,
-    /// angular momentum about a3 through the mass centre, what is left of it on the singular surface, 1
-    pub H_a3_there: S,
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+    /// generalized speed, constant with the momentum p_q3 = ∂L/∂q3', kg*m^2/s
+    pub u3: S,
+    /// 4 times the angular momentum about a3 through the mass centre, kg*m^2/s
+    pub H_a3_scaled: S,
+    /// 2*u3, 1/s
+    pub c_2_u3: S,
+    /// 4*g, m/s^2
+    pub c_4_g: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -30,54 +38,51 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            p_q3: p[0],
-            H_a3_there: p[1],
+            g: p[0],
+            u3: p[1],
+            H_a3_scaled: p[2],
+            c_2_u3: p[3],
+            c_4_g: p[4],
         }
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 2] = ["p_q3", "H_a3_there"];
+pub const PARAMETERS: [&str; 5] = ["g", "u3", "H_a3_scaled", "c_2_u3", "c_4_g"];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 2] = ["q2", "u1"];
 
 /// The accelerations (u1'), solved for when this code was generated.
 ///
-/// 26 operations, 2 sines and cosines.
+/// 17 operations, 1 sine and cosine.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 1] {
-    let Parameters { p_q3, H_a3_there } = *p;
-    let [q2_minus_90deg] = *q;
+    let Parameters { H_a3_scaled, c_2_u3, c_4_g, .. } = *p;
+    let [q2] = *q;
     let [u1] = *u;
     // Sines and cosines.
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
+    let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // 1/sin(q2_minus_90deg); used 2 times
-    let u2_part = S::int(1) / sin_q2_minus_90deg;
-    // Sines and cosines.
-    let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
+    // 1/cos(q2); used 2 times
+    let c2_inv = S::int(1) / c2;
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part
-        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
-    // u1' = (50*u2*u3 + cos(q2_minus_90deg)*(981 + 100*u1^2*sin(q2_minus_90deg) +
-    //   25*u2^2/sin(q2_minus_90deg)))/(25*(4*sin(q2_minus_90deg)^2 - 5))
-    let u1_dot = S::ratio(1, 25)
-        * (cos_q2_minus_90deg
-            * (S::int(981) + S::int(100) * u1 * u1 * sin_q2_minus_90deg
-                + S::int(25) * u2 * u2 * u2_part) + S::int(50) * u2 * u3)
-        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
+    let u2 = c2_inv * (-c_2_u3).mul_add(s2, H_a3_scaled);
+    // Shared terms.
+    // 4*cos(q2); used 2 times
+    let c2_scaled = S::int(4) * c2;
+    // Elimination, step by step.
+    // u1' = (sin(q2)*(4*u1^2*cos(q2) + u2^2/cos(q2) - c_4_g) - u2*c_2_u3)/(5 - 4*cos(q2)^2)
+    let u1_dot = (s2 * (c_4_g - u2 * u2 * c2_inv - u1 * u1 * c2_scaled) + u2 * c_2_u3)
+        / c2_scaled.mul_add(c2, -S::int(5));
     [u1_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 27 operations, 2 sines and cosines.
+/// 18 operations, 1 sine and cosine.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -85,121 +90,84 @@ pub fn derivative<S: Scalar>(
     q: &[S; 1],
     u: &[S; 1],
 ) -> ([S; 1], [S; 1]) {
-    let Parameters { p_q3, H_a3_there } = *p;
-    let [q2_minus_90deg] = *q;
+    let Parameters { H_a3_scaled, c_2_u3, c_4_g, .. } = *p;
+    let [q2] = *q;
     let [u1] = *u;
     // Sines and cosines.
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
+    let (s2, c2) = q2.sin_cos();
     // Shared terms.
-    // 1/sin(q2_minus_90deg); used 2 times
-    let u2_part = S::int(1) / sin_q2_minus_90deg;
-    // Sines and cosines.
-    let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
+    // 1/cos(q2); used 2 times
+    let c2_inv = S::int(1) / c2;
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part
-        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
-    // u1' = (50*u2*u3 + cos(q2_minus_90deg)*(981 + 100*u1^2*sin(q2_minus_90deg) +
-    //   25*u2^2/sin(q2_minus_90deg)))/(25*(4*sin(q2_minus_90deg)^2 - 5))
-    let u1_dot = S::ratio(1, 25)
-        * (cos_q2_minus_90deg
-            * (S::int(981) + S::int(100) * u1 * u1 * sin_q2_minus_90deg
-                + S::int(25) * u2 * u2 * u2_part) + S::int(50) * u2 * u3)
-        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
+    let u2 = c2_inv * (-c_2_u3).mul_add(s2, H_a3_scaled);
+    // Shared terms.
+    // 4*cos(q2); used 2 times
+    let c2_scaled = S::int(4) * c2;
+    // Elimination, step by step.
+    // u1' = (sin(q2)*(4*u1^2*cos(q2) + u2^2/cos(q2) - c_4_g) - u2*c_2_u3)/(5 - 4*cos(q2)^2)
+    let u1_dot = (s2 * (c_4_g - u2 * u2 * c2_inv - u1 * u1 * c2_scaled) + u2 * c_2_u3)
+        / c2_scaled.mul_add(c2, -S::int(5));
     // Values.
-    // q2_minus_90deg' = -u1
-    let q2_minus_90deg_dot_value = -u1;
-    ([q2_minus_90deg_dot_value], [u1_dot])
+    // q2' = -u1
+    let q2_dot_value = -u1;
+    ([q2_dot_value], [u1_dot])
 }
 
-/// Jacobian of the derivative by the state; columns q2_minus_90deg, u1.
+/// Jacobian of the derivative by the state; columns q2, u1.
 ///
-/// 64 operations, 2 sines and cosines.
+/// 42 operations, 1 sine and cosine.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [[S; 2]; 2] {
-    let Parameters { p_q3, H_a3_there } = *p;
-    let [q2_minus_90deg] = *q;
+    let Parameters { H_a3_scaled, c_2_u3, c_4_g, .. } = *p;
+    let [q2] = *q;
     let [u1] = *u;
     let zero = S::int(0);
     // Sines and cosines.
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // 1/cos(q2); used 3 times
+    let c2_inv = S::int(1) / c2;
     // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
+    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
+    let u2 = c2_inv * (-c_2_u3).mul_add(s2, H_a3_scaled);
     // Shared terms.
-    // q2_minus_90deg/2; used 2 times
-    let q2_minus_90deg_scaled = S::ratio(1, 2) * q2_minus_90deg;
-    // Sines and cosines.
-    let (sin_q2_minus_90deg_by_2, cos_q2_minus_90deg_by_2) = q2_minus_90deg_scaled
-        .sin_cos();
-    // Shared terms.
-    // sin(q2_minus_90deg/2)^2; used 2 times
-    let u2_part = sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2;
-    // u3*u2_part; used 2 times
-    let u3_u2_part = u3 * u2_part;
-    // 1/sin(q2_minus_90deg); used 2 times
-    let u2_part_2 = S::int(1) / sin_q2_minus_90deg;
+    // c2_inv^2; used 2 times
+    let c2_inv_sq = c2_inv * c2_inv;
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part_2 * (H_a3_there + u3_u2_part);
+    // u2_by_q2 = (H_a3_scaled*sin(q2) - c_2_u3)/cos(q2)^2
+    let u2_by_q2 = c2_inv_sq * H_a3_scaled.mul_add(s2, -c_2_u3);
     // Shared terms.
-    // 1/(sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2))
-    let u2_by_q2_minus_90deg_part = S::int(1)
-        / (sin_q2_minus_90deg_by_2 * cos_q2_minus_90deg_by_2);
-    // Elimination, step by step.
-    // u2_by_q2_minus_90deg = -(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there*(2*sin(q2_minus_90deg/2)^2 -
-    //   1))/(sin(q2_minus_90deg/2)^2*cos(q2_minus_90deg/2)^2)
-    let u2_by_q2_minus_90deg = -u2_by_q2_minus_90deg_part * u2_by_q2_minus_90deg_part
-        * (H_a3_there * u2_part.mul_add(S::int(2), -S::int(1)) + u3_u2_part);
-    // Shared terms.
+    // 4*cos(q2); used 3 times
+    let c2_scaled = S::int(4) * c2;
+    // 1/(c2_scaled*cos(q2) - 5); used 3 times
+    let u1_dot_by_q2_part = S::int(1) / c2_scaled.mul_add(c2, -S::int(5));
     // u1^2; used 2 times
     let u1_sq = u1 * u1;
-    // u2^2; used 3 times
+    // u2^2; used 2 times
     let u2_sq = u2 * u2;
-    // u3*u2_by_q2_minus_90deg; used 2 times
-    let u1_dot_by_q2_minus_90deg_part = u3 * u2_by_q2_minus_90deg;
-    // u2_sq + u1_dot_by_q2_minus_90deg_part
-    let u1_dot_by_q2_minus_90deg_part_2 = u2_sq + u1_dot_by_q2_minus_90deg_part;
-    // 4*sin(q2_minus_90deg); used 2 times
-    let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
-    // u2*cos(q2_minus_90deg); used 2 times
-    let u1_dot_by_q2_minus_90deg_part_3 = u2 * cos_q2_minus_90deg;
-    // u2_part_2/(1 + 4*cos(q2_minus_90deg)^2)
-    let u1_dot_by_q2_minus_90deg_part_4 = u2_part_2
-        / (S::int(1) + S::int(4) * cos_q2_minus_90deg * cos_q2_minus_90deg);
+    // cos(q2)*(c2_scaled*u1_sq - c_4_g) + u2_sq; used 2 times
+    let u1_dot_by_q2_part_2 = c2 * c2_scaled.mul_add(u1_sq, -c_4_g) + u2_sq;
+    // 8*u1_dot_by_q2_part; used 2 times
+    let u1_dot_by_q2_part_scaled = S::int(8) * u1_dot_by_q2_part;
     // Elimination, step by step.
-    // u1_dot_by_q2_minus_90deg = (125*u2^2 -
-    //   sin(q2_minus_90deg)*(250*u2*u2_by_q2_minus_90deg*cos(q2_minus_90deg) + sin(q2_minus_90deg)*(500*u1^2
-    //   + 300*u2^2 + 250*u3*u2_by_q2_minus_90deg + sin(q2_minus_90deg)*(2943 -
-    //   4*sin(q2_minus_90deg)*(150*u1^2 + 50*u2^2 + 981*sin(q2_minus_90deg) + 50*u3*u2_by_q2_minus_90deg) -
-    //   200*u2*cos(q2_minus_90deg)*(u2_by_q2_minus_90deg - 2*u3)))))/(25*sin(q2_minus_90deg)^2*(1 +
-    //   4*cos(q2_minus_90deg)^2)^2)
-    let u1_dot_by_q2_minus_90deg = S::ratio(1, 25) * u1_dot_by_q2_minus_90deg_part_4
-        * u1_dot_by_q2_minus_90deg_part_4
-        * (-sin_q2_minus_90deg
-            * (sin_q2_minus_90deg
-                * (S::int(500) * u1_sq + S::int(300) * u2_sq
-                    + S::int(250) * u1_dot_by_q2_minus_90deg_part
-                    + sin_q2_minus_90deg
-                        * (S::int(2943)
-                            - sin_q2_minus_90deg_scaled
-                                * (u1_sq
-                                    .mul_add(S::int(150), S::int(981) * sin_q2_minus_90deg)
-                                    + S::int(50) * u1_dot_by_q2_minus_90deg_part_2)
-                            - S::int(200) * u1_dot_by_q2_minus_90deg_part_3
-                                * (-u3).mul_add(S::int(2), u2_by_q2_minus_90deg)))
-                + S::int(250) * u2_by_q2_minus_90deg * u1_dot_by_q2_minus_90deg_part_3)
-            + S::int(125) * u2_sq);
-    // u1_dot_by_u1 = 8*u1*sin(q2_minus_90deg)*cos(q2_minus_90deg)/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot_by_u1 = S::int(8) * u1 * sin_q2_minus_90deg * cos_q2_minus_90deg
-        / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
+    // u1_dot_by_q2 = (u2^2 + cos(q2)*(4*u1^2*cos(q2) - c_4_g) - c_2_u3*u2_by_q2 +
+    //   sin(q2)*(2*u2*(4*c_2_u3*cos(q2)/(5 - 4*cos(q2)^2) + u2_by_q2/cos(q2)) - sin(q2)*(4*u1^2 -
+    //   u2^2/cos(q2)^2 + 8*(u2^2 + cos(q2)*(4*u1^2*cos(q2) - c_4_g))/(5 - 4*cos(q2)^2))))/(5 - 4*cos(q2)^2)
+    let u1_dot_by_q2 = u1_dot_by_q2_part
+        * (-u1_dot_by_q2_part_2 + c_2_u3 * u2_by_q2
+            + s2
+                * (S::int(2) * u2
+                    * (-u2_by_q2).mul_add(c2_inv, c_2_u3 * c2_scaled * u1_dot_by_q2_part)
+                    + s2
+                        * ((-c2_inv_sq).mul_add(u2_sq, S::int(4) * u1_sq)
+                            - u1_dot_by_q2_part_2 * u1_dot_by_q2_part_scaled)));
+    // u1_dot_by_u1 = 8*u1*sin(q2)*cos(q2)/(5 - 4*cos(q2)^2)
+    let u1_dot_by_u1 = -u1 * u1_dot_by_q2_part_scaled * s2 * c2;
     // Entries that are not zero.
-    // d(q2_minus_90deg')/d(u1) = -1
-    let q2_minus_90deg_dot_by_u1_value = -S::int(1);
-    [[zero, q2_minus_90deg_dot_by_u1_value], [u1_dot_by_q2_minus_90deg, u1_dot_by_u1]]
+    // d(q2')/d(u1) = -1
+    let q2_dot_by_u1_value = -S::int(1);
+    [[zero, q2_dot_by_u1_value], [u1_dot_by_q2, u1_dot_by_u1]]
 }
 
 /// Kinematic equations: the time derivatives of the coordinates.
@@ -213,9 +181,9 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 1] {
     let [u1] = *u;
     // Values.
-    // q2_minus_90deg' = -u1
-    let q2_minus_90deg_dot_value = -u1;
-    [q2_minus_90deg_dot_value]
+    // q2' = -u1
+    let q2_dot_value = -u1;
+    [q2_dot_value]
 }
 
 /// Kinetic energy T.
@@ -223,53 +191,45 @@ pub fn coordinate_rates<S: Scalar>(
 /// 6 operations, 1 sine and cosine.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> S {
-    let [q2_minus_90deg] = *q;
+    let [q2] = *q;
     let [u1] = *u;
     // Sines and cosines.
-    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    let (_, c2) = q2.sin_cos();
     // Values.
-    // T = u1^2*(5 - 4*sin(q2_minus_90deg)^2)/8
-    let energy = S::ratio(1, 8) * u1 * u1
-        * (S::int(5) - S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg);
+    // T = u1^2*(5 - 4*cos(q2)^2)/8
+    let energy = S::ratio(1, 8) * u1 * u1 * (S::int(5) - S::int(4) * c2 * c2);
     energy
 }
 
 /// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
 ///
-/// 16 operations, 2 sines and cosines.
+/// 11 operations, 1 sine and cosine.
 #[must_use]
 pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 1]) -> S {
-    let Parameters { p_q3, H_a3_there } = *p;
-    let [q2_minus_90deg] = *q;
+    let Parameters { g, u3, H_a3_scaled, c_2_u3, .. } = *p;
+    let [q2] = *q;
     // Sines and cosines.
-    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    let (s2, c2) = q2.sin_cos();
     // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
-    // Sines and cosines.
-    let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
-    // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4)
-        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there)
-        / sin_q2_minus_90deg;
+    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
+    let u2 = (-c_2_u3).mul_add(s2, H_a3_scaled) / c2;
     // Values.
-    // V = u2^2/8 - 981/100 + u3^2/4 - 981*sin(q2_minus_90deg)/100
-    let energy = S::ratio(1, 8) * u2 * u2 - S::ratio(981, 100) + S::ratio(1, 4) * u3 * u3
-        - S::ratio(981, 100) * sin_q2_minus_90deg;
+    // V = g*(cos(q2) - 1) + u2^2/8 + u3^2/4
+    let energy = g * (c2 - S::int(1)) + S::ratio(1, 8) * u2 * u2
+        + S::ratio(1, 4) * u3 * u3;
     energy
 }
 
 /// What the scene asks for, a time t after the start.
 ///
-/// 2 operations.
+/// 0 operations.
 #[must_use]
 pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 1], u: &[S; 1]) -> [S; 2] {
-    let [q2_minus_90deg] = *q;
+    let [q2] = *q;
     let [u1] = *u;
     // Values.
-    // q2 = pi/2 + q2_minus_90deg
-    let q2_value = S::ratio(1, 2) * S::pi() + q2_minus_90deg;
+    // q2 = q2
+    let q2_value = q2;
     // u1 = u1
     let u1_value = u1;
     [q2_value, u1_value]
@@ -277,266 +237,201 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 1], u: &[S; 1]) -> 
 
 /// The energy, then its derivatives by the state.
 ///
-/// 36 operations, 2 sines and cosines.
+/// 30 operations, 1 sine and cosine.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
-    let Parameters { p_q3, H_a3_there } = *p;
-    let [q2_minus_90deg] = *q;
+    let Parameters { g, u3, H_a3_scaled, c_2_u3, .. } = *p;
+    let [q2] = *q;
     let [u1] = *u;
     // Sines and cosines.
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // 1/cos(q2); used 2 times
+    let c2_inv = S::int(1) / c2;
     // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
+    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
+    let u2 = c2_inv * (-c_2_u3).mul_add(s2, H_a3_scaled);
     // Shared terms.
-    // q2_minus_90deg/2; used 2 times
-    let q2_minus_90deg_scaled = S::ratio(1, 2) * q2_minus_90deg;
-    // Sines and cosines.
-    let (sin_q2_minus_90deg_by_2, cos_q2_minus_90deg_by_2) = q2_minus_90deg_scaled
-        .sin_cos();
-    // Shared terms.
-    // u3*sin(q2_minus_90deg/2); used 2 times
-    let u2_part = u3 * sin_q2_minus_90deg_by_2;
-    // 1/sin(q2_minus_90deg); used 2 times
-    let u2_part_2 = S::int(1) / sin_q2_minus_90deg;
-    // u2_part_2*(H_a3_there + u2_part*sin(q2_minus_90deg/2)); used 2 times
-    let u2_part_3 = u2_part_2 * u2_part.mul_add(sin_q2_minus_90deg_by_2, H_a3_there);
-    // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part_3;
-    // Shared terms.
-    // u1*(4*sin(q2_minus_90deg)^2 - 5); used 2 times
-    let energy_part = u1
-        * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    // u1*(4*cos(q2)^2 - 5); used 2 times
+    let energy_part = u1 * (S::int(4) * c2 * c2 - S::int(5));
     // u2^2 - u1*energy_part
     let energy_part_2 = (-u1).mul_add(energy_part, u2 * u2);
     // Values.
-    // T + V = u2^2/8 - 981/100 + u3^2/4 - 981*sin(q2_minus_90deg)/100 + u1^2*(5 -
-    //   4*sin(q2_minus_90deg)^2)/8
-    let energy = S::ratio(1, 4) * u3 * u3 - S::ratio(981, 100)
-        - S::ratio(981, 100) * sin_q2_minus_90deg + S::ratio(1, 8) * energy_part_2;
-    // d(T + V)/d(q2_minus_90deg) = u2*((2*p_q3*sin(q2_minus_90deg/2)^2 +
-    //   H_a3_there)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
-    //   2*p_q3*sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2)/sin(q2_minus_90deg)) -
-    //   981*cos(q2_minus_90deg)/100 - u1^2*sin(q2_minus_90deg)*cos(q2_minus_90deg)
-    let energy_by_q2_minus_90deg = u2 * u2_part_2
-        * (-u2_part).mul_add(cos_q2_minus_90deg_by_2, u2_part_3 * cos_q2_minus_90deg)
-        - S::ratio(981, 100) * cos_q2_minus_90deg
-        - u1 * u1 * sin_q2_minus_90deg * cos_q2_minus_90deg;
-    // d(T + V)/d(u1) = u1*(5 - 4*sin(q2_minus_90deg)^2)/4
+    // T + V = g*(cos(q2) - 1) + u1^2*(5 - 4*cos(q2)^2)/8 + u2^2/8 + u3^2/4
+    let energy = g * (c2 - S::int(1)) + S::ratio(1, 4) * u3 * u3
+        + S::ratio(1, 8) * energy_part_2;
+    // d(T + V)/d(q2) = u1^2*sin(q2)*cos(q2) - g*sin(q2) - u2*(c_2_u3 + tan(q2)*(c_2_u3*sin(q2) -
+    //   H_a3_scaled)/cos(q2))/4
+    let energy_by_q2 = s2 * (u1 * u1 * c2 - g)
+        + S::ratio(1, 4) * u2 * (u2 * c2_inv).mul_add(s2, -c_2_u3);
+    // d(T + V)/d(u1) = u1*(5 - 4*cos(q2)^2)/4
     let energy_by_u1 = -S::ratio(1, 4) * energy_part;
-    [energy, energy_by_q2_minus_90deg, energy_by_u1]
+    [energy, energy_by_q2, energy_by_u1]
 }
 
 /// The angles z whose sin z/z the slope of the potential needs.
 ///
-/// 6 operations.
+/// 3 operations.
 #[must_use]
-pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
-    let [q2_minus_90deg_from, q2_minus_90deg_to] = *q;
+pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 1] {
+    let [q2_from, q2_to] = *q;
     // Values.
-    // z1 = q2_minus_90deg_to/2 - q2_minus_90deg_from/2
-    let z1 = S::ratio(1, 2) * q2_minus_90deg_to - S::ratio(1, 2) * q2_minus_90deg_from;
-    // z2 = q2_minus_90deg_to/4 - q2_minus_90deg_from/4
-    let z2 = S::ratio(1, 4) * q2_minus_90deg_to - S::ratio(1, 4) * q2_minus_90deg_from;
-    [z1, z2]
+    // z1 = q2_to/2 - q2_from/2
+    let z1 = S::ratio(1, 2) * q2_to - S::ratio(1, 2) * q2_from;
+    [z1]
 }
 
 /// The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.
 ///
-/// 38 operations, 6 sines and cosines.
+/// 29 operations, 3 sines and cosines.
 #[must_use]
-pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
-    let Parameters { p_q3, H_a3_there } = *p;
-    let [q2_minus_90deg_from, q2_minus_90deg_to] = *q;
-    let [sinc1, sinc2] = *u;
+pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> S {
+    let Parameters { g, u3, H_a3_scaled, .. } = *p;
+    let [q2_from, q2_to] = *q;
+    let [sinc1] = *u;
     // Sines and cosines.
-    let (sin_q2_minus_90deg_from, _) = q2_minus_90deg_from.sin_cos();
-    let (sin_q2_minus_90deg_to, _) = q2_minus_90deg_to.sin_cos();
-    let (_, cos_angle) = (S::ratio(1, 2) * q2_minus_90deg_from
-        + S::ratio(1, 2) * q2_minus_90deg_to)
-        .sin_cos();
-    let (_, cos_angle_2) = (S::ratio(1, 4) * q2_minus_90deg_from
-        + S::ratio(1, 4) * q2_minus_90deg_to)
-        .sin_cos();
-    let (sin_q2_minus_90deg_from_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg_from)
-        .sin_cos();
-    let (sin_q2_minus_90deg_to_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg_to).sin_cos();
+    let (sin_q2_from, cos_q2_from) = q2_from.sin_cos();
+    let (sin_q2_to, cos_q2_to) = q2_to.sin_cos();
     // Shared terms.
-    // p_q3*sin(q2_minus_90deg_to/2)^2; used 2 times
-    let slope_part = p_q3 * sin_q2_minus_90deg_to_by_2 * sin_q2_minus_90deg_to_by_2;
+    // q2_from/2 + q2_to/2; used 2 times
+    let slope_part = S::ratio(1, 2) * q2_from + S::ratio(1, 2) * q2_to;
+    // Sines and cosines.
+    let (sin_angle, cos_angle) = slope_part.sin_cos();
+    // Shared terms.
+    // u3*sin(q2_to); used 2 times
+    let u3_sin_q2_to = u3 * sin_q2_to;
     // Values.
-    // (V(b) - V(a))/(b - a) = 4*p_q3*sinc2*cos(q2_minus_90deg_from/4 +
-    //   q2_minus_90deg_to/4)*(sin(q2_minus_90deg_from/2) + sin(q2_minus_90deg_to/2))*(H_a3_there +
-    //   p_q3*sin(q2_minus_90deg_from/2)^2 + p_q3*sin(q2_minus_90deg_to/2)^2)/sin(q2_minus_90deg_from)^2 -
-    //   981*sinc1*cos(q2_minus_90deg_from/2 + q2_minus_90deg_to/2)/100 - 2*sinc1*cos(q2_minus_90deg_from/2 +
-    //   q2_minus_90deg_to/2)*(sin(q2_minus_90deg_from) + sin(q2_minus_90deg_to))*(H_a3_there +
-    //   2*p_q3*sin(q2_minus_90deg_to/2)^2)^2/(sin(q2_minus_90deg_from)^2*sin(q2_minus_90deg_to)^2)
-    let slope = S::int(4) * p_q3 * sinc2 * cos_angle_2
-        * (sin_q2_minus_90deg_from_by_2 + sin_q2_minus_90deg_to_by_2)
-        * (H_a3_there
-            + p_q3 * sin_q2_minus_90deg_from_by_2 * sin_q2_minus_90deg_from_by_2
-            + slope_part) / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from)
-        - S::ratio(981, 100) * sinc1 * cos_angle
-        - S::int(2) * sinc1 * cos_angle
-            * (sin_q2_minus_90deg_from + sin_q2_minus_90deg_to)
-            * slope_part.mul_add(S::int(2), H_a3_there).powi(2)
-            / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from * sin_q2_minus_90deg_to
-                * sin_q2_minus_90deg_to);
+    // (V(b) - V(a))/(b - a) = sinc1*sin(q2_from/2 + q2_to/2)*(cos(q2_from) + cos(q2_to))*(H_a3_scaled -
+    //   2*u3*sin(q2_to))^2/(8*cos(q2_from)^2*cos(q2_to)^2) - g*sinc1*sin(q2_from/2 + q2_to/2) +
+    //   u3*sinc1*cos(q2_from/2 + q2_to/2)*(u3*sin(q2_from) - H_a3_scaled + u3*sin(q2_to))/(2*cos(q2_from)^2)
+    let slope = S::ratio(1, 8) * sinc1 * sin_angle * (cos_q2_from + cos_q2_to)
+        * (-u3_sin_q2_to).mul_add(S::int(2), H_a3_scaled).powi(2)
+        / (cos_q2_from * cos_q2_from * cos_q2_to * cos_q2_to) - g * sinc1 * sin_angle
+        + S::ratio(1, 2) * u3 * sinc1 * cos_angle
+            * (u3.mul_add(sin_q2_from, -H_a3_scaled) + u3_sin_q2_to)
+            / (cos_q2_from * cos_q2_from);
     slope
 }
 
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
-/// 13 convolutions and 14 linear operations an order.
+/// 10 convolutions and 12 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 2]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { p_q3, H_a3_there } = *p;
-    let [q2_minus_90deg_0, u1_0] = series[0];
+    let Parameters { H_a3_scaled, c_2_u3, c_4_g, .. } = *p;
+    let [q2_0, u1_0] = series[0];
     // Constant in time.
-    // weight = 2*p_q3
-    let weight = S::int(2) * p_q3;
-    // minus_400_p_q3 = -400*p_q3
-    let minus_400_p_q3 = -S::int(400) * p_q3;
+    // minus_c_2_u3 = -c_2_u3
+    let minus_c_2_u3 = -c_2_u3;
+    // minus_c_4_g = -c_4_g
+    let minus_c_4_g = -c_4_g;
     // Order 0.
-    let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
-    let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
-    // q2_minus_90deg_by_2 = 1/2*q2_minus_90deg
-    let q2_minus_90deg_by_2_0 = S::ratio(1, 2) * q2_minus_90deg_0;
-    let (sin_q2_minus_90deg_by_2_0, cos_q2_minus_90deg_by_2_0) = q2_minus_90deg_by_2_0
-        .sin_cos();
-    // u2_part = sin_q2_minus_90deg_by_2*sin_q2_minus_90deg_by_2
-    let u2_part_0 = sin_q2_minus_90deg_by_2_0 * sin_q2_minus_90deg_by_2_0;
-    // u2_part_2 = H_a3_there + weight*u2_part
-    let u2_part_2_0 = u2_part_0.mul_add(weight, H_a3_there);
-    // u2_part_3 = u2_part_2/sin_q2_minus_90deg
-    let u2_part_3_0 = u2_part_2_0 * over_sin_q2_minus_90deg;
-    // u1_dot_part = u2_part_3/sin_q2_minus_90deg
-    let u1_dot_part_0 = u2_part_3_0 * over_sin_q2_minus_90deg;
-    // u1_dot_part_2 = u2_part_3*u1_dot_part
-    let u1_dot_part_2_0 = u2_part_3_0 * u1_dot_part_0;
-    // u1_dot_part_3 = sin_q2_minus_90deg*sin_q2_minus_90deg
-    let u1_dot_part_3_0 = sin_q2_minus_90deg_0 * sin_q2_minus_90deg_0;
+    let (s2_0, c2_0) = q2_0.sin_cos();
+    let over_c2 = S::int(1) / c2_0;
+    // u2_part = H_a3_scaled + minus_c_2_u3*s2
+    let u2_part_0 = s2_0.mul_add(minus_c_2_u3, H_a3_scaled);
+    // u2_part_2 = u2_part/c2
+    let u2_part_2_0 = u2_part_0 * over_c2;
+    // cos_q2_p2 = c2*c2
+    let cos_q2_p2_0 = c2_0 * c2_0;
+    // u1_dot_part = u2_part_2/c2
+    let u1_dot_part_0 = u2_part_2_0 * over_c2;
+    // u1_dot_part_2 = u2_part_2*u1_dot_part
+    let u1_dot_part_2_0 = u2_part_2_0 * u1_dot_part_0;
     // u1_p2 = u1*u1
     let u1_p2_0 = u1_0 * u1_0;
-    // u1_dot_part_4 = sin_q2_minus_90deg*u1_p2
-    let u1_dot_part_4_0 = sin_q2_minus_90deg_0 * u1_p2_0;
-    // u1_dot_part_5 = 981 + 400*u1_dot_part_2 + 100*u1_dot_part_4
-    let u1_dot_part_5_0 = u1_dot_part_2_0
-        .mul_add(S::int(400), u1_dot_part_4_0.mul_add(S::int(100), S::int(981)));
-    // u1_dot_part_6 = cos_q2_minus_90deg*u1_dot_part_5
-    let u1_dot_part_6_0 = cos_q2_minus_90deg_0 * u1_dot_part_5_0;
-    // u1_dot_part_7 = minus_400_p_q3*u2_part_3 + u1_dot_part_6
-    let u1_dot_part_7_0 = minus_400_p_q3 * u2_part_3_0 + u1_dot_part_6_0;
-    // u1_dot_part_8 = -5 + 4*u1_dot_part_3
-    let u1_dot_part_8_0 = u1_dot_part_3_0.mul_add(S::int(4), -S::int(5));
-    let over_u1_dot_part_8 = S::int(1) / u1_dot_part_8_0;
-    // u1_dot_part_9 = u1_dot_part_7/u1_dot_part_8
-    let u1_dot_part_9_0 = u1_dot_part_7_0 * over_u1_dot_part_8;
+    // u1_p2_cos_q2 = c2*u1_p2
+    let u1_p2_cos_q2_0 = c2_0 * u1_p2_0;
+    // u1_dot_part_3 = -5 + 4*cos_q2_p2
+    let u1_dot_part_3_0 = cos_q2_p2_0.mul_add(S::int(4), -S::int(5));
+    let over_u1_dot_part_3 = S::int(1) / u1_dot_part_3_0;
+    // u1_dot_part_4 = minus_c_4_g + u1_dot_part_2 + 4*u1_p2_cos_q2
+    let u1_dot_part_4_0 = u1_p2_cos_q2_0.mul_add(S::int(4), minus_c_4_g)
+        + u1_dot_part_2_0;
+    // u1_dot_part_5 = s2*u1_dot_part_4
+    let u1_dot_part_5_0 = s2_0 * u1_dot_part_4_0;
+    // u1_dot_part_6 = u1_dot_part_5 + minus_c_2_u3*u2_part_2
+    let u1_dot_part_6_0 = minus_c_2_u3 * u2_part_2_0 + u1_dot_part_5_0;
+    // u1_dot_part_7 = u1_dot_part_6/u1_dot_part_3
+    let u1_dot_part_7_0 = u1_dot_part_6_0 * over_u1_dot_part_3;
     // Order 1: the rates, and what follows from them.
-    let q2_minus_90deg_1 = -u1_0;
-    let u1_1 = S::ratio(1, 25) * u1_dot_part_9_0;
+    let q2_1 = -u1_0;
+    let u1_1 = -u1_dot_part_7_0;
     if series.len() > 1 {
-        series[1] = [q2_minus_90deg_1, u1_1];
+        series[1] = [q2_1, u1_1];
     }
-    let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
-    let cos_q2_minus_90deg_1 = -q2_minus_90deg_1 * sin_q2_minus_90deg_0;
-    let q2_minus_90deg_by_2_1 = S::ratio(1, 2) * q2_minus_90deg_1;
-    let sin_q2_minus_90deg_by_2_1 = q2_minus_90deg_by_2_1 * cos_q2_minus_90deg_by_2_0;
-    let cos_q2_minus_90deg_by_2_1 = -q2_minus_90deg_by_2_1 * sin_q2_minus_90deg_by_2_0;
-    let u2_part_1 = sin_q2_minus_90deg_by_2_1
-        * (sin_q2_minus_90deg_by_2_0 + sin_q2_minus_90deg_by_2_0);
-    let u2_part_2_1 = weight * u2_part_1;
-    let u2_part_3_1 = sin_q2_minus_90deg_1
-        .mul_add(
-            -(u2_part_3_0 * over_sin_q2_minus_90deg),
-            u2_part_2_1 * over_sin_q2_minus_90deg,
-        );
-    let u1_dot_part_1 = sin_q2_minus_90deg_1
-        .mul_add(
-            -(u1_dot_part_0 * over_sin_q2_minus_90deg),
-            u2_part_3_1 * over_sin_q2_minus_90deg,
-        );
+    let s2_1 = q2_1 * c2_0;
+    let c2_1 = -q2_1 * s2_0;
+    let u2_part_1 = minus_c_2_u3 * s2_1;
+    let u2_part_2_1 = c2_1.mul_add(-(u2_part_2_0 * over_c2), u2_part_1 * over_c2);
+    let cos_q2_p2_1 = c2_1 * (c2_0 + c2_0);
+    let u1_dot_part_1 = c2_1.mul_add(-(u1_dot_part_0 * over_c2), u2_part_2_1 * over_c2);
     let u1_dot_part_2_1 = u1_dot_part_1
-        .mul_add(u2_part_3_0, u2_part_3_1 * u1_dot_part_0);
-    let u1_dot_part_3_1 = sin_q2_minus_90deg_1
-        * (sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0);
+        .mul_add(u2_part_2_0, u2_part_2_1 * u1_dot_part_0);
     let u1_p2_1 = u1_1 * (u1_0 + u1_0);
-    let u1_dot_part_4_1 = u1_p2_1
-        .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg_1 * u1_p2_0);
-    let u1_dot_part_5_1 = u1_dot_part_2_1
-        .mul_add(S::int(400), S::int(100) * u1_dot_part_4_1);
-    let u1_dot_part_6_1 = u1_dot_part_5_1
-        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u1_dot_part_5_0);
-    let u1_dot_part_7_1 = minus_400_p_q3 * u2_part_3_1 + u1_dot_part_6_1;
-    let u1_dot_part_8_1 = S::int(4) * u1_dot_part_3_1;
-    let u1_dot_part_9_1 = u1_dot_part_8_1
+    let u1_p2_cos_q2_1 = u1_p2_1.mul_add(c2_0, c2_1 * u1_p2_0);
+    let u1_dot_part_3_1 = S::int(4) * cos_q2_p2_1;
+    let u1_dot_part_4_1 = S::int(4) * u1_p2_cos_q2_1 + u1_dot_part_2_1;
+    let u1_dot_part_5_1 = u1_dot_part_4_1.mul_add(s2_0, s2_1 * u1_dot_part_4_0);
+    let u1_dot_part_6_1 = minus_c_2_u3 * u2_part_2_1 + u1_dot_part_5_1;
+    let u1_dot_part_7_1 = u1_dot_part_3_1
         .mul_add(
-            -(u1_dot_part_9_0 * over_u1_dot_part_8),
-            u1_dot_part_7_1 * over_u1_dot_part_8,
+            -(u1_dot_part_7_0 * over_u1_dot_part_3),
+            u1_dot_part_6_1 * over_u1_dot_part_3,
         );
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q2_minus_90deg_1,
-                q2_minus_90deg_1,
-                q2_minus_90deg_by_2_1,
-                q2_minus_90deg_by_2_1,
-                sin_q2_minus_90deg_by_2_1,
-                sin_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                u2_part_3_1,
-                sin_q2_minus_90deg_1,
+                q2_1,
+                q2_1,
+                c2_1,
+                c2_1,
+                c2_1,
+                u2_part_2_1,
                 u1_1,
-                sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_1,
-                u1_dot_part_8_1,
+                c2_1,
+                s2_1,
+                u1_dot_part_3_1,
             ]),
             padded([
-                cos_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_by_2_1,
-                sin_q2_minus_90deg_by_2_1,
-                sin_q2_minus_90deg_by_2_1,
-                u2_part_3_1,
+                c2_1,
+                s2_1,
+                u2_part_2_1,
+                c2_1,
                 u1_dot_part_1,
                 u1_dot_part_1,
-                sin_q2_minus_90deg_1,
                 u1_1,
                 u1_p2_1,
-                u1_dot_part_5_1,
-                u1_dot_part_9_1,
+                u1_dot_part_4_1,
+                u1_dot_part_7_1,
             ]),
         ];
     }
     let mut count_last = S::int(1);
-    let mut q2_minus_90deg_last = q2_minus_90deg_1;
+    let mut q2_last = q2_1;
     let mut u1_last = u1_1;
-    let mut sin_q2_minus_90deg_last = sin_q2_minus_90deg_1;
-    let mut cos_q2_minus_90deg_last = cos_q2_minus_90deg_1;
-    let mut q2_minus_90deg_by_2_last = q2_minus_90deg_by_2_1;
-    let mut sin_q2_minus_90deg_by_2_last = sin_q2_minus_90deg_by_2_1;
-    let mut cos_q2_minus_90deg_by_2_last = cos_q2_minus_90deg_by_2_1;
-    let mut u2_part_3_last = u2_part_3_1;
+    let mut s2_last = s2_1;
+    let mut c2_last = c2_1;
+    let mut u2_part_2_last = u2_part_2_1;
     let mut u1_dot_part_last = u1_dot_part_1;
     let mut u1_p2_last = u1_p2_1;
-    let mut u1_dot_part_5_last = u1_dot_part_5_1;
-    let mut u1_dot_part_8_last = u1_dot_part_8_1;
-    let mut u1_dot_part_9_last = u1_dot_part_9_1;
+    let mut u1_dot_part_3_last = u1_dot_part_3_1;
+    let mut u1_dot_part_4_last = u1_dot_part_4_1;
+    let mut u1_dot_part_7_last = u1_dot_part_7_1;
     let mut next = [S::int(0); 16];
     // Rates at order k - 1.
-    let mut q2_minus_90deg_rate = -u1_1;
-    let mut u1_rate = S::ratio(1, 25) * u1_dot_part_9_1;
+    let mut q2_rate = -u1_1;
+    let mut u1_rate = -u1_dot_part_7_1;
     for order in 2..series.len() {
         let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let q2_minus_90deg = q2_minus_90deg_rate * over_k;
+        let q2 = q2_rate * over_k;
         let u1 = u1_rate * over_k;
-        series[order] = [q2_minus_90deg, u1];
+        series[order] = [q2, u1];
         if order + 1 == series.len() {
             break;
         }
@@ -550,182 +445,106 @@ pub fn taylor<S: Scalar>(
         } else {
             // Those terms, which also have coefficients of order 1.
             padded([
-                q2_minus_90deg_1
-                    .mul_add(
-                        cos_q2_minus_90deg_last,
-                        (count_last * q2_minus_90deg_last)
-                            .mul_add(cos_q2_minus_90deg_1, next[0]),
-                    ),
-                q2_minus_90deg_1
-                    .mul_add(
-                        sin_q2_minus_90deg_last,
-                        (count_last * q2_minus_90deg_last)
-                            .mul_add(sin_q2_minus_90deg_1, next[1]),
-                    ),
-                q2_minus_90deg_by_2_1
-                    .mul_add(
-                        cos_q2_minus_90deg_by_2_last,
-                        (count_last * q2_minus_90deg_by_2_last)
-                            .mul_add(cos_q2_minus_90deg_by_2_1, next[2]),
-                    ),
-                q2_minus_90deg_by_2_1
-                    .mul_add(
-                        sin_q2_minus_90deg_by_2_last,
-                        (count_last * q2_minus_90deg_by_2_last)
-                            .mul_add(sin_q2_minus_90deg_by_2_1, next[3]),
-                    ),
-                (sin_q2_minus_90deg_by_2_1 + sin_q2_minus_90deg_by_2_1)
-                    .mul_add(sin_q2_minus_90deg_by_2_last, next[4]),
-                sin_q2_minus_90deg_1
-                    .mul_add(
-                        u2_part_3_last,
-                        sin_q2_minus_90deg_last.mul_add(u2_part_3_1, next[5]),
-                    ),
-                sin_q2_minus_90deg_1
+                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
+                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
+                c2_1.mul_add(u2_part_2_last, c2_last.mul_add(u2_part_2_1, next[2])),
+                (c2_1 + c2_1).mul_add(c2_last, next[3]),
+                c2_1.mul_add(u1_dot_part_last, c2_last.mul_add(u1_dot_part_1, next[4])),
+                u2_part_2_1
                     .mul_add(
                         u1_dot_part_last,
-                        sin_q2_minus_90deg_last.mul_add(u1_dot_part_1, next[6]),
+                        u2_part_2_last.mul_add(u1_dot_part_1, next[5]),
                     ),
-                u2_part_3_1
+                (u1_1 + u1_1).mul_add(u1_last, next[6]),
+                c2_1.mul_add(u1_p2_last, c2_last.mul_add(u1_p2_1, next[7])),
+                s2_1
                     .mul_add(
-                        u1_dot_part_last,
-                        u2_part_3_last.mul_add(u1_dot_part_1, next[7]),
+                        u1_dot_part_4_last,
+                        s2_last.mul_add(u1_dot_part_4_1, next[8]),
                     ),
-                (sin_q2_minus_90deg_1 + sin_q2_minus_90deg_1)
-                    .mul_add(sin_q2_minus_90deg_last, next[8]),
-                (u1_1 + u1_1).mul_add(u1_last, next[9]),
-                sin_q2_minus_90deg_1
+                u1_dot_part_3_1
                     .mul_add(
-                        u1_p2_last,
-                        sin_q2_minus_90deg_last.mul_add(u1_p2_1, next[10]),
-                    ),
-                cos_q2_minus_90deg_1
-                    .mul_add(
-                        u1_dot_part_5_last,
-                        cos_q2_minus_90deg_last.mul_add(u1_dot_part_5_1, next[11]),
-                    ),
-                u1_dot_part_8_1
-                    .mul_add(
-                        u1_dot_part_9_last,
-                        u1_dot_part_8_last.mul_add(u1_dot_part_9_1, next[12]),
+                        u1_dot_part_7_last,
+                        u1_dot_part_3_last.mul_add(u1_dot_part_7_1, next[9]),
                     ),
             ])
         };
-        // sin_q2_minus_90deg = sin(q2_minus_90deg)
-        let sin_q2_minus_90deg = q2_minus_90deg
-            .mul_add(cos_q2_minus_90deg_0, sums[0] * over_k);
-        // cos_q2_minus_90deg = cos(q2_minus_90deg)
-        let cos_q2_minus_90deg = -q2_minus_90deg
-            .mul_add(sin_q2_minus_90deg_0, sums[1] * over_k);
-        // q2_minus_90deg_by_2 = 1/2*q2_minus_90deg
-        let q2_minus_90deg_by_2 = S::ratio(1, 2) * q2_minus_90deg;
-        // sin_q2_minus_90deg_by_2 = sin(q2_minus_90deg_by_2)
-        let sin_q2_minus_90deg_by_2 = q2_minus_90deg_by_2
-            .mul_add(cos_q2_minus_90deg_by_2_0, sums[2] * over_k);
-        // cos_q2_minus_90deg_by_2 = cos(q2_minus_90deg_by_2)
-        let cos_q2_minus_90deg_by_2 = -q2_minus_90deg_by_2
-            .mul_add(sin_q2_minus_90deg_by_2_0, sums[3] * over_k);
-        // u2_part = sin_q2_minus_90deg_by_2*sin_q2_minus_90deg_by_2
-        let u2_part = sin_q2_minus_90deg_by_2
-            .mul_add(sin_q2_minus_90deg_by_2_0 + sin_q2_minus_90deg_by_2_0, sums[4]);
-        // u2_part_2 = H_a3_there + weight*u2_part
-        let u2_part_2 = weight * u2_part;
-        // u2_part_3 = u2_part_2/sin_q2_minus_90deg
-        let u2_part_3 = u2_part_2
-            .mul_add(
-                over_sin_q2_minus_90deg,
-                -(sin_q2_minus_90deg.mul_add(u2_part_3_0, sums[5])
-                    * over_sin_q2_minus_90deg),
-            );
-        // u1_dot_part = u2_part_3/sin_q2_minus_90deg
-        let u1_dot_part = u2_part_3
-            .mul_add(
-                over_sin_q2_minus_90deg,
-                -(sin_q2_minus_90deg.mul_add(u1_dot_part_0, sums[6])
-                    * over_sin_q2_minus_90deg),
-            );
-        // u1_dot_part_2 = u2_part_3*u1_dot_part
+        // s2 = sin(q2)
+        let s2 = q2.mul_add(c2_0, sums[0] * over_k);
+        // c2 = cos(q2)
+        let c2 = -q2.mul_add(s2_0, sums[1] * over_k);
+        // u2_part = H_a3_scaled + minus_c_2_u3*s2
+        let u2_part = minus_c_2_u3 * s2;
+        // u2_part_2 = u2_part/c2
+        let u2_part_2 = u2_part
+            .mul_add(over_c2, -(c2.mul_add(u2_part_2_0, sums[2]) * over_c2));
+        // cos_q2_p2 = c2*c2
+        let cos_q2_p2 = c2.mul_add(c2_0 + c2_0, sums[3]);
+        // u1_dot_part = u2_part_2/c2
+        let u1_dot_part = u2_part_2
+            .mul_add(over_c2, -(c2.mul_add(u1_dot_part_0, sums[4]) * over_c2));
+        // u1_dot_part_2 = u2_part_2*u1_dot_part
         let u1_dot_part_2 = u1_dot_part
-            .mul_add(u2_part_3_0, u2_part_3.mul_add(u1_dot_part_0, sums[7]));
-        // u1_dot_part_3 = sin_q2_minus_90deg*sin_q2_minus_90deg
-        let u1_dot_part_3 = sin_q2_minus_90deg
-            .mul_add(sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0, sums[8]);
+            .mul_add(u2_part_2_0, u2_part_2.mul_add(u1_dot_part_0, sums[5]));
         // u1_p2 = u1*u1
-        let u1_p2 = u1.mul_add(u1_0 + u1_0, sums[9]);
-        // u1_dot_part_4 = sin_q2_minus_90deg*u1_p2
-        let u1_dot_part_4 = u1_p2
+        let u1_p2 = u1.mul_add(u1_0 + u1_0, sums[6]);
+        // u1_p2_cos_q2 = c2*u1_p2
+        let u1_p2_cos_q2 = u1_p2.mul_add(c2_0, c2.mul_add(u1_p2_0, sums[7]));
+        // u1_dot_part_3 = -5 + 4*cos_q2_p2
+        let u1_dot_part_3 = S::int(4) * cos_q2_p2;
+        // u1_dot_part_4 = minus_c_4_g + u1_dot_part_2 + 4*u1_p2_cos_q2
+        let u1_dot_part_4 = S::int(4) * u1_p2_cos_q2 + u1_dot_part_2;
+        // u1_dot_part_5 = s2*u1_dot_part_4
+        let u1_dot_part_5 = u1_dot_part_4
+            .mul_add(s2_0, s2.mul_add(u1_dot_part_4_0, sums[8]));
+        // u1_dot_part_6 = u1_dot_part_5 + minus_c_2_u3*u2_part_2
+        let u1_dot_part_6 = minus_c_2_u3 * u2_part_2 + u1_dot_part_5;
+        // u1_dot_part_7 = u1_dot_part_6/u1_dot_part_3
+        let u1_dot_part_7 = u1_dot_part_6
             .mul_add(
-                sin_q2_minus_90deg_0,
-                sin_q2_minus_90deg.mul_add(u1_p2_0, sums[10]),
+                over_u1_dot_part_3,
+                -(u1_dot_part_3.mul_add(u1_dot_part_7_0, sums[9]) * over_u1_dot_part_3),
             );
-        // u1_dot_part_5 = 981 + 400*u1_dot_part_2 + 100*u1_dot_part_4
-        let u1_dot_part_5 = u1_dot_part_2
-            .mul_add(S::int(400), S::int(100) * u1_dot_part_4);
-        // u1_dot_part_6 = cos_q2_minus_90deg*u1_dot_part_5
-        let u1_dot_part_6 = u1_dot_part_5
-            .mul_add(
-                cos_q2_minus_90deg_0,
-                cos_q2_minus_90deg.mul_add(u1_dot_part_5_0, sums[11]),
-            );
-        // u1_dot_part_7 = minus_400_p_q3*u2_part_3 + u1_dot_part_6
-        let u1_dot_part_7 = minus_400_p_q3 * u2_part_3 + u1_dot_part_6;
-        // u1_dot_part_8 = -5 + 4*u1_dot_part_3
-        let u1_dot_part_8 = S::int(4) * u1_dot_part_3;
-        // u1_dot_part_9 = u1_dot_part_7/u1_dot_part_8
-        let u1_dot_part_9 = u1_dot_part_7
-            .mul_add(
-                over_u1_dot_part_8,
-                -(u1_dot_part_8.mul_add(u1_dot_part_9_0, sums[12]) * over_u1_dot_part_8),
-            );
-        q2_minus_90deg_rate = -u1;
-        u1_rate = S::ratio(1, 25) * u1_dot_part_9;
+        q2_rate = -u1;
+        u1_rate = -u1_dot_part_7;
         // Factors of the convolutions: left, right.
         history[order] = [
             padded([
-                count * q2_minus_90deg,
-                count * q2_minus_90deg,
-                count * q2_minus_90deg_by_2,
-                count * q2_minus_90deg_by_2,
-                sin_q2_minus_90deg_by_2,
-                sin_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                u2_part_3,
-                sin_q2_minus_90deg,
+                count * q2,
+                count * q2,
+                c2,
+                c2,
+                c2,
+                u2_part_2,
                 u1,
-                sin_q2_minus_90deg,
-                cos_q2_minus_90deg,
-                u1_dot_part_8,
+                c2,
+                s2,
+                u1_dot_part_3,
             ]),
             padded([
-                cos_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                cos_q2_minus_90deg_by_2,
-                sin_q2_minus_90deg_by_2,
-                sin_q2_minus_90deg_by_2,
-                u2_part_3,
+                c2,
+                s2,
+                u2_part_2,
+                c2,
                 u1_dot_part,
                 u1_dot_part,
-                sin_q2_minus_90deg,
                 u1,
                 u1_p2,
-                u1_dot_part_5,
-                u1_dot_part_9,
+                u1_dot_part_4,
+                u1_dot_part_7,
             ]),
         ];
         count_last = count;
-        q2_minus_90deg_last = q2_minus_90deg;
+        q2_last = q2;
         u1_last = u1;
-        sin_q2_minus_90deg_last = sin_q2_minus_90deg;
-        cos_q2_minus_90deg_last = cos_q2_minus_90deg;
-        q2_minus_90deg_by_2_last = q2_minus_90deg_by_2;
-        sin_q2_minus_90deg_by_2_last = sin_q2_minus_90deg_by_2;
-        cos_q2_minus_90deg_by_2_last = cos_q2_minus_90deg_by_2;
-        u2_part_3_last = u2_part_3;
+        s2_last = s2;
+        c2_last = c2;
+        u2_part_2_last = u2_part_2;
         u1_dot_part_last = u1_dot_part;
         u1_p2_last = u1_p2;
-        u1_dot_part_5_last = u1_dot_part_5;
-        u1_dot_part_8_last = u1_dot_part_8;
-        u1_dot_part_9_last = u1_dot_part_9;
+        u1_dot_part_3_last = u1_dot_part_3;
+        u1_dot_part_4_last = u1_dot_part_4;
+        u1_dot_part_7_last = u1_dot_part_7;
     }
 }
 
@@ -735,7 +554,7 @@ pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
     fn parameters(&self) -> usize {
-        2
+        5
     }
     fn coordinates(&self) -> usize {
         1
@@ -855,7 +674,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "lean",
-    key: "c79657006d709137",
+    key: "57b6c2681df1c4b3",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

@@ -3,14 +3,17 @@
 //! Generated from `models/disk/scenes/report.toml`. Do not edit; run `tripos regenerate`.
 //! Outputs: q1, q2, q3, q4, q5, u1, u2, u3, u4, u5.
 //! States: q2_minus_90deg, u1. Quadratures: q3, q1.
-//! p_q3 = u3/2: momentum p_q3 = ∂L/∂q3'.
+//! u3 = u3: generalized speed, constant with the momentum p_q3 = ∂L/∂q3'.
 //! p_q4 = u1*sin(q1)*cos(q2) - u2*cos(q1)*tan(q2) + u4: momentum p_q4 = ∂L/∂q4'.
 //! p_q5 = u5 - u1*cos(q1)*cos(q2) - u2*sin(q1)*tan(q2): momentum p_q5 = ∂L/∂q5'.
-//! H_a3_there = u2*cos(q2)/4 + u3*(sin(q2) - 1)/2: angular momentum about a3 through the mass centre, what is left of it on the singular surface.
+//! H_a3_there_scaled = 2*u3*(1 - sin(q2)) - u2*cos(q2): -4 times the angular momentum about a3 through the mass centre, what is left of it on the singular surface.
 //! centre_q4 = q4 - sin(q1)*sin(q2): q4 - sin(q1)*cos(q2_minus_90deg) at the start.
 //! centre_q5 = cos(q1)*sin(q2) + q5: q5 + cos(q1)*cos(q2_minus_90deg) at the start.
-//! Parameters that the scene fixes: M = 1, R = 1, g = 9.81.
-//! Cost: accelerations 26 operations, 2 sines and cosines; derivative 30 operations, 2 sines and cosines.
+//! c_4_u3 = 4*u3: 4*u3.
+//! c_4_g = 4*g: 4*g.
+//! c_2_u3 = 2*u3: 2*u3.
+//! Parameters that the scene fixes: M = 1, R = 1.
+//! Cost: accelerations 19 operations, 2 sines and cosines; derivative 23 operations, 2 sines and cosines.
 //! Singular where -sin(q2_minus_90deg) = 0 and where -sin(q2_minus_90deg)/4 = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
@@ -19,18 +22,26 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_q3 = ∂L/∂q3', 1
-    pub p_q3: S,
-    /// momentum p_q4 = ∂L/∂q4', 1
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+    /// generalized speed, constant with the momentum p_q3 = ∂L/∂q3', kg*m^2/s
+    pub u3: S,
+    /// momentum p_q4 = ∂L/∂q4', kg*m/s
     pub p_q4: S,
-    /// momentum p_q5 = ∂L/∂q5', 1
+    /// momentum p_q5 = ∂L/∂q5', kg*m/s
     pub p_q5: S,
-    /// angular momentum about a3 through the mass centre, what is left of it on the singular surface, 1
-    pub H_a3_there: S,
+    /// -4 times the angular momentum about a3 through the mass centre, what is left of it on the singular surface, kg*m^2/s
+    pub H_a3_there_scaled: S,
     /// q4 - sin(q1)*cos(q2_minus_90deg) at the start, kg*m
     pub centre_q4: S,
     /// q5 + cos(q1)*cos(q2_minus_90deg) at the start, kg*m
     pub centre_q5: S,
+    /// 4*u3, 1/s
+    pub c_4_u3: S,
+    /// 4*g, m/s^2
+    pub c_4_g: S,
+    /// 2*u3, 1/s
+    pub c_2_u3: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -42,24 +53,32 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            p_q3: p[0],
-            p_q4: p[1],
-            p_q5: p[2],
-            H_a3_there: p[3],
-            centre_q4: p[4],
-            centre_q5: p[5],
+            g: p[0],
+            u3: p[1],
+            p_q4: p[2],
+            p_q5: p[3],
+            H_a3_there_scaled: p[4],
+            centre_q4: p[5],
+            centre_q5: p[6],
+            c_4_u3: p[7],
+            c_4_g: p[8],
+            c_2_u3: p[9],
         }
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 6] = [
-    "p_q3",
+pub const PARAMETERS: [&str; 10] = [
+    "g",
+    "u3",
     "p_q4",
     "p_q5",
-    "H_a3_there",
+    "H_a3_there_scaled",
     "centre_q4",
     "centre_q5",
+    "c_4_u3",
+    "c_4_g",
+    "c_2_u3",
 ];
 
 /// Names of the outputs.
@@ -78,40 +97,41 @@ pub const OUTPUTS: [&str; 10] = [
 
 /// The accelerations (u1'), solved for when this code was generated.
 ///
-/// 26 operations, 2 sines and cosines.
+/// 19 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 1] {
-    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let Parameters { H_a3_there_scaled, c_4_u3, c_4_g, c_2_u3, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
     // Shared terms.
     // 1/sin(q2_minus_90deg); used 2 times
     let u2_part = S::int(1) / sin_q2_minus_90deg;
     // Sines and cosines.
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part
-        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
-    // u1' = (50*u2*u3 + cos(q2_minus_90deg)*(981 + 100*u1^2*sin(q2_minus_90deg) +
-    //   25*u2^2/sin(q2_minus_90deg)))/(25*(4*sin(q2_minus_90deg)^2 - 5))
-    let u1_dot = S::ratio(1, 25)
-        * (cos_q2_minus_90deg
-            * (S::int(981) + S::int(100) * u1 * u1 * sin_q2_minus_90deg
-                + S::int(25) * u2 * u2 * u2_part) + S::int(50) * u2 * u3)
-        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    let u2 = u2_part
+        * (H_a3_there_scaled
+            - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
+    // Shared terms.
+    // 4*sin(q2_minus_90deg); used 2 times
+    let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
+    // Elimination, step by step.
+    // u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + c_4_g) +
+    //   u2*c_2_u3)/(4*sin(q2_minus_90deg)^2 - 5)
+    let u1_dot = (cos_q2_minus_90deg
+        * (c_4_g + u2 * u2 * u2_part + u1 * u1 * sin_q2_minus_90deg_scaled)
+        + u2 * c_2_u3)
+        / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
     [u1_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 30 operations, 2 sines and cosines.
+/// 23 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -119,37 +139,33 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 1],
 ) -> ([S; 3], [S; 1]) {
-    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let Parameters { u3, H_a3_there_scaled, c_4_u3, c_4_g, c_2_u3, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
     // Shared terms.
     // 1/sin(q2_minus_90deg); used 2 times
     let u2_part = S::int(1) / sin_q2_minus_90deg;
     // Sines and cosines.
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part
-        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
+    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    let u2 = u2_part
+        * (H_a3_there_scaled
+            - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     // Shared terms.
     // u2*u2_part; used 3 times
     let u2_u2_part = u2 * u2_part;
+    // 4*sin(q2_minus_90deg); used 2 times
+    let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
     // Elimination, step by step.
-    // u1' = (50*u2*u3 + cos(q2_minus_90deg)*(981 + 100*u1^2*sin(q2_minus_90deg) +
-    //   25*u2^2/sin(q2_minus_90deg)))/(25*(4*sin(q2_minus_90deg)^2 - 5))
-    let u1_dot = S::ratio(1, 25)
-        * (cos_q2_minus_90deg
-            * (u2 * u2_u2_part)
-                .mul_add(
-                    S::int(25),
-                    S::int(981) + S::int(100) * u1 * u1 * sin_q2_minus_90deg,
-                ) + S::int(50) * u2 * u3)
-        / (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    // u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + c_4_g) +
+    //   u2*c_2_u3)/(4*sin(q2_minus_90deg)^2 - 5)
+    let u1_dot = (cos_q2_minus_90deg
+        * (u2.mul_add(u2_u2_part, c_4_g) + u1 * u1 * sin_q2_minus_90deg_scaled)
+        + u2 * c_2_u3)
+        / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
     // Values.
     // q2_minus_90deg' = -u1
     let q2_minus_90deg_dot_value = -u1;
@@ -162,18 +178,15 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q2_minus_90deg, q3, q1, u1.
 ///
-/// 71 operations, 2 sines and cosines.
+/// 56 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]; 4] {
-    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let Parameters { H_a3_there_scaled, c_4_u3, c_4_g, c_2_u3, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
     // Shared terms.
     // q2_minus_90deg/2; used 2 times
     let q2_minus_90deg_scaled = S::ratio(1, 2) * q2_minus_90deg;
@@ -183,74 +196,69 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]
     // Shared terms.
     // sin(q2_minus_90deg/2)^2; used 2 times
     let u2_part = sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2;
-    // u3*u2_part; used 2 times
-    let u3_u2_part = u3 * u2_part;
-    // 1/sin(q2_minus_90deg); used 6 times
+    // 1/sin(q2_minus_90deg); used 5 times
     let u2_part_2 = S::int(1) / sin_q2_minus_90deg;
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part_2 * (H_a3_there + u3_u2_part);
+    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    let u2 = u2_part_2 * (-c_4_u3).mul_add(u2_part, H_a3_there_scaled);
     // Shared terms.
     // 1/(sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2))
     let u2_by_q2_minus_90deg_part = S::int(1)
         / (sin_q2_minus_90deg_by_2 * cos_q2_minus_90deg_by_2);
     // Elimination, step by step.
-    // u2_by_q2_minus_90deg = -(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there*(2*sin(q2_minus_90deg/2)^2 -
-    //   1))/(sin(q2_minus_90deg/2)^2*cos(q2_minus_90deg/2)^2)
-    let u2_by_q2_minus_90deg = -u2_by_q2_minus_90deg_part * u2_by_q2_minus_90deg_part
-        * (H_a3_there * u2_part.mul_add(S::int(2), -S::int(1)) + u3_u2_part);
+    // u2_by_q2_minus_90deg = -(H_a3_there_scaled + sin(q2_minus_90deg/2)^2*(c_4_u3 -
+    //   2*H_a3_there_scaled))/(4*sin(q2_minus_90deg/2)^2*cos(q2_minus_90deg/2)^2)
+    let u2_by_q2_minus_90deg = -S::ratio(1, 4) * u2_by_q2_minus_90deg_part
+        * u2_by_q2_minus_90deg_part
+        * (H_a3_there_scaled
+            + u2_part * (-H_a3_there_scaled).mul_add(S::int(2), c_4_u3));
     // Shared terms.
-    // u2*cos(q2_minus_90deg); used 3 times
-    let u1_dot_by_q2_minus_90deg_part = u2 * cos_q2_minus_90deg;
+    // 4*sin(q2_minus_90deg); used 3 times
+    let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
+    // 1/(sin_q2_minus_90deg_scaled*sin(q2_minus_90deg) - 5); used 3 times
+    let u1_dot_by_q2_minus_90deg_part = S::int(1)
+        / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
+    // u2*u2_part_2; used 3 times
+    let u2_u2_part_2 = u2 * u2_part_2;
     // u1^2; used 2 times
     let u1_sq = u1 * u1;
-    // u2^2; used 3 times
-    let u2_sq = u2 * u2;
-    // u3*u2_by_q2_minus_90deg; used 2 times
-    let u1_dot_by_q2_minus_90deg_part_2 = u3 * u2_by_q2_minus_90deg;
-    // u2_sq + u1_dot_by_q2_minus_90deg_part_2
-    let u1_dot_by_q2_minus_90deg_part_3 = u2_sq + u1_dot_by_q2_minus_90deg_part_2;
-    // 4*sin(q2_minus_90deg); used 2 times
-    let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
-    // u2_part_2/(1 + 4*cos(q2_minus_90deg)^2)
-    let u1_dot_by_q2_minus_90deg_part_4 = u2_part_2
-        / (S::int(1) + S::int(4) * cos_q2_minus_90deg * cos_q2_minus_90deg);
+    // u2^2 + sin(q2_minus_90deg)*(c_4_g + sin_q2_minus_90deg_scaled*u1_sq); used 2 times
+    let u1_dot_by_q2_minus_90deg_part_2 = sin_q2_minus_90deg
+        * sin_q2_minus_90deg_scaled.mul_add(u1_sq, c_4_g) + u2 * u2;
+    // 8*u1_dot_by_q2_minus_90deg_part; used 2 times
+    let u1_dot_by_q2_minus_90deg_part_3 = S::int(8) * u1_dot_by_q2_minus_90deg_part;
     // Elimination, step by step.
-    // u1_dot_by_q2_minus_90deg = (125*u2^2 -
-    //   sin(q2_minus_90deg)*(250*u2*u2_by_q2_minus_90deg*cos(q2_minus_90deg) + sin(q2_minus_90deg)*(500*u1^2
-    //   + 300*u2^2 + 250*u3*u2_by_q2_minus_90deg + sin(q2_minus_90deg)*(2943 -
-    //   4*sin(q2_minus_90deg)*(150*u1^2 + 50*u2^2 + 981*sin(q2_minus_90deg) + 50*u3*u2_by_q2_minus_90deg) -
-    //   200*u2*cos(q2_minus_90deg)*(u2_by_q2_minus_90deg - 2*u3)))))/(25*sin(q2_minus_90deg)^2*(1 +
-    //   4*cos(q2_minus_90deg)^2)^2)
-    let u1_dot_by_q2_minus_90deg = S::ratio(1, 25) * u1_dot_by_q2_minus_90deg_part_4
-        * u1_dot_by_q2_minus_90deg_part_4
-        * (-sin_q2_minus_90deg
-            * (sin_q2_minus_90deg
-                * (S::int(500) * u1_sq + S::int(300) * u2_sq
-                    + S::int(250) * u1_dot_by_q2_minus_90deg_part_2
-                    + sin_q2_minus_90deg
-                        * (S::int(2943)
-                            + S::int(200) * u1_dot_by_q2_minus_90deg_part
-                                * u3.mul_add(S::int(2), -u2_by_q2_minus_90deg)
-                            - sin_q2_minus_90deg_scaled
-                                * (u1_sq
-                                    .mul_add(S::int(150), S::int(981) * sin_q2_minus_90deg)
-                                    + S::int(50) * u1_dot_by_q2_minus_90deg_part_3)))
-                + S::int(250) * u2_by_q2_minus_90deg * u1_dot_by_q2_minus_90deg_part)
-            + S::int(125) * u2_sq);
+    // u1_dot_by_q2_minus_90deg = (u2^2 + sin(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + c_4_g) -
+    //   c_2_u3*u2_by_q2_minus_90deg - cos(q2_minus_90deg)*(cos(q2_minus_90deg)*(4*u1^2 -
+    //   u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + sin(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + c_4_g))/(5
+    //   - 4*sin(q2_minus_90deg)^2)) + 2*u2*(4*c_2_u3*sin(q2_minus_90deg)/(5 - 4*sin(q2_minus_90deg)^2) +
+    //   u2_by_q2_minus_90deg/sin(q2_minus_90deg))))/(5 - 4*sin(q2_minus_90deg)^2)
+    let u1_dot_by_q2_minus_90deg = u1_dot_by_q2_minus_90deg_part
+        * (-u1_dot_by_q2_minus_90deg_part_2 + c_2_u3 * u2_by_q2_minus_90deg
+            + cos_q2_minus_90deg
+                * (S::int(2) * u2
+                    * (-(c_2_u3 * sin_q2_minus_90deg_scaled))
+                        .mul_add(
+                            u1_dot_by_q2_minus_90deg_part,
+                            u2_by_q2_minus_90deg * u2_part_2,
+                        )
+                    + cos_q2_minus_90deg
+                        * ((-u2_u2_part_2).mul_add(u2_u2_part_2, S::int(4) * u1_sq)
+                            - u1_dot_by_q2_minus_90deg_part_2
+                                * u1_dot_by_q2_minus_90deg_part_3)));
     // u1_dot_by_u1 = 8*u1*sin(q2_minus_90deg)*cos(q2_minus_90deg)/(4*sin(q2_minus_90deg)^2 - 5)
-    let u1_dot_by_u1 = S::int(8) * u1 * sin_q2_minus_90deg * cos_q2_minus_90deg
-        / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
+    let u1_dot_by_u1 = u1 * u1_dot_by_q2_minus_90deg_part_3 * sin_q2_minus_90deg
+        * cos_q2_minus_90deg;
     // Entries that are not zero.
     // d(q2_minus_90deg')/d(u1) = -1
     let q2_minus_90deg_dot_by_u1_value = -S::int(1);
     // d(q3')/d(q2_minus_90deg) = (u2_by_q2_minus_90deg*cos(q2_minus_90deg) -
     //   u2/sin(q2_minus_90deg))/sin(q2_minus_90deg)
     let q3_dot_by_q2_minus_90deg_value = u2_part_2
-        * (-u2).mul_add(u2_part_2, u2_by_q2_minus_90deg * cos_q2_minus_90deg);
+        * u2_by_q2_minus_90deg.mul_add(cos_q2_minus_90deg, -u2_u2_part_2);
     // d(q1')/d(q2_minus_90deg) = (u2/tan(q2_minus_90deg) - u2_by_q2_minus_90deg)/sin(q2_minus_90deg)
     let q1_dot_by_q2_minus_90deg_value = u2_part_2
-        * u2_part_2.mul_add(u1_dot_by_q2_minus_90deg_part, -u2_by_q2_minus_90deg);
+        * u2_u2_part_2.mul_add(cos_q2_minus_90deg, -u2_by_q2_minus_90deg);
     [
         [zero, zero, zero, q2_minus_90deg_dot_by_u1_value],
         [q3_dot_by_q2_minus_90deg_value, zero, zero, zero],
@@ -261,26 +269,24 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 14 operations, 2 sines and cosines.
+/// 11 operations, 2 sines and cosines.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
-    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let Parameters { u3, H_a3_there_scaled, c_4_u3, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
     // Shared terms.
     // 1/sin(q2_minus_90deg); used 2 times
     let u2_part = S::int(1) / sin_q2_minus_90deg;
     // Sines and cosines.
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part
-        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
+    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    let u2 = u2_part
+        * (H_a3_there_scaled
+            - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     // Shared terms.
     // u2*u2_part; used 2 times
     let u2_u2_part = u2 * u2_part;
@@ -312,56 +318,59 @@ pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
 
 /// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
 ///
-/// 21 operations, 2 sines and cosines.
+/// 18 operations, 2 sines and cosines.
 #[must_use]
 pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
-    let Parameters { p_q3, p_q4, p_q5, H_a3_there, .. } = *p;
+    let Parameters { g, u3, p_q4, p_q5, H_a3_there_scaled, c_4_u3, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     // Sines and cosines.
     let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
-    // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
-    // Sines and cosines.
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4)
-        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there)
+    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    let u2 = (H_a3_there_scaled
+        - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2)
         / sin_q2_minus_90deg;
     // Shared terms.
     // p_q4^2 + p_q5^2
     let energy_part = p_q5.mul_add(p_q5, p_q4 * p_q4);
     // Values.
-    // V = u2^2/8 - 981/100 + u3^2/4 - 981*sin(q2_minus_90deg)/100 + p_q4^2/2 + p_q5^2/2
-    let energy = S::ratio(1, 8) * u2 * u2 - S::ratio(981, 100) + S::ratio(1, 4) * u3 * u3
-        - S::ratio(981, 100) * sin_q2_minus_90deg + S::ratio(1, 2) * energy_part;
+    // V = u2^2/8 + u3^2/4 - g*(1 + sin(q2_minus_90deg)) + p_q4^2/2 + p_q5^2/2
+    let energy = S::ratio(1, 8) * u2 * u2 + S::ratio(1, 4) * u3 * u3
+        - g * (S::int(1) + sin_q2_minus_90deg) + S::ratio(1, 2) * energy_part;
     energy
 }
 
 /// What the scene asks for, a time t after the start.
 ///
-/// 29 operations, 3 sines and cosines.
+/// 26 operations, 3 sines and cosines.
 #[must_use]
 pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S; 10] {
-    let Parameters { p_q3, p_q4, p_q5, H_a3_there, centre_q4, centre_q5 } = *p;
+    let Parameters {
+        u3,
+        p_q4,
+        p_q5,
+        H_a3_there_scaled,
+        centre_q4,
+        centre_q5,
+        c_4_u3,
+        ..
+    } = *p;
     let [q2_minus_90deg, q3, q1] = *q;
     let [u1] = *u;
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
-    // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
     // Shared terms.
     // 1/sin(q2_minus_90deg); used 2 times
     let u2_part = S::int(1) / sin_q2_minus_90deg;
     // Sines and cosines.
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part
-        * (u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2 + H_a3_there);
+    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    let u2 = u2_part
+        * (H_a3_there_scaled
+            - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     // Shared terms.
     // u1*sin(q2_minus_90deg); used 2 times
     let u5_part = u1 * sin_q2_minus_90deg;
@@ -391,23 +400,22 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
     let q5_value = p_q5.mul_add(t, centre_q5) - u4_part;
     // u1 = u1
     let u1_value = u1;
-    [q1_value, q2_value, q3_value, q4_value, q5_value, u1_value, u2, u3, u4, u5]
+    // u3 = u3
+    let u3_value = u3;
+    [q1_value, q2_value, q3_value, q4_value, q5_value, u1_value, u2, u3_value, u4, u5]
 }
 
 /// The energy, then its derivatives by the state.
 ///
-/// 41 operations, 2 sines and cosines.
+/// 39 operations, 2 sines and cosines.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 5] {
-    let Parameters { p_q3, p_q4, p_q5, H_a3_there, .. } = *p;
+    let Parameters { g, u3, p_q4, p_q5, H_a3_there_scaled, c_4_u3, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Elimination, step by step.
-    // u3 = 2*p_q3
-    let u3 = S::int(2) * p_q3;
     // Shared terms.
     // q2_minus_90deg/2; used 2 times
     let q2_minus_90deg_scaled = S::ratio(1, 2) * q2_minus_90deg;
@@ -415,15 +423,13 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     let (sin_q2_minus_90deg_by_2, cos_q2_minus_90deg_by_2) = q2_minus_90deg_scaled
         .sin_cos();
     // Shared terms.
-    // u3*sin(q2_minus_90deg/2); used 2 times
-    let u2_part = u3 * sin_q2_minus_90deg_by_2;
+    // c_4_u3*sin(q2_minus_90deg/2); used 2 times
+    let u2_part = c_4_u3 * sin_q2_minus_90deg_by_2;
     // 1/sin(q2_minus_90deg); used 2 times
     let u2_part_2 = S::int(1) / sin_q2_minus_90deg;
-    // u2_part_2*(H_a3_there + u2_part*sin(q2_minus_90deg/2)); used 2 times
-    let u2_part_3 = u2_part_2 * u2_part.mul_add(sin_q2_minus_90deg_by_2, H_a3_there);
     // Elimination, step by step.
-    // u2 = -4*(2*p_q3*sin(q2_minus_90deg/2)^2 + H_a3_there)/sin(q2_minus_90deg)
-    let u2 = -S::int(4) * u2_part_3;
+    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    let u2 = u2_part_2 * (-u2_part).mul_add(sin_q2_minus_90deg_by_2, H_a3_there_scaled);
     // Shared terms.
     // u1*(4*sin(q2_minus_90deg)^2 - 5); used 2 times
     let energy_part = u1
@@ -433,19 +439,17 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     // u2^2 - u1*energy_part
     let energy_part_3 = (-u1).mul_add(energy_part, u2 * u2);
     // Values.
-    // T + V = u2^2/8 - 981/100 + u3^2/4 - 981*sin(q2_minus_90deg)/100 + u1^2*(5 -
-    //   4*sin(q2_minus_90deg)^2)/8 + p_q4^2/2 + p_q5^2/2
-    let energy = S::ratio(1, 4) * u3 * u3 - S::ratio(981, 100)
-        - S::ratio(981, 100) * sin_q2_minus_90deg + S::ratio(1, 2) * energy_part_2
-        + S::ratio(1, 8) * energy_part_3;
-    // d(T + V)/d(q2_minus_90deg) = u2*((2*p_q3*sin(q2_minus_90deg/2)^2 +
-    //   H_a3_there)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
-    //   2*p_q3*sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2)/sin(q2_minus_90deg)) -
-    //   981*cos(q2_minus_90deg)/100 - u1^2*sin(q2_minus_90deg)*cos(q2_minus_90deg)
-    let energy_by_q2_minus_90deg = u2 * u2_part_2
-        * (-u2_part).mul_add(cos_q2_minus_90deg_by_2, u2_part_3 * cos_q2_minus_90deg)
-        - S::ratio(981, 100) * cos_q2_minus_90deg
-        - u1 * u1 * sin_q2_minus_90deg * cos_q2_minus_90deg;
+    // T + V = u2^2/8 + u3^2/4 - g*(1 + sin(q2_minus_90deg)) + u1^2*(5 - 4*sin(q2_minus_90deg)^2)/8 +
+    //   p_q4^2/2 + p_q5^2/2
+    let energy = S::ratio(1, 4) * u3 * u3 - g * (S::int(1) + sin_q2_minus_90deg)
+        + S::ratio(1, 2) * energy_part_2 + S::ratio(1, 8) * energy_part_3;
+    // d(T + V)/d(q2_minus_90deg) = -g*cos(q2_minus_90deg) - u1^2*sin(q2_minus_90deg)*cos(q2_minus_90deg) -
+    //   u2*(c_4_u3*sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2)/sin(q2_minus_90deg) + (H_a3_there_scaled -
+    //   c_4_u3*sin(q2_minus_90deg/2)^2)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)))/4
+    let energy_by_q2_minus_90deg = -cos_q2_minus_90deg
+        * (g + u1 * u1 * sin_q2_minus_90deg)
+        - S::ratio(1, 4) * u2 * u2_part_2
+            * u2_part.mul_add(cos_q2_minus_90deg_by_2, u2 * cos_q2_minus_90deg);
     // d(T + V)/d(u1) = u1*(5 - 4*sin(q2_minus_90deg)^2)/4
     let energy_by_u1 = -S::ratio(1, 4) * energy_part;
     [energy, energy_by_q2_minus_90deg, zero, zero, energy_by_u1]
@@ -467,10 +471,10 @@ pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
 
 /// The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.
 ///
-/// 38 operations, 6 sines and cosines.
+/// 40 operations, 6 sines and cosines.
 #[must_use]
 pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
-    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let Parameters { g, u3, H_a3_there_scaled, .. } = *p;
     let [q2_minus_90deg_from, q2_minus_90deg_to] = *q;
     let [sinc1, sinc2] = *u;
     // Sines and cosines.
@@ -486,24 +490,28 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> 
         .sin_cos();
     let (sin_q2_minus_90deg_to_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg_to).sin_cos();
     // Shared terms.
-    // p_q3*sin(q2_minus_90deg_to/2)^2; used 2 times
-    let slope_part = p_q3 * sin_q2_minus_90deg_to_by_2 * sin_q2_minus_90deg_to_by_2;
+    // u3*sin(q2_minus_90deg_to/2)^2; used 2 times
+    let slope_part = u3 * sin_q2_minus_90deg_to_by_2 * sin_q2_minus_90deg_to_by_2;
     // Values.
-    // (V(b) - V(a))/(b - a) = 4*p_q3*sinc2*cos(q2_minus_90deg_from/4 +
-    //   q2_minus_90deg_to/4)*(sin(q2_minus_90deg_from/2) + sin(q2_minus_90deg_to/2))*(H_a3_there +
-    //   p_q3*sin(q2_minus_90deg_from/2)^2 + p_q3*sin(q2_minus_90deg_to/2)^2)/sin(q2_minus_90deg_from)^2 -
-    //   981*sinc1*cos(q2_minus_90deg_from/2 + q2_minus_90deg_to/2)/100 - 2*sinc1*cos(q2_minus_90deg_from/2 +
-    //   q2_minus_90deg_to/2)*(sin(q2_minus_90deg_from) + sin(q2_minus_90deg_to))*(H_a3_there +
-    //   2*p_q3*sin(q2_minus_90deg_to/2)^2)^2/(sin(q2_minus_90deg_from)^2*sin(q2_minus_90deg_to)^2)
-    let slope = S::int(4) * p_q3 * sinc2 * cos_angle_2
+    // (V(b) - V(a))/(b - a) = u3*sinc2*cos(q2_minus_90deg_from/4 +
+    //   q2_minus_90deg_to/4)*(sin(q2_minus_90deg_from/2) +
+    //   sin(q2_minus_90deg_to/2))*(2*u3*sin(q2_minus_90deg_from/2)^2 - H_a3_there_scaled +
+    //   2*u3*sin(q2_minus_90deg_to/2)^2)/(2*sin(q2_minus_90deg_from)^2) - g*sinc1*cos(q2_minus_90deg_from/2
+    //   + q2_minus_90deg_to/2) - sinc1*cos(q2_minus_90deg_from/2 +
+    //   q2_minus_90deg_to/2)*(sin(q2_minus_90deg_from) + sin(q2_minus_90deg_to))*(H_a3_there_scaled -
+    //   4*u3*sin(q2_minus_90deg_to/2)^2)^2/(8*sin(q2_minus_90deg_from)^2*sin(q2_minus_90deg_to)^2)
+    let slope = S::ratio(1, 2) * u3 * sinc2 * cos_angle_2
         * (sin_q2_minus_90deg_from_by_2 + sin_q2_minus_90deg_to_by_2)
-        * (H_a3_there
-            + p_q3 * sin_q2_minus_90deg_from_by_2 * sin_q2_minus_90deg_from_by_2
-            + slope_part) / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from)
-        - S::ratio(981, 100) * sinc1 * cos_angle
-        - S::int(2) * sinc1 * cos_angle
+        * slope_part
+            .mul_add(
+                S::int(2),
+                S::int(2) * u3 * sin_q2_minus_90deg_from_by_2
+                    * sin_q2_minus_90deg_from_by_2 - H_a3_there_scaled,
+            ) / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from)
+        - g * sinc1 * cos_angle
+        - S::ratio(1, 8) * sinc1 * cos_angle
             * (sin_q2_minus_90deg_from + sin_q2_minus_90deg_to)
-            * slope_part.mul_add(S::int(2), H_a3_there).powi(2)
+            * (-slope_part).mul_add(S::int(4), H_a3_there_scaled).powi(2)
             / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from * sin_q2_minus_90deg_to
                 * sin_q2_minus_90deg_to);
     slope
@@ -517,13 +525,11 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 4]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { p_q3, H_a3_there, .. } = *p;
+    let Parameters { u3, H_a3_there_scaled, c_4_u3, c_4_g, c_2_u3, .. } = *p;
     let [q2_minus_90deg_0, _, _, u1_0] = series[0];
     // Constant in time.
-    // weight = 2*p_q3
-    let weight = S::int(2) * p_q3;
-    // minus_400_p_q3 = -400*p_q3
-    let minus_400_p_q3 = -S::int(400) * p_q3;
+    // minus_c_4_u3 = -c_4_u3
+    let minus_c_4_u3 = -c_4_u3;
     // Order 0.
     let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
     let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
@@ -533,8 +539,8 @@ pub fn taylor<S: Scalar>(
         .sin_cos();
     // u2_part = sin_q2_minus_90deg_by_2*sin_q2_minus_90deg_by_2
     let u2_part_0 = sin_q2_minus_90deg_by_2_0 * sin_q2_minus_90deg_by_2_0;
-    // u2_part_2 = H_a3_there + weight*u2_part
-    let u2_part_2_0 = u2_part_0.mul_add(weight, H_a3_there);
+    // u2_part_2 = H_a3_there_scaled + minus_c_4_u3*u2_part
+    let u2_part_2_0 = u2_part_0.mul_add(minus_c_4_u3, H_a3_there_scaled);
     // u2_part_3 = u2_part_2/sin_q2_minus_90deg
     let u2_part_3_0 = u2_part_2_0 * over_sin_q2_minus_90deg;
     // u1_dot_part = u2_part_3/sin_q2_minus_90deg
@@ -547,27 +553,26 @@ pub fn taylor<S: Scalar>(
     let u1_p2_0 = u1_0 * u1_0;
     // u1_dot_part_4 = sin_q2_minus_90deg*u1_p2
     let u1_dot_part_4_0 = sin_q2_minus_90deg_0 * u1_p2_0;
-    // u1_dot_part_5 = 981 + 400*u1_dot_part_2 + 100*u1_dot_part_4
-    let u1_dot_part_5_0 = u1_dot_part_2_0
-        .mul_add(S::int(400), u1_dot_part_4_0.mul_add(S::int(100), S::int(981)));
-    // u1_dot_part_6 = cos_q2_minus_90deg*u1_dot_part_5
-    let u1_dot_part_6_0 = cos_q2_minus_90deg_0 * u1_dot_part_5_0;
-    // u1_dot_part_7 = minus_400_p_q3*u2_part_3 + u1_dot_part_6
-    let u1_dot_part_7_0 = minus_400_p_q3 * u2_part_3_0 + u1_dot_part_6_0;
-    // u1_dot_part_8 = -5 + 4*u1_dot_part_3
-    let u1_dot_part_8_0 = u1_dot_part_3_0.mul_add(S::int(4), -S::int(5));
-    let over_u1_dot_part_8 = S::int(1) / u1_dot_part_8_0;
-    // u1_dot_part_9 = u1_dot_part_7/u1_dot_part_8
-    let u1_dot_part_9_0 = u1_dot_part_7_0 * over_u1_dot_part_8;
+    // u1_dot_part_5 = -5 + 4*u1_dot_part_3
+    let u1_dot_part_5_0 = u1_dot_part_3_0.mul_add(S::int(4), -S::int(5));
+    let over_u1_dot_part_5 = S::int(1) / u1_dot_part_5_0;
+    // u1_dot_part_6 = c_4_g + u1_dot_part_2 + 4*u1_dot_part_4
+    let u1_dot_part_6_0 = u1_dot_part_4_0.mul_add(S::int(4), c_4_g) + u1_dot_part_2_0;
+    // u1_dot_part_7 = cos_q2_minus_90deg*u1_dot_part_6
+    let u1_dot_part_7_0 = cos_q2_minus_90deg_0 * u1_dot_part_6_0;
+    // u1_dot_part_8 = u1_dot_part_7 + c_2_u3*u2_part_3
+    let u1_dot_part_8_0 = c_2_u3 * u2_part_3_0 + u1_dot_part_7_0;
+    // u1_dot_2 = u1_dot_part_8/u1_dot_part_5
+    let u1_dot_2_0 = u1_dot_part_8_0 * over_u1_dot_part_5;
     // q3_part = cos_q2_minus_90deg*u1_dot_part
     let q3_part_0 = cos_q2_minus_90deg_0 * u1_dot_part_0;
-    // q3_dot_2 = weight - 4*q3_part
-    let q3_dot_2_0 = q3_part_0.mul_add(-S::int(4), weight);
+    // q3_dot_2 = u3 + q3_part
+    let q3_dot_2_0 = u3 + q3_part_0;
     // Order 1: the rates, and what follows from them.
     let q2_minus_90deg_1 = -u1_0;
     let q3_1 = q3_dot_2_0;
-    let q1_1 = S::int(4) * u1_dot_part_0;
-    let u1_1 = S::ratio(1, 25) * u1_dot_part_9_0;
+    let q1_1 = -u1_dot_part_0;
+    let u1_1 = u1_dot_2_0;
     if series.len() > 1 {
         series[1] = [q2_minus_90deg_1, q3_1, q1_1, u1_1];
     }
@@ -578,7 +583,7 @@ pub fn taylor<S: Scalar>(
     let cos_q2_minus_90deg_by_2_1 = -q2_minus_90deg_by_2_1 * sin_q2_minus_90deg_by_2_0;
     let u2_part_1 = sin_q2_minus_90deg_by_2_1
         * (sin_q2_minus_90deg_by_2_0 + sin_q2_minus_90deg_by_2_0);
-    let u2_part_2_1 = weight * u2_part_1;
+    let u2_part_2_1 = minus_c_4_u3 * u2_part_1;
     let u2_part_3_1 = sin_q2_minus_90deg_1
         .mul_add(
             -(u2_part_3_0 * over_sin_q2_minus_90deg),
@@ -596,20 +601,19 @@ pub fn taylor<S: Scalar>(
     let u1_p2_1 = u1_1 * (u1_0 + u1_0);
     let u1_dot_part_4_1 = u1_p2_1
         .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg_1 * u1_p2_0);
-    let u1_dot_part_5_1 = u1_dot_part_2_1
-        .mul_add(S::int(400), S::int(100) * u1_dot_part_4_1);
-    let u1_dot_part_6_1 = u1_dot_part_5_1
-        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u1_dot_part_5_0);
-    let u1_dot_part_7_1 = minus_400_p_q3 * u2_part_3_1 + u1_dot_part_6_1;
-    let u1_dot_part_8_1 = S::int(4) * u1_dot_part_3_1;
-    let u1_dot_part_9_1 = u1_dot_part_8_1
+    let u1_dot_part_5_1 = S::int(4) * u1_dot_part_3_1;
+    let u1_dot_part_6_1 = S::int(4) * u1_dot_part_4_1 + u1_dot_part_2_1;
+    let u1_dot_part_7_1 = u1_dot_part_6_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u1_dot_part_6_0);
+    let u1_dot_part_8_1 = c_2_u3 * u2_part_3_1 + u1_dot_part_7_1;
+    let u1_dot_2_1 = u1_dot_part_5_1
         .mul_add(
-            -(u1_dot_part_9_0 * over_u1_dot_part_8),
-            u1_dot_part_7_1 * over_u1_dot_part_8,
+            -(u1_dot_2_0 * over_u1_dot_part_5),
+            u1_dot_part_8_1 * over_u1_dot_part_5,
         );
     let q3_part_1 = u1_dot_part_1
         .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u1_dot_part_0);
-    let q3_dot_2_1 = -S::int(4) * q3_part_1;
+    let q3_dot_2_1 = q3_part_1;
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
         history[1] = [
@@ -626,7 +630,7 @@ pub fn taylor<S: Scalar>(
                 u1_1,
                 sin_q2_minus_90deg_1,
                 cos_q2_minus_90deg_1,
-                u1_dot_part_8_1,
+                u1_dot_part_5_1,
                 cos_q2_minus_90deg_1,
             ]),
             padded([
@@ -641,8 +645,8 @@ pub fn taylor<S: Scalar>(
                 sin_q2_minus_90deg_1,
                 u1_1,
                 u1_p2_1,
-                u1_dot_part_5_1,
-                u1_dot_part_9_1,
+                u1_dot_part_6_1,
+                u1_dot_2_1,
                 u1_dot_part_1,
             ]),
         ];
@@ -659,14 +663,14 @@ pub fn taylor<S: Scalar>(
     let mut u1_dot_part_last = u1_dot_part_1;
     let mut u1_p2_last = u1_p2_1;
     let mut u1_dot_part_5_last = u1_dot_part_5_1;
-    let mut u1_dot_part_8_last = u1_dot_part_8_1;
-    let mut u1_dot_part_9_last = u1_dot_part_9_1;
+    let mut u1_dot_part_6_last = u1_dot_part_6_1;
+    let mut u1_dot_2_last = u1_dot_2_1;
     let mut next = [S::int(0); 16];
     // Rates at order k - 1.
     let mut q2_minus_90deg_rate = -u1_1;
     let mut q3_rate = q3_dot_2_1;
-    let mut q1_rate = S::int(4) * u1_dot_part_1;
-    let mut u1_rate = S::ratio(1, 25) * u1_dot_part_9_1;
+    let mut q1_rate = -u1_dot_part_1;
+    let mut u1_rate = u1_dot_2_1;
     for order in 2..series.len() {
         let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
@@ -739,13 +743,13 @@ pub fn taylor<S: Scalar>(
                     ),
                 cos_q2_minus_90deg_1
                     .mul_add(
-                        u1_dot_part_5_last,
-                        cos_q2_minus_90deg_last.mul_add(u1_dot_part_5_1, next[11]),
+                        u1_dot_part_6_last,
+                        cos_q2_minus_90deg_last.mul_add(u1_dot_part_6_1, next[11]),
                     ),
-                u1_dot_part_8_1
+                u1_dot_part_5_1
                     .mul_add(
-                        u1_dot_part_9_last,
-                        u1_dot_part_8_last.mul_add(u1_dot_part_9_1, next[12]),
+                        u1_dot_2_last,
+                        u1_dot_part_5_last.mul_add(u1_dot_2_1, next[12]),
                     ),
                 cos_q2_minus_90deg_1
                     .mul_add(
@@ -771,8 +775,8 @@ pub fn taylor<S: Scalar>(
         // u2_part = sin_q2_minus_90deg_by_2*sin_q2_minus_90deg_by_2
         let u2_part = sin_q2_minus_90deg_by_2
             .mul_add(sin_q2_minus_90deg_by_2_0 + sin_q2_minus_90deg_by_2_0, sums[4]);
-        // u2_part_2 = H_a3_there + weight*u2_part
-        let u2_part_2 = weight * u2_part;
+        // u2_part_2 = H_a3_there_scaled + minus_c_4_u3*u2_part
+        let u2_part_2 = minus_c_4_u3 * u2_part;
         // u2_part_3 = u2_part_2/sin_q2_minus_90deg
         let u2_part_3 = u2_part_2
             .mul_add(
@@ -801,24 +805,23 @@ pub fn taylor<S: Scalar>(
                 sin_q2_minus_90deg_0,
                 sin_q2_minus_90deg.mul_add(u1_p2_0, sums[10]),
             );
-        // u1_dot_part_5 = 981 + 400*u1_dot_part_2 + 100*u1_dot_part_4
-        let u1_dot_part_5 = u1_dot_part_2
-            .mul_add(S::int(400), S::int(100) * u1_dot_part_4);
-        // u1_dot_part_6 = cos_q2_minus_90deg*u1_dot_part_5
-        let u1_dot_part_6 = u1_dot_part_5
+        // u1_dot_part_5 = -5 + 4*u1_dot_part_3
+        let u1_dot_part_5 = S::int(4) * u1_dot_part_3;
+        // u1_dot_part_6 = c_4_g + u1_dot_part_2 + 4*u1_dot_part_4
+        let u1_dot_part_6 = S::int(4) * u1_dot_part_4 + u1_dot_part_2;
+        // u1_dot_part_7 = cos_q2_minus_90deg*u1_dot_part_6
+        let u1_dot_part_7 = u1_dot_part_6
             .mul_add(
                 cos_q2_minus_90deg_0,
-                cos_q2_minus_90deg.mul_add(u1_dot_part_5_0, sums[11]),
+                cos_q2_minus_90deg.mul_add(u1_dot_part_6_0, sums[11]),
             );
-        // u1_dot_part_7 = minus_400_p_q3*u2_part_3 + u1_dot_part_6
-        let u1_dot_part_7 = minus_400_p_q3 * u2_part_3 + u1_dot_part_6;
-        // u1_dot_part_8 = -5 + 4*u1_dot_part_3
-        let u1_dot_part_8 = S::int(4) * u1_dot_part_3;
-        // u1_dot_part_9 = u1_dot_part_7/u1_dot_part_8
-        let u1_dot_part_9 = u1_dot_part_7
+        // u1_dot_part_8 = u1_dot_part_7 + c_2_u3*u2_part_3
+        let u1_dot_part_8 = c_2_u3 * u2_part_3 + u1_dot_part_7;
+        // u1_dot_2 = u1_dot_part_8/u1_dot_part_5
+        let u1_dot_2 = u1_dot_part_8
             .mul_add(
-                over_u1_dot_part_8,
-                -(u1_dot_part_8.mul_add(u1_dot_part_9_0, sums[12]) * over_u1_dot_part_8),
+                over_u1_dot_part_5,
+                -(u1_dot_part_5.mul_add(u1_dot_2_0, sums[12]) * over_u1_dot_part_5),
             );
         // q3_part = cos_q2_minus_90deg*u1_dot_part
         let q3_part = u1_dot_part
@@ -826,12 +829,12 @@ pub fn taylor<S: Scalar>(
                 cos_q2_minus_90deg_0,
                 cos_q2_minus_90deg.mul_add(u1_dot_part_0, sums[13]),
             );
-        // q3_dot_2 = weight - 4*q3_part
-        let q3_dot_2 = -S::int(4) * q3_part;
+        // q3_dot_2 = u3 + q3_part
+        let q3_dot_2 = q3_part;
         q2_minus_90deg_rate = -u1;
         q3_rate = q3_dot_2;
-        q1_rate = S::int(4) * u1_dot_part;
-        u1_rate = S::ratio(1, 25) * u1_dot_part_9;
+        q1_rate = -u1_dot_part;
+        u1_rate = u1_dot_2;
         // Factors of the convolutions: left, right.
         history[order] = [
             padded([
@@ -847,7 +850,7 @@ pub fn taylor<S: Scalar>(
                 u1,
                 sin_q2_minus_90deg,
                 cos_q2_minus_90deg,
-                u1_dot_part_8,
+                u1_dot_part_5,
                 cos_q2_minus_90deg,
             ]),
             padded([
@@ -862,8 +865,8 @@ pub fn taylor<S: Scalar>(
                 sin_q2_minus_90deg,
                 u1,
                 u1_p2,
-                u1_dot_part_5,
-                u1_dot_part_9,
+                u1_dot_part_6,
+                u1_dot_2,
                 u1_dot_part,
             ]),
         ];
@@ -879,8 +882,8 @@ pub fn taylor<S: Scalar>(
         u1_dot_part_last = u1_dot_part;
         u1_p2_last = u1_p2;
         u1_dot_part_5_last = u1_dot_part_5;
-        u1_dot_part_8_last = u1_dot_part_8;
-        u1_dot_part_9_last = u1_dot_part_9;
+        u1_dot_part_6_last = u1_dot_part_6;
+        u1_dot_2_last = u1_dot_2;
     }
 }
 
@@ -890,7 +893,7 @@ pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
     fn parameters(&self) -> usize {
-        6
+        10
     }
     fn coordinates(&self) -> usize {
         3
@@ -1010,7 +1013,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "report",
-    key: "da8aeac3b842fa9f",
+    key: "6306476ae25bc808",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

@@ -3,11 +3,12 @@
 //! Generated from `models/euler_top/scenes/looping.toml`. Do not edit; run `tripos regenerate`.
 //! Outputs: psi, theta, phi, u1, u2, u3.
 //! States: theta, u1. Quadratures: phi, psi.
-//! p_psi_there = 19*u2*sin(theta)/200 + 21*u3*(cos(theta) - 1)/1000: momentum p_psi = ∂L/∂psi', what is left of it on the singular surface.
-//! p_phi = 21*u3/1000: momentum p_phi = ∂L/∂phi'.
-//! Parameters that the scene fixes: m = 1.3, l = 0.22, I1 = 0.095, I3 = 0.021, g = 9.81.
-//! Cost: accelerations 17 operations, 2 sines and cosines; derivative 18 operations, 2 sines and cosines.
-//! Singular where sin(theta) = 0 and where 19*sin(theta)/200 = 0.
+//! p_psi_there = I1*u2*sin(theta) + I3*u3*(cos(theta) - 1): momentum p_psi = ∂L/∂psi', what is left of it on the singular surface.
+//! p_phi = I3*u3: momentum p_phi = ∂L/∂phi'.
+//! c_2_p_phi = 2*I3*u3: 2*p_phi.
+//! c_m_l_g = m*l*g: m*l*g.
+//! Cost: accelerations 18 operations, 2 sines and cosines; derivative 19 operations, 2 sines and cosines.
+//! Singular where sin(theta) = 0 and where I1*sin(theta) = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
@@ -15,10 +16,24 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, 1
+    /// mass, kg
+    pub m: S,
+    /// fixed point to the mass centre, m
+    pub l: S,
+    /// across the axis, about the fixed point, kg*m^2
+    pub I1: S,
+    /// about the axis, kg*m^2
+    pub I3: S,
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, kg*m^2/s
     pub p_psi_there: S,
-    /// momentum p_phi = ∂L/∂phi', 1
+    /// momentum p_phi = ∂L/∂phi', kg*m^2/s
     pub p_phi: S,
+    /// 2*p_phi, 1
+    pub c_2_p_phi: S,
+    /// m*l*g, kg*m^2/s^2
+    pub c_m_l_g: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -30,48 +45,68 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            p_psi_there: p[0],
-            p_phi: p[1],
+            m: p[0],
+            l: p[1],
+            I1: p[2],
+            I3: p[3],
+            g: p[4],
+            p_psi_there: p[5],
+            p_phi: p[6],
+            c_2_p_phi: p[7],
+            c_m_l_g: p[8],
         }
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 2] = ["p_psi_there", "p_phi"];
+pub const PARAMETERS: [&str; 9] = [
+    "m",
+    "l",
+    "I1",
+    "I3",
+    "g",
+    "p_psi_there",
+    "p_phi",
+    "c_2_p_phi",
+    "c_m_l_g",
+];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 6] = ["psi", "theta", "phi", "u1", "u2", "u3"];
 
 /// The accelerations (u1'), solved for when this code was generated.
 ///
-/// 17 operations, 2 sines and cosines.
+/// 18 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [S; 1] {
-    let Parameters { p_psi_there, p_phi } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, c_m_l_g, .. } = *p;
     let [theta, _, _] = *q;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // 1/sin(theta); used 2 times
     let sin_theta_inv = S::int(1) / sin_theta;
     // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
-    let u2 = S::ratio(200, 19) * sin_theta_inv
-        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
-    // u3 = 1000*p_phi/21
-    let u3 = S::ratio(1000, 21) * p_phi;
-    // u1' = 140283*sin(theta)/4750 + u2^2/tan(theta) - 21*u2*u3/95
-    let u1_dot = S::ratio(140283, 4750) * sin_theta - S::ratio(21, 95) * u2 * u3
-        + u2 * u2 * sin_theta_inv * cos_theta;
+    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = i1_inv * sin_theta_inv
+        * (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2);
+    // u3 = p_phi/I3
+    let u3 = p_phi / I3;
+    // u1' = (c_m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
+    let u1_dot = i1_inv
+        * (u2 * (-I3).mul_add(u3, I1 * u2 * sin_theta_inv * cos_theta)
+            + c_m_l_g * sin_theta);
     [u1_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 18 operations, 2 sines and cosines.
+/// 19 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -79,34 +114,33 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 1],
 ) -> ([S; 3], [S; 1]) {
-    let Parameters { p_psi_there, p_phi } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, c_m_l_g, .. } = *p;
     let [theta, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // 1/sin(theta); used 2 times
     let sin_theta_inv = S::int(1) / sin_theta;
     // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
-    let u2 = S::ratio(200, 19) * sin_theta_inv
-        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
-    // u3 = 1000*p_phi/21
-    let u3 = S::ratio(1000, 21) * p_phi;
+    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = i1_inv * sin_theta_inv
+        * (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2);
+    // u3 = p_phi/I3
+    let u3 = p_phi / I3;
     // Shared terms.
     // u2*sin_theta_inv; used 2 times
     let u2_sin_theta_inv = u2 * sin_theta_inv;
     // u2_sin_theta_inv*cos(theta); used 2 times
     let u1_dot_part = u2_sin_theta_inv * cos_theta;
     // Elimination, step by step.
-    // u1' = 140283*sin(theta)/4750 + u2^2/tan(theta) - 21*u2*u3/95
-    let u1_dot = u2
-        .mul_add(
-            u1_dot_part,
-            S::ratio(140283, 4750) * sin_theta - S::ratio(21, 95) * u2 * u3,
-        );
+    // u1' = (c_m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
+    let u1_dot = i1_inv
+        * (u2 * (-I3).mul_add(u3, I1 * u1_dot_part) + c_m_l_g * sin_theta);
     // Values.
     // theta' = u1
     let theta_dot_value = u1;
@@ -119,10 +153,10 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns theta, phi, psi, u1.
 ///
-/// 32 operations, 2 sines and cosines.
+/// 35 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
-    let Parameters { p_psi_there, p_phi } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, c_m_l_g, .. } = *p;
     let [theta, _, _] = *q;
     let zero = S::int(0);
     // Sines and cosines.
@@ -133,35 +167,36 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     // Sines and cosines.
     let (sin_theta_by_2, cos_theta_by_2) = theta_scaled.sin_cos();
     // Shared terms.
-    // 2*sin(theta/2)^2; used 2 times
-    let sin_theta_by_2_sq_scaled = S::int(2) * sin_theta_by_2 * sin_theta_by_2;
-    // p_phi*sin_theta_by_2_sq_scaled; used 2 times
-    let u2_part = p_phi * sin_theta_by_2_sq_scaled;
+    // sin(theta/2)^2; used 2 times
+    let sin_theta_by_2_sq = sin_theta_by_2 * sin_theta_by_2;
+    // c_2_p_phi*sin_theta_by_2_sq; used 2 times
+    let u2_part = c_2_p_phi * sin_theta_by_2_sq;
+    // 1/I1; used 3 times
+    let i1_inv = S::int(1) / I1;
     // 1/sin(theta); used 4 times
     let sin_theta_inv = S::int(1) / sin_theta;
     // Elimination, step by step.
-    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
-    let u2 = S::ratio(200, 19) * sin_theta_inv * (p_psi_there + u2_part);
-    // u3 = 1000*p_phi/21
-    let u3 = S::ratio(1000, 21) * p_phi;
+    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = i1_inv * sin_theta_inv * (p_psi_there + u2_part);
+    // u3 = p_phi/I3
+    let u3 = p_phi / I3;
     // Shared terms.
     // 1/(sin(theta/2)*cos(theta/2))
     let u2_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
     // Elimination, step by step.
-    // u2_by_theta = 50*(2*p_phi*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
-    //   1))/(19*sin(theta/2)^2*cos(theta/2)^2)
-    let u2_by_theta = S::ratio(50, 19) * u2_by_theta_part * u2_by_theta_part
-        * (p_psi_there * (sin_theta_by_2_sq_scaled - S::int(1)) + u2_part);
+    // u2_by_theta = (p_psi_there*(2*sin(theta/2)^2 - 1) +
+    //   c_2_p_phi*sin(theta/2)^2)/(4*I1*sin(theta/2)^2*cos(theta/2)^2)
+    let u2_by_theta = S::ratio(1, 4) * i1_inv * u2_by_theta_part * u2_by_theta_part
+        * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1)) + u2_part);
     // Shared terms.
     // u2*sin_theta_inv; used 4 times
     let u2_sin_theta_inv = u2 * sin_theta_inv;
     // u2_by_theta*cos(theta); used 2 times
     let u1_dot_by_theta_part = u2_by_theta * cos_theta;
     // Elimination, step by step.
-    // u1_dot_by_theta = 140283*cos(theta)/4750 - 21*u3*u2_by_theta/95 + u2*(2*u2_by_theta*cos(theta) -
+    // u1_dot_by_theta = (c_m_l_g*cos(theta) - I3*u3*u2_by_theta)/I1 + u2*(2*u2_by_theta*cos(theta) -
     //   u2/sin(theta))/sin(theta)
-    let u1_dot_by_theta = S::ratio(140283, 4750) * cos_theta
-        - S::ratio(21, 95) * u3 * u2_by_theta
+    let u1_dot_by_theta = i1_inv * (-(I3 * u3)).mul_add(u2_by_theta, c_m_l_g * cos_theta)
         + u2_sin_theta_inv * u1_dot_by_theta_part.mul_add(S::int(2), -u2_sin_theta_inv);
     // Entries that are not zero.
     // d(theta')/d(u1) = 1
@@ -182,10 +217,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 12 operations, 2 sines and cosines.
+/// 11 operations, 2 sines and cosines.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
-    let Parameters { p_psi_there, p_phi } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, .. } = *p;
     let [theta, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -196,11 +231,11 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
     // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
-    let u2 = S::ratio(200, 19) * sin_theta_inv
-        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
-    // u3 = 1000*p_phi/21
-    let u3 = S::ratio(1000, 21) * p_phi;
+    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = sin_theta_inv * (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2)
+        / I1;
+    // u3 = p_phi/I3
+    let u3 = p_phi / I3;
     // Shared terms.
     // u2*sin_theta_inv; used 2 times
     let u2_sin_theta_inv = u2 * sin_theta_inv;
@@ -216,58 +251,59 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
 
 /// Kinetic energy T.
 ///
-/// 2 operations.
+/// 3 operations.
 #[must_use]
-pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> S {
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> S {
+    let Parameters { I1, .. } = *p;
     let [u1] = *u;
     // Values.
-    // T = 19*u1^2/400
-    let energy = S::ratio(19, 400) * u1 * u1;
+    // T = I1*u1^2/2
+    let energy = S::ratio(1, 2) * I1 * u1 * u1;
     energy
 }
 
 /// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
 ///
-/// 15 operations, 2 sines and cosines.
+/// 17 operations, 2 sines and cosines.
 #[must_use]
 pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
-    let Parameters { p_psi_there, p_phi } = *p;
+    let Parameters { m, l, I1, I3, g, p_psi_there, p_phi, c_2_p_phi, .. } = *p;
     let [theta, _, _] = *q;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
-    let u2 = S::ratio(200, 19)
-        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there)
-        / sin_theta;
-    // u3 = 1000*p_phi/21
-    let u3 = S::ratio(1000, 21) * p_phi;
+    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2)
+        / (I1 * sin_theta);
+    // u3 = p_phi/I3
+    let u3 = p_phi / I3;
+    // Shared terms.
+    // I1*u2^2 + I3*u3^2
+    let energy_part = I1 * u2 * u2 + I3 * u3 * u3;
     // Values.
-    // V = 140283*cos(theta)/50000 + 19*u2^2/400 + 21*u3^2/2000
-    let energy = S::ratio(140283, 50000) * cos_theta + S::ratio(19, 400) * u2 * u2
-        + S::ratio(21, 2000) * u3 * u3;
+    // V = m*l*g*cos(theta) + I1*u2^2/2 + I3*u3^2/2
+    let energy = (m * l * g).mul_add(cos_theta, S::ratio(1, 2) * energy_part);
     energy
 }
 
 /// What the scene asks for, a time t after the start.
 ///
-/// 8 operations, 2 sines and cosines.
+/// 7 operations, 2 sines and cosines.
 #[must_use]
 pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 1]) -> [S; 6] {
-    let Parameters { p_psi_there, p_phi } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, .. } = *p;
     let [theta, phi, psi] = *q;
     let [u1] = *u;
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
-    let u2 = S::ratio(200, 19)
-        * (S::int(2) * p_phi * sin_theta_by_2 * sin_theta_by_2 + p_psi_there)
-        / sin_theta;
-    // u3 = 1000*p_phi/21
-    let u3 = S::ratio(1000, 21) * p_phi;
+    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2)
+        / (I1 * sin_theta);
+    // u3 = p_phi/I3
+    let u3 = p_phi / I3;
     // Values.
     // psi = psi
     let psi_value = psi;
@@ -282,10 +318,10 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 1]) -> [
 
 /// The energy, then its derivatives by the state.
 ///
-/// 35 operations, 2 sines and cosines.
+/// 37 operations, 2 sines and cosines.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 5] {
-    let Parameters { p_psi_there, p_phi } = *p;
+    let Parameters { m, l, I1, I3, g, p_psi_there, p_phi, c_2_p_phi, .. } = *p;
     let [theta, _, _] = *q;
     let [u1] = *u;
     let zero = S::int(0);
@@ -300,31 +336,29 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     // sin(theta/2)^2; used 3 times
     let sin_theta_by_2_sq = sin_theta_by_2 * sin_theta_by_2;
     // Elimination, step by step.
-    // u2 = 200*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(19*sin(theta))
-    let u2 = S::ratio(200, 19)
-        * (p_phi * sin_theta_by_2_sq).mul_add(S::int(2), p_psi_there) / sin_theta;
-    // u3 = 1000*p_phi/21
-    let u3 = S::ratio(1000, 21) * p_phi;
+    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = c_2_p_phi.mul_add(sin_theta_by_2_sq, p_psi_there) / (I1 * sin_theta);
+    // u3 = p_phi/I3
+    let u3 = p_phi / I3;
     // Shared terms.
-    // u1^2 + u2^2
-    let u1_2_plus_u2_2 = u2.mul_add(u2, u1 * u1);
+    // m*l*g; used 2 times
+    let m_l_g = m * l * g;
+    // I1*(u1^2 + u2^2) + I3*u3^2
+    let energy_part = I1 * u2.mul_add(u2, u1 * u1) + I3 * u3 * u3;
     // 1/(sin(theta/2)*cos(theta/2))
     let energy_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
     // Values.
-    // T + V = 140283*cos(theta)/50000 + 19*u1^2/400 + 19*u2^2/400 + 21*u3^2/2000
-    let energy = S::ratio(140283, 50000) * cos_theta + S::ratio(21, 2000) * u3 * u3
-        + S::ratio(19, 400) * u1_2_plus_u2_2;
-    // d(T + V)/d(theta) = (sin(theta/2)^2*(140283*sin(theta/2)*cos(theta/2)*(sin(theta/2)^2 - 1) +
-    //   12500*u2*(p_phi + p_psi_there)) - 6250*u2*p_psi_there)/(25000*sin(theta/2)^2*cos(theta/2)^2)
-    let energy_by_theta = S::ratio(1, 25000) * energy_by_theta_part
-        * energy_by_theta_part
+    // T + V = m*l*g*cos(theta) + I1*u1^2/2 + I1*u2^2/2 + I3*u3^2/2
+    let energy = m_l_g.mul_add(cos_theta, S::ratio(1, 2) * energy_part);
+    // d(T + V)/d(theta) = (sin(theta/2)^2*(8*m*l*g*sin(theta/2)*cos(theta/2)*(sin(theta/2)^2 - 1) +
+    //   u2*(2*p_psi_there + c_2_p_phi)) - u2*p_psi_there)/(4*sin(theta/2)^2*cos(theta/2)^2)
+    let energy_by_theta = S::ratio(1, 4) * energy_by_theta_part * energy_by_theta_part
         * (sin_theta_by_2_sq
-            * (S::int(12500) * u2 * (p_phi + p_psi_there)
-                + S::int(140283) * sin_theta_by_2 * cos_theta_by_2
-                    * (sin_theta_by_2_sq - S::int(1)))
-            - S::int(6250) * u2 * p_psi_there);
-    // d(T + V)/d(u1) = 19*u1/200
-    let energy_by_u1 = S::ratio(19, 200) * u1;
+            * (u2 * p_psi_there.mul_add(S::int(2), c_2_p_phi)
+                + S::int(8) * m_l_g * sin_theta_by_2 * cos_theta_by_2
+                    * (sin_theta_by_2_sq - S::int(1))) - u2 * p_psi_there);
+    // d(T + V)/d(u1) = I1*u1
+    let energy_by_u1 = I1 * u1;
     [energy, energy_by_theta, zero, zero, energy_by_u1]
 }
 
@@ -344,10 +378,10 @@ pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
 
 /// The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.
 ///
-/// 38 operations, 6 sines and cosines.
+/// 41 operations, 6 sines and cosines.
 #[must_use]
 pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
-    let Parameters { p_psi_there, p_phi } = *p;
+    let Parameters { m, l, I1, g, p_psi_there, p_phi, .. } = *p;
     let [theta_from, theta_to] = *q;
     let [sinc1, sinc2] = *u;
     // Sines and cosines.
@@ -366,19 +400,18 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> 
     // p_phi*sin(theta_to/2)^2; used 2 times
     let slope_part_2 = p_phi * sin_theta_to_by_2 * sin_theta_to_by_2;
     // Values.
-    // (V(b) - V(a))/(b - a) = 200*p_phi*sinc2*cos(theta_from/4 + theta_to/4)*(sin(theta_from/2) +
+    // (V(b) - V(a))/(b - a) = p_phi*sinc2*cos(theta_from/4 + theta_to/4)*(sin(theta_from/2) +
     //   sin(theta_to/2))*(p_psi_there + p_phi*sin(theta_from/2)^2 +
-    //   p_phi*sin(theta_to/2)^2)/(19*sin(theta_from)^2) - 140283*sinc1*sin(theta_from/2 + theta_to/2)/50000
-    //   - 100*sinc1*cos(theta_from/2 + theta_to/2)*(sin(theta_from) + sin(theta_to))*(p_psi_there +
-    //   2*p_phi*sin(theta_to/2)^2)^2/(19*sin(theta_from)^2*sin(theta_to)^2)
-    let slope = S::ratio(200, 19) * p_phi * sinc2 * cos_angle_2
-        * (sin_theta_from_by_2 + sin_theta_to_by_2)
+    //   p_phi*sin(theta_to/2)^2)/(I1*sin(theta_from)^2) - m*l*g*sinc1*sin(theta_from/2 + theta_to/2) -
+    //   sinc1*cos(theta_from/2 + theta_to/2)*(sin(theta_from) + sin(theta_to))*(p_psi_there +
+    //   2*p_phi*sin(theta_to/2)^2)^2/(2*I1*sin(theta_from)^2*sin(theta_to)^2)
+    let slope = p_phi * sinc2 * cos_angle_2 * (sin_theta_from_by_2 + sin_theta_to_by_2)
         * (p_psi_there + p_phi * sin_theta_from_by_2 * sin_theta_from_by_2
-            + slope_part_2) / (sin_theta_from * sin_theta_from)
-        - S::ratio(140283, 50000) * sinc1 * sin_angle
-        - S::ratio(100, 19) * sinc1 * cos_angle * (sin_theta_from + sin_theta_to)
+            + slope_part_2) / (I1 * sin_theta_from * sin_theta_from)
+        - m * l * g * sinc1 * sin_angle
+        - S::ratio(1, 2) * sinc1 * cos_angle * (sin_theta_from + sin_theta_to)
             * slope_part_2.mul_add(S::int(2), p_psi_there).powi(2)
-            / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to);
+            / (I1 * sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to);
     slope
 }
 
@@ -390,15 +423,20 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 4]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { p_psi_there, p_phi } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, c_m_l_g, .. } = *p;
     let [theta_0, _, _, u1_0] = series[0];
+    // Shared terms.
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // Constant in time.
-    // weight = 2*p_phi
-    let weight = S::int(2) * p_phi;
-    // minus_40000_p_phi_by_361 = -40000*p_phi/361
-    let minus_40000_p_phi_by_361 = -S::ratio(40000, 361) * p_phi;
-    // weight_2 = 1000*p_phi/21
-    let weight_2 = S::ratio(1000, 21) * p_phi;
+    // weight = 1/I1
+    let weight = i1_inv;
+    // minus_c_m_l_g = -c_m_l_g
+    let minus_c_m_l_g = -c_m_l_g;
+    // p_phi_by_i3 = p_phi/I3
+    let p_phi_by_i3 = p_phi / I3;
+    // minus_1_by_i1 = -1/I1
+    let minus_1_by_i1 = -i1_inv;
     // Order 0.
     let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
     let over_sin_theta = S::int(1) / sin_theta_0;
@@ -407,30 +445,27 @@ pub fn taylor<S: Scalar>(
     let (sin_theta_by_2_0, cos_theta_by_2_0) = theta_by_2_0.sin_cos();
     // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
     let sin_theta_by_2_p2_0 = sin_theta_by_2_0 * sin_theta_by_2_0;
-    // u2_part = p_psi_there + weight*sin_theta_by_2_p2
-    let u2_part_0 = sin_theta_by_2_p2_0.mul_add(weight, p_psi_there);
+    // u2_part = p_psi_there + c_2_p_phi*sin_theta_by_2_p2
+    let u2_part_0 = sin_theta_by_2_p2_0.mul_add(c_2_p_phi, p_psi_there);
     // u2_part_2 = u2_part/sin_theta
     let u2_part_2_0 = u2_part_0 * over_sin_theta;
     // u1_dot_part = u2_part_2/sin_theta
     let u1_dot_part_0 = u2_part_2_0 * over_sin_theta;
     // u1_dot_part_2 = cos_theta*u1_dot_part
     let u1_dot_part_2_0 = cos_theta_0 * u1_dot_part_0;
-    // u1_dot_part_3 = u2_part_2*u1_dot_part_2
-    let u1_dot_part_3_0 = u2_part_2_0 * u1_dot_part_2_0;
-    // u1_dot_2 = 140283/4750*sin_theta + 40000/361*u1_dot_part_3 + minus_40000_p_phi_by_361*u2_part_2
-    let u1_dot_2_0 = u1_dot_part_3_0
-        .mul_add(
-            S::ratio(40000, 361),
-            u2_part_2_0
-                .mul_add(minus_40000_p_phi_by_361, S::ratio(140283, 4750) * sin_theta_0),
-        );
-    // phi_dot_2 = weight_2 - 200/19*u1_dot_part_2
-    let phi_dot_2_0 = u1_dot_part_2_0.mul_add(-S::ratio(200, 19), weight_2);
+    // u1_dot_part_3 = p_phi - u1_dot_part_2
+    let u1_dot_part_3_0 = p_phi - u1_dot_part_2_0;
+    // u1_dot_part_4 = u2_part_2*u1_dot_part_3
+    let u1_dot_part_4_0 = u2_part_2_0 * u1_dot_part_3_0;
+    // u1_dot_part_5 = weight*u1_dot_part_4 + minus_c_m_l_g*sin_theta
+    let u1_dot_part_5_0 = u1_dot_part_4_0.mul_add(weight, minus_c_m_l_g * sin_theta_0);
+    // phi_dot_2 = p_phi_by_i3 + minus_1_by_i1*u1_dot_part_2
+    let phi_dot_2_0 = u1_dot_part_2_0.mul_add(minus_1_by_i1, p_phi_by_i3);
     // Order 1: the rates, and what follows from them.
     let theta_1 = u1_0;
     let phi_1 = phi_dot_2_0;
-    let psi_1 = S::ratio(200, 19) * u1_dot_part_0;
-    let u1_1 = u1_dot_2_0;
+    let psi_1 = weight * u1_dot_part_0;
+    let u1_1 = minus_1_by_i1 * u1_dot_part_5_0;
     if series.len() > 1 {
         series[1] = [theta_1, phi_1, psi_1, u1_1];
     }
@@ -440,22 +475,18 @@ pub fn taylor<S: Scalar>(
     let sin_theta_by_2_1 = theta_by_2_1 * cos_theta_by_2_0;
     let cos_theta_by_2_1 = -theta_by_2_1 * sin_theta_by_2_0;
     let sin_theta_by_2_p2_1 = sin_theta_by_2_1 * (sin_theta_by_2_0 + sin_theta_by_2_0);
-    let u2_part_1 = weight * sin_theta_by_2_p2_1;
+    let u2_part_1 = c_2_p_phi * sin_theta_by_2_p2_1;
     let u2_part_2_1 = sin_theta_1
         .mul_add(-(u2_part_2_0 * over_sin_theta), u2_part_1 * over_sin_theta);
     let u1_dot_part_1 = sin_theta_1
         .mul_add(-(u1_dot_part_0 * over_sin_theta), u2_part_2_1 * over_sin_theta);
     let u1_dot_part_2_1 = u1_dot_part_1
         .mul_add(cos_theta_0, cos_theta_1 * u1_dot_part_0);
-    let u1_dot_part_3_1 = u1_dot_part_2_1
-        .mul_add(u2_part_2_0, u2_part_2_1 * u1_dot_part_2_0);
-    let u1_dot_2_1 = u1_dot_part_3_1
-        .mul_add(
-            S::ratio(40000, 361),
-            u2_part_2_1
-                .mul_add(minus_40000_p_phi_by_361, S::ratio(140283, 4750) * sin_theta_1),
-        );
-    let phi_dot_2_1 = -S::ratio(200, 19) * u1_dot_part_2_1;
+    let u1_dot_part_3_1 = -u1_dot_part_2_1;
+    let u1_dot_part_4_1 = u1_dot_part_3_1
+        .mul_add(u2_part_2_0, u2_part_2_1 * u1_dot_part_3_0);
+    let u1_dot_part_5_1 = u1_dot_part_4_1.mul_add(weight, minus_c_m_l_g * sin_theta_1);
+    let phi_dot_2_1 = minus_1_by_i1 * u1_dot_part_2_1;
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
         history[1] = [
@@ -479,7 +510,7 @@ pub fn taylor<S: Scalar>(
                 u2_part_2_1,
                 u1_dot_part_1,
                 u1_dot_part_1,
-                u1_dot_part_2_1,
+                u1_dot_part_3_1,
             ]),
         ];
     }
@@ -492,13 +523,13 @@ pub fn taylor<S: Scalar>(
     let mut cos_theta_by_2_last = cos_theta_by_2_1;
     let mut u2_part_2_last = u2_part_2_1;
     let mut u1_dot_part_last = u1_dot_part_1;
-    let mut u1_dot_part_2_last = u1_dot_part_2_1;
+    let mut u1_dot_part_3_last = u1_dot_part_3_1;
     let mut next = [S::int(0); 16];
     // Rates at order k - 1.
     let mut theta_rate = u1_1;
     let mut phi_rate = phi_dot_2_1;
-    let mut psi_rate = S::ratio(200, 19) * u1_dot_part_1;
-    let mut u1_rate = u1_dot_2_1;
+    let mut psi_rate = weight * u1_dot_part_1;
+    let mut u1_rate = minus_1_by_i1 * u1_dot_part_5_1;
     for order in 2..series.len() {
         let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
@@ -559,8 +590,8 @@ pub fn taylor<S: Scalar>(
                     ),
                 u2_part_2_1
                     .mul_add(
-                        u1_dot_part_2_last,
-                        u2_part_2_last.mul_add(u1_dot_part_2_1, next[8]),
+                        u1_dot_part_3_last,
+                        u2_part_2_last.mul_add(u1_dot_part_3_1, next[8]),
                     ),
             ])
         };
@@ -577,8 +608,8 @@ pub fn taylor<S: Scalar>(
         // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
         let sin_theta_by_2_p2 = sin_theta_by_2
             .mul_add(sin_theta_by_2_0 + sin_theta_by_2_0, sums[4]);
-        // u2_part = p_psi_there + weight*sin_theta_by_2_p2
-        let u2_part = weight * sin_theta_by_2_p2;
+        // u2_part = p_psi_there + c_2_p_phi*sin_theta_by_2_p2
+        let u2_part = c_2_p_phi * sin_theta_by_2_p2;
         // u2_part_2 = u2_part/sin_theta
         let u2_part_2 = u2_part
             .mul_add(
@@ -594,25 +625,19 @@ pub fn taylor<S: Scalar>(
         // u1_dot_part_2 = cos_theta*u1_dot_part
         let u1_dot_part_2 = u1_dot_part
             .mul_add(cos_theta_0, cos_theta.mul_add(u1_dot_part_0, sums[7]));
-        // u1_dot_part_3 = u2_part_2*u1_dot_part_2
-        let u1_dot_part_3 = u1_dot_part_2
-            .mul_add(u2_part_2_0, u2_part_2.mul_add(u1_dot_part_2_0, sums[8]));
-        // u1_dot_2 = 140283/4750*sin_theta + 40000/361*u1_dot_part_3 + minus_40000_p_phi_by_361*u2_part_2
-        let u1_dot_2 = u1_dot_part_3
-            .mul_add(
-                S::ratio(40000, 361),
-                u2_part_2
-                    .mul_add(
-                        minus_40000_p_phi_by_361,
-                        S::ratio(140283, 4750) * sin_theta,
-                    ),
-            );
-        // phi_dot_2 = weight_2 - 200/19*u1_dot_part_2
-        let phi_dot_2 = -S::ratio(200, 19) * u1_dot_part_2;
+        // u1_dot_part_3 = p_phi - u1_dot_part_2
+        let u1_dot_part_3 = -u1_dot_part_2;
+        // u1_dot_part_4 = u2_part_2*u1_dot_part_3
+        let u1_dot_part_4 = u1_dot_part_3
+            .mul_add(u2_part_2_0, u2_part_2.mul_add(u1_dot_part_3_0, sums[8]));
+        // u1_dot_part_5 = weight*u1_dot_part_4 + minus_c_m_l_g*sin_theta
+        let u1_dot_part_5 = u1_dot_part_4.mul_add(weight, minus_c_m_l_g * sin_theta);
+        // phi_dot_2 = p_phi_by_i3 + minus_1_by_i1*u1_dot_part_2
+        let phi_dot_2 = minus_1_by_i1 * u1_dot_part_2;
         theta_rate = u1;
         phi_rate = phi_dot_2;
-        psi_rate = S::ratio(200, 19) * u1_dot_part;
-        u1_rate = u1_dot_2;
+        psi_rate = weight * u1_dot_part;
+        u1_rate = minus_1_by_i1 * u1_dot_part_5;
         // Factors of the convolutions: left, right.
         history[order] = [
             padded([
@@ -635,7 +660,7 @@ pub fn taylor<S: Scalar>(
                 u2_part_2,
                 u1_dot_part,
                 u1_dot_part,
-                u1_dot_part_2,
+                u1_dot_part_3,
             ]),
         ];
         count_last = count;
@@ -647,7 +672,7 @@ pub fn taylor<S: Scalar>(
         cos_theta_by_2_last = cos_theta_by_2;
         u2_part_2_last = u2_part_2;
         u1_dot_part_last = u1_dot_part;
-        u1_dot_part_2_last = u1_dot_part_2;
+        u1_dot_part_3_last = u1_dot_part_3;
     }
 }
 
@@ -657,7 +682,7 @@ pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
     fn parameters(&self) -> usize {
-        2
+        9
     }
     fn coordinates(&self) -> usize {
         3
@@ -777,7 +802,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "looping",
-    key: "f693ac4e5c0ed371",
+    key: "3ddd30a8ec69a5b1",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

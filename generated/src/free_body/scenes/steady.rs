@@ -6,14 +6,18 @@
 //! p_x = 2*v1: momentum p_x = ∂L/∂x'.
 //! p_y = 2*v2: momentum p_y = ∂L/∂y'.
 //! p_z = 2*v3: momentum p_z = ∂L/∂z'.
-//! p_psi_there = 3*w2*sin(theta)/10 + w3*(cos(theta) - 1)/2: momentum p_psi = ∂L/∂psi', what is left of it on the singular surface.
-//! p_phi = w3/2: momentum p_phi = ∂L/∂phi'.
+//! p_psi_there = I1*w2*sin(theta) + w3*(cos(theta) - 1)/2: momentum p_psi = ∂L/∂psi', what is left of it on the singular surface.
+//! w3 = w3: generalized speed, constant with the momentum p_phi = ∂L/∂phi'.
 //! centre_x = 2*x: 2*x at the start.
 //! centre_y = 2*y: 2*y at the start.
 //! centre_z = 2*z: 2*z at the start.
-//! Parameters that the scene fixes: m = 2, I1 = 0.3, I3 = 0.5.
-//! Cost: accelerations 14 operations, 2 sines and cosines; derivative 15 operations, 2 sines and cosines.
-//! Singular where sin(theta) = 0 and where 3*sin(theta)/10 = 0.
+//! c_p_z_by_2 = v3: p_z/2.
+//! c_p_y_by_2 = v2: p_y/2.
+//! c_p_x_by_2 = v1: p_x/2.
+//! c_w3_by_I1 = w3/I1: w3/I1.
+//! Parameters that the scene fixes: m = 2, I3 = 0.5.
+//! Cost: accelerations 13 operations, 2 sines and cosines; derivative 14 operations, 2 sines and cosines.
+//! Singular where sin(theta) = 0 and where I1*sin(theta) = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
@@ -21,22 +25,32 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_x = ∂L/∂x', 1
+    /// across the axis, about the mass centre, kg*m^2
+    pub I1: S,
+    /// momentum p_x = ∂L/∂x', kg*m/s
     pub p_x: S,
-    /// momentum p_y = ∂L/∂y', 1
+    /// momentum p_y = ∂L/∂y', kg*m/s
     pub p_y: S,
-    /// momentum p_z = ∂L/∂z', 1
+    /// momentum p_z = ∂L/∂z', kg*m/s
     pub p_z: S,
-    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, 1
+    /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, kg*m^2/s
     pub p_psi_there: S,
-    /// momentum p_phi = ∂L/∂phi', 1
-    pub p_phi: S,
+    /// generalized speed, constant with the momentum p_phi = ∂L/∂phi', kg*m^2/s
+    pub w3: S,
     /// 2*x at the start, kg*m
     pub centre_x: S,
     /// 2*y at the start, kg*m
     pub centre_y: S,
     /// 2*z at the start, kg*m
     pub centre_z: S,
+    /// p_z/2, 1
+    pub c_p_z_by_2: S,
+    /// p_y/2, 1
+    pub c_p_y_by_2: S,
+    /// p_x/2, 1
+    pub c_p_x_by_2: S,
+    /// w3/I1, 1/kg/m^2/s
+    pub c_w3_by_I1: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -48,28 +62,38 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            p_x: p[0],
-            p_y: p[1],
-            p_z: p[2],
-            p_psi_there: p[3],
-            p_phi: p[4],
-            centre_x: p[5],
-            centre_y: p[6],
-            centre_z: p[7],
+            I1: p[0],
+            p_x: p[1],
+            p_y: p[2],
+            p_z: p[3],
+            p_psi_there: p[4],
+            w3: p[5],
+            centre_x: p[6],
+            centre_y: p[7],
+            centre_z: p[8],
+            c_p_z_by_2: p[9],
+            c_p_y_by_2: p[10],
+            c_p_x_by_2: p[11],
+            c_w3_by_I1: p[12],
         }
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 8] = [
+pub const PARAMETERS: [&str; 13] = [
+    "I1",
     "p_x",
     "p_y",
     "p_z",
     "p_psi_there",
-    "p_phi",
+    "w3",
     "centre_x",
     "centre_y",
     "centre_z",
+    "c_p_z_by_2",
+    "c_p_y_by_2",
+    "c_p_x_by_2",
+    "c_w3_by_I1",
 ];
 
 /// Names of the outputs.
@@ -90,34 +114,31 @@ pub const OUTPUTS: [&str; 12] = [
 
 /// The accelerations (w1'), solved for when this code was generated.
 ///
-/// 14 operations, 2 sines and cosines.
+/// 13 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [S; 1] {
-    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, c_w3_by_I1, .. } = *p;
     let [theta, _, _] = *q;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
     // 1/sin(theta); used 2 times
     let sin_theta_inv = S::int(1) / sin_theta;
-    // Elimination, step by step.
-    // w3 = 2*p_phi
-    let w3 = S::int(2) * p_phi;
     // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
-    let w2 = S::ratio(10, 3) * sin_theta_inv
-        * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
-    // w1' = w2*(3*w2/tan(theta) - 5*w3)/3
-    let w1_dot = w2 * w2 * sin_theta_inv * cos_theta - S::ratio(5, 3) * w2 * w3;
+    // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
+    let w2 = sin_theta_inv * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there) / I1;
+    // w1' = w2*(2*w2/tan(theta) - c_w3_by_I1)/2
+    let w1_dot = S::ratio(1, 2) * w2
+        * (w2 * sin_theta_inv * cos_theta).mul_add(S::int(2), -c_w3_by_I1);
     [w1_dot]
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 15 operations, 2 sines and cosines.
+/// 14 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -125,7 +146,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 1],
 ) -> ([S; 3], [S; 1]) {
-    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, c_w3_by_I1, .. } = *p;
     let [theta, _, _] = *q;
     let [w1] = *u;
     // Sines and cosines.
@@ -133,23 +154,19 @@ pub fn derivative<S: Scalar>(
     // Shared terms.
     // 1/sin(theta); used 2 times
     let sin_theta_inv = S::int(1) / sin_theta;
-    // Elimination, step by step.
-    // w3 = 2*p_phi
-    let w3 = S::int(2) * p_phi;
     // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
-    let w2 = S::ratio(10, 3) * sin_theta_inv
-        * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
+    // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
+    let w2 = sin_theta_inv * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there) / I1;
     // Shared terms.
     // w2*sin_theta_inv; used 2 times
     let w2_sin_theta_inv = w2 * sin_theta_inv;
     // w2_sin_theta_inv*cos(theta); used 2 times
     let w1_dot_part = w2_sin_theta_inv * cos_theta;
     // Elimination, step by step.
-    // w1' = w2*(3*w2/tan(theta) - 5*w3)/3
-    let w1_dot = w2.mul_add(w1_dot_part, -S::ratio(5, 3) * w2 * w3);
+    // w1' = w2*(2*w2/tan(theta) - c_w3_by_I1)/2
+    let w1_dot = S::ratio(1, 2) * w2 * w1_dot_part.mul_add(S::int(2), -c_w3_by_I1);
     // Values.
     // theta' = w1
     let theta_dot_value = w1;
@@ -162,17 +179,14 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns theta, phi, psi, w1.
 ///
-/// 30 operations, 2 sines and cosines.
+/// 31 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
-    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, c_w3_by_I1, .. } = *p;
     let [theta, _, _] = *q;
     let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step.
-    // w3 = 2*p_phi
-    let w3 = S::int(2) * p_phi;
     // Shared terms.
     // theta/2; used 2 times
     let theta_scaled = S::ratio(1, 2) * theta;
@@ -183,18 +197,20 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     let sin_theta_by_2_sq = sin_theta_by_2 * sin_theta_by_2;
     // w3*sin_theta_by_2_sq; used 2 times
     let w3_sin_theta_by_2_sq = w3 * sin_theta_by_2_sq;
+    // 1/I1; used 2 times
+    let i1_inv = S::int(1) / I1;
     // 1/sin(theta); used 4 times
     let sin_theta_inv = S::int(1) / sin_theta;
     // Elimination, step by step.
-    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
-    let w2 = S::ratio(10, 3) * sin_theta_inv * (p_psi_there + w3_sin_theta_by_2_sq);
+    // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
+    let w2 = i1_inv * sin_theta_inv * (p_psi_there + w3_sin_theta_by_2_sq);
     // Shared terms.
     // 1/(sin(theta/2)*cos(theta/2))
     let w2_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
     // Elimination, step by step.
-    // w2_by_theta = 5*(2*p_phi*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
-    //   1))/(6*sin(theta/2)^2*cos(theta/2)^2)
-    let w2_by_theta = S::ratio(5, 6) * w2_by_theta_part * w2_by_theta_part
+    // w2_by_theta = (w3*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
+    //   1))/(4*I1*sin(theta/2)^2*cos(theta/2)^2)
+    let w2_by_theta = S::ratio(1, 4) * i1_inv * w2_by_theta_part * w2_by_theta_part
         * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1))
             + w3_sin_theta_by_2_sq);
     // Shared terms.
@@ -203,10 +219,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     // w2_by_theta*cos(theta); used 2 times
     let w1_dot_by_theta_part = w2_by_theta * cos_theta;
     // Elimination, step by step.
-    // w1_dot_by_theta = w2*(2*w2_by_theta*cos(theta) - w2/sin(theta))/sin(theta) - 5*w3*w2_by_theta/3
+    // w1_dot_by_theta = w2*(2*w2_by_theta*cos(theta) - w2/sin(theta))/sin(theta) -
+    //   c_w3_by_I1*w2_by_theta/2
     let w1_dot_by_theta = w2_sin_theta_inv
         * w1_dot_by_theta_part.mul_add(S::int(2), -w2_sin_theta_inv)
-        - S::ratio(5, 3) * w3 * w2_by_theta;
+        - S::ratio(1, 2) * c_w3_by_I1 * w2_by_theta;
     // Entries that are not zero.
     // d(theta')/d(w1) = 1
     let theta_dot_by_w1_value = S::int(1);
@@ -226,26 +243,22 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 11 operations, 2 sines and cosines.
+/// 10 operations, 2 sines and cosines.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
-    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, .. } = *p;
     let [theta, _, _] = *q;
     let [w1] = *u;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step.
-    // w3 = 2*p_phi
-    let w3 = S::int(2) * p_phi;
     // Shared terms.
     // 1/sin(theta); used 2 times
     let sin_theta_inv = S::int(1) / sin_theta;
     // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
-    let w2 = S::ratio(10, 3) * sin_theta_inv
-        * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there);
+    // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
+    let w2 = sin_theta_inv * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there) / I1;
     // Shared terms.
     // w2*sin_theta_inv; used 2 times
     let w2_sin_theta_inv = w2 * sin_theta_inv;
@@ -261,72 +274,77 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
 
 /// Kinetic energy T.
 ///
-/// 2 operations.
+/// 3 operations.
 #[must_use]
-pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> S {
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> S {
+    let Parameters { I1, .. } = *p;
     let [w1] = *u;
     // Values.
-    // T = 3*w1^2/20
-    let energy = S::ratio(3, 20) * w1 * w1;
+    // T = I1*w1^2/2
+    let energy = S::ratio(1, 2) * I1 * w1 * w1;
     energy
 }
 
 /// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
 ///
-/// 21 operations, 2 sines and cosines.
+/// 18 operations, 2 sines and cosines.
 #[must_use]
 pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
-    let Parameters { p_x, p_y, p_z, p_psi_there, p_phi, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, c_p_z_by_2, c_p_y_by_2, c_p_x_by_2, .. } = *p;
     let [theta, _, _] = *q;
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
-    // Elimination, step by step.
-    // w3 = 2*p_phi
-    let w3 = S::int(2) * p_phi;
-    // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
-    let w2 = S::ratio(10, 3) * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there)
-        / sin_theta;
-    // v3 = p_z/2
-    let v3 = S::ratio(1, 2) * p_z;
-    // v2 = p_y/2
-    let v2 = S::ratio(1, 2) * p_y;
-    // v1 = p_x/2
-    let v1 = S::ratio(1, 2) * p_x;
+    // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
+    let w2 = (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there) / (I1 * sin_theta);
+    // v3 = c_p_z_by_2
+    let v3 = c_p_z_by_2;
+    // v2 = c_p_y_by_2
+    let v2 = c_p_y_by_2;
+    // v1 = c_p_x_by_2
+    let v1 = c_p_x_by_2;
     // Values.
-    // V = v1^2 + v2^2 + v3^2 + 3*w2^2/20 + w3^2/4
-    let energy = v2.mul_add(v2, v1 * v1) + v3 * v3 + S::ratio(3, 20) * w2 * w2
+    // V = v1^2 + v2^2 + v3^2 + I1*w2^2/2 + w3^2/4
+    let energy = v2.mul_add(v2, v1 * v1) + v3 * v3 + S::ratio(1, 2) * I1 * w2 * w2
         + S::ratio(1, 4) * w3 * w3;
     energy
 }
 
 /// What the scene asks for, a time t after the start.
 ///
-/// 20 operations, 2 sines and cosines.
+/// 16 operations, 2 sines and cosines.
 #[must_use]
 pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S; 12] {
-    let Parameters { p_x, p_y, p_z, p_psi_there, p_phi, centre_x, centre_y, centre_z } = *p;
+    let Parameters {
+        I1,
+        p_x,
+        p_y,
+        p_z,
+        p_psi_there,
+        w3,
+        centre_x,
+        centre_y,
+        centre_z,
+        c_p_z_by_2,
+        c_p_y_by_2,
+        c_p_x_by_2,
+        ..
+    } = *p;
     let [theta, phi, psi] = *q;
     let [w1] = *u;
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
-    // Elimination, step by step.
-    // w3 = 2*p_phi
-    let w3 = S::int(2) * p_phi;
-    // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
-    let w2 = S::ratio(10, 3) * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there)
-        / sin_theta;
-    // v3 = p_z/2
-    let v3 = S::ratio(1, 2) * p_z;
-    // v2 = p_y/2
-    let v2 = S::ratio(1, 2) * p_y;
-    // v1 = p_x/2
-    let v1 = S::ratio(1, 2) * p_x;
+    // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
+    let w2 = (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there) / (I1 * sin_theta);
+    // v3 = c_p_z_by_2
+    let v3 = c_p_z_by_2;
+    // v2 = c_p_y_by_2
+    let v2 = c_p_y_by_2;
+    // v1 = c_p_x_by_2
+    let v1 = c_p_x_by_2;
     // Shared terms.
     // t/2; used 3 times
     let t_scaled = S::ratio(1, 2) * t;
@@ -345,6 +363,8 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
     let phi_value = phi;
     // w1 = w1
     let w1_value = w1;
+    // w3 = w3
+    let w3_value = w3;
     [
         x_value,
         y_value,
@@ -357,24 +377,21 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
         v3,
         w1_value,
         w2,
-        w3,
+        w3_value,
     ]
 }
 
 /// The energy, then its derivatives by the state.
 ///
-/// 34 operations, 2 sines and cosines.
+/// 31 operations, 2 sines and cosines.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 5] {
-    let Parameters { p_x, p_y, p_z, p_psi_there, p_phi, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, c_p_z_by_2, c_p_y_by_2, c_p_x_by_2, .. } = *p;
     let [theta, _, _] = *q;
     let [w1] = *u;
     let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
-    // Elimination, step by step.
-    // w3 = 2*p_phi
-    let w3 = S::int(2) * p_phi;
     // Shared terms.
     // theta/2; used 2 times
     let theta_scaled = S::ratio(1, 2) * theta;
@@ -386,31 +403,29 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     // w3*sin_theta_by_2_sq; used 2 times
     let w3_sin_theta_by_2_sq = w3 * sin_theta_by_2_sq;
     // Elimination, step by step.
-    // w2 = 10*(2*p_phi*sin(theta/2)^2 + p_psi_there)/(3*sin(theta))
-    let w2 = S::ratio(10, 3) * (p_psi_there + w3_sin_theta_by_2_sq) / sin_theta;
-    // v3 = p_z/2
-    let v3 = S::ratio(1, 2) * p_z;
-    // v2 = p_y/2
-    let v2 = S::ratio(1, 2) * p_y;
-    // v1 = p_x/2
-    let v1 = S::ratio(1, 2) * p_x;
+    // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
+    let w2 = (p_psi_there + w3_sin_theta_by_2_sq) / (I1 * sin_theta);
+    // v3 = c_p_z_by_2
+    let v3 = c_p_z_by_2;
+    // v2 = c_p_y_by_2
+    let v2 = c_p_y_by_2;
+    // v1 = c_p_x_by_2
+    let v1 = c_p_x_by_2;
     // Shared terms.
-    // w1^2 + w2^2
-    let w1_2_plus_w2_2 = w2.mul_add(w2, w1 * w1);
     // 1/(sin(theta/2)*cos(theta/2))
     let energy_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
     // Values.
-    // T + V = v1^2 + v2^2 + v3^2 + 3*w1^2/20 + 3*w2^2/20 + w3^2/4
-    let energy = v2.mul_add(v2, v1 * v1) + v3 * v3 + S::ratio(1, 4) * w3 * w3
-        + S::ratio(3, 20) * w1_2_plus_w2_2;
-    // d(T + V)/d(theta) = w2*(2*p_phi*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
+    // T + V = v1^2 + v2^2 + v3^2 + I1*w1^2/2 + I1*w2^2/2 + w3^2/4
+    let energy = v1 * v1 + v2 * v2 + v3 * v3
+        + S::ratio(1, 2) * I1 * w2.mul_add(w2, w1 * w1) + S::ratio(1, 4) * w3 * w3;
+    // d(T + V)/d(theta) = w2*(w3*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
     //   1))/(4*sin(theta/2)^2*cos(theta/2)^2)
     let energy_by_theta = S::ratio(1, 4) * w2 * energy_by_theta_part
         * energy_by_theta_part
         * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1))
             + w3_sin_theta_by_2_sq);
-    // d(T + V)/d(w1) = 3*w1/10
-    let energy_by_w1 = S::ratio(3, 10) * w1;
+    // d(T + V)/d(w1) = I1*w1
+    let energy_by_w1 = I1 * w1;
     [energy, energy_by_theta, zero, zero, energy_by_w1]
 }
 
@@ -430,10 +445,10 @@ pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
 
 /// The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.
 ///
-/// 35 operations, 6 sines and cosines.
+/// 37 operations, 6 sines and cosines.
 #[must_use]
 pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
-    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, .. } = *p;
     let [theta_from, theta_to] = *q;
     let [sinc1, sinc2] = *u;
     // Sines and cosines.
@@ -446,21 +461,21 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> 
     let (sin_theta_from_by_2, _) = (S::ratio(1, 2) * theta_from).sin_cos();
     let (sin_theta_to_by_2, _) = (S::ratio(1, 2) * theta_to).sin_cos();
     // Shared terms.
-    // p_phi*sin(theta_to/2)^2; used 2 times
-    let slope_part = p_phi * sin_theta_to_by_2 * sin_theta_to_by_2;
+    // w3*sin(theta_to/2)^2; used 2 times
+    let slope_part = w3 * sin_theta_to_by_2 * sin_theta_to_by_2;
     // Values.
-    // (V(b) - V(a))/(b - a) = 10*p_phi*sinc2*cos(theta_from/4 + theta_to/4)*(sin(theta_from/2) +
-    //   sin(theta_to/2))*(p_psi_there + p_phi*sin(theta_from/2)^2 +
-    //   p_phi*sin(theta_to/2)^2)/(3*sin(theta_from)^2) - 5*sinc1*cos(theta_from/2 +
+    // (V(b) - V(a))/(b - a) = w3*sinc2*cos(theta_from/4 + theta_to/4)*(sin(theta_from/2) +
+    //   sin(theta_to/2))*(2*p_psi_there + w3*sin(theta_from/2)^2 +
+    //   w3*sin(theta_to/2)^2)/(4*I1*sin(theta_from)^2) - sinc1*cos(theta_from/2 +
     //   theta_to/2)*(sin(theta_from) + sin(theta_to))*(p_psi_there +
-    //   2*p_phi*sin(theta_to/2)^2)^2/(3*sin(theta_from)^2*sin(theta_to)^2)
-    let slope = S::ratio(10, 3) * p_phi * sinc2 * cos_angle_2
+    //   w3*sin(theta_to/2)^2)^2/(2*I1*sin(theta_from)^2*sin(theta_to)^2)
+    let slope = S::ratio(1, 4) * w3 * sinc2 * cos_angle_2
         * (sin_theta_from_by_2 + sin_theta_to_by_2)
-        * (p_psi_there + p_phi * sin_theta_from_by_2 * sin_theta_from_by_2 + slope_part)
-        / (sin_theta_from * sin_theta_from)
-        - S::ratio(5, 3) * sinc1 * cos_angle * (sin_theta_from + sin_theta_to)
-            * slope_part.mul_add(S::int(2), p_psi_there).powi(2)
-            / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to);
+        * (p_psi_there.mul_add(S::int(2), w3 * sin_theta_from_by_2 * sin_theta_from_by_2)
+            + slope_part) / (I1 * sin_theta_from * sin_theta_from)
+        - S::ratio(1, 2) * sinc1 * cos_angle * (sin_theta_from + sin_theta_to)
+            * (p_psi_there + slope_part).powi(2)
+            / (I1 * sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to);
     slope
 }
 
@@ -472,13 +487,22 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 4]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { p_psi_there, p_phi, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, c_w3_by_I1, .. } = *p;
     let [theta_0, _, _, w1_0] = series[0];
+    // Shared terms.
+    // 1/I1; used 4 times
+    let i1_inv = S::int(1) / I1;
     // Constant in time.
-    // weight = 2*p_phi
-    let weight = S::int(2) * p_phi;
-    // weight_2 = 10*p_phi
-    let weight_2 = S::int(10) * p_phi;
+    // minus_c_w3_by_i1 = -c_w3_by_I1
+    let minus_c_w3_by_i1 = -c_w3_by_I1;
+    // weight = 2/I1
+    let weight = S::int(2) * i1_inv;
+    // minus_1_by_i1 = -1/I1
+    let minus_1_by_i1 = -i1_inv;
+    // weight_2 = 1/I1
+    let weight_2 = i1_inv;
+    // weight_3 = 1/(2*I1)
+    let weight_3 = S::ratio(1, 2) * i1_inv;
     // Order 0.
     let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
     let over_sin_theta = S::int(1) / sin_theta_0;
@@ -487,25 +511,25 @@ pub fn taylor<S: Scalar>(
     let (sin_theta_by_2_0, cos_theta_by_2_0) = theta_by_2_0.sin_cos();
     // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
     let sin_theta_by_2_p2_0 = sin_theta_by_2_0 * sin_theta_by_2_0;
-    // w2_part = p_psi_there + weight*sin_theta_by_2_p2
-    let w2_part_0 = sin_theta_by_2_p2_0.mul_add(weight, p_psi_there);
+    // w2_part = p_psi_there + w3*sin_theta_by_2_p2
+    let w2_part_0 = sin_theta_by_2_p2_0.mul_add(w3, p_psi_there);
     // w2_part_2 = w2_part/sin_theta
     let w2_part_2_0 = w2_part_0 * over_sin_theta;
     // w1_dot_part = w2_part_2/sin_theta
     let w1_dot_part_0 = w2_part_2_0 * over_sin_theta;
     // w1_dot_part_2 = cos_theta*w1_dot_part
     let w1_dot_part_2_0 = cos_theta_0 * w1_dot_part_0;
-    // w1_dot_part_3 = weight_2 - 10*w1_dot_part_2
-    let w1_dot_part_3_0 = w1_dot_part_2_0.mul_add(-S::int(10), weight_2);
+    // w1_dot_part_3 = minus_c_w3_by_i1 + weight*w1_dot_part_2
+    let w1_dot_part_3_0 = w1_dot_part_2_0.mul_add(weight, minus_c_w3_by_i1);
     // w1_dot_part_4 = w2_part_2*w1_dot_part_3
     let w1_dot_part_4_0 = w2_part_2_0 * w1_dot_part_3_0;
-    // phi_dot_2 = weight - 10/3*w1_dot_part_2
-    let phi_dot_2_0 = w1_dot_part_2_0.mul_add(-S::ratio(10, 3), weight);
+    // phi_dot_2 = w3 + minus_1_by_i1*w1_dot_part_2
+    let phi_dot_2_0 = w1_dot_part_2_0.mul_add(minus_1_by_i1, w3);
     // Order 1: the rates, and what follows from them.
     let theta_1 = w1_0;
     let phi_1 = phi_dot_2_0;
-    let psi_1 = S::ratio(10, 3) * w1_dot_part_0;
-    let w1_1 = -S::ratio(10, 9) * w1_dot_part_4_0;
+    let psi_1 = weight_2 * w1_dot_part_0;
+    let w1_1 = weight_3 * w1_dot_part_4_0;
     if series.len() > 1 {
         series[1] = [theta_1, phi_1, psi_1, w1_1];
     }
@@ -515,17 +539,17 @@ pub fn taylor<S: Scalar>(
     let sin_theta_by_2_1 = theta_by_2_1 * cos_theta_by_2_0;
     let cos_theta_by_2_1 = -theta_by_2_1 * sin_theta_by_2_0;
     let sin_theta_by_2_p2_1 = sin_theta_by_2_1 * (sin_theta_by_2_0 + sin_theta_by_2_0);
-    let w2_part_1 = weight * sin_theta_by_2_p2_1;
+    let w2_part_1 = w3 * sin_theta_by_2_p2_1;
     let w2_part_2_1 = sin_theta_1
         .mul_add(-(w2_part_2_0 * over_sin_theta), w2_part_1 * over_sin_theta);
     let w1_dot_part_1 = sin_theta_1
         .mul_add(-(w1_dot_part_0 * over_sin_theta), w2_part_2_1 * over_sin_theta);
     let w1_dot_part_2_1 = w1_dot_part_1
         .mul_add(cos_theta_0, cos_theta_1 * w1_dot_part_0);
-    let w1_dot_part_3_1 = -S::int(10) * w1_dot_part_2_1;
+    let w1_dot_part_3_1 = weight * w1_dot_part_2_1;
     let w1_dot_part_4_1 = w1_dot_part_3_1
         .mul_add(w2_part_2_0, w2_part_2_1 * w1_dot_part_3_0);
-    let phi_dot_2_1 = -S::ratio(10, 3) * w1_dot_part_2_1;
+    let phi_dot_2_1 = minus_1_by_i1 * w1_dot_part_2_1;
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
         history[1] = [
@@ -567,8 +591,8 @@ pub fn taylor<S: Scalar>(
     // Rates at order k - 1.
     let mut theta_rate = w1_1;
     let mut phi_rate = phi_dot_2_1;
-    let mut psi_rate = S::ratio(10, 3) * w1_dot_part_1;
-    let mut w1_rate = -S::ratio(10, 9) * w1_dot_part_4_1;
+    let mut psi_rate = weight_2 * w1_dot_part_1;
+    let mut w1_rate = weight_3 * w1_dot_part_4_1;
     for order in 2..series.len() {
         let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
@@ -647,8 +671,8 @@ pub fn taylor<S: Scalar>(
         // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
         let sin_theta_by_2_p2 = sin_theta_by_2
             .mul_add(sin_theta_by_2_0 + sin_theta_by_2_0, sums[4]);
-        // w2_part = p_psi_there + weight*sin_theta_by_2_p2
-        let w2_part = weight * sin_theta_by_2_p2;
+        // w2_part = p_psi_there + w3*sin_theta_by_2_p2
+        let w2_part = w3 * sin_theta_by_2_p2;
         // w2_part_2 = w2_part/sin_theta
         let w2_part_2 = w2_part
             .mul_add(
@@ -664,17 +688,17 @@ pub fn taylor<S: Scalar>(
         // w1_dot_part_2 = cos_theta*w1_dot_part
         let w1_dot_part_2 = w1_dot_part
             .mul_add(cos_theta_0, cos_theta.mul_add(w1_dot_part_0, sums[7]));
-        // w1_dot_part_3 = weight_2 - 10*w1_dot_part_2
-        let w1_dot_part_3 = -S::int(10) * w1_dot_part_2;
+        // w1_dot_part_3 = minus_c_w3_by_i1 + weight*w1_dot_part_2
+        let w1_dot_part_3 = weight * w1_dot_part_2;
         // w1_dot_part_4 = w2_part_2*w1_dot_part_3
         let w1_dot_part_4 = w1_dot_part_3
             .mul_add(w2_part_2_0, w2_part_2.mul_add(w1_dot_part_3_0, sums[8]));
-        // phi_dot_2 = weight - 10/3*w1_dot_part_2
-        let phi_dot_2 = -S::ratio(10, 3) * w1_dot_part_2;
+        // phi_dot_2 = w3 + minus_1_by_i1*w1_dot_part_2
+        let phi_dot_2 = minus_1_by_i1 * w1_dot_part_2;
         theta_rate = w1;
         phi_rate = phi_dot_2;
-        psi_rate = S::ratio(10, 3) * w1_dot_part;
-        w1_rate = -S::ratio(10, 9) * w1_dot_part_4;
+        psi_rate = weight_2 * w1_dot_part;
+        w1_rate = weight_3 * w1_dot_part_4;
         // Factors of the convolutions: left, right.
         history[order] = [
             padded([
@@ -719,7 +743,7 @@ pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
     fn parameters(&self) -> usize {
-        8
+        13
     }
     fn coordinates(&self) -> usize {
         3
@@ -839,7 +863,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "steady",
-    key: "9352a160ee07b8be",
+    key: "056e0da2aa96a83a",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

@@ -3,7 +3,7 @@
 //! Generated from `models/pendulum/scenes/over.toml`. Do not edit; run `tripos regenerate`.
 //! Outputs: theta, omega.
 //! States: theta, omega. Quadratures: none.
-//! Parameters that the scene fixes: m = 1, l = 1, g = 9.81.
+//! Parameters that the scene fixes: m = 1, l = 1.
 //! Cost: accelerations 2 operations, 1 sine and cosine; derivative 2 operations, 1 sine and cosine.
 //! Singular nowhere.
 
@@ -13,8 +13,8 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// A model without parameters.
-    pub none: core::marker::PhantomData<S>,
+    /// acceleration of free fall, m/s^2
+    pub g: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -24,15 +24,13 @@ impl<S: Scalar> Parameters<S> {
     /// If `p` has fewer values than there are parameters.
     #[must_use]
     #[inline(always)]
-    pub fn from_slice(_p: &[S]) -> Self {
-        Self {
-            none: core::marker::PhantomData,
-        }
+    pub fn from_slice(p: &[S]) -> Self {
+        Self { g: p[0] }
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 0] = [];
+pub const PARAMETERS: [&str; 1] = ["g"];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 2] = ["theta", "omega"];
@@ -42,13 +40,14 @@ pub const OUTPUTS: [&str; 2] = ["theta", "omega"];
 /// 2 operations, 1 sine and cosine.
 #[must_use]
 #[inline(always)]
-pub fn accelerations<S: Scalar>(_p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [S; 1] {
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [S; 1] {
+    let Parameters { g } = *p;
     let [theta] = *q;
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
     // Elimination, step by step.
-    // omega' = -981*sin(theta)/100
-    let omega_dot = -S::ratio(981, 100) * sin_theta;
+    // omega' = -g*sin(theta)
+    let omega_dot = -g * sin_theta;
     [omega_dot]
 }
 
@@ -58,17 +57,18 @@ pub fn accelerations<S: Scalar>(_p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> 
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
-    _p: &Parameters<S>,
+    p: &Parameters<S>,
     q: &[S; 1],
     u: &[S; 1],
 ) -> ([S; 1], [S; 1]) {
+    let Parameters { g } = *p;
     let [theta] = *q;
     let [omega] = *u;
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
     // Elimination, step by step.
-    // omega' = -981*sin(theta)/100
-    let omega_dot = -S::ratio(981, 100) * sin_theta;
+    // omega' = -g*sin(theta)
+    let omega_dot = -g * sin_theta;
     // Values.
     // theta' = omega
     let theta_dot_value = omega;
@@ -79,7 +79,8 @@ pub fn derivative<S: Scalar>(
 ///
 /// 2 operations, 1 sine and cosine.
 #[must_use]
-pub fn jacobian<S: Scalar>(_p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 2]; 2] {
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 2]; 2] {
+    let Parameters { g } = *p;
     let [theta] = *q;
     let zero = S::int(0);
     // Sines and cosines.
@@ -87,8 +88,8 @@ pub fn jacobian<S: Scalar>(_p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 
     // Entries that are not zero.
     // d(theta')/d(omega) = 1
     let theta_dot_by_omega_value = S::int(1);
-    // d(omega')/d(theta) = -981*cos(theta)/100
-    let omega_dot_by_theta_value = -S::ratio(981, 100) * cos_theta;
+    // d(omega')/d(theta) = -g*cos(theta)
+    let omega_dot_by_theta_value = -g * cos_theta;
     [[zero, theta_dot_by_omega_value], [omega_dot_by_theta_value, zero]]
 }
 
@@ -124,13 +125,14 @@ pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 1], u: &[S; 1]) ->
 ///
 /// 2 operations, 1 sine and cosine.
 #[must_use]
-pub fn potential_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 1]) -> S {
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 1]) -> S {
+    let Parameters { g } = *p;
     let [theta] = *q;
     // Sines and cosines.
     let (_, cos_theta) = theta.sin_cos();
     // Values.
-    // V = 981/100 - 981*cos(theta)/100
-    let energy = S::ratio(981, 100) - S::ratio(981, 100) * cos_theta;
+    // V = g*(1 - cos(theta))
+    let energy = g * (S::int(1) - cos_theta);
     energy
 }
 
@@ -153,17 +155,17 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 1], u: &[S; 1]) -> 
 ///
 /// 6 operations, 1 sine and cosine.
 #[must_use]
-pub fn energy_gradient<S: Scalar>(_p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
+pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
+    let Parameters { g } = *p;
     let [theta] = *q;
     let [omega] = *u;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Values.
-    // T + V = 981/100 - 981*cos(theta)/100 + omega^2/2
-    let energy = S::ratio(981, 100) - S::ratio(981, 100) * cos_theta
-        + S::ratio(1, 2) * omega * omega;
-    // d(T + V)/d(theta) = 981*sin(theta)/100
-    let energy_by_theta = S::ratio(981, 100) * sin_theta;
+    // T + V = g*(1 - cos(theta)) + omega^2/2
+    let energy = g * (S::int(1) - cos_theta) + S::ratio(1, 2) * omega * omega;
+    // d(T + V)/d(theta) = g*sin(theta)
+    let energy_by_theta = g * sin_theta;
     // d(T + V)/d(omega) = omega
     let energy_by_omega = omega;
     [energy, energy_by_theta, energy_by_omega]
@@ -185,15 +187,16 @@ pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 1] {
 ///
 /// 5 operations, 1 sine and cosine.
 #[must_use]
-pub fn potential_slope<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> S {
+pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> S {
+    let Parameters { g } = *p;
     let [theta_from, theta_to] = *q;
     let [sinc1] = *u;
     // Sines and cosines.
     let (sin_angle, _) = (S::ratio(1, 2) * theta_from + S::ratio(1, 2) * theta_to)
         .sin_cos();
     // Values.
-    // (V(b) - V(a))/(b - a) = 981*sinc1*sin(theta_from/2 + theta_to/2)/100
-    let slope = S::ratio(981, 100) * sinc1 * sin_angle;
+    // (V(b) - V(a))/(b - a) = g*sinc1*sin(theta_from/2 + theta_to/2)
+    let slope = g * sinc1 * sin_angle;
     slope
 }
 
@@ -201,16 +204,20 @@ pub fn potential_slope<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) ->
 ///
 /// 2 convolutions and 0 linear operations an order.
 pub fn taylor<S: Scalar>(
-    _p: &Parameters<S>,
+    p: &Parameters<S>,
     series: &mut [[S; 2]],
     history: &mut [Factors<S, 8>],
 ) {
+    let Parameters { g } = *p;
     let [theta_0, omega_0] = series[0];
+    // Constant in time.
+    // minus_g = -g
+    let minus_g = -g;
     // Order 0.
     let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
     // Order 1: the rates, and what follows from them.
     let theta_1 = omega_0;
-    let omega_1 = -S::ratio(981, 100) * sin_theta_0;
+    let omega_1 = minus_g * sin_theta_0;
     if series.len() > 1 {
         series[1] = [theta_1, omega_1];
     }
@@ -227,7 +234,7 @@ pub fn taylor<S: Scalar>(
     let mut next = [S::int(0); 8];
     // Rates at order k - 1.
     let mut theta_rate = omega_1;
-    let mut omega_rate = -S::ratio(981, 100) * sin_theta_1;
+    let mut omega_rate = minus_g * sin_theta_1;
     for order in 2..series.len() {
         let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
@@ -264,7 +271,7 @@ pub fn taylor<S: Scalar>(
         // cos_theta = cos(theta)
         let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
         theta_rate = omega;
-        omega_rate = -S::ratio(981, 100) * sin_theta;
+        omega_rate = minus_g * sin_theta;
         // Factors of the convolutions: left, right.
         history[order] = [
             padded([count * theta, count * theta]),
@@ -283,7 +290,7 @@ pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
     fn parameters(&self) -> usize {
-        0
+        1
     }
     fn coordinates(&self) -> usize {
         1
@@ -403,7 +410,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "over",
-    key: "c3242dee5365d493",
+    key: "895b4379691782c2",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

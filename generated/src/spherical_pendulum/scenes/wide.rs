@@ -4,7 +4,7 @@
 //! Outputs: theta, phi, u1, u2.
 //! States: theta, u1. Quadratures: phi.
 //! p_phi = u2*sin(theta): momentum p_phi = ∂L/∂phi'.
-//! Parameters that the scene fixes: m = 1, l = 1, g = 9.81.
+//! Parameters that the scene fixes: m = 1, l = 1.
 //! Cost: accelerations 7 operations, 1 sine and cosine; derivative 7 operations, 1 sine and cosine.
 //! Singular where sin(theta) = 0.
 
@@ -14,7 +14,9 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
-    /// momentum p_phi = ∂L/∂phi', 1
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+    /// momentum p_phi = ∂L/∂phi', kg*m^2/s
     pub p_phi: S,
 }
 
@@ -26,12 +28,12 @@ impl<S: Scalar> Parameters<S> {
     #[must_use]
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
-        Self { p_phi: p[0] }
+        Self { g: p[0], p_phi: p[1] }
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 1] = ["p_phi"];
+pub const PARAMETERS: [&str; 2] = ["g", "p_phi"];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 4] = ["theta", "phi", "u1", "u2"];
@@ -42,7 +44,7 @@ pub const OUTPUTS: [&str; 4] = ["theta", "phi", "u1", "u2"];
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [S; 1] {
-    let Parameters { p_phi } = *p;
+    let Parameters { g, p_phi } = *p;
     let [theta, _] = *q;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -52,8 +54,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [
     // Elimination, step by step.
     // u2 = p_phi/sin(theta)
     let u2 = p_phi * sin_theta_inv;
-    // u1' = u2^2/tan(theta) - 981*sin(theta)/100
-    let u1_dot = u2 * u2 * sin_theta_inv * cos_theta - S::ratio(981, 100) * sin_theta;
+    // u1' = u2^2/tan(theta) - g*sin(theta)
+    let u1_dot = (-g).mul_add(sin_theta, u2 * u2 * sin_theta_inv * cos_theta);
     [u1_dot]
 }
 
@@ -67,7 +69,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 2],
     u: &[S; 1],
 ) -> ([S; 2], [S; 1]) {
-    let Parameters { p_phi } = *p;
+    let Parameters { g, p_phi } = *p;
     let [theta, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -82,9 +84,8 @@ pub fn derivative<S: Scalar>(
     // u2*sin_theta_inv; used 2 times
     let u2_sin_theta_inv = u2 * sin_theta_inv;
     // Elimination, step by step.
-    // u1' = u2^2/tan(theta) - 981*sin(theta)/100
-    let u1_dot = (u2 * u2_sin_theta_inv)
-        .mul_add(cos_theta, -S::ratio(981, 100) * sin_theta);
+    // u1' = u2^2/tan(theta) - g*sin(theta)
+    let u1_dot = (-g).mul_add(sin_theta, u2 * u2_sin_theta_inv * cos_theta);
     // Values.
     // theta' = u1
     let theta_dot_value = u1;
@@ -98,7 +99,7 @@ pub fn derivative<S: Scalar>(
 /// 13 operations, 1 sine and cosine.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [[S; 3]; 3] {
-    let Parameters { p_phi } = *p;
+    let Parameters { g, p_phi } = *p;
     let [theta, _] = *q;
     let zero = S::int(0);
     // Sines and cosines.
@@ -117,10 +118,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [[S; 3
     // Elimination, step by step.
     // u2_by_theta = -p_phi/(sin(theta)*tan(theta))
     let u2_by_theta = -u2_by_theta_part;
-    // u1_dot_by_theta = u2*(2*u2_by_theta*cos(theta) - u2/sin(theta))/sin(theta) - 981*cos(theta)/100
+    // u1_dot_by_theta = u2*(2*u2_by_theta*cos(theta) - u2/sin(theta))/sin(theta) - g*cos(theta)
     let u1_dot_by_theta = u2_sin_theta_inv
         * (u2_by_theta * cos_theta).mul_add(S::int(2), -u2_sin_theta_inv)
-        - S::ratio(981, 100) * cos_theta;
+        - g * cos_theta;
     // Entries that are not zero.
     // d(theta')/d(u1) = 1
     let theta_dot_by_u1_value = S::int(1);
@@ -138,7 +139,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [[S; 3
 /// 3 operations, 1 sine and cosine.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 2] {
-    let Parameters { p_phi } = *p;
+    let Parameters { p_phi, .. } = *p;
     let [theta, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -174,7 +175,7 @@ pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 2], u: &[S; 1]) ->
 /// 6 operations, 1 sine and cosine.
 #[must_use]
 pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
-    let Parameters { p_phi } = *p;
+    let Parameters { g, p_phi } = *p;
     let [theta, _] = *q;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -182,9 +183,8 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
     // u2 = p_phi/sin(theta)
     let u2 = p_phi / sin_theta;
     // Values.
-    // V = 981/100 - 981*cos(theta)/100 + u2^2/2
-    let energy = S::ratio(981, 100) - S::ratio(981, 100) * cos_theta
-        + S::ratio(1, 2) * u2 * u2;
+    // V = g*(1 - cos(theta)) + u2^2/2
+    let energy = g * (S::int(1) - cos_theta) + S::ratio(1, 2) * u2 * u2;
     energy
 }
 
@@ -193,7 +193,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
 /// 1 operation, 1 sine and cosine.
 #[must_use]
 pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 1]) -> [S; 4] {
-    let Parameters { p_phi } = *p;
+    let Parameters { p_phi, .. } = *p;
     let [theta, phi] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -216,7 +216,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 1]) -> [
 /// 13 operations, 1 sine and cosine.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 4] {
-    let Parameters { p_phi } = *p;
+    let Parameters { g, p_phi } = *p;
     let [theta, _] = *q;
     let [u1] = *u;
     let zero = S::int(0);
@@ -234,12 +234,10 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> 
     // u1^2 + u2_sq
     let u1_2_plus_u2_sq = u1.mul_add(u1, u2_sq);
     // Values.
-    // T + V = 981/100 - 981*cos(theta)/100 + u1^2/2 + u2^2/2
-    let energy = S::ratio(981, 100) - S::ratio(981, 100) * cos_theta
-        + S::ratio(1, 2) * u1_2_plus_u2_sq;
-    // d(T + V)/d(theta) = 981*sin(theta)/100 - u2*p_phi/(sin(theta)*tan(theta))
-    let energy_by_theta = (-(sin_theta_inv * u2_sq))
-        .mul_add(cos_theta, S::ratio(981, 100) * sin_theta);
+    // T + V = g*(1 - cos(theta)) + u1^2/2 + u2^2/2
+    let energy = g * (S::int(1) - cos_theta) + S::ratio(1, 2) * u1_2_plus_u2_sq;
+    // d(T + V)/d(theta) = g*sin(theta) - u2*p_phi/(sin(theta)*tan(theta))
+    let energy_by_theta = (-(sin_theta_inv * u2_sq)).mul_add(cos_theta, g * sin_theta);
     // d(T + V)/d(u1) = u1
     let energy_by_u1 = u1;
     [energy, energy_by_theta, zero, energy_by_u1]
@@ -262,7 +260,7 @@ pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 1] {
 /// 16 operations, 3 sines and cosines.
 #[must_use]
 pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> S {
-    let Parameters { p_phi } = *p;
+    let Parameters { g, p_phi } = *p;
     let [theta_from, theta_to] = *q;
     let [sinc1] = *u;
     // Sines and cosines.
@@ -274,13 +272,12 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> 
     // Sines and cosines.
     let (sin_angle, cos_angle) = slope_part.sin_cos();
     // Values.
-    // (V(b) - V(a))/(b - a) = 981*sinc1*sin(theta_from/2 + theta_to/2)/100 -
-    //   p_phi^2*sinc1*cos(theta_from/2 + theta_to/2)*(sin(theta_from) +
-    //   sin(theta_to))/(2*sin(theta_from)^2*sin(theta_to)^2)
-    let slope = S::ratio(981, 100) * sinc1 * sin_angle
-        - S::ratio(1, 2) * p_phi * p_phi * sinc1 * cos_angle
-            * (sin_theta_from + sin_theta_to)
-            / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to);
+    // (V(b) - V(a))/(b - a) = g*sinc1*sin(theta_from/2 + theta_to/2) - p_phi^2*sinc1*cos(theta_from/2 +
+    //   theta_to/2)*(sin(theta_from) + sin(theta_to))/(2*sin(theta_from)^2*sin(theta_to)^2)
+    let slope = -S::ratio(1, 2) * p_phi * p_phi * sinc1 * cos_angle
+        * (sin_theta_from + sin_theta_to)
+        / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to)
+        + g * sinc1 * sin_angle;
     slope
 }
 
@@ -292,9 +289,11 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 3]],
     history: &mut [Factors<S, 8>],
 ) {
-    let Parameters { p_phi } = *p;
+    let Parameters { g, p_phi } = *p;
     let [theta_0, _, u1_0] = series[0];
     // Constant in time.
+    // minus_g = -g
+    let minus_g = -g;
     // p_phi_2 = p_phi^2
     let p_phi_2 = p_phi * p_phi;
     // Order 0.
@@ -308,8 +307,8 @@ pub fn taylor<S: Scalar>(
     let u1_dot_part_2_0 = u2_part_0 * cos_theta_0;
     // u1_dot_part_3 = u1_dot_part*u1_dot_part_2
     let u1_dot_part_3_0 = u1_dot_part_0 * u1_dot_part_2_0;
-    // u1_dot_2 = -981/100*sin_theta + p_phi_2*u1_dot_part_3
-    let u1_dot_2_0 = u1_dot_part_3_0.mul_add(p_phi_2, -S::ratio(981, 100) * sin_theta_0);
+    // u1_dot_2 = minus_g*sin_theta + p_phi_2*u1_dot_part_3
+    let u1_dot_2_0 = u1_dot_part_3_0.mul_add(p_phi_2, minus_g * sin_theta_0);
     // Order 1: the rates, and what follows from them.
     let theta_1 = u1_0;
     let phi_1 = p_phi * u1_dot_part_0;
@@ -325,7 +324,7 @@ pub fn taylor<S: Scalar>(
     let u1_dot_part_2_1 = u2_part_1.mul_add(cos_theta_0, cos_theta_1 * u2_part_0);
     let u1_dot_part_3_1 = u1_dot_part_2_1
         .mul_add(u1_dot_part_0, u1_dot_part_1 * u1_dot_part_2_0);
-    let u1_dot_2_1 = u1_dot_part_3_1.mul_add(p_phi_2, -S::ratio(981, 100) * sin_theta_1);
+    let u1_dot_2_1 = u1_dot_part_3_1.mul_add(p_phi_2, minus_g * sin_theta_1);
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
         history[1] = [
@@ -424,8 +423,8 @@ pub fn taylor<S: Scalar>(
         // u1_dot_part_3 = u1_dot_part*u1_dot_part_2
         let u1_dot_part_3 = u1_dot_part_2
             .mul_add(u1_dot_part_0, u1_dot_part.mul_add(u1_dot_part_2_0, sums[5]));
-        // u1_dot_2 = -981/100*sin_theta + p_phi_2*u1_dot_part_3
-        let u1_dot_2 = u1_dot_part_3.mul_add(p_phi_2, -S::ratio(981, 100) * sin_theta);
+        // u1_dot_2 = minus_g*sin_theta + p_phi_2*u1_dot_part_3
+        let u1_dot_2 = u1_dot_part_3.mul_add(p_phi_2, minus_g * sin_theta);
         theta_rate = u1;
         phi_rate = p_phi * u1_dot_part;
         u1_rate = u1_dot_2;
@@ -464,7 +463,7 @@ pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
     fn parameters(&self) -> usize {
-        1
+        2
     }
     fn coordinates(&self) -> usize {
         2
@@ -584,7 +583,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "wide",
-    key: "71f9d196c28396b0",
+    key: "36031d9149564acd",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,
