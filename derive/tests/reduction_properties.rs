@@ -140,7 +140,7 @@ proptest! {
         let e = &r.derivation.equations;
         let mut arena = r.terms().clone();
         let mut inline = Substitution::default();
-        for d in &e.definitions {
+        for d in r.products.iter().chain(&e.definitions) {
             let value = inline.apply(&mut arena, d.value);
             inline.set(d.symbol, value);
         }

@@ -327,13 +327,7 @@ impl Search {
         Some(Self { basis, centre, centre_units, units: of_momenta })
     }
 
-    /// Numbers that make formulas shorter: halves, quarters and small whole numbers. Others cost as much as the letter, which
-/// reads better.
-fn is_plain(value: &Rational) -> bool {
-    value.small().is_some_and(|(n, d)| n.abs() <= 12 && [1, 2, 4].contains(&d))
-}
-
-/// An integral that is linear in the speeds.
+    /// An integral that is linear in the speeds.
     fn momentum(
         &self,
         model: &Model,

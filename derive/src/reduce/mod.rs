@@ -27,6 +27,7 @@ pub use ground::Ground;
 pub use one_degree::Slope;
 pub use proof::Proof;
 
+use crate::algebra::elimination::Definition;
 use crate::algebra::{Arena, Expr, Rational, print};
 use crate::mechanics::{Derivation, DeriveError};
 use crate::model::{Model, Unit, text_hash};
@@ -83,6 +84,8 @@ pub struct Reduction {
     pub quadratures: Vec<Quantity>,
     /// What stays as it is at the start.
     pub constants: Vec<Quantity>,
+    /// Those of the constants that stand for products of parameters and other constants.
+    pub products: Vec<Definition>,
     /// What the scene wants to see.
     pub outputs: Vec<Output>,
     /// The functions of the scene's events, in its order.

@@ -6,6 +6,7 @@ use super::proof::{Whole, prove};
 use super::slice::{Flow, Variable};
 use super::{Ground, Output, Quantity, Reduction};
 use crate::algebra::{Arena, Expr};
+use crate::algebra::elimination::Definition;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::print::text;
@@ -56,6 +57,7 @@ pub fn pack(
         states,
         quadratures,
         constants,
+        products: hoisted.constants.iter().map(|(symbol, value)| Definition { symbol: *symbol, value: *value }).collect(),
         outputs,
         events,
         folded,
