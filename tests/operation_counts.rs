@@ -34,12 +34,42 @@ const BOUNDS: [(&str, &str, [usize; 4]); 27] = [
     ("spherical_pendulum", "newton_euler", [11, 20, 8, 8]),
 ];
 
+/// (model, scene, operations of `derivative`) of the reduced equations of scenes.
+const SCENES: [(&str, &str, usize); 9] = [
+    ("cart_pendulum_3", "fall", 129),
+    ("disk", "lean", 18),
+    ("disk", "near_flat", 23),
+    ("disk", "report_10s", 23),
+    ("euler_top", "looping", 19),
+    ("floating_chain", "folding", 295),
+    ("free_body", "tumbling", 14),
+    ("heavy_top", "looping", 16),
+    ("spherical_pendulum", "wide", 7),
+];
+
 fn count(text: &str, function: &str) -> usize {
     let signature = format!("pub fn {function}<");
     let before = text.split(&signature).next().unwrap_or_default();
     let line =
         before.lines().rev().find(|line| line.starts_with("/// ") && line.contains(" operation")).unwrap_or_default();
     line.split_whitespace().nth(1).and_then(|n| n.parse().ok()).unwrap_or_else(|| panic!("{function} states no count"))
+}
+
+#[test]
+fn equations_of_scenes_keep_within_their_counts() {
+    let at = |file: String| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("generated/src").join(file);
+        std::fs::read_to_string(path).unwrap()
+    };
+    for (model, scene, bound) in SCENES {
+        let found = count(&at(format!("{model}/scenes/{scene}.rs")), "derivative");
+        println!("{model} {scene} {found}");
+        assert!(found <= bound, "{model}, {scene}: {found} operations, more than {bound}");
+    }
+    // The scene that asks for the lean alone needs less than half of the equations.
+    let (lean, full) = (at("disk/scenes/lean.rs".to_owned()), at("disk/kane.rs".to_owned()));
+    let (lean, full) = (count(&lean, "derivative"), count(&full, "derivative"));
+    assert!(100 * lean <= 45 * full, "{lean} of {full} operations");
 }
 
 #[test]

@@ -4,7 +4,7 @@
 
 use crate::invariants::{Drift, Watch};
 use crate::problem::Problem;
-use tripos_derive::scene::{AbsoluteTolerance, Scene, Solve};
+use tripos_derive::scene::{AbsoluteTolerance, QUADRATURE, Scene, Solve};
 use tripos_sim::stability::growth;
 use tripos_sim::{Eliminated, Method, Options, Solution};
 
@@ -35,7 +35,10 @@ pub fn objections(problem: &Problem<'_>, solution: &Solution, watch: Option<&Wat
         None => list.extend(energy(problem, solution, energy_drift)),
     }
     list.extend(condition(problem, solution));
-    list.extend(horizon(problem, solution));
+    // Quadrature has no steps whose errors could grow.
+    if problem.scene.integration.method != QUADRATURE {
+        list.extend(horizon(problem, solution));
+    }
     list
 }
 
