@@ -1,21 +1,23 @@
 //! Speed charted against accuracy: every formulation, solve and method at many tolerances, measured against a reference.
 
+pub mod case;
+pub mod compared;
 pub mod figure;
 pub mod files;
 pub mod session;
 pub mod words;
 
-use crate::catalogue::{By, Code, code};
 use crate::failure::Failure;
 use crate::invariants::Watch;
 use crate::problem::Problem;
 use crate::reference::Reference;
-use crate::run::refused;
+use case::{Case, Way};
+use compared::Compared;
 use indicatif::ProgressBar;
 use tripos_derive::Model;
-use tripos_derive::scene::{Scene, Solve};
-use tripos_sim::work_precision::{Spread, error, interleaved, options};
-use tripos_sim::{Method, Options, Output};
+use tripos_derive::scene::Scene;
+use tripos_sim::work_precision::{Spread, error, interleaved};
+use tripos_sim::{Options, Output};
 
 /// How much is measured.
 pub struct Plan {
@@ -45,36 +47,16 @@ impl Plan {
     }
 }
 
-/// Equations and how their accelerations are found.
-pub struct Case {
-    /// Which equations.
-    pub by: By,
-    /// Ready to run, in the scene's distance if it has one.
-    pub code: Code,
-    /// How accelerations are found.
-    pub solve: Solve,
-}
-
-impl Case {
-    /// Whether a method can run it: without a Jacobian there is no implicit method, and Taylor coefficients are known of
-    /// eliminated accelerations only.
-    pub fn has(&self, method: Method) -> bool {
-        let system = self.code.system();
-        let series = self.solve == Solve::Eliminated && system.has_taylor();
-        (!method.needs_jacobian() || system.has_accelerations()) && (!method.needs_series() || series)
-    }
-}
-
 /// One point of a chart.
 pub struct Measurement {
     /// The name of the equations.
     pub formulation: String,
     /// How accelerations were found.
-    pub solve: Solve,
-    /// The method.
-    pub method: Method,
-    /// The tolerance.
-    pub tolerance: f64,
+    pub solve: &'static str,
+    /// The method, or quadrature.
+    pub method: &'static str,
+    /// The tolerance; none where no steps are taken.
+    pub tolerance: Option<f64>,
     /// Times of repeated runs.
     pub seconds: Spread,
     /// Against the reference; none if the run did not arrive.
@@ -89,38 +71,14 @@ pub struct Measurement {
     pub drifts: Vec<f64>,
 }
 
-/// Every formulation that the model has with each way to find its accelerations; printed equations, if wanted, as they
-/// stand.
-///
-/// # Errors
-/// [`Failure`] if nothing can be run.
-pub fn cases(model: &Model, scene: &Scene, printed: bool) -> Result<Vec<Case>, Failure> {
-    let mut list = Vec::new();
-    let mut why = None;
-    let mut names: Vec<By> = tripos_derive::Formulation::ALL.map(By::from).to_vec();
-    if printed {
-        names.extend(crate::catalogue::printed(model)?);
-    }
-    for by in names {
-        for solve in Solve::ALL {
-            match code(model, &by, scene.integration.distance) {
-                Ok(code) if solve == Solve::Numeric || code.system().has_accelerations() => {
-                    list.push(Case { by: by.clone(), code, solve });
-                }
-                Ok(_) => {}
-                Err(failure) => why = Some(failure),
-            }
-        }
-    }
-    match why {
-        Some(failure) if list.is_empty() => Err(failure),
-        _ => Ok(list),
-    }
-}
-
-/// The methods that have a place in a chart.
-fn methods(case: &Case) -> impl Iterator<Item = Method> {
-    Method::ALL.into_iter().filter(|method| case.has(*method))
+/// What runs are held against.
+pub struct Truth<'a> {
+    /// What errors are differences from.
+    pub reference: &'a Reference,
+    /// In what runs are compared.
+    pub compared: &'a Compared,
+    /// What is conserved.
+    pub watch: &'a Watch,
 }
 
 /// Measures everything against the reference, which is at the end of the scene's span.
@@ -132,52 +90,53 @@ pub fn measure(
     scene: &Scene,
     cases: &[Case],
     plan: &Plan,
-    watch: &Watch,
-    reference: &Reference,
+    truth: &Truth<'_>,
     bar: &ProgressBar,
 ) -> Result<Vec<Measurement>, Failure> {
-    let problems: Vec<Problem<'_>> = cases
-        .iter()
-        .map(|case| Problem::new(model, scene, &case.by, &case.code, Some(case.solve)))
-        .collect::<Result<_, _>>()?;
+    let prepared: Vec<_> = cases.iter().map(|case| case.prepare(model, scene)).collect();
+    let problems: Vec<Problem<'_>> = prepared.iter().map(case::Prepared::problem).collect::<Result<_, _>>()?;
     let starts: Vec<Vec<f64>> = problems.iter().map(Problem::start).collect::<Result<_, _>>()?;
     let length = scene.span.1 - scene.span.0;
-    let per_case: usize = cases.iter().map(|case| methods(case).count()).sum();
-    bar.set_length((per_case * plan.tolerances.len() * (1 + plan.repeats)) as u64);
-    let mut list = Vec::new();
-    let mut again: Vec<(usize, usize, Options)> = Vec::new();
+    let ways: Vec<Vec<Way>> = cases.iter().map(|case| case.ways(&plan.tolerances)).collect();
+    bar.set_length((ways.iter().map(Vec::len).sum::<usize>() * (1 + plan.repeats)) as u64);
+    let mut list: Vec<Measurement> = Vec::new();
+    let mut again: Vec<(usize, usize, Way, Options)> = Vec::new();
     for (at, (problem, y0)) in problems.iter().zip(&starts).enumerate() {
-        for method in methods(&cases[at]) {
-            for &tolerance in &plan.tolerances {
-                bar.set_message(format!("{} {} {}", problem.by.name, problem.solve.name(), method.name()));
-                let how = options(method, tolerance, length, plan.step_limit);
-                let measurement = first(problem, y0, &how, tolerance, watch, reference)?;
-                if measurement.seconds.median <= plan.patience {
-                    again.push((at, list.len(), how));
-                } else {
-                    bar.inc(plan.repeats as u64);
-                }
-                // Finer ones would use up the steps too.
-                let exhausted = plan.quick && measurement.stop == "step-limit";
-                list.push(measurement);
-                bar.inc(1);
-                if exhausted {
-                    break;
-                }
+        let mut exhausted = None;
+        for way in &ways[at] {
+            // Finer ones would use up the steps too.
+            if exhausted == Some(way.name()) {
+                continue;
             }
+            bar.set_message(format!("{} {} {}", problem.by.name, way.solve(problem.solve), way.name()));
+            let how = way.options(length, plan.step_limit);
+            bar.inc(1);
+            let measurement = match first(problem, y0, *way, &how, truth) {
+                Ok(measurement) => measurement,
+                // A motion that quadrature does not give is still integrated.
+                Err(_) if *way == Way::Quadrature => continue,
+                Err(failure) => return Err(failure),
+            };
+            if measurement.seconds.median <= plan.patience {
+                again.push((at, list.len(), *way, how));
+            } else {
+                bar.inc(plan.repeats as u64);
+            }
+            exhausted = (plan.quick && measurement.stop == "step-limit").then(|| way.name());
+            list.push(measurement);
         }
     }
     bar.set_message("timing, all in turn");
     let mut jobs: Vec<Box<dyn FnMut() + '_>> = again
         .iter()
-        .map(|(at, _, how)| -> Box<dyn FnMut() + '_> {
+        .map(|(at, _, way, how)| -> Box<dyn FnMut() + '_> {
             let (problem, y0) = (&problems[*at], &starts[*at]);
-            Box::new(move || drop(problem.integrate(y0, how, &mut [])))
+            Box::new(move || drop(way.run(problem, problem.scene.span, y0, how)))
         })
         .collect();
     let times = interleaved(&mut jobs, plan.repeats, || bar.inc(1));
     drop(jobs);
-    for ((_, place, _), times) in again.iter().zip(times) {
+    for ((_, place, ..), times) in again.iter().zip(times) {
         list[*place].seconds = Spread::of(&times).unwrap_or(list[*place].seconds);
     }
     Ok(list)
@@ -190,25 +149,32 @@ const MOST_WATCHED: u64 = 200_000;
 fn first(
     problem: &Problem<'_>,
     y0: &[f64],
+    way: Way,
     how: &Options,
-    tolerance: f64,
-    watch: &Watch,
-    reference: &Reference,
+    truth: &Truth<'_>,
 ) -> Result<Measurement, Failure> {
+    let Truth { reference, compared, watch } = truth;
     let start = std::time::Instant::now();
-    let bare = problem.integrate(y0, how, &mut []).map_err(|error| refused(problem.scene, &error))?;
+    let bare = way.run(problem, problem.scene.span, y0, how)?;
     let seconds = start.elapsed().as_secs_f64();
     let watched = Options { output: Output::Steps { refine: 1 }, ..how.clone() };
-    let again = (bare.steps <= MOST_WATCHED).then(|| problem.integrate(y0, &watched, &mut []));
+    // First integrals are functions of all states, which a scene may not show.
+    let shows_all = !(problem.by.is_reduced() && problem.shown.states_outputs);
+    let is_watched = shows_all && bare.steps <= MOST_WATCHED;
+    let again = is_watched.then(|| way.run(problem, problem.scene.span, y0, &watched));
     let drifts = again.and_then(Result::ok).map_or_else(Vec::new, |solution| watch.changes(problem, &solution));
     let arrived = bare.stop.code() == "end";
+    let off = || {
+        let right = compared.kept(compared.of_state(reference.end()));
+        error(&compared.of_run(problem, bare.t_end, &bare.y_end), &right).max(reference.uncertainty)
+    };
     Ok(Measurement {
         formulation: problem.by.name.clone(),
-        solve: problem.solve,
-        method: how.method,
-        tolerance,
+        solve: way.solve(problem.solve),
+        method: way.name(),
+        tolerance: way.tolerance(),
         seconds: Spread { least: seconds, median: seconds, most: seconds, runs: 1 },
-        error: arrived.then(|| error(&problem.precise_state(bare.t_end, &bare.y_end), reference.end()).max(reference.uncertainty)),
+        error: arrived.then(off),
         steps: bare.steps,
         evaluations: bare.evaluations,
         stop: bare.stop.code(),

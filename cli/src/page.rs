@@ -135,8 +135,8 @@ pub struct Choice {
     pub solve: &'static str,
     /// The method.
     pub method: &'static str,
-    /// Its tolerance.
-    pub tolerance: f64,
+    /// Its tolerance; none where no steps are taken.
+    pub tolerance: Option<f64>,
     /// How long it took, s.
     pub seconds: f64,
     /// Its error.

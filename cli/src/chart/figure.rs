@@ -1,6 +1,8 @@
 //! The chart: one panel for each question.
 
 use super::Measurement;
+use super::case::QUADRATURE;
+use super::words::is_whole;
 use crate::failure::Failure;
 use crate::plot::{Panel, PlotError, Scale, Series, draw};
 use tripos_derive::scene::Solve;
@@ -27,18 +29,21 @@ pub fn failed(error: &PlotError) -> Failure {
 pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
     // The formulation that is listed first, and the best method there is, stand for the others.
     let first = list.first().map(|m| m.formulation.clone()).unwrap_or_default();
-    let best = Method::Dop853;
-    let natural = list.first().map_or(Solve::Eliminated, |m| m.solve);
-    let method = |m: &Measurement| (m.formulation == first && m.solve == natural).then(|| m.method.name().to_owned());
-    let formulation = |m: &Measurement| (m.method == best && m.solve == natural).then(|| m.formulation.clone());
+    let best = Method::Dop853.name();
+    let natural = list.first().map_or(Solve::Eliminated.name(), |m| m.solve);
+    let method = |m: &Measurement| (m.formulation == first && m.solve == natural).then(|| m.method.to_owned());
+    let formulation = |m: &Measurement| match m.method {
+        QUADRATURE => Some(format!("{}, {QUADRATURE}", m.formulation)),
+        method => (method == best && m.solve == natural).then(|| m.formulation.clone()),
+    };
     let solve = |m: &Measurement| {
-        (m.method == best && !m.formulation.starts_with("printed:"))
-            .then(|| format!("{}, {}", m.formulation, m.solve.name()))
+        (m.method == best && is_whole(m) && !m.formulation.starts_with("printed:"))
+            .then(|| format!("{}, {}", m.formulation, m.solve))
     };
     vec![
-        panel(list, &format!("Which method: {first}, {}", natural.name()), &method, uncertainty),
-        panel(list, &format!("Which formulation: {}, {}", best.name(), natural.name()), &formulation, uncertainty),
-        panel(list, &format!("Which solve: {}", best.name()), &solve, uncertainty),
+        panel(list, &format!("Which method: {first}, {natural}"), &method, uncertainty),
+        panel(list, &format!("Which formulation: {best}, {natural}"), &formulation, uncertainty),
+        panel(list, &format!("Which solve: {best}"), &solve, uncertainty),
     ]
 }
 

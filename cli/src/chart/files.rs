@@ -48,8 +48,7 @@ pub fn folder(path: &Path) -> Result<(), Failure> {
 /// [`Failure::Output`] if a file cannot be written.
 pub fn write(out: &Path, list: &[Measurement], integrals: &[(String, String)]) -> Result<(), Failure> {
     let key = |m: &Measurement| {
-        let (solve, method) = (m.solve.name().to_owned(), m.method.name().to_owned());
-        vec![m.formulation.clone(), solve, method, format!("{:e}", m.tolerance)]
+        vec![m.formulation.clone(), m.solve.to_owned(), m.method.to_owned(), tolerance(m.tolerance)]
     };
     let header = ["formulation", "solve", "method", "tolerance", "seconds", "error", "steps", "evaluations", "stop"];
     let rows = list.iter().map(|m| {
@@ -72,15 +71,20 @@ pub fn write(out: &Path, list: &[Measurement], integrals: &[(String, String)]) -
     table(&out.join("drifts.csv"), &header, rows)
 }
 
+/// A tolerance in a table; `-` where there is none.
+pub fn tolerance(tolerance: Option<f64>) -> String {
+    tolerance.map_or_else(|| "-".to_owned(), |tolerance| format!("{tolerance:e}"))
+}
+
 /// "to reach 1e-6 use …" for three accuracies.
 pub fn advice(list: &[Measurement]) -> String {
     let mut out = "to reach  use                                          tolerance  time       error\n".to_owned();
     for target in TARGETS {
         let _ = match fastest(list, target, |_| true) {
             Some(m) => {
-                let name = format!("{}, {}, {}", m.formulation, m.solve.name(), m.method.name());
+                let name = format!("{}, {}, {}", m.formulation, m.solve, m.method);
                 let (time, error) = (seconds(m.seconds.median), m.error.unwrap_or(f64::NAN));
-                writeln!(out, "{target:<9e} {name:<44} {:<10e} {time:<10} {error:.1e}", m.tolerance)
+                writeln!(out, "{target:<9e} {name:<44} {:<10} {time:<10} {error:.1e}", tolerance(m.tolerance))
             }
             None => writeln!(out, "{target:<9e} nothing measured here reaches it"),
         };

@@ -1,6 +1,8 @@
 //! A whole chart: what a scene is charted to, its reference, its measurements.
 
-use super::{Measurement, Plan, cases, measure};
+use super::case::cases;
+use super::compared::Compared;
+use super::{Measurement, Plan, Truth, measure};
 use crate::catalogue::{By, code};
 use crate::failure::Failure;
 use crate::invariants::Watch;
@@ -20,6 +22,8 @@ pub struct Session {
     pub reference: Reference,
     /// What is conserved.
     pub watch: Watch,
+    /// In what runs are compared, as a sentence, if not in all states.
+    pub compared: Option<String>,
     /// The instant at which errors were taken, s.
     pub until: f64,
     /// Why that is before the end of the scene, if it is.
@@ -33,7 +37,15 @@ pub struct Session {
 pub fn chart(model: &Model, scene: &Scene, printed: bool, plan: &Plan, bar: &ProgressBar) -> Result<Session, Failure> {
     let mut scene = scene.clone();
     bar.set_message("reference");
-    let cases = cases(model, &scene, printed)?;
+    let mut cases = cases(model, &scene, printed)?;
+    let mut compared = Compared::new(model, &scene);
+    let said = compared.said();
+    if compared.is_empty() {
+        // Whole states show nothing of what the scene asks for: they are compared themselves.
+        scene.states_outputs = false;
+        compared = Compared::new(model, &scene);
+        cases.retain(|case| case.reduction.is_none());
+    }
     let mut cut = None;
     if let Some(t) = leaves(model, &scene, &cases[0].by)? {
         let (from, to) = scene.span;
@@ -49,8 +61,9 @@ pub fn chart(model: &Model, scene: &Scene, printed: bool, plan: &Plan, bar: &Pro
     }
     let reference = Reference::new(model, &scene, &[scene.span.1])?;
     let watch = Watch::of_model(model)?;
-    let list = measure(model, &scene, &cases, plan, &watch, &reference, bar)?;
-    Ok(Session { list, reference, watch, until: scene.span.1, cut })
+    let truth = Truth { reference: &reference, compared: &compared, watch: &watch };
+    let list = measure(model, &scene, &cases, plan, &truth, bar)?;
+    Ok(Session { list, compared: said, reference, watch, until: scene.span.1, cut })
 }
 
 /// When the motion leaves the domain of its equations, or meets a terminal event, before the end of its span.

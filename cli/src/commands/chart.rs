@@ -19,8 +19,9 @@ pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, 
     files::write(out, &session.list, &session.watch.integrals)?;
     let svg = figure::chart(&session.list, session.reference.uncertainty)?;
     files::text(&out.join("work_precision.svg"), &svg)?;
+    let compared = session.compared.map_or_else(String::new, |said| format!("{said}\n"));
     print(&format!(
-        "{}\nreference at t = {} s: {}\n\n{}\n{}\n",
+        "{}\nreference at t = {} s: {}\n{compared}\n{}\n{}\n",
         model.title,
         session.until,
         session.reference.how,

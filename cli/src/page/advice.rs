@@ -20,7 +20,7 @@ pub fn section(advice: &Advice) -> String {
                     escape(&c.equations),
                     c.solve.to_owned(),
                     c.method.to_owned(),
-                    size(c.tolerance),
+                    c.tolerance.map_or_else(|| "–".to_owned(), size),
                     seconds(c.seconds),
                     size(rounded(c.error, 2).parse().unwrap_or(c.error)),
                 ]),

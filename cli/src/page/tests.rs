@@ -95,7 +95,7 @@ fn scene() -> SceneSection {
         equations: "kane & <sons>".to_owned(),
         solve: "eliminated",
         method: "dop853",
-        tolerance: 1e-9,
+        tolerance: Some(1e-9),
         seconds: 2.5e-4,
         error: 7.421e-7,
     };

@@ -4,7 +4,7 @@ use super::ladder::passage;
 use super::{Findings, Row, Study};
 use crate::catalogue::code;
 use crate::chart::figure::failed;
-use crate::chart::{Case, cases};
+use crate::chart::case::{Case, whole};
 use crate::failure::Failure;
 use crate::plot::{Panel, Scale, Series, draw};
 use crate::problem::Problem;
@@ -113,7 +113,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     let places = places(study)?;
     let mut scene = study.scene.clone();
     scene.integration.distance = None;
-    let cases = cases(study.model, &scene, false)?;
+    let cases = whole(study.model, &scene, false)?;
     let (mut errors, mut conditions) = (Vec::new(), Vec::new());
     for (at, case) in cases.iter().enumerate() {
         let label = format!("{}, {}", case.by.name, case.solve.name());

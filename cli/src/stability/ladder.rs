@@ -2,7 +2,9 @@
 
 use super::{Findings, Passed, Row, Study, words};
 use crate::catalogue::By;
-use crate::chart::{Case, cases, figure::failed};
+use crate::chart::case::{Case, Way, own, whole};
+use crate::chart::compared::Compared;
+use crate::chart::figure::failed;
 use crate::failure::Failure;
 use crate::plot::{Cell, HeatMap, draw_heat};
 use crate::problem::Problem;
@@ -77,29 +79,37 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     }
     let (Some(divisor), false) = (model.kinematic_equations.divisors.first(), rungs.is_empty()) else { return Ok(()) };
     let divisor = text(&model.arena, *divisor);
-    let variables: Vec<Option<Distance>> =
-        std::iter::once(None).chain(distances(model).first().copied().map(Some)).collect();
     let limit = if study.quick { 20_000 } else { 200_000 };
+    let length = study.scene.span.1 - study.scene.span.0;
     let mut rows: Vec<(String, Vec<Cell>)> = Vec::new();
-    for variable in &variables {
+    let mut row = |findings: &mut Findings, case: &Case, variable: Variable, way: Way| -> Result<(), Failure> {
+        let name = [case.by.name.as_str(), way.solve(case.solve), way.name()].join(" ").replace(" - ", " ");
+        let name = variable.distance.map_or_else(|| name.clone(), |v| format!("{name}, {}", v.name(model)));
+        study.bar.set_message(name.clone());
+        let cells = rungs.iter().map(|rung| cell(study, findings, rung, case, variable, way, &way.options(length, limit)));
+        rows.push((name, cells.collect::<Result<Vec<_>, _>>()?));
+        Ok(())
+    };
+    for distance in std::iter::once(None).chain(distances(model).first().copied().map(Some)) {
         let mut scene = study.scene.clone();
-        scene.integration.distance = *variable;
-        for case in cases(model, &scene, false)? {
+        scene.integration.distance = distance;
+        let variable = Variable { distance, name: distance.map_or("coordinate", |_| "distance") };
+        for case in whole(model, &scene, false)? {
             for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
-                if !case.has(method) {
-                    continue;
+                if case.has(method) {
+                    row(findings, &case, variable, Way::Steps(method, tolerance))?;
                 }
-                let length = study.scene.span.1 - study.scene.span.0;
-                let name = variable.map_or_else(String::new, |v| format!(", {}", v.name(model)));
-                study.bar.set_message(format!("{} {} {}{name}", case.by.name, case.solve.name(), method.name()));
-                let cells = rungs
-                    .iter()
-                    .map(|rung| {
-                        cell(study, findings, rung, &case, *variable, &options(method, tolerance, length, limit))
-                    })
-                    .collect::<Result<Vec<_>, _>>()?;
-                rows.push((format!("{} {} {}{name}", case.by.name, case.solve.name(), method.name()), cells));
             }
+        }
+    }
+    // A scene's own equations are in the distance where they have one.
+    if let Some(case) = own(model, study.scene) {
+        let measured = case.reduction.as_ref().is_some_and(|reduction| !reduction.divisors.is_empty());
+        let variable = Variable { distance: None, name: if measured { "distance" } else { "coordinate" } };
+        let (method, tolerance) = METHODS[0];
+        row(findings, &case, variable, Way::Steps(method, tolerance))?;
+        if case.has_quadrature() {
+            row(findings, &case, variable, Way::Quadrature)?;
         }
     }
     let t = study.scene.span.1;
@@ -115,8 +125,17 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     };
     findings.figures.push(("ladder.svg", draw_heat(&map).map_err(|error| failed(&error))?));
     summary(findings, &rungs);
+    findings.statements.extend(words::own(&findings.passages));
     findings.statements.extend(words::coordinate(model, &findings.passages));
     Ok(())
+}
+
+/// What is integrated in a row: the coordinate, or a distance from the surface.
+#[derive(Clone, Copy)]
+struct Variable {
+    /// The distance that the equations of the whole model are written in.
+    distance: Option<Distance>,
+    name: &'static str,
 }
 
 /// One run of one rung: its rows and its cell.
@@ -125,62 +144,65 @@ fn cell(
     findings: &mut Findings,
     rung: &Rung,
     case: &Case,
-    variable: Option<Distance>,
+    variable: Variable,
+    way: Way,
     options: &Options,
 ) -> Result<Cell, Failure> {
     let mut scene = rung.scene.clone();
-    scene.integration.distance = variable;
-    let problem = Problem::new(study.model, &scene, &case.by, &case.code, Some(case.solve))?;
-    let mut y = problem.start()?;
-    let (mut t, mut steps) = (scene.span.0, 0);
-    let place = variable.map_or("coordinate", |_| "distance");
-    let row = |quantity, value, remark: String| Row {
+    scene.integration.distance = variable.distance;
+    let prepared = case.prepare(study.model, &scene);
+    let problem = prepared.problem()?;
+    let compared = Compared::new(study.model, &scene);
+    let row = |quantity, value, remark: &str| Row {
         check: "passage",
         formulation: case.by.name.clone(),
-        solve: case.solve.name(),
-        method: options.method.name(),
-        case: format!("{:.2e} {place}", rung.least),
+        solve: way.solve(case.solve),
+        method: way.name(),
+        case: format!("{:.2e} {}", rung.least, variable.name),
         quantity,
         value,
         expected: None,
-        remark,
+        remark: remark.to_owned(),
     };
     let passed = |error, steps, stop: &str, t_end| Passed {
         formulation: case.by.name.clone(),
-        solve: case.solve.name(),
-        method: options.method.name(),
-        variable: place,
+        solve: way.solve(case.solve),
+        method: way.name(),
+        variable: variable.name,
         least: rung.least,
         error,
         steps,
         stop: stop.to_owned(),
         t_end,
     };
-    let mut last = f64::NAN;
-    for (quantity, next, state) in rung
-        .reference
-        .times
-        .iter()
-        .zip(&rung.reference.states)
-        .zip(["error inside", "error at the end"])
-        .map(|((t, state), quantity)| (quantity, *t, state))
-    {
-        let solution = problem.integrate_over((t, next), &y, options, &mut []).map_err(|e| refused(&scene, &e))?;
-        steps += solution.steps;
-        if solution.stop.is_failure() {
-            let stop = solution.stop.code();
-            let why = format!("{stop} at {:.3} s", solution.t_end);
-            findings.passages.push(passed(None, steps, &stop, solution.t_end));
-            findings.rows.push(row(quantity, None, why.clone()));
-            findings.rows.push(row("steps", Some(steps as f64), why.clone()));
+    let (mut t, mut y, mut steps, mut last) = (scene.span.0, problem.start()?, 0, f64::NAN);
+    let instants = rung.reference.times.iter().zip(&rung.reference.states);
+    for (quantity, (next, state)) in ["error inside", "error at the end"].into_iter().zip(instants) {
+        let (stop, t_end) = match way.run(&problem, (t, *next), &y, options) {
+            Ok(solution) => {
+                steps += solution.steps;
+                let stop = solution.stop.is_failure().then(|| solution.stop.code());
+                y = solution.y_end;
+                (stop, solution.t_end)
+            }
+            // Quadrature does not give every motion.
+            Err(_) if way == Way::Quadrature => (Some("no-quadrature".to_owned()), t),
+            Err(failure) => return Err(failure),
+        };
+        if let Some(stop) = stop {
+            let why = format!("{stop} at {t_end:.3} s");
+            findings.passages.push(passed(None, steps, &stop, t_end));
+            findings.rows.push(row(quantity, None, &why));
+            findings.rows.push(row("steps", Some(steps as f64), &why));
             // A cell is narrow.
-            return Ok(Cell::Stopped(format!("{stop} {:.2} s", solution.t_end)));
+            return Ok(Cell::Stopped(format!("{stop} {t_end:.2} s")));
         }
-        (t, y) = (next, solution.y_end);
-        last = error(&problem.precise_state(t, &y), state).max(rung.reference.uncertainty);
-        findings.rows.push(row(quantity, Some(last), String::new()));
+        t = *next;
+        let right = compared.kept(compared.of_state(state));
+        last = error(&compared.of_run(&problem, t, &y), &right).max(rung.reference.uncertainty);
+        findings.rows.push(row(quantity, Some(last), ""));
     }
-    findings.rows.push(row("steps", Some(steps as f64), String::new()));
+    findings.rows.push(row("steps", Some(steps as f64), ""));
     findings.passages.push(passed(Some(last), steps, "end", t));
     Ok(Cell::Value(last))
 }

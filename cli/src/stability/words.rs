@@ -68,6 +68,26 @@ fn solves(list: &[Passed]) -> Option<String> {
         .then(|| format!("The narrowest that dop853 passes in the distance, and its error then: {}.", joined(&parts)))
 }
 
+/// How a scene's own equations pass, by each way that they were run.
+pub fn own(list: &[Passed]) -> Option<String> {
+    let own: Vec<&Passed> = list.iter().filter(|p| p.formulation == "reduced").collect();
+    let mut methods: Vec<&str> = own.iter().map(|p| p.method).collect();
+    methods.dedup();
+    let parts: Vec<String> = methods
+        .into_iter()
+        .map(|method| {
+            let runs = || own.iter().filter(|p| p.method == method);
+            let passages: Vec<String> = runs().map(|p| size(p.error)).collect();
+            let steps = runs().map(|p| p.steps).max().unwrap_or(0);
+            format!("by {method} with errors of {}, in at most {steps} steps", joined(&passages))
+        })
+        .collect();
+    let places: Vec<String> = own.iter().filter(|p| p.method == own[0].method).map(|p| format!("{:.0e}", p.least)).collect();
+    (!parts.is_empty()).then(|| {
+        format!("The scene's own reduced equations pass at {} {}.", joined(&places), parts.join("; "))
+    })
+}
+
 /// Whether Lagrange's equations keep digits in the coordinate itself that formulations in other speeds lose, and what
 /// the distance makes of it; nothing where the findings do not show it.
 pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {

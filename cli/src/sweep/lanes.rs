@@ -78,5 +78,6 @@ fn solution(request: &Request, outcome: Outcome) -> Solution {
         events: Vec::new(),
         projection: None,
         warnings: Vec::new(),
+        projection: None,
     }
 }

@@ -71,8 +71,8 @@ impl<'a> Measured<'a> {
             let m = fastest(&session.list, target, |_| true)?;
             Some(Choice {
                 equations: m.formulation.clone(),
-                solve: m.solve.name(),
-                method: m.method.name(),
+                solve: m.solve,
+                method: m.method,
                 tolerance: m.tolerance,
                 seconds: m.seconds.median,
                 error: m.error?,
@@ -81,8 +81,9 @@ impl<'a> Measured<'a> {
         let rows = TARGETS.into_iter().map(|target| (target, choice(target))).collect();
         self.advice = Some(Advice { lead: lead(&session.list), rows });
         let cut = session.cut.map_or_else(String::new, |cut| format!(" Note: {cut}."));
-        let caption =
-            format!("{} The reference: {}.{cut}", caption(&session.list, session.until), session.reference.how);
+        let compared = session.compared.map_or_else(String::new, |said| format!(" {said}"));
+        let seen = caption(&session.list, session.until);
+        let caption = format!("{seen}{compared} The reference: {}.{cut}", session.reference.how);
         let svg = figure::chart(&session.list, session.reference.uncertainty)?;
         Ok(Some(Figure { caption, svg, remark: None, data: vec![link] }))
     }

@@ -1,0 +1,195 @@
+//! What is charted: equations, how their accelerations are found, and the ways to run them.
+
+use crate::catalogue::{By, Code, code};
+use crate::failure::Failure;
+use crate::problem::Problem;
+use crate::reduced::Reduced;
+use crate::run::refused;
+use tripos_derive::Model;
+use tripos_derive::reduce::Reduction;
+use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::work_precision::options;
+use tripos_sim::{Method, Options, Solution, quadrature};
+
+/// The name of the way to run a motion of one degree of freedom that takes no steps.
+pub const QUADRATURE: &str = "quadrature";
+
+/// Equations and how their accelerations are found.
+pub struct Case {
+    /// Which equations.
+    pub by: By,
+    /// Ready to run, in the scene's distance if it has one.
+    pub code: Code,
+    /// How accelerations are found.
+    pub solve: Solve,
+    /// Where the equations are a scene's own: what they are.
+    pub reduction: Option<Reduction>,
+}
+
+impl Case {
+    /// Whether a method can run it: without a Jacobian there is no implicit method, and Taylor coefficients are known of
+    /// eliminated accelerations only.
+    pub fn has(&self, method: Method) -> bool {
+        let system = self.code.system();
+        let series = self.solve == Solve::Eliminated && system.has_taylor();
+        (!method.needs_jacobian() || system.has_accelerations()) && (!method.needs_series() || series)
+    }
+
+    /// The methods that can run it, at each of these tolerances, and quadrature where it gives the motion.
+    pub fn ways(&self, tolerances: &[f64]) -> Vec<Way> {
+        let methods = Method::ALL.into_iter().filter(|method| self.has(*method));
+        let mut list: Vec<Way> =
+            methods.flat_map(|method| tolerances.iter().map(move |tolerance| Way::Steps(method, *tolerance))).collect();
+        if self.has_quadrature() {
+            list.push(Way::Quadrature);
+        }
+        list
+    }
+
+    /// Whether the motion can be asked for by quadrature.
+    pub fn has_quadrature(&self) -> bool {
+        self.reduction.is_some() && self.code.system().has_potential_slope()
+    }
+
+    /// With the start of a scene: one of the model and the outputs that the case was made for.
+    pub fn prepare<'a>(&'a self, model: &'a Model, scene: &'a Scene) -> Prepared<'a> {
+        let reduced = self.reduction.as_ref().map(|reduction| Reduced::with(reduction.clone(), model, scene));
+        Prepared { case: self, model, scene, reduced }
+    }
+}
+
+/// A case with the start of a scene.
+pub struct Prepared<'a> {
+    case: &'a Case,
+    model: &'a Model,
+    scene: &'a Scene,
+    reduced: Option<Reduced>,
+}
+
+impl Prepared<'_> {
+    /// Ready to be integrated.
+    ///
+    /// # Errors
+    /// As [`Problem::new`].
+    pub fn problem(&self) -> Result<Problem<'_>, Failure> {
+        let Self { case, model, scene, reduced } = self;
+        match reduced {
+            Some(reduced) => Problem::reduced(reduced, scene, &case.code),
+            None => Problem::new(model, scene, &case.by, &case.code, Some(case.solve)),
+        }
+    }
+}
+
+/// One way to run a case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// By steps of a method at a tolerance.
+    Steps(Method, f64),
+    /// By integrals over the coordinate, to rounding.
+    Quadrature,
+}
+
+impl Way {
+    /// The name of the method.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Steps(method, _) => method.name(),
+            Self::Quadrature => QUADRATURE,
+        }
+    }
+
+    /// The tolerance of the steps.
+    pub fn tolerance(self) -> Option<f64> {
+        match self {
+            Self::Steps(_, tolerance) => Some(tolerance),
+            Self::Quadrature => None,
+        }
+    }
+
+    /// How accelerations are found; quadrature asks for none.
+    pub fn solve(self, solve: Solve) -> &'static str {
+        match self {
+            Self::Steps(..) => solve.name(),
+            Self::Quadrature => "-",
+        }
+    }
+
+    /// Tolerances and limits for a span of this length, s.
+    pub fn options(self, length: f64, step_limit: u64) -> Options {
+        match self {
+            Self::Steps(method, tolerance) => options(method, tolerance, length, step_limit),
+            // Of these only the limit on steps matters.
+            Self::Quadrature => options(Method::Dop853, 1e-12, length, step_limit),
+        }
+    }
+
+    /// One run over a span, from the integrated state `y0`.
+    ///
+    /// # Errors
+    /// [`Failure::Request`] if the question makes no sense, or quadrature does not give the motion.
+    pub fn run(
+        self,
+        problem: &Problem<'_>,
+        span: (f64, f64),
+        y0: &[f64],
+        options: &Options,
+    ) -> Result<Solution, Failure> {
+        match self {
+            Self::Steps(..) => {
+                problem.integrate_over(span, y0, options, &mut []).map_err(|error| refused(problem.scene, &error))
+            }
+            Self::Quadrature => {
+                let p = &problem.scene.parameters;
+                quadrature::solve(problem.system(), p, span, y0, options, &mut []).map_err(|error| {
+                    Failure::Request(format!("no motion by quadrature: {error}"), "integrate step by step".to_owned())
+                })
+            }
+        }
+    }
+}
+
+/// Every formulation that the model has with each way to find its accelerations; printed equations, if wanted, as they
+/// stand; last the scene's own equations, if they can be had.
+///
+/// # Errors
+/// [`Failure`] if nothing can be run.
+pub fn cases(model: &Model, scene: &Scene, printed: bool) -> Result<Vec<Case>, Failure> {
+    let mut list = whole(model, scene, printed)?;
+    list.extend(own(model, scene));
+    Ok(list)
+}
+
+/// Those of the whole model.
+///
+/// # Errors
+/// As [`cases`].
+pub fn whole(model: &Model, scene: &Scene, printed: bool) -> Result<Vec<Case>, Failure> {
+    let mut list = Vec::new();
+    let mut why = None;
+    let mut names: Vec<By> = tripos_derive::Formulation::ALL.map(By::from).to_vec();
+    if printed {
+        names.extend(crate::catalogue::printed(model)?);
+    }
+    for by in names {
+        for solve in Solve::ALL {
+            match code(model, &by, scene.integration.distance) {
+                Ok(code) if solve == Solve::Numeric || code.system().has_accelerations() => {
+                    list.push(Case { by: by.clone(), code, solve, reduction: None });
+                }
+                Ok(_) => {}
+                Err(failure) => why = Some(failure),
+            }
+        }
+    }
+    match why {
+        Some(failure) if list.is_empty() => Err(failure),
+        _ => Ok(list),
+    }
+}
+
+/// A scene's own equations; nothing where they cannot be had, which is no reason not to chart the others.
+pub fn own(model: &Model, scene: &Scene) -> Option<Case> {
+    let reduced = Reduced::new(model, scene).ok()?;
+    let code = reduced.code().ok().filter(|code| code.system().has_accelerations())?;
+    Some(Case { by: reduced.by, code, solve: Solve::Eliminated, reduction: Some(reduced.reduction) })
+}
