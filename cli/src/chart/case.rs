@@ -85,6 +85,8 @@ impl Prepared<'_> {
 pub enum Way {
     /// By steps of a method at a tolerance.
     Steps(Method, f64),
+    /// The same at an absolute tolerance alone: a relative one is never finer than some roundings, this one is.
+    Absolute(Method, f64),
     /// By integrals over the coordinate, to rounding.
     Quadrature,
 }
@@ -93,7 +95,7 @@ impl Way {
     /// The name of the method.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Steps(method, _) => method.name(),
+            Self::Steps(method, _) | Self::Absolute(method, _) => method.name(),
             Self::Quadrature => QUADRATURE,
         }
     }
@@ -101,7 +103,7 @@ impl Way {
     /// The tolerance of the steps.
     pub fn tolerance(self) -> Option<f64> {
         match self {
-            Self::Steps(_, tolerance) => Some(tolerance),
+            Self::Steps(_, tolerance) | Self::Absolute(_, tolerance) => Some(tolerance),
             Self::Quadrature => None,
         }
     }
@@ -109,7 +111,7 @@ impl Way {
     /// How accelerations are found; quadrature asks for none.
     pub fn solve(self, solve: Solve) -> &'static str {
         match self {
-            Self::Steps(..) => solve.name(),
+            Self::Steps(..) | Self::Absolute(..) => solve.name(),
             Self::Quadrature => "-",
         }
     }
@@ -118,6 +120,9 @@ impl Way {
     pub fn options(self, length: f64, step_limit: u64) -> Options {
         match self {
             Self::Steps(method, tolerance) => options(method, tolerance, length, step_limit),
+            Self::Absolute(method, tolerance) => {
+                Options { rtol: 0.0, ..options(method, tolerance, length, step_limit) }
+            }
             // Of these only the limit on steps matters.
             Self::Quadrature => options(Method::Dop853, 1e-12, length, step_limit),
         }
@@ -135,7 +140,7 @@ impl Way {
         options: &Options,
     ) -> Result<Solution, Failure> {
         match self {
-            Self::Steps(..) => {
+            Self::Steps(..) | Self::Absolute(..) => {
                 problem.integrate_over(span, y0, options, &mut []).map_err(|error| refused(problem.scene, &error))
             }
             Self::Quadrature => {

@@ -51,7 +51,9 @@ impl Compared {
     /// What is compared of values for each output: those that are not left out.
     pub fn kept(&self, values: Vec<DoubleDouble>) -> Vec<DoubleDouble> {
         match &self.outputs {
-            Some(outputs) => values.into_iter().zip(&outputs.list).filter(|(_, o)| o.is_known).map(|(x, _)| x).collect(),
+            Some(outputs) => {
+                values.into_iter().zip(&outputs.list).filter(|(_, o)| o.is_known).map(|(x, _)| x).collect()
+            }
             None => values,
         }
     }
@@ -108,14 +110,8 @@ impl Outputs {
             energies = pairs.filter_map(|(symbol, value)| Some((symbol?, value))).collect();
             arena = kane.arena;
         }
-        let mut own = Self {
-            arena,
-            parameters,
-            states: [model.q(), model.u()].concat(),
-            rates,
-            energies,
-            list: Vec::new(),
-        };
+        let mut own =
+            Self { arena, parameters, states: [model.q(), model.u()].concat(), rates, energies, list: Vec::new() };
         let known = [own.parameters.iter().map(|(e, _)| *e).collect(), own.states.clone()].concat();
         let known = [own.rates.iter().chain(&own.energies).map(|(e, _)| *e).collect(), known].concat();
         let list = scene.outputs.iter().map(|o| {

@@ -47,9 +47,8 @@ pub fn folder(path: &Path) -> Result<(), Failure> {
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
 pub fn write(out: &Path, list: &[Measurement], integrals: &[(String, String)]) -> Result<(), Failure> {
-    let key = |m: &Measurement| {
-        vec![m.formulation.clone(), m.solve.to_owned(), m.method.to_owned(), tolerance(m.tolerance)]
-    };
+    let key =
+        |m: &Measurement| vec![m.formulation.clone(), m.solve.to_owned(), m.method.to_owned(), tolerance(m.tolerance)];
     let header = ["formulation", "solve", "method", "tolerance", "seconds", "error", "steps", "evaluations", "stop"];
     let rows = list.iter().map(|m| {
         let error = m.error.map_or_else(String::new, |e| format!("{e:e}"));

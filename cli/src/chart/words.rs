@@ -121,8 +121,11 @@ pub fn caption(list: &[Measurement], until: f64) -> String {
     let whole = if own { " by the equations of the whole model" } else { "" };
     let names = formulations(list);
     let formulations = each(list, target, &names, |m| &m.formulation);
-    let formulations =
-        if own { format!("; by formulation, with the best of everything else: {}", listed(&formulations)) } else { String::new() };
+    let formulations = if own {
+        format!("; by formulation, with the best of everything else: {}", listed(&formulations))
+    } else {
+        String::new()
+    };
     format!(
         "{seen} Read off the curves, an error of {target:e} takes{whole}, by method: {}; by how accelerations are found: {}{formulations}.",
         listed(&by_method(list, target)),
@@ -143,11 +146,15 @@ pub fn lead(list: &[Measurement]) -> String {
     let own = !best.is_empty() && best.iter().all(|m| !is_whole(m));
     let use_ = match (common(&|m| m.solve), common(&|m| m.method)) {
         (_, Some(method)) if own => {
-            format!("Use the scene's own reduced equations by {method}: on this scene that is the fastest to every accuracy below.")
+            format!(
+                "Use the scene's own reduced equations by {method}: on this scene that is the fastest to every accuracy below."
+            )
         }
-        _ if own => "Use the scene's own reduced equations: on this scene they are the fastest to every accuracy below; the \
+        _ if own => {
+            "Use the scene's own reduced equations: on this scene they are the fastest to every accuracy below; the \
                      method depends on the accuracy."
-            .to_owned(),
+                .to_owned()
+        }
         (Some(solve), Some(method)) => format!(
             "Use {method} with {solve} accelerations: on this scene that is the fastest to every accuracy below."
         ),
@@ -228,12 +235,23 @@ mod tests {
         ];
         let said = lead(&list);
         assert!(said.starts_with("Use the scene's own reduced equations by dop853: on this scene"), "{said}");
-        assert!(said.contains("get to 1e-6 in 100 µs, 10.0 times faster than the fastest of the whole model's, in 1.00 ms."), "{said}");
+        assert!(
+            said.contains(
+                "get to 1e-6 in 100 µs, 10.0 times faster than the fastest of the whole model's, in 1.00 ms."
+            ),
+            "{said}"
+        );
         assert!(said.ends_with("methods 8.0, solves 3.0, formulations 10.0."), "{said}");
-        assert!(caption(&list, 1.0).ends_with("by formulation, with the best of everything else: kane in 1.00 ms, reduced in 100 µs."));
+        assert!(
+            caption(&list, 1.0)
+                .ends_with("by formulation, with the best of everything else: kane in 1.00 ms, reduced in 100 µs.")
+        );
         list[3].seconds.median = 2e-3;
         let said = lead(&list);
-        assert!(said.starts_with("Use dop853 with eliminated accelerations:") && said.contains("2.0 times slower"), "{said}");
+        assert!(
+            said.starts_with("Use dop853 with eliminated accelerations:") && said.contains("2.0 times slower"),
+            "{said}"
+        );
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use super::ladder::passage;
 use super::{Findings, Row, Study};
 use crate::catalogue::code;
-use crate::chart::figure::failed;
 use crate::chart::case::{Case, whole};
+use crate::chart::figure::failed;
 use crate::failure::Failure;
 use crate::plot::{Panel, Scale, Series, draw};
 use crate::problem::Problem;

@@ -82,10 +82,10 @@ pub fn own(list: &[Passed]) -> Option<String> {
             format!("by {method} with errors of {}, in at most {steps} steps", joined(&passages))
         })
         .collect();
-    let places: Vec<String> = own.iter().filter(|p| p.method == own[0].method).map(|p| format!("{:.0e}", p.least)).collect();
-    (!parts.is_empty()).then(|| {
-        format!("The scene's own reduced equations pass at {} {}.", joined(&places), parts.join("; "))
-    })
+    let places: Vec<String> =
+        own.iter().filter(|p| p.method == own[0].method).map(|p| format!("{:.0e}", p.least)).collect();
+    (!parts.is_empty())
+        .then(|| format!("The scene's own reduced equations pass at {} {}.", joined(&places), parts.join("; ")))
 }
 
 /// Whether Lagrange's equations keep digits in the coordinate itself that formulations in other speeds lose, and what
