@@ -4,6 +4,7 @@ use crate::catalogue::By;
 use crate::invariants::{Course, Watch};
 use crate::plot::{Panel, Scale, Series};
 use crate::run::Run;
+use tripos_derive::scene::{Scene, SceneOutput};
 use tripos_derive::{Formulation, Model};
 
 /// A run with what was watched along it, and how its curves look.
@@ -31,10 +32,15 @@ impl Curve<'_> {
     }
 }
 
-/// Formulations keep their colours, whichever a model supports.
+/// Formulations and a scene's own equations keep their colours, whichever a model supports; printed ones come after these.
 pub fn style(by: &By) -> usize {
-    Formulation::ALL.iter().position(|f| by.formulation() == Some(*f)).unwrap_or(0)
+    let reduced = Formulation::ALL.len();
+    let formulation = Formulation::ALL.iter().position(|f| by.formulation() == Some(*f));
+    formulation.unwrap_or(if by.is_reduced() { reduced } else { PRINTED })
 }
+
+/// The style of the first printed system.
+pub const PRINTED: usize = Formulation::ALL.len() + 1;
 
 /// Where a run ended that did not arrive.
 fn note(curves: &[Curve]) -> Option<String> {
@@ -58,17 +64,43 @@ pub fn energy(curves: &[Curve]) -> Panel {
     }
 }
 
-/// Every coordinate and speed, a panel each.
-pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
-    // An angle's plain unit is shown as radians.
-    let radians = |unit: String| match unit.as_str() {
+/// An angle's plain unit is shown as radians.
+fn radians(unit: &str) -> String {
+    match unit {
         "1" => "rad".to_owned(),
         other => other.strip_prefix("1/").map_or(other.to_owned(), |rest| format!("rad/{rest}")),
+    }
+}
+
+/// What a scene wants to see, a panel each: a curve with its values, sample by sample, of what its run shows.
+pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) -> Vec<Panel> {
+    let unit = |output: &SceneOutput| match model.unit_of(&model.arena, output.value) {
+        Some(unit) => radians(&unit.to_string()),
+        None if output.name.ends_with("_energy") => "J".to_owned(),
+        None => "SI".to_owned(),
     };
+    let panel = |(at, output): (usize, &SceneOutput)| Panel {
+        title: output.name.clone(),
+        x_label: "t [s]".to_owned(),
+        y_label: format!("{} [{}]", output.name, unit(output)),
+        scale: Scale::Linear,
+        x_scale: Scale::Linear,
+        series: curves
+            .iter()
+            .map(|(curve, values)| curve.series(values.iter().map(|sample| sample[at])))
+            .filter(|series| series.points.iter().any(|(_, y)| y.is_finite()))
+            .collect(),
+        note: None,
+    };
+    scene.outputs.iter().enumerate().map(panel).collect()
+}
+
+/// Every coordinate and speed, a panel each.
+pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
     let coordinates = model.coordinates.iter().map(|c| (&c.name, &c.unit));
     let quantities = coordinates.chain(model.speeds.iter().map(|s| (&s.name, &s.unit)));
     let labels: Vec<String> =
-        quantities.map(|(name, unit)| format!("{name} [{}]", radians(unit.to_string()))).collect();
+        quantities.map(|(name, unit)| format!("{name} [{}]", radians(&unit.to_string()))).collect();
     let panel = |(at, label): (usize, &String)| Panel {
         title: label.split(' ').next().unwrap_or_default().to_owned(),
         x_label: "t [s]".to_owned(),
@@ -112,7 +144,7 @@ fn shown(curves: &[Curve], integral: usize) -> (f64, f64) {
         let values = curves.iter().filter(|curve| of(curve)).flat_map(|curve| &curve.course.integrals[integral]);
         values.filter(|x| x.is_finite()).fold(0.0, |largest: f64, x| largest.max(x.abs()))
     };
-    let derived = largest(&|curve| curve.run.by.formulation().is_some());
+    let derived = largest(&|curve| curve.run.by.formulation().is_some() || curve.run.by.is_reduced());
     let size = if derived > 0.0 { derived } else { largest(&|_| true) };
     let decade = size.log10().floor();
     if decade.is_finite() { (10_f64.powf(decade - 17.0), 10_f64.powf(decade + 6.0)) } else { (1e-17, 1e6) }
@@ -143,7 +175,9 @@ pub fn nearness(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
         note: None,
     };
     let each = |values: &dyn Fn(&Course) -> Vec<f64>| -> Vec<Series> {
-        curves.iter().map(|curve| curve.series(clamped(values(curve.course), 1e-20, 1e20))).collect()
+        let series = curves.iter().map(|curve| curve.series(clamped(values(curve.course), 1e-20, 1e20)));
+        // A scene's own equations have no matrix.
+        series.filter(|series| !series.points.is_empty()).collect()
     };
     let mut panels = vec![
         panel("Determinant", "| det A / det A (t₀) |".to_owned(), each(&Course::relative_determinant)),

@@ -178,7 +178,9 @@ impl Watch {
         let divisors = list.split_off(self.integrals.len());
         let divisors = divisors.into_iter().map(|values| values.into_iter().map(f64::abs).collect()).collect();
         let (mut determinant, mut condition) = (Vec::new(), Vec::new());
-        if let Ok(mut dynamics) = Dynamics::new(code.system(), &scene.parameters) {
+        // A scene's own equations are solved: they have no matrix, and parameters of their own.
+        let dynamics = if run.by.is_reduced() { None } else { Dynamics::new(code.system(), &scene.parameters).ok() };
+        if let Some(mut dynamics) = dynamics {
             for y in &run.solution.y {
                 let (q, v) = y.split_at(code.system().coordinates().min(y.len()));
                 determinant.push(dynamics.determinant(q, v));

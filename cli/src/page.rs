@@ -11,14 +11,17 @@ mod html;
 mod math;
 mod mechanism;
 mod motion;
+mod needs;
 mod proof;
 mod scene;
 mod singular;
 mod typeset;
 
+use crate::reduced::Reduced;
 use crate::study::Study;
 use html::{anchor, escape};
 use std::fmt::Write;
+use tripos_codegen::scene::Costs;
 use tripos_derive::mechanics::DerivationInSteps;
 use tripos_derive::{Formulation, Model};
 
@@ -44,7 +47,9 @@ pub struct SceneSection {
     pub about: String,
     /// (what, value): parameters, start, tolerances.
     pub facts: Vec<(String, String)>,
-    /// One run for each formulation, then one for each printed system.
+    /// Its own equations, or why there are none.
+    pub needs: Result<Needs, String>,
+    /// One run for each formulation, one by the scene's own equations, then one for each printed system.
     pub runs: Vec<RunRow>,
     /// Printed systems that could not be run: (title, why).
     pub not_run: Vec<(String, String)>,
@@ -58,6 +63,14 @@ pub struct SceneSection {
     pub integrals: Option<Figure>,
     /// Determinants, condition numbers and kinematic divisors over time.
     pub nearness: Option<Figure>,
+}
+
+/// What a scene needs of its model.
+pub struct Needs {
+    /// Its own equations.
+    pub reduced: Reduced,
+    /// What a call of them costs beside one of the whole model.
+    pub costs: Option<Costs>,
 }
 
 /// What came of one run.
@@ -84,11 +97,11 @@ pub struct RunRow {
     pub stop: String,
     /// Whether the run went as far as its equations hold and it was asked to.
     pub trusted: bool,
-    /// Largest change of total energy, J.
-    pub energy_drift: f64,
+    /// Largest change of total energy, J; none of equations that do not know it.
+    pub energy_drift: Option<f64>,
     /// What else the reader should know.
     pub warnings: Vec<String>,
-    /// Largest change of each first integral.
+    /// Largest change of each first integral; nothing of a run that does not show every state.
     pub changes: Vec<f64>,
     /// How near it came to singular places.
     pub nearest: Nearest,

@@ -98,7 +98,11 @@ pub fn run_code(model: &Model, scene: &Scene, by: &By, code: &Code, watch: Optio
     run_problem(&Problem::new(model, scene, by, code, None)?, watch)
 }
 
-fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Failure> {
+/// Runs a problem over the span of its scene, as the scene says.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Failure> {
     let scene = problem.scene;
     let balance = Balance::new(problem.model, scene, problem.by)?;
     let y0 = problem.start()?;

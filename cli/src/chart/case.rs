@@ -53,7 +53,12 @@ impl Case {
 
     /// With the start of a scene: one of the model and the outputs that the case was made for.
     pub fn prepare<'a>(&'a self, model: &'a Model, scene: &'a Scene) -> Prepared<'a> {
-        let reduced = self.reduction.as_ref().map(|reduction| Reduced::with(reduction.clone(), model, scene));
+        let reduced = self.reduction.as_ref().map(|reduction| {
+            let mut reduced = Reduced::with(reduction.clone(), model, scene);
+            // Nothing else is there to be solved.
+            reduced.scene.integration.solve = Some(self.solve);
+            reduced
+        });
         Prepared { case: self, model, scene, reduced }
     }
 }

@@ -69,11 +69,6 @@ impl Compared {
         self.outputs.as_ref().is_some_and(|outputs| outputs.list.iter().all(|o| !o.is_known))
     }
 
-    /// Whether whole states show each output.
-    pub fn known(&self) -> Vec<bool> {
-        self.outputs.iter().flat_map(|outputs| outputs.list.iter().map(|o| o.is_known)).collect()
-    }
-
     /// In what runs are compared, as a sentence; nothing if it is all states.
     pub fn said(&self) -> Option<String> {
         let list = &self.outputs.as_ref()?.list;

@@ -1,8 +1,11 @@
 //! `tripos report`: the main job. Derive, run every scene by every formulation, write one page.
 
 mod measured;
+mod own;
 
 use crate::catalogue::{By, Code, code, model_file, read_model};
+use crate::chart::case::QUADRATURE;
+use crate::chart::compared::Compared;
 use crate::commands::chart::progress;
 use crate::failure::{Failure, say, status, warn};
 use crate::figures::{self, Curve};
@@ -13,11 +16,13 @@ use crate::run::{Run, how, run_code, state_names};
 use crate::study::{Printed, Study};
 use indicatif::ProgressBar;
 use measured::Measured;
+use own::{Own, shown};
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
 use tripos_derive::scene::{FigureKind, Scene, Solve, load, model_path};
 use tripos_derive::{Formulation, Model};
+use tripos_sim::Method;
 
 /// Steps after which a run of printed equations is given up: such equations may creep to a place that they never reach.
 const MOST_PRINTED_STEPS: u64 = 10_000;
@@ -54,12 +59,13 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
     let mut sections = Vec::new();
     for scene in &scenes {
         let runs = work.runs(scene, &bar)?;
-        for run in runs.derived.iter().map(|(run, _)| run) {
+        let own = runs.own.iter().map(|own| &own.run);
+        for run in runs.derived.iter().map(|(run, _)| run).chain(own) {
             let place = format!("{} by {}", scene.source.path.display(), run.by.name);
             stopped |= run.solution.stop.is_failure();
             doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
         }
-        let section = work.section(scene, &runs, out, &bar)?;
+        let section = work.section(scene, runs, out, &bar)?;
         let path = scene.source.path.display();
         doubts.extend(section.not_drawn.iter().map(|why| format!("{path}: {why}")));
         sections.push(section);
@@ -144,6 +150,8 @@ struct Work<'a> {
 /// The runs of a scene.
 struct Runs {
     derived: Vec<(Run, Course)>,
+    /// By the scene's own equations, or why there are none.
+    own: Result<Own, String>,
     printed: Vec<(Run, Course)>,
     /// Printed systems that could not be run, and why.
     not_run: Vec<(String, String)>,
@@ -153,7 +161,13 @@ impl Work<'_> {
     /// Runs everything. Printed equations may fail as they like: that is shown, and nothing else comes of it.
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
         let message = |by: &By| format!("running {} by {}", scene.source.path.display(), by.name);
-        let mut runs = Runs { derived: Vec::new(), printed: Vec::new(), not_run: Vec::new() };
+        let own = Own::new(self.model, scene, &self.watch).map_err(|failure| first_line(&failure));
+        let mut runs = Runs { derived: Vec::new(), own, printed: Vec::new(), not_run: Vec::new() };
+        // Quadrature is of a scene's own equations alone.
+        let mut stepped = scene.clone();
+        if stepped.integration.method == QUADRATURE {
+            Method::Dop853.name().clone_into(&mut stepped.integration.method);
+        }
         for (by, code) in &self.derived {
             bar.set_message(message(by));
             let own = match scene.integration.distance {
@@ -161,12 +175,12 @@ impl Work<'_> {
                 distance => Some(crate::catalogue::code(self.model, by, distance)?),
             };
             let code = own.as_ref().unwrap_or(code);
-            let run = run_code(self.model, scene, by, code, Some(&self.watch))?;
+            let run = run_code(self.model, &stepped, by, code, Some(&self.watch))?;
             let course = self.watch.along(scene, code, &run);
             runs.derived.push((run, course));
             bar.inc(1);
         }
-        let mut limited = scene.clone();
+        let mut limited = stepped.clone();
         limited.integration.step_limit = scene.integration.step_limit.min(MOST_PRINTED_STEPS);
         limited.integration.solve = Some(Solve::Numeric);
         limited.integration.distance = None;
@@ -179,11 +193,10 @@ impl Work<'_> {
                         runs.printed.push((run, course));
                         continue;
                     }
-                    Err(failure) => failure.to_string(),
+                    Err(failure) => first_line(&failure),
                 },
-                Err(failure) => failure.to_string(),
+                Err(failure) => first_line(failure),
             };
-            let why = why.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
             runs.not_run.push((by.name.clone(), why));
         }
         Ok(runs)
@@ -191,16 +204,17 @@ impl Work<'_> {
 
     /// The printed runs that are drawn: of those that are proved to move alike the first.
     fn drawn<'r>(&self, runs: &'r Runs) -> (Vec<Curve<'r>>, Option<String>) {
-        let mut curves = curves(&runs.derived);
+        let mut curves = curves(runs, |own| own.course.is_some());
         let Some(published) = &self.study.published else { return (curves, None) };
+        let derived = curves.len();
         let (mut alike, mut left_out) = (Vec::new(), Vec::new());
         for (run, course) in &runs.printed {
             let id = run.by.name.trim_start_matches("printed:");
             let first = published.first_alike(id);
-            let style = curves.len() - runs.derived.len() + Formulation::ALL.len();
+            let style = curves.len() - derived + figures::PRINTED;
             if first != id {
                 alike.push(format!("{id} moves as {first}"));
-            } else if style < Formulation::ALL.len() + MOST_PRINTED_CURVES {
+            } else if style < figures::PRINTED + MOST_PRINTED_CURVES {
                 curves.push(Curve { run, course, style });
             } else {
                 left_out.push(id.to_owned());
@@ -219,21 +233,36 @@ impl Work<'_> {
         (curves, (!notes.is_empty()).then(|| notes.join(" ")))
     }
 
-    fn section(&self, scene: &Scene, runs: &Runs, out: &Path, bar: &ProgressBar) -> Result<SceneSection, Failure> {
-        let derived = curves(&runs.derived);
+    /// The panels of a figure of states: every state, or what the scene wants to see.
+    fn states(&self, scene: &Scene, runs: &Runs) -> Vec<Panel> {
+        let curves = curves(runs, |_| true);
+        if !scene.states_outputs {
+            return figures::states(self.model, &curves);
+        }
+        let compared = Compared::new(self.model, scene);
+        let values: Vec<_> = curves.into_iter().map(|curve| {
+            let values = shown(&compared, curve.run);
+            (curve, values)
+        }).collect();
+        figures::outputs(self.model, scene, &values)
+    }
+
+    fn section(&self, scene: &Scene, runs: Runs, out: &Path, bar: &ProgressBar) -> Result<SceneSection, Failure> {
         let mut measured = Measured::new(self.model, scene, out);
         let mut shown = Vec::new();
         for figure in &scene.figures {
             let (kind, caption) = (figure.kind, figure.caption.as_str());
             bar.set_message(format!("{} of {}", kind.name(), scene.source.path.display()));
             shown.extend(match kind {
-                FigureKind::Energy => Some(drawing(caption, &[figures::energy(&derived)], 1)?),
-                FigureKind::States => Some(drawing(caption, &figures::states(self.model, &derived), 2)?),
+                FigureKind::Energy => {
+                    Some(drawing(caption, &[figures::energy(&curves(&runs, |own| own.has_energy))], 1)?)
+                }
+                FigureKind::States => Some(drawing(caption, &self.states(scene, &runs), 2)?),
                 _ => measured.figure(kind, caption)?,
             });
             bar.inc(1);
         }
-        let (curves, note) = self.drawn(runs);
+        let (curves, note) = self.drawn(&runs);
         let note = note.map(|note| format!(" {note}")).unwrap_or_default();
         let mut integrals = None;
         if !curves.is_empty() && !self.watch.integrals.is_empty() {
@@ -248,12 +277,17 @@ impl Work<'_> {
                            to a division by zero, on logarithmic scales.";
             nearness = Some(drawing(&format!("{caption}{note}"), &figures::nearness(&self.watch, &curves), 2)?);
         }
+        let own = runs.own.as_ref().ok();
+        let mut rows: Vec<RunRow> = runs.derived.iter().map(|(run, course)| row(scene, run, course)).collect();
+        rows.extend(own.map(|own| own_row(scene, own)));
+        rows.extend(runs.printed.iter().map(|(run, course)| row(scene, run, course)));
         Ok(SceneSection {
             title: title(scene),
             about: scene.about.clone(),
             facts: facts(self.model, scene),
-            runs: runs.derived.iter().chain(&runs.printed).map(|(run, course)| row(scene, run, course)).collect(),
-            not_run: runs.not_run.clone(),
+            runs: rows,
+            not_run: runs.not_run,
+            needs: runs.own.map(|own| own.needs),
             figures: shown,
             not_drawn: measured.not_drawn,
             advice: measured.advice,
@@ -263,8 +297,25 @@ impl Work<'_> {
     }
 }
 
-fn curves(runs: &[(Run, Course)]) -> Vec<Curve<'_>> {
-    runs.iter().map(|(run, course)| Curve { run, course, style: figures::style(&run.by) }).collect()
+/// The runs of derived equations, that of the scene's own among them if it shows what is drawn.
+fn curves(runs: &Runs, shows: impl Fn(&Own) -> bool) -> Vec<Curve<'_>> {
+    let own = runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&UNWATCHED)));
+    let derived = runs.derived.iter().map(|(run, course)| (run, course));
+    derived.chain(own).map(|(run, course)| Curve { run, course, style: figures::style(&run.by) }).collect()
+}
+
+/// The course of a run along which nothing was watched.
+static UNWATCHED: Course = Course {
+    t: Vec::new(),
+    integrals: Vec::new(),
+    determinant: Vec::new(),
+    condition: Vec::new(),
+    divisors: Vec::new(),
+};
+
+/// What failed, without its help.
+fn first_line(failure: &Failure) -> String {
+    failure.to_string().lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
 }
 
 fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
@@ -311,7 +362,7 @@ fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
         arrived: solution.stop.code() == "end",
         stop: solution.stop.to_string(),
         trusted: run.objections().is_empty(),
-        energy_drift: run.energy_drift,
+        energy_drift: Some(run.energy_drift),
         warnings: run.warnings.clone(),
         changes: course.largest_changes(),
         nearest: Nearest {
@@ -321,6 +372,12 @@ fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
             divisors: course.divisors.iter().map(|values| course.least(values)).collect(),
         },
     }
+}
+
+/// The row of the scene's own equations.
+fn own_row(scene: &Scene, own: &Own) -> RunRow {
+    let row = row(scene, &own.run, own.course.as_ref().unwrap_or(&UNWATCHED));
+    RunRow { energy_drift: row.energy_drift.filter(|_| own.has_energy), ..row }
 }
 
 fn range(values: &[f64]) -> Option<(f64, f64)> {

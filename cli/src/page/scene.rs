@@ -1,9 +1,9 @@
 //! One simulated scene: what was given, how each run went, figures.
 
-use super::html::{address, anchor, each, escape, head, number, scroll};
+use super::html::{address, anchor, escape, head, number, scroll};
 use super::math::inline;
 use super::proof::{integral_name, integral_symbol};
-use super::{Figure, Page, RunRow, SceneSection, advice, singular};
+use super::{Figure, Page, RunRow, SceneSection, advice, needs, singular};
 use crate::plot::pretty;
 use std::fmt::Write;
 use tripos_derive::algebra::compare::Verdict;
@@ -24,6 +24,7 @@ pub fn section(page: &Page, scene: &SceneSection, at: usize, figures: &mut usize
         }
         out += "</dl>\n";
     }
+    out += &needs::section(page, &scene.needs);
     if !scene.runs.is_empty() {
         out += &runs(page, scene);
     }
@@ -137,7 +138,7 @@ fn changes(page: &Page, scene: &SceneSection) -> String {
     let table = format!(
         "<table class=\"runs extremes\">\n<caption>Largest |I(t) − I(t₀)|, in SI units</caption>\n{}<tbody>\n{}</tbody>\n</table>\n",
         head(&columns),
-        each(&scene.runs, row)
+        scene.runs.iter().filter(|run| !run.changes.is_empty()).map(row).collect::<String>()
     );
     format!(
         "{}<p class=\"quiet\">{}. What the derived equations show here is the error of the integration: their exact \
@@ -175,7 +176,7 @@ fn run(run: &RunRow) -> String {
          <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td><td>{}</td></tr>\n",
         singular::name(run),
         number(&rounded(run.t_end, 6)),
-        energy(run.energy_drift),
+        run.energy_drift.map_or_else(|| "–".to_owned(), energy),
         run.steps,
         run.rejected,
         run.evaluations,

@@ -145,7 +145,8 @@ fn table(scene: &SceneSection, divisors: &[String]) -> String {
     }
     let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
     let mut rows = String::new();
-    for run in &scene.runs {
+    // A run that does not show every state was not watched.
+    for run in scene.runs.iter().filter(|run| !run.nearest.divisors.is_empty() || run.nearest.determinant.is_some()) {
         let nearest = &run.nearest;
         let pair = |pair: Option<(f64, f64)>| match pair {
             Some((value, t)) => [number(&rounded(value, 3)), number(&rounded(t, 4))],

@@ -64,7 +64,7 @@ fn scene() -> SceneSection {
         arrived: trusted,
         stop: "component 3 < 0 is not finite".to_owned(),
         trusted,
-        energy_drift: if trusted { 1.25e-9 } else { f64::NAN },
+        energy_drift: Some(if trusted { 1.25e-9 } else { f64::NAN }),
         warnings: vec!["M is <badly> conditioned".to_owned()],
         changes: vec![if printed.is_some() { 0.25 } else { 3e-9 }],
         nearest: Nearest {
@@ -102,6 +102,7 @@ fn scene() -> SceneSection {
     SceneSection {
         title: "Fall <1>".to_owned(),
         about: "a & b".to_owned(),
+        needs: needs(),
         facts: vec![("Start".to_owned(), "q1 = -0.5, u1 = 0".to_owned())],
         runs: vec![
             run("Kane's method", None, true),
@@ -115,6 +116,16 @@ fn scene() -> SceneSection {
         integrals: Some(figure("I & I")),
         nearness: Some(figure("A & A")),
     }
+}
+
+/// The pendulum's swing, of which only the angle is asked for.
+fn needs() -> Result<Needs, String> {
+    let mut model = tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap();
+    let text = "span = [0, 1]\noutputs = [\"q1\"]\n[start]\nq1 = 0.5\nu1 = 0\n";
+    let scene = tripos_derive::scene::load(&Source::from_text("scene.toml", text), &mut model).unwrap();
+    let reduced = Reduced::new(&model, &scene).map_err(|failure| failure.to_string())?;
+    let costs = tripos_codegen::scene::costs(&model, &reduced.reduction);
+    Ok(Needs { reduced, costs })
 }
 
 fn page() -> String {

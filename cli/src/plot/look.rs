@@ -19,7 +19,7 @@ const OUTLINE: f64 = 1.5;
 pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
 
 /// Colours of Okabe and Ito, then of Tol. A thick light line lies under thin dashed ones, so equal curves all show.
-const LOOKS: [Look; 8] = [
+const LOOKS: [Look; 9] = [
     Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
         RGBColor(0xd5, 0x5e, 0x00),
@@ -64,6 +64,7 @@ const LOOKS: [Look; 8] = [
         &[&[(-1.0, -0.8), (1.0, -0.8), (0.0, 1.0), (-1.0, -0.8), (1.0, -0.8)]],
     ),
     Look(RGBColor(0x33, 0x22, 0x88), 2.0, "4 8 24 8", RGBColor(0x33, 0x22, 0x88), &[&[(0.0, -1.2), (0.0, 1.2)]]),
+    Look(RGBColor(0x8b, 0x5a, 0x2b), 2.0, "8 6", RGBColor(0x8b, 0x5a, 0x2b), &[&[(-1.2, 0.0), (1.2, 0.0)]]),
 ];
 
 /// The look of a style; beyond the last one they begin again.

@@ -1,0 +1,52 @@
+//! A scene's own equations in the report: what they are, their run, and what runs of whole equations show beside it.
+
+use crate::chart::compared::Compared;
+use crate::failure::Failure;
+use crate::invariants::{Course, Watch};
+use crate::page::Needs;
+use crate::problem::Problem;
+use crate::reduced::Reduced;
+use crate::run::{Run, run_problem};
+use tripos_codegen::scene::costs;
+use tripos_derive::Model;
+use tripos_derive::scene::{Scene, Solve};
+use tripos_traits::{DoubleDouble, Real, Scalar};
+
+/// A scene's own equations, and their run.
+pub struct Own {
+    /// What the scene needs.
+    pub needs: Needs,
+    /// The run.
+    pub run: Run,
+    /// What was watched along it, if it shows every state.
+    pub course: Option<Course>,
+    /// Whether the energies of the run are those of the model.
+    pub has_energy: bool,
+}
+
+impl Own {
+    /// Derives and runs them.
+    ///
+    /// # Errors
+    /// [`Failure`] if the scene has no equations of its own, or they cannot be run.
+    pub fn new(model: &Model, scene: &Scene, watch: &Watch) -> Result<Self, Failure> {
+        let mut reduced = Reduced::new(model, scene)?;
+        // They are solved: nothing is left to a numeric solve.
+        reduced.scene.integration.solve = Some(Solve::Eliminated);
+        let code = reduced.code()?;
+        let watch = (!scene.states_outputs).then_some(watch);
+        let run = run_problem(&Problem::reduced(&reduced, scene, &code)?, watch)?;
+        let course = watch.map(|watch| watch.along(scene, &code, &run));
+        let (costs, has_energy) = (costs(model, &reduced.reduction), reduced.reduction.has_energy);
+        Ok(Self { needs: Needs { reduced, costs }, run, course, has_energy })
+    }
+}
+
+/// What a run shows of the outputs of a scene, sample by sample; not a number where whole states do not show it.
+pub fn shown(compared: &Compared, run: &Run) -> Vec<Vec<f64>> {
+    if run.by.is_reduced() {
+        return run.states.clone();
+    }
+    let wide = |state: &Vec<f64>| state.iter().copied().map(DoubleDouble::from_f64).collect::<Vec<_>>();
+    run.states.iter().map(|state| compared.of_state(&wide(state)).iter().map(|x| x.to_f64()).collect()).collect()
+}

@@ -1,0 +1,147 @@
+//! What a scene needs of its model: what its own equations keep, what they leave out, and why that is exact.
+
+use super::html::{escape, folded, number, table};
+use super::math::{formula, inline, symbol, wrapped};
+use super::scene::rounded;
+use super::typeset::typeset;
+use super::{Needs, Page};
+use std::fmt::Write;
+use tripos_codegen::scene::Costs;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::print::text;
+use tripos_derive::reduce::{Omission, Quantity};
+
+/// The part of one scene.
+pub fn section(page: &Page, needs: &Result<Needs, String>) -> String {
+    let head = "<h4>What the scene needs</h4>\n";
+    let needs = match needs {
+        Ok(needs) => needs,
+        Err(why) => {
+            return format!("{head}<p class=\"missing\">The scene has no equations of its own: {}.</p>\n", escape(why));
+        }
+    };
+    let omitted = &needs.reduced.reduction.omitted;
+    let mut out = format!("{head}<p>{}</p>\n{}", summary(page, needs), kept(needs));
+    let _ = writeln!(out, "<div class=\"formula\">\n{}</div>", equations(needs));
+    out += &folded("What it shows, from these", &format!("<div class=\"formula\">\n{}</div>\n", outputs(needs)));
+    if !omitted.is_empty() {
+        out += &folded(&format!("What is left out, and why ({})", omitted.len()), &left_out(omitted));
+    }
+    out
+}
+
+/// How much is left, in numbers.
+fn summary(page: &Page, needs: &Needs) -> String {
+    let reduction = &needs.reduced.reduction;
+    let states = page.model.coordinates.len() + page.model.speeds.len();
+    let count = |n: usize, one: &str| format!("{n} {one}{}", if n == 1 { "" } else { "s" });
+    let mut out = format!("Of {} {} are kept", count(states, "state"), reduction.states.len());
+    if !reduction.quadratures.is_empty() {
+        let _ = write!(out, ", and {}", count(reduction.quadratures.len(), "integral"));
+        out += " along them on which no state depends";
+    }
+    if !reduction.constants.is_empty() {
+        let _ = write!(out, "; {} from the start stand for the rest", count(reduction.constants.len(), "constant"));
+    }
+    out += ".";
+    if let Some(Costs { full, scene }) = &needs.costs {
+        let _ = write!(
+            out,
+            " A call of the derivative takes {} operations instead of {} by Kane's method, with {} instead of {} and {} of sine \
+             and cosine instead of {}.",
+            scene.operations,
+            full.operations,
+            count(scene.divisions, "division"),
+            full.divisions,
+            count(scene.sincos, "pair"),
+            full.sincos
+        );
+    }
+    if !reduction.divisors.is_empty() {
+        let arena = reduction.terms();
+        let zero = |e: &Expr| inline(&format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(arena, *e)));
+        let places: Vec<String> = reduction.divisors.iter().map(zero).collect();
+        let _ = write!(out, " Singular where {}.", places.join(" or "));
+    }
+    out
+}
+
+/// States, integrals and constants, with what they are.
+fn kept(needs: &Needs) -> String {
+    let reduction = &needs.reduced.reduction;
+    let row = |kind: &str, q: &Quantity, value: String| {
+        vec![kind.to_owned(), inline(&symbol(&q.name)), value, prose(&q.about)]
+    };
+    let mut rows: Vec<Vec<String>> = reduction.states.iter().map(|q| row("state", q, String::new())).collect();
+    rows.extend(reduction.quadratures.iter().map(|q| row("integral", q, String::new())));
+    rows.extend(needs.reduced.constants().map(|(q, x)| row("constant", q, number(&rounded(x, 10)))));
+    table("Kept", &["Kind", "Symbol", "Value", "What it is"], &rows)
+}
+
+/// Definitions, rates and accelerations, a line each.
+fn equations(needs: &Needs) -> String {
+    let e = &needs.reduced.reduction.derivation.equations;
+    let mut arena = needs.reduced.reduction.terms().clone();
+    let mut lines: Vec<[String; 2]> = Vec::new();
+    for d in &e.definitions {
+        lines.push([formula(&arena, d.symbol), formula(&arena, d.value)]);
+    }
+    for (q, rate) in e.coordinates.iter().zip(&e.coordinate_rates) {
+        lines.push([symbol(&format!("{}'", text(&arena, *q))), formula(&arena, *rate)]);
+    }
+    for (row, forcing) in e.matrix.iter().zip(&e.forcing) {
+        let terms: Vec<Expr> = row.iter().zip(&e.unknowns).map(|(m, x)| arena.mul(*m, *x)).collect();
+        let left = arena.sum(&terms);
+        lines.push([formula(&arena, left), formula(&arena, *forcing)]);
+    }
+    lines.iter().map(|sides| format!("<div>{}</div>\n", wrapped(sides))).collect()
+}
+
+/// What the scene shows, as functions of what is kept.
+fn outputs(needs: &Needs) -> String {
+    let reduction = &needs.reduced.reduction;
+    let line = |o: &tripos_derive::reduce::Output| {
+        let name = typeset(&o.name).map_or_else(|| symbol(&o.name), |sides| sides.concat());
+        format!("<div>{}</div>\n", wrapped(&[name, formula(reduction.terms(), o.value)]))
+    };
+    reduction.outputs.iter().map(line).collect()
+}
+
+fn left_out(omitted: &[Omission]) -> String {
+    let what = |text: &str| match text.rsplit_once(' ') {
+        Some((words, name)) => format!("{} {}", escape(words), inline(&symbol(name))),
+        None => inline(&symbol(text)),
+    };
+    let row = |o: &Omission| vec![what(&o.what), prose(&o.why), escape(&o.proof)];
+    table("Left out", &["What", "Why", "How that is known"], &omitted.iter().map(row).collect::<Vec<_>>())
+}
+
+/// Words in which formulas stand: apart by `: `, `; ` or `, since `, or before `at the start`.
+fn prose(words: &str) -> String {
+    for separator in ["; ", ": ", ", since "] {
+        if let Some((before, after)) = words.split_once(separator) {
+            return format!("{}{separator}{}", prose(before), prose(after));
+        }
+    }
+    if let Some(before) = words.strip_suffix(" at the start") {
+        return format!("{} at the start", prose(before));
+    }
+    // A word alone is a word.
+    let is_formula = words.contains(['*', '/', '=', '+', '-', '^']);
+    let sides = typeset(words).filter(|_| is_formula);
+    sides.map_or_else(|| escape(words), |sides| wrapped(&sides))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::prose;
+
+    #[test]
+    fn formulas_among_words_are_typeset_and_words_are_not() {
+        let found = prose("u3 = 2*p_q3, since it does not change: momentum of <q3>; heading");
+        assert!(found.starts_with("<math>") && found.matches("<math>").count() == 2, "{found}");
+        assert!(found.ends_with(", since it does not change: momentum of &lt;q3&gt;; heading"), "{found}");
+        assert!(prose("q4 - sin(q1) at the start").ends_with("</math> at the start"));
+        assert_eq!(prose("free-body angle"), "free-body angle");
+    }
+}
