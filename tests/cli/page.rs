@@ -67,6 +67,47 @@ fn the_page_of_the_disk_has_every_erratum_integral_and_printed_run() {
     assert!(page.contains("I₆ : angular momentum about a₃ through O"), "every integral has its panel");
 }
 
+/// Goal: every scene has its own equations on the page, what they keep and why, their run, and their curves. Method: one of each
+/// in each part of the page, counted by scene.
+#[test]
+fn the_page_of_the_disk_has_every_scenes_own_equations() {
+    let (status, page, output) = page("models/disk");
+    assert_eq!(status, Some(0), "{}", stderr(&output));
+    let articles: Vec<&str> = page.split("<article id=\"scene-").skip(1).collect();
+    assert_eq!(articles.len(), 6);
+    for article in articles {
+        let (title, _) = article.split_once("</h3>").unwrap();
+        let (_, needs) = article.split_once("<h4>What the scene needs</h4>").expect(title);
+        let (needs, runs) = needs.split_once("<table class=\"runs\">").expect(title);
+        assert!(
+            needs.contains("<p>Of 10 states 2 are kept") && needs.contains("instead of 41 by Kane's method"),
+            "{needs}"
+        );
+        assert!(needs.contains("<summary>What is left out, and why (") && needs.contains("by identity"), "{needs}");
+        let is_lean = title.contains("The lean alone");
+        assert_eq!(
+            needs.contains("<td>integral</td>"),
+            !is_lean,
+            "{title}: heading and spin are wanted but for the lean"
+        );
+        // Among the runs; among first integrals and extremes only where every state is shown.
+        let rows = runs.matches("<th scope=\"row\">Reduced equations</th>").count();
+        assert_eq!(rows, if is_lean { 1 } else { 3 }, "{title}");
+        assert!(!article.contains("NaN"), "{title}");
+    }
+    let figure = |caption: &str| {
+        let (before, _) = page.split_once(caption).unwrap_or_else(|| panic!("no figure {caption}"));
+        before.rsplit_once("<figure>").unwrap().1
+    };
+    for caption in ["The lean and its speed over 10 s", "Figure 5 of the report", "Total energy over 10 s"] {
+        assert!(figure(caption).contains("Reduced equations"), "{caption}");
+    }
+    // Two outputs, a panel each, of four runs.
+    let lean = figure("The lean and its speed over 10 s");
+    assert!(lean.contains("[rad]") && lean.contains("[rad/s]") && lean.contains("Kane's method"), "its panels");
+    assert!(figure("Speed against accuracy over 10 s, in the lean").contains("reduced"));
+}
+
 /// The report's explanation of its failure, tested: Kane's determinant is never zero, Lagrange's is.
 #[test]
 fn the_page_of_the_disk_says_where_determinants_vanish() {

@@ -240,10 +240,13 @@ impl Work<'_> {
             return figures::states(self.model, &curves);
         }
         let compared = Compared::new(self.model, scene);
-        let values: Vec<_> = curves.into_iter().map(|curve| {
-            let values = shown(&compared, curve.run);
-            (curve, values)
-        }).collect();
+        let values: Vec<_> = curves
+            .into_iter()
+            .map(|curve| {
+                let values = shown(&compared, curve.run);
+                (curve, values)
+            })
+            .collect();
         figures::outputs(self.model, scene, &values)
     }
 

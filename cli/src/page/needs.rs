@@ -1,14 +1,14 @@
 //! What a scene needs of its model: what its own equations keep, what they leave out, and why that is exact.
 
-use super::html::{escape, folded, number, table};
-use super::math::{formula, inline, symbol, wrapped};
+use super::html::{escape, folded, number, scroll, table};
+use super::math::{formula, inline, lines, symbol, wrapped};
 use super::scene::rounded;
 use super::typeset::typeset;
 use super::{Needs, Page};
 use std::fmt::Write;
 use tripos_codegen::scene::Costs;
-use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::{Arena, Expr, Node};
 use tripos_derive::reduce::{Omission, Quantity};
 
 /// The part of one scene.
@@ -22,8 +22,8 @@ pub fn section(page: &Page, needs: &Result<Needs, String>) -> String {
     };
     let omitted = &needs.reduced.reduction.omitted;
     let mut out = format!("{head}<p>{}</p>\n{}", summary(page, needs), kept(needs));
-    let _ = writeln!(out, "<div class=\"formula\">\n{}</div>", equations(needs));
-    out += &folded("What it shows, from these", &format!("<div class=\"formula\">\n{}</div>\n", outputs(needs)));
+    out += &equations(needs);
+    out += &folded("What it shows, from these", &outputs(needs));
     if !omitted.is_empty() {
         out += &folded(&format!("What is left out, and why ({})", omitted.len()), &left_out(omitted));
     }
@@ -59,11 +59,22 @@ fn summary(page: &Page, needs: &Needs) -> String {
     }
     if !reduction.divisors.is_empty() {
         let arena = reduction.terms();
-        let zero = |e: &Expr| inline(&format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(arena, *e)));
-        let places: Vec<String> = reduction.divisors.iter().map(zero).collect();
+        let zero = |e: &Expr| {
+            inline(&format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(arena, without_number(arena, *e))))
+        };
+        let mut places: Vec<String> = reduction.divisors.iter().map(zero).collect();
+        places.dedup();
         let _ = write!(out, " Singular where {}.", places.join(" or "));
     }
     out
+}
+
+/// A term without a number as its factor: it vanishes where the term does.
+fn without_number(arena: &Arena, e: Expr) -> Expr {
+    match arena.node(e) {
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+        _ => e,
+    }
 }
 
 /// States, integrals and constants, with what they are.
@@ -82,19 +93,19 @@ fn kept(needs: &Needs) -> String {
 fn equations(needs: &Needs) -> String {
     let e = &needs.reduced.reduction.derivation.equations;
     let mut arena = needs.reduced.reduction.terms().clone();
-    let mut lines: Vec<[String; 2]> = Vec::new();
+    let mut list: Vec<(String, String)> = Vec::new();
     for d in &e.definitions {
-        lines.push([formula(&arena, d.symbol), formula(&arena, d.value)]);
+        list.push((formula(&arena, d.symbol), formula(&arena, d.value)));
     }
     for (q, rate) in e.coordinates.iter().zip(&e.coordinate_rates) {
-        lines.push([symbol(&format!("{}'", text(&arena, *q))), formula(&arena, *rate)]);
+        list.push((symbol(&format!("{}'", text(&arena, *q))), formula(&arena, *rate)));
     }
     for (row, forcing) in e.matrix.iter().zip(&e.forcing) {
         let terms: Vec<Expr> = row.iter().zip(&e.unknowns).map(|(m, x)| arena.mul(*m, *x)).collect();
         let left = arena.sum(&terms);
-        lines.push([formula(&arena, left), formula(&arena, *forcing)]);
+        list.push((formula(&arena, left), formula(&arena, *forcing)));
     }
-    lines.iter().map(|sides| format!("<div>{}</div>\n", wrapped(sides))).collect()
+    scroll("The scene's own equations", &lines(&list))
 }
 
 /// What the scene shows, as functions of what is kept.
@@ -102,9 +113,11 @@ fn outputs(needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let line = |o: &tripos_derive::reduce::Output| {
         let name = typeset(&o.name).map_or_else(|| symbol(&o.name), |sides| sides.concat());
-        format!("<div>{}</div>\n", wrapped(&[name, formula(reduction.terms(), o.value)]))
+        (name, formula(reduction.terms(), o.value))
     };
-    reduction.outputs.iter().map(line).collect()
+    // What is kept shows itself.
+    let list: Vec<_> = reduction.outputs.iter().map(line).filter(|(name, value)| name != value).collect();
+    scroll("What the scene shows", &lines(&list))
 }
 
 fn left_out(omitted: &[Omission]) -> String {

@@ -247,6 +247,43 @@ fn measured_figures_have_data_and_advice() {
     assert!(page.contains("<p class=\"missing\">`passages` cannot be drawn: &lt;no divisor&gt;</p>"));
 }
 
+/// The pendulum keeps both of its states; a scene that has no equations of its own says why.
+#[test]
+fn a_scene_shows_what_it_needs_or_why_not() {
+    let model = tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap();
+    let needs = part(&page(), "What the scene needs", "<table class=\"runs\">").to_owned();
+    assert!(needs.contains("<p>Of 2 states 2 are kept.") && needs.contains("<td>angle</td>"), "{needs}");
+    assert!(
+        needs.contains("<summary>What is left out, and why (") && needs.contains("the scene fixes it at"),
+        "{needs}"
+    );
+    let (study, _) = Study::new(&model).unwrap();
+    let scenes = vec![SceneSection { needs: Err("u1 is <odd>".to_owned()), ..scene() }];
+    let page = render(&Page { model: &model, derivations: Vec::new(), study: &study, scenes, command: String::new() });
+    assert!(page.contains("The scene has no equations of its own: u1 is &lt;odd&gt;."), "{page}");
+}
+
+/// A run that does not show every state has no line among the first integrals.
+#[test]
+fn a_run_without_integrals_is_left_out_of_their_table() {
+    let mut section = scene();
+    section.runs[1].changes.clear();
+    section.runs[1].energy_drift = None;
+    let model = tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap();
+    let (study, _) = Study::new(&model).unwrap();
+    let page = render(&Page {
+        model: &model,
+        derivations: Vec::new(),
+        study: &study,
+        scenes: vec![section],
+        command: String::new(),
+    });
+    let changes = part(&page, "Largest |I(t)", "</table>");
+    assert!(changes.contains("Kane's method") && !changes.contains("Lagrange's equations"), "{changes}");
+    let runs = part(&page, "<caption>Runs</caption>", "</table>");
+    assert!(runs.contains("Lagrange's equations") && runs.contains("<td class=\"n\">–</td>"), "{runs}");
+}
+
 #[test]
 fn names_of_steps_are_typeset() {
     let model = tripos_derive::model::load(&Source::from_text("model.toml", PENDULUM)).unwrap();
