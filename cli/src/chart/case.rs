@@ -14,6 +14,10 @@ use tripos_sim::{Method, Options, Solution, quadrature};
 /// The name of the way to run a motion of one degree of freedom that takes no steps.
 pub const QUADRATURE: &str = "quadrature";
 
+/// The methods that a scene's own equations are also run by at absolute tolerances alone: they lose so little that relative ones end
+/// too early.
+const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
+
 /// Equations and how their accelerations are found.
 pub struct Case {
     /// Which equations.
@@ -37,9 +41,13 @@ impl Case {
 
     /// The methods that can run it, at each of these tolerances, and quadrature where it gives the motion.
     pub fn ways(&self, tolerances: &[f64]) -> Vec<Way> {
-        let methods = Method::ALL.into_iter().filter(|method| self.has(*method));
-        let mut list: Vec<Way> =
-            methods.flat_map(|method| tolerances.iter().map(move |tolerance| Way::Steps(method, *tolerance))).collect();
+        let mut list = Vec::new();
+        for method in Method::ALL.into_iter().filter(|method| self.has(*method)) {
+            list.extend(tolerances.iter().map(|tolerance| Way::Steps(method, *tolerance)));
+            if let (true, Some(finest)) = (self.reduction.is_some() && FINE.contains(&method), tolerances.last()) {
+                list.extend([10.0, 100.0].map(|times| Way::Absolute(method, finest / times)));
+            }
+        }
         if self.has_quadrature() {
             list.push(Way::Quadrature);
         }
