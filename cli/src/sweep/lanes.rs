@@ -78,6 +78,5 @@ fn solution(request: &Request, outcome: Outcome) -> Solution {
         events: Vec::new(),
         projection: None,
         warnings: Vec::new(),
-        projection: None,
     }
 }
