@@ -245,7 +245,8 @@ impl<'a> Problem<'a> {
         };
         if !system.has_energy_gradient() {
             let what = format!("{} cannot be projected onto their energy", self.by.title);
-            let help = "projection needs a scene's own equations (no --by) of which the energy is a function".to_owned();
+            let help =
+                "projection needs a scene's own equations (no --by) of which the energy is a function".to_owned();
             return Err(Failure::Request(what, help));
         }
         let n = system.coordinates();

@@ -114,7 +114,8 @@ fn run(
             let rtol = tolerance(DOUBLE);
             let walk = |t0: f64, t1: f64, y: &[f64]| problem.integrate_over((t0, t1), y, &options(rtol), &mut []);
             let states = along(&scene, times, problem.start()?, walk)?;
-            let wide = |(t, y): (&f64, &Vec<f64>)| problem.state(*t, y).into_iter().map(DoubleDouble::from_f64).collect();
+            let wide =
+                |(t, y): (&f64, &Vec<f64>)| problem.state(*t, y).into_iter().map(DoubleDouble::from_f64).collect();
             Ok((format!("{} at {rtol:.0e}", by.name), times.iter().zip(&states).map(wide).collect(), false))
         }
     }

@@ -59,7 +59,11 @@ pub fn file(model: &Model, origin: &str, arena: &Arena, equations: &Equations, s
     functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
     let taylor = recurrences.map(taylor::function::width);
-    let system = system::system(model, equations, Parts { linear_system: true, eliminated: solved.is_some(), taylor, ..Parts::default() });
+    let system = system::system(
+        model,
+        equations,
+        Parts { linear_system: true, eliminated: solved.is_some(), taylor, ..Parts::default() },
+    );
     let series = recurrences.map(taylor::function::imports);
     format(
         &header,

@@ -15,7 +15,14 @@ pub struct Entry {
 }
 
 /// Emits `mod.rs` for these equations and scenes; `origin` is the sentence of its header that says where it comes from.
-pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equations: &[Entry], scenes: &[String]) -> String {
+pub fn file(
+    model: &Model,
+    folder: &str,
+    origin: &str,
+    report_hash: &str,
+    equations: &[Entry],
+    scenes: &[String],
+) -> String {
     let header = vec![format!("{}.", model.title), String::new(), origin.to_owned(), format!("{}.", model.count())];
     let modules = equations.iter().map(|entry| {
         let name = format_ident!("{}", module_name(&entry.name));
@@ -38,7 +45,8 @@ pub fn file(model: &Model, folder: &str, origin: &str, report_hash: &str, equati
         let lanes = if entry.solved { quote!(Some(InLanes::of(&Derivative(#module::#unit)))) } else { quote!(None) };
         quote!(CompiledSystem { name: #name, double: #system, extended: #system, lanes: #lanes })
     });
-    let scene_module = if scenes.is_empty() { quote!() } else { quote!(#[rustfmt::skip] pub mod scenes;) };
+    let own = format_ident!("scenes");
+    let scene_module = (!scenes.is_empty()).then(|| quote!(#[rustfmt::skip] pub mod #own;));
     let scenes = if scenes.is_empty() { quote!(&[]) } else { quote!(scenes::SCENES) };
     let hash = model.text_hash();
     let items = quote! {

@@ -10,10 +10,10 @@ use crate::tokens::{Cost, format};
 use proc_macro2::Literal;
 use quote::{format_ident, quote};
 use tripos_derive::Model;
+use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::energy_gradient as energy_gradient_of;
-use tripos_derive::algebra::print::text;
 use tripos_derive::reduce::{Quantity, Reduction, Slope};
 use tripos_derive::{Equations, Formulation, derive};
 
@@ -48,15 +48,14 @@ pub fn file(reduction: &Reduction, name: &str, title: &str, origin: &str) -> Opt
     let width = recurrences.map(taylor::function::width);
     functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
-    let parts =
-        Parts {
-            linear_system: false,
-            eliminated: true,
-            taylor: width,
-            outputs: Some(reduction.outputs.len()),
-            energy_gradient: reduction.has_energy,
-            slope: reduction.slope.is_some(),
-        };
+    let parts = Parts {
+        linear_system: false,
+        eliminated: true,
+        taylor: width,
+        outputs: Some(reduction.outputs.len()),
+        energy_gradient: reduction.has_energy,
+        slope: reduction.slope.is_some(),
+    };
     let system = system::system(&reduction.model, equations, parts);
     let series = recurrences.map(taylor::function::imports);
     let parameters = parameters(&reduction.model);
@@ -64,8 +63,7 @@ pub fn file(reduction: &Reduction, name: &str, title: &str, origin: &str) -> Opt
         let count = Literal::usize_unsuffixed(list.len());
         (quote!([&str; #count]), quote!([#(#list),*]))
     };
-    let (parameter_type, parameter_names) =
-        names(reduction.model.parameters.iter().map(|p| p.name.as_str()).collect());
+    let (parameter_type, parameter_names) = names(reduction.model.parameters.iter().map(|p| p.name.as_str()).collect());
     let (output_type, output_names) = names(reduction.outputs.iter().map(|o| o.name.as_str()).collect());
     let key = reduction.key();
     let text = format(
@@ -197,7 +195,8 @@ fn header(reduction: &Reduction, name: &str, title: &str, origin: &str, function
     for constant in &reduction.constants {
         lines.push(format!("{} = {}: {}.", constant.name, text(arena, constant.of_start), constant.about));
     }
-    let folded: Vec<String> = reduction.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_f64())).collect();
+    let folded: Vec<String> =
+        reduction.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_f64())).collect();
     if !folded.is_empty() {
         lines.push(format!("Parameters that the scene fixes: {}.", folded.join(", ")));
     }

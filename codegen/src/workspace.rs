@@ -160,7 +160,10 @@ pub(crate) fn module_files(
         files.push(("scenes/mod.rs".to_owned(), scene::list(&model.title, &origin.of_model(), &modules)));
         files.extend(scenes.into_iter().map(|file| (format!("scenes/{}.rs", file.module), file.text)));
     }
-    files.push(("mod.rs".to_owned(), module::file(&model, module, &origin.of_model(), &report_hash, &entries, &modules)));
+    files.push((
+        "mod.rs".to_owned(),
+        module::file(&model, module, &origin.of_model(), &report_hash, &entries, &modules),
+    ));
     Ok(ModuleFiles { files, left_out, broken_scenes })
 }
 

@@ -65,7 +65,9 @@ fn equations(reduced: &Reduced) -> Vec<String> {
             .iter()
             .zip(&e.unknowns)
             .filter(|(m, _)| **m != tripos_derive::algebra::Expr::ZERO)
-            .map(|(m, x)| if *m == tripos_derive::algebra::Expr::ONE { text(*x) } else { format!("({})*{}", text(*m), text(*x)) })
+            .map(|(m, x)| {
+                if *m == tripos_derive::algebra::Expr::ONE { text(*x) } else { format!("({})*{}", text(*m), text(*x)) }
+            })
             .collect();
         (row.join(" + "), text(e.forcing[i]))
     });
@@ -95,8 +97,11 @@ fn as_text(model: &Model, scene: &Scene, reduced: &Reduced, costs: Option<Costs>
         let _ = writeln!(out, "  {} = {}", o.name, text(arena, o.value));
     }
     if let Some(Costs { full, scene }) = costs {
-        let _ = writeln!(out, "\ncost of a call: {} operations of {} by Kane's method, divisions {} of {}, sines and cosines {} of {}",
-            scene.operations, full.operations, scene.divisions, full.divisions, scene.sincos, full.sincos);
+        let _ = writeln!(
+            out,
+            "\ncost of a call: {} operations of {} by Kane's method, divisions {} of {}, sines and cosines {} of {}",
+            scene.operations, full.operations, scene.divisions, full.divisions, scene.sincos, full.sincos
+        );
     }
     if !reduction.divisors.is_empty() {
         let places: Vec<String> = reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();

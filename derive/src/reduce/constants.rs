@@ -21,7 +21,9 @@ impl Ground {
             }
             let symbols: Vec<Expr> = held.iter().map(|h| h.symbol).collect();
             let value = solved.right[row][0];
-            let Ok((coefficients, rest)) = LinearForm::new(&symbols).coefficients(&mut self.arena, value) else { continue };
+            let Ok((coefficients, rest)) = LinearForm::new(&symbols).coefficients(&mut self.arena, value) else {
+                continue;
+            };
             let alone = rest == Expr::ZERO
                 && coefficients.iter().enumerate().all(|(at, c)| at == row || *c == Expr::ZERO)
                 && solved.rows[row].iter().enumerate().all(|(at, e)| at == column || *e == Expr::ZERO);
@@ -43,7 +45,8 @@ impl Ground {
                 let name = self.arena.symbol_name(held[row].symbol).unwrap_or_default().to_owned();
                 let scaled = self.arena.mul(factor, held[row].of_state);
                 held[row].of_state = self.simplifier.simplify(&mut self.arena, scaled);
-                held[row].about = format!("{} times the {}", crate::algebra::print::text(&self.arena, factor), held[row].about);
+                held[row].about =
+                    format!("{} times the {}", crate::algebra::print::text(&self.arena, factor), held[row].about);
                 fresh_symbol(&mut self.arena, &format!("{name}_scaled"))
             };
             let instead = self.arena.div(new, factor).expect("not zero");

@@ -41,7 +41,10 @@ impl Flow {
         }
         let [rate, kinetic, potential] = [q.rate, kinetic, potential].map(|e| dependence.whole(arena, e));
         let homogeneous = is_homogeneous(arena, rate, v.symbol, 1) && is_homogeneous(arena, kinetic, v.symbol, 2);
-        if !homogeneous || arena.mentions(potential, v.symbol) || ![kinetic, potential].iter().all(|e| of_core(arena, *e)) {
+        if !homogeneous
+            || arena.mentions(potential, v.symbol)
+            || ![kinetic, potential].iter().all(|e| of_core(arena, *e))
+        {
             return None;
         }
         let name = arena.symbol_name(q.symbol).unwrap_or_default().to_owned();

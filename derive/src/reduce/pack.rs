@@ -5,11 +5,11 @@ use super::level::Level;
 use super::proof::{Whole, prove};
 use super::slice::{Flow, Variable};
 use super::{Ground, Output, Quantity, Reduction};
-use crate::algebra::{Arena, Expr};
-use crate::algebra::elimination::Definition;
 use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::elimination::Definition;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::print::text;
+use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Derivation, Equations, Formulation};
 use crate::model::{Condition, Coordinate, KinematicEquations, Parameter, Speed, Unit};
 use crate::scene::Scene;
@@ -57,7 +57,11 @@ pub fn pack(
         states,
         quadratures,
         constants,
-        products: hoisted.constants.iter().map(|(symbol, value)| Definition { symbol: *symbol, value: *value }).collect(),
+        products: hoisted
+            .constants
+            .iter()
+            .map(|(symbol, value)| Definition { symbol: *symbol, value: *value })
+            .collect(),
         outputs,
         events,
         folded,
@@ -89,13 +93,7 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
 }
 
 /// What is held, and the mass centre's place at the start, as far as the system mentions them.
-fn constants(
-    ground: &mut Ground,
-    level: &Level,
-    flow: &Flow,
-    equations: &Equations,
-    hoisted: &Hoist,
-) -> Vec<Quantity> {
+fn constants(ground: &mut Ground, level: &Level, flow: &Flow, equations: &Equations, hoisted: &Hoist) -> Vec<Quantity> {
     let held =
         level.held.iter().map(|h| (h.symbol, h.about.clone(), ground.momenta[h.momentum].unit.clone(), h.of_state));
     let places = flow.carried.iter().map(|c| {
