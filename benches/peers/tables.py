@@ -24,6 +24,19 @@ def table(head, rows):
         yield f"| {' | '.join(str(cell) for cell in row)} |"
 
 
+def details(reached):
+    """How each error was reached, by (row, error)."""
+    rows = []
+    for (name, target), r in reached.items():
+        call = duration(r.samples.median / r.evaluations)
+        rows.append(
+            [name, f"{target:.0e}", f"{r.tolerance:.1e}", f"{r.error:.1e}", r.steps, r.evaluations, call, r.repeats]
+            + [duration(r.samples.fastest), f"{100 * r.samples.spread:.1f} %"]
+        )
+    head = ("", "error", "tolerance", "error reached", "steps", "evaluations", "for each", "runs a sample", "fastest", "spread")
+    return table(head, rows)
+
+
 def aims(rows):
     """(what, against, ours, theirs, aim): what was asked for, beside what came out."""
     cells = []

@@ -1,20 +1,17 @@
-"""Whole runs: the ten states of the disk at t = 10 s to a given error."""
-
-import itertools
-from dataclasses import dataclass
+"""Whole runs: the ten states of the disk at t = 10 s to a given error, by all equations and by those of a scene."""
 
 import build
 import problems
-from measure import Peer, Samples, error, interleaved, repeats
-from tables import aims, duration, ratio, table
+from measure import Peer, error, interleaved
+from sections import scenes
+from sections.search import Question, search
+from tables import aims, details, duration, ratio, table
 
 # The smallest tolerance that is tried is what doubles allow.
 TOLERANCES = [10.0 ** (-k / 2) for k in range(4, 29)]
 TARGETS = [1e-3, 1e-6, 1e-8, 1e-9]
 # Tolerances of the two references, each below what changes their 16th digit; and how near they must be to each other.
 TRIPOS_REFERENCE, HEYOKA_REFERENCE, AGREEMENT = 1e-22, 1e-30, 1e-14
-# What every worker must come down to: one that does not solves another problem.
-SAME_PROBLEM = 1e-7
 
 LAGRANGE = "Tripos, Lagrange, native"
 KANE = "Tripos, Kane, native"
@@ -32,40 +29,30 @@ PEERS = [UNFUSED, LOOPS, VECTORS, HEYOKA, ODE, SOLVE_IVP]
 METHOD = "dop853"
 
 
-@dataclass
-class Reached:
-    """How a worker reaches an error."""
-
-    tolerance: float
-    error: float
-    steps: int
-    evaluations: int
-    prepared: float
-    repeats: int
-    samples: Samples = None
-
-
 def section(rounds):
-    peers = started()
-    check_start(peers)
+    peers, (ten, two) = started(), scenes.started()
+    check_start([*peers.values(), *ten.values(), *two.values()])
     reference = checked_reference(peers)
-    reached, best = {}, {}
+    whole = Question("whole", TARGETS, TOLERANCES, reference)
     for peer in peers.values():
-        build.say(f"which tolerances: {peer.name}")
-        best[peer.name] = search(peer, reference, reached)
-        if best[peer.name] > SAME_PROBLEM:
-            raise SystemExit(f"{peer.name} comes no nearer to the reference than {best[peer.name]:.1e}")
+        search(peer, whole)
+    questions = [whole, *scenes.asked(ten, two, reference)]
     askings = {}
     # All workers in turn for one error, then for the next.
-    for key in sorted(reached, key=lambda key: TARGETS.index(key[1])):
-        line = f"run {reached[key].tolerance!r} {reached[key].repeats}"
-        askings[key] = lambda peer=peers[key[0]], line=line: peer.ask(line)[0]
-    for key, samples in interleaved(askings, rounds).items():
-        reached[key].samples = samples
+    for question in questions:
+        for key in sorted(question.reached, key=lambda key: question.targets.index(key[1])):
+            found = question.reached[key]
+            line = f"run {found.tolerance!r} {found.repeats}"
+            askings[question.name, *key] = lambda peer=found.peer, line=line: peer.ask(line)[0]
+    samples = interleaved(askings, rounds)
+    for question in questions:
+        for key, found in question.reached.items():
+            found.samples = samples[question.name, *key]
+    reached = whole.reached
     lines = ["## Whole runs of the disk, t = 0 … 10 s", "", *ABOUT, ""]
     lines += [*times(peers, reached), "", *ratios(peers, reached), "", *judged(peers, reached), ""]
-    lines += [*HOW, "", *details(reached), "", *notes(peers, reached, best)]
-    for peer in peers.values():
+    lines += [*HOW, "", *details(reached), "", *notes(peers, reached, whole.best), "", *scenes.lines(*questions[1:])]
+    for peer in [*peers.values(), *ten.values(), *two.values()]:
         peer.close()
     return lines
 
@@ -102,7 +89,7 @@ def started():
         UNFUSED: [unfused],
         LOOPS: [loops],
         VECTORS: [vectors],
-        HEYOKA: [python, "-B", build.WORKERS / "heyoka_worker.py"],
+        HEYOKA: [python, "-B", build.WORKERS / "heyoka_worker.py", "double"],
         ODE: [python, "-B", build.WORKERS / "scipy_worker.py", "ode"],
         SOLVE_IVP: [python, "-B", build.WORKERS / "scipy_worker.py", "solve_ivp"],
     }
@@ -112,8 +99,8 @@ def started():
 def check_start(peers):
     """All take the same start, and it is the scene's."""
     wanted = problems.parameters("disk") + problems.start("disk")
-    start = peers[LAGRANGE].greeting
-    for peer in peers.values():
+    start = peers[0].greeting
+    for peer in peers:
         if peer.greeting != start or error(peer.greeting, wanted) > 4e-16:
             raise SystemExit(f"{peer.name} starts from {peer.greeting}, the scene from {wanted}")
 
@@ -125,22 +112,6 @@ def checked_reference(peers):
     if error(reference, other) > AGREEMENT:
         raise SystemExit(f"the references differ:\n  {reference}\n  {other}")
     return reference
-
-
-def search(peer, reference, reached):
-    """For each target the loosest tolerance that reaches it; returns the smallest error of all."""
-    best = float("inf")
-    for tolerance in TOLERANCES:
-        (prepared,) = peer.ask(f"prepare {tolerance!r}")
-        _, steps, evaluations, *end = peer.ask(f"run {tolerance!r} 1")
-        found = error(end, reference)
-        best = min(best, found)
-        for target in TARGETS:
-            if found <= target and (peer.name, target) not in reached:
-                seconds = peer.ask(f"run {tolerance!r} 1")[0]
-                counts = (int(steps), int(evaluations), prepared, repeats(seconds))
-                reached[peer.name, target] = Reached(tolerance, found, *counts)
-    return best
 
 
 def seconds(reached, name, target):
@@ -181,20 +152,6 @@ def judged(peers, reached):
         what = f"error {target:.0e}, by {ours.removeprefix('Tripos, ')}"
         rows.append((what, HEYOKA, seconds(reached, ours, target), seconds(reached, HEYOKA, target), 0.7))
     return aims(rows)
-
-
-def details(reached):
-    rows = []
-    for name, group in itertools.groupby(reached, key=lambda key: key[0]):
-        for key in group:
-            r = reached[key]
-            call = duration(r.samples.median / r.evaluations)
-            rows.append(
-                [name, f"{key[1]:.0e}", f"{r.tolerance:.1e}", f"{r.error:.1e}", r.steps, r.evaluations, call, r.repeats]
-                + [duration(r.samples.fastest), f"{100 * r.samples.spread:.1f} %"]
-            )
-    head = ("", "error", "tolerance", "error reached", "steps", "evaluations", "for each", "runs a sample", "fastest", "spread")
-    return table(head, rows)
 
 
 def notes(peers, reached, best):

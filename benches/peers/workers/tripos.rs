@@ -6,48 +6,25 @@
 //! a program does that learns at run time which model to run. `lagrange lanes` runs batches in lanes, by DOP853. States are put and
 //! answered as q and q̇.
 
+mod disk;
+
 use std::hint::black_box;
-use std::io::{BufRead, Write};
 use std::process::ExitCode;
 use std::time::Instant;
 
+use disk::{Known, N, SPAN, numbers, options, question, serve};
 use tripos::disk::{kane, lagrange};
 use tripos_sim::batch::{self, Plan, Trajectory};
-use tripos_sim::{
-    AbsoluteTolerance, Eliminated, Failure, Lent, Method, Options, Output, RightHandSide, Solution, Stop, integrate,
-};
-use tripos_traits::{Derivative, DoubleDouble, InLanes, Real, Scalar, System};
+use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, RightHandSide, Solution, Stop, integrate};
+use tripos_traits::{Derivative, DoubleDouble, InLanes, Real, System};
 
 /// The methods that runs can be made by, in the order of the rows of the results.
 const METHODS: &[Method] = &[Method::Dop853, Method::Taylor];
 /// The word for batches in lanes.
 const LANES: &str = "lanes";
 
-/// Coordinates; as many rates follow them in a state.
-const N: usize = 5;
-/// End of the run, in s.
-const SPAN: f64 = 10.0;
 /// Runs of a batch whose ends are answered, evenly spaced.
 const SAMPLE: usize = 16;
-/// M, R and g.
-const PARAMETERS: [&str; 3] = ["1", "1", "9.81"];
-/// q, of which the first three are in degrees, and q̇.
-const START: [&str; 2 * N] = ["10", "2", "45", "5", "1", "0.01", "-0.1", "0.02", "0.4", "0.1"];
-
-/// The scene's start and parameters, rounded once to `S`.
-fn question<S: Real>() -> (Vec<S>, Vec<S>) {
-    let degree = DoubleDouble::pi() / DoubleDouble::int(180);
-    let state = START.iter().enumerate().map(|(i, text)| {
-        let value = DoubleDouble::decimal(text);
-        narrow(if i < 3 { value * degree } else { value })
-    });
-    (PARAMETERS.iter().map(|text| S::decimal(text)).collect(), state.collect())
-}
-
-fn narrow<S: Real>(x: DoubleDouble) -> S {
-    S::from_f64(x.hi()) + S::from_f64(x.lo())
-}
-
 /// Equations with their state in terms of q and q̇, whatever their own speeds are.
 struct Equations<'a, S> {
     system: &'a dyn System<S>,
@@ -75,43 +52,9 @@ impl<S: Real> Equations<'_, S> {
     }
 }
 
-/// Equations that are known when this is compiled: no virtual call, and the compiler may inline.
-struct Known<E> {
-    equations: E,
-    parameters: Vec<f64>,
-    /// Working space of the Taylor coefficients.
-    work: Vec<f64>,
-}
-
-impl<E: System<f64>> RightHandSide for Known<E> {
-    #[inline]
-    fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
-        let ((q, v), (q_dot, v_dot)) = (y.split_at(N), dydt.split_at_mut(N));
-        self.equations.derivative(&self.parameters, q, v, q_dot, v_dot);
-        Ok(())
-    }
-
-    #[inline]
-    fn taylor(&mut self, _t: f64, order: usize, x: &mut [f64]) -> Option<Result<(), Failure>> {
-        let room = self.equations.taylor_work(order);
-        if self.work.len() < room {
-            self.work.resize(room, 0.0);
-        }
-        self.equations.taylor(&self.parameters, order, x, &mut self.work);
-        Some(Ok(()))
-    }
-}
-
 /// From the start to the end of the span at rtol = atol = `tolerance`.
 fn run<S: Real, R: RightHandSide<S>>(rhs: &mut R, y0: &[S], method: Method, tolerance: f64) -> Solution<S> {
-    let options = Options {
-        method,
-        rtol: tolerance,
-        atol: AbsoluteTolerance::Uniform(tolerance),
-        output: Output::Ends,
-        ..Options::default()
-    };
-    integrate(Lent(rhs), (0.0, SPAN), y0, &options, &mut []).expect("the question makes sense")
+    integrate(Lent(rhs), (0.0, SPAN), y0, &options(method, tolerance), &mut []).expect("the question makes sense")
 }
 
 /// One run from each of these starts, q and q̇ in turn: the steps tried in all, and the ends.
@@ -158,12 +101,6 @@ fn reference(method: Method, tolerance: f64, of_file: Option<(usize, &str)>) -> 
     let solution = run(&mut rhs, &equations.state(&start), method, tolerance);
     let end = equations.rates(&solution.y_end).iter().map(|y| y.to_f64()).collect();
     (solution.stop == Stop::End).then_some(end)
-}
-
-/// Each so that reading it gives the same number.
-fn numbers(values: &[f64]) -> String {
-    let words: Vec<String> = values.iter().map(f64::to_string).collect();
-    words.join(" ")
 }
 
 /// What answers lines.
@@ -223,17 +160,10 @@ impl<R: RightHandSide> Worker<'_, R> {
         };
         Some(numbers(&answer))
     }
+}
 
-    fn serve(mut self) -> ExitCode {
-        for line in std::io::stdin().lock().lines() {
-            let Some(answered) = line.ok().and_then(|line| self.answer(&line)) else { return ExitCode::from(2) };
-            let mut out = std::io::stdout().lock();
-            if writeln!(out, "{answered}").and_then(|()| out.flush()).is_err() {
-                return ExitCode::FAILURE;
-            }
-        }
-        ExitCode::SUCCESS
-    }
+fn answers<R: RightHandSide>(mut worker: Worker<'_, R>) -> ExitCode {
+    serve(|line| worker.answer(line))
 }
 
 fn main() -> ExitCode {
@@ -257,14 +187,16 @@ fn main() -> ExitCode {
     let equations = Equations { system, parameters: values.clone() };
     match (which.as_str(), method.copied()) {
         ("lagrange", Some(method)) => {
-            Worker { rhs: Known { equations: lagrange::Lagrange, parameters, work }, equations, method, lanes }.serve()
+            let rhs = Known { equations: lagrange::Lagrange, parameters, work };
+            answers(Worker { rhs, equations, method, lanes })
         }
         ("kane", Some(method)) => {
-            Worker { rhs: Known { equations: kane::Kane, parameters, work }, equations, method, lanes: false }.serve()
+            let rhs = Known { equations: kane::Kane, parameters, work };
+            answers(Worker { rhs, equations, method, lanes: false })
         }
         ("eliminated-lagrange" | "eliminated-kane", Some(method)) => {
             let rhs = Eliminated::new(system, &values).expect("these equations were solved for");
-            Worker { rhs, equations, method, lanes: false }.serve()
+            answers(Worker { rhs, equations, method, lanes: false })
         }
         _ => {
             eprintln!(
