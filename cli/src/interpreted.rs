@@ -189,7 +189,9 @@ impl System<f64> for Interpreted {
         let Some([angles, value]) = &self.slope else { return f64::NAN };
         let mut sincs = vec![0.0; angles.outputs()];
         self.run(angles, &[p, &[a, b]], &mut sincs);
-        sincs.iter_mut().for_each(|z| *z = z.sinc());
+        for z in &mut sincs {
+            *z = z.sinc();
+        }
         let mut out = [0.0];
         self.run(value, &[p, &[a, b], &sincs], &mut out);
         out[0]

@@ -75,9 +75,10 @@ pub fn run_reduced(model: &Model, scene: &Scene) -> Result<Run, Failure> {
 }
 
 fn shown(problem: &Problem<'_>) -> Vec<String> {
-    match problem.by.is_reduced() {
-        true => problem.shown.outputs.iter().map(|o| o.name.clone()).collect(),
-        false => state_names(problem.model),
+    if problem.by.is_reduced() {
+        problem.shown.outputs.iter().map(|o| o.name.clone()).collect()
+    } else {
+        state_names(problem.model)
     }
 }
 

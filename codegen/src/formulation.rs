@@ -2,7 +2,7 @@
 
 use crate::function::{Arguments, Function, Returns, Value, Writer};
 use crate::identifiers::{Variables, spelled, type_name};
-use crate::system::{self, Parts};
+use crate::system::{self, Part};
 use crate::taylor::{self, Recurrences, recurrences};
 use crate::tokens::format;
 use quote::quote;
@@ -58,12 +58,12 @@ pub fn file(model: &Model, origin: &str, arena: &Arena, equations: &Equations, s
     let recurrences = solved.and_then(|solved| solved.recurrences.as_ref());
     functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
-    let taylor = recurrences.map(taylor::function::width);
-    let system = system::system(
-        model,
-        equations,
-        Parts { linear_system: true, eliminated: solved.is_some(), taylor, ..Parts::default() },
-    );
+    let parts: Vec<Part> = [Part::LinearSystem]
+        .into_iter()
+        .chain(solved.map(|_| Part::Eliminated))
+        .chain(recurrences.map(|list| Part::Taylor(taylor::function::width(list))))
+        .collect();
+    let system = system::system(model, equations, &parts);
     let series = recurrences.map(taylor::function::imports);
     format(
         &header,

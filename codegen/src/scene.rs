@@ -4,7 +4,7 @@ use crate::formulation::{Solved, eliminated, kinematics_and_energies};
 use crate::function::{Arguments, Function, Returns, Value, Writer};
 use crate::identifiers::{Variables, module_name, spelled, type_name};
 use crate::module::parameters;
-use crate::system::{self, Parts};
+use crate::system::{self, Part};
 use crate::taylor;
 use crate::tokens::{Cost, format};
 use proc_macro2::Literal;
@@ -45,18 +45,15 @@ pub fn file(reduction: &Reduction, name: &str, title: &str, origin: &str) -> Opt
     }
     let header = header(reduction, name, title, origin, &functions);
     let recurrences = solved.recurrences.as_ref();
-    let width = recurrences.map(taylor::function::width);
     functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
-    let parts = Parts {
-        linear_system: false,
-        eliminated: true,
-        taylor: width,
-        outputs: Some(reduction.outputs.len()),
-        energy_gradient: reduction.has_energy,
-        slope: reduction.slope.is_some(),
-    };
-    let system = system::system(&reduction.model, equations, parts);
+    let parts: Vec<Part> = [Part::Outputs(reduction.outputs.len()), Part::Eliminated]
+        .into_iter()
+        .chain(reduction.has_energy.then_some(Part::EnergyGradient))
+        .chain(reduction.slope.as_ref().map(|_| Part::PotentialSlope))
+        .chain(recurrences.map(|list| Part::Taylor(taylor::function::width(list))))
+        .collect();
+    let system = system::system(&reduction.model, equations, &parts);
     let series = recurrences.map(taylor::function::imports);
     let parameters = parameters(&reduction.model);
     let names = |list: Vec<&str>| {
@@ -203,9 +200,9 @@ fn header(reduction: &Reduction, name: &str, title: &str, origin: &str, function
     let costs: Vec<String> = functions.iter().take(2).map(|f| format!("{} {}", f.name, f.cost)).collect();
     lines.push(format!("Cost: {}.", costs.join("; ")));
     let divisors: Vec<String> = reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
-    lines.push(match divisors.is_empty() {
-        true => "Singular nowhere.".to_owned(),
-        false => format!("Singular where {}.", divisors.join(" and where ")),
+    lines.push(match divisors.as_slice() {
+        [] => "Singular nowhere.".to_owned(),
+        list => format!("Singular where {}.", list.join(" and where ")),
     });
     lines
 }

@@ -5,125 +5,106 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::{Equations, Formulation, Model};
 
-/// What there is of a set of equations beside its kinematics and energies.
-#[derive(Clone, Copy, Default)]
-pub struct Parts {
+/// What there may be of a set of equations beside its kinematics and energies.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Part {
     /// `mass_matrix` and `forcing`.
-    pub linear_system: bool,
+    LinearSystem,
     /// `accelerations`, `derivative` and `jacobian`.
-    pub eliminated: bool,
-    /// The room for convolutions, if there are recurrences of Taylor coefficients.
-    pub taylor: Option<usize>,
-    /// How many `outputs` a scene has.
-    pub outputs: Option<usize>,
+    Eliminated,
+    /// Recurrences of Taylor coefficients, with room for this many convolutions.
+    Taylor(usize),
+    /// This many `outputs` of a scene.
+    Outputs(usize),
     /// `energy_gradient`.
-    pub energy_gradient: bool,
+    EnergyGradient,
     /// `potential_slope`.
-    pub slope: bool,
+    PotentialSlope,
+}
+
+impl Part {
+    /// The methods that hand slices to its functions.
+    fn methods(self) -> TokenStream {
+        let state = state();
+        match self {
+            Self::LinearSystem => quote! {
+                fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                    out.copy_from_slice(mass_matrix(#state).as_flattened());
+                }
+                fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                    out.copy_from_slice(&forcing(#state));
+                }
+            },
+            Self::Eliminated => quote! {
+                fn has_accelerations(&self) -> bool { true }
+                fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                    S::dispatch(#[inline(always)] || out.copy_from_slice(&accelerations(#state)));
+                }
+                fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+                    S::dispatch(#[inline(always)] || {
+                        let (of_q, of_v) = derivative(#state);
+                        q_dot.copy_from_slice(&of_q);
+                        v_dot.copy_from_slice(&of_v);
+                    });
+                }
+                fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                    out.copy_from_slice(jacobian(#state).as_flattened());
+                }
+            },
+            Self::Taylor(width) => series(width),
+            Self::Outputs(count) => {
+                let count = Literal::usize_unsuffixed(count);
+                let (q, v) = (array("q"), array("v"));
+                quote! {
+                    fn output_count(&self) -> usize { #count }
+                    fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
+                        out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, #q, #v));
+                    }
+                }
+            }
+            Self::EnergyGradient => quote! {
+                fn has_energy_gradient(&self) -> bool { true }
+                fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+                    let [energy, gradient @ ..] = energy_gradient(#state);
+                    out.copy_from_slice(&gradient);
+                    energy
+                }
+            },
+            Self::PotentialSlope => quote! {
+                fn has_potential_slope(&self) -> bool { true }
+                fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
+                    let p = Parameters::from_slice(p);
+                    let sincs = half_differences(&p, &[a, b]).map(S::sinc);
+                    potential_slope(&p, &[a, b], &sincs)
+                }
+            },
+        }
+    }
+}
+
+/// A slice argument as the array that it is.
+fn array(argument: &str) -> TokenStream {
+    let argument = format_ident!("{argument}");
+    quote!(array(#argument))
+}
+
+/// Parameters, coordinates and motion variables.
+fn state() -> TokenStream {
+    let (q, v) = (array("q"), array("v"));
+    quote!(&Parameters::from_slice(p), #q, #v)
 }
 
 /// The `System` that hands slices to the functions above.
-pub fn system(model: &Model, e: &Equations, parts: Parts) -> TokenStream {
+pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     let name = format_ident!("{}", type_name(&e.name));
     let about = format!(" {} of this model as a [`System`].", e.title);
     let symmetric = e.symmetric;
     let [parameters, n, m, reactions] =
         [model.parameters.len(), model.coordinates.len(), e.variables.len(), e.unknowns.len() - e.variables.len()]
             .map(Literal::usize_unsuffixed);
-    let lagrange = e.formulation == Formulation::Lagrange;
-    let from = |argument: &str| {
-        let argument = format_ident!("{argument}");
-        quote!(array(#argument))
-    };
-    let (q, v, u, v_dot) = (from("q"), from("v"), from("u"), from("v_dot"));
-    let state = quote!(&Parameters::from_slice(p), #q, #v);
-    let conversions = if lagrange {
-        quote! {
-            fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(&generalized_speeds(#state));
-            }
-            fn generalized_speed_rates(&self, p: &[S], q: &[S], v: &[S], v_dot: &[S], out: &mut [S]) {
-                out.copy_from_slice(&generalized_speed_rates(#state, #v_dot));
-            }
-            fn motion_variables(&self, p: &[S], q: &[S], u: &[S], out: &mut [S]) {
-                out.copy_from_slice(&motion_variables(&Parameters::from_slice(p), #q, #u));
-            }
-        }
-    } else {
-        quote! {
-            fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(v);
-            }
-            fn generalized_speed_rates(&self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S], out: &mut [S]) {
-                out.copy_from_slice(v_dot);
-            }
-            fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
-                out.copy_from_slice(u);
-            }
-        }
-    };
-    let eliminated = if parts.eliminated {
-        quote! {
-            fn has_accelerations(&self) -> bool { true }
-            fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                S::dispatch(#[inline(always)] || out.copy_from_slice(&accelerations(#state)));
-            }
-            fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-                S::dispatch(#[inline(always)] || {
-                    let (of_q, of_v) = derivative(#state);
-                    q_dot.copy_from_slice(&of_q);
-                    v_dot.copy_from_slice(&of_v);
-                });
-            }
-            fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(jacobian(#state).as_flattened());
-            }
-        }
-    } else {
-        TokenStream::new()
-    };
-    let linear_system = if parts.linear_system {
-        quote! {
-            fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(mass_matrix(#state).as_flattened());
-            }
-            fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(&forcing(#state));
-            }
-        }
-    } else {
-        TokenStream::new()
-    };
-    let outputs = parts.outputs.map(|count| {
-        let count = Literal::usize_unsuffixed(count);
-        quote! {
-            fn output_count(&self) -> usize { #count }
-            fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, #q, #v));
-            }
-        }
-    });
-    let energy = parts.energy_gradient.then(|| {
-        quote! {
-            fn has_energy_gradient(&self) -> bool { true }
-            fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
-                let [energy, gradient @ ..] = energy_gradient(#state);
-                out.copy_from_slice(&gradient);
-                energy
-            }
-        }
-    });
-    let slope = parts.slope.then(|| {
-        quote! {
-            fn has_potential_slope(&self) -> bool { true }
-            fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
-                let p = Parameters::from_slice(p);
-                let sincs = half_differences(&p, &[a, b]).map(S::sinc);
-                potential_slope(&p, &[a, b], &sincs)
-            }
-        }
-    });
-    let taylor = parts.taylor.map(series);
+    let conversions = conversions(e);
+    let methods = parts.iter().map(|part| part.methods());
+    let (state, q) = (state(), array("q"));
     quote! {
         #[doc = #about]
         #[derive(Clone, Copy, Debug)]
@@ -138,12 +119,7 @@ pub fn system(model: &Model, e: &Equations, parts: Parts) -> TokenStream {
             fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
                 out.copy_from_slice(&coordinate_rates(#state));
             }
-            #linear_system
-            #outputs
-            #energy
-            #slope
-            #eliminated
-            #taylor
+            #(#methods)*
             #conversions
             fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
                 kinetic_energy(#state)
@@ -156,6 +132,35 @@ pub fn system(model: &Model, e: &Equations, parts: Parts) -> TokenStream {
         #[inline(always)]
         fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
             slice.try_into().expect("a slice of the length that System states")
+        }
+    }
+}
+
+/// Between motion variables and generalized speeds: functions of their own for Lagrange's q′, copies for others.
+fn conversions(e: &Equations) -> TokenStream {
+    let (q, u, v_dot, state) = (array("q"), array("u"), array("v_dot"), state());
+    if e.formulation == Formulation::Lagrange {
+        return quote! {
+            fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                out.copy_from_slice(&generalized_speeds(#state));
+            }
+            fn generalized_speed_rates(&self, p: &[S], q: &[S], v: &[S], v_dot: &[S], out: &mut [S]) {
+                out.copy_from_slice(&generalized_speed_rates(#state, #v_dot));
+            }
+            fn motion_variables(&self, p: &[S], q: &[S], u: &[S], out: &mut [S]) {
+                out.copy_from_slice(&motion_variables(&Parameters::from_slice(p), #q, #u));
+            }
+        };
+    }
+    quote! {
+        fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+            out.copy_from_slice(v);
+        }
+        fn generalized_speed_rates(&self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S], out: &mut [S]) {
+            out.copy_from_slice(v_dot);
+        }
+        fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+            out.copy_from_slice(u);
         }
     }
 }

@@ -17,7 +17,7 @@ fn disk_lean() {
         "disk",
         "report-10s",
         r#"["q2", "u1"]"#,
-        expect![[r#"
+        expect![[r"
             states: q2_minus_90deg, u1
             u3 [kg*m^2/s] = u3
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
@@ -31,7 +31,7 @@ fn disk_lean() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "#]],
+        "]],
     );
 }
 
@@ -41,7 +41,7 @@ fn disk_with_ten_outputs() {
         "disk",
         "report-10s",
         "",
-        expect![[r#"
+        expect![[r"
             states: q2_minus_90deg, u1
             quadratures: q3, q1
             u3 [kg*m^2/s] = u3
@@ -66,7 +66,7 @@ fn disk_with_ten_outputs() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "#]],
+        "]],
     );
 }
 
@@ -76,7 +76,7 @@ fn disk_contact_force_and_accelerations() {
         "disk",
         "report-10s",
         r#"["N", "u1'", "q1'"]"#,
-        expect![[r#"
+        expect![[r"
             states: q2_minus_90deg, u1
             u3 [kg*m^2/s] = u3
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
@@ -92,7 +92,7 @@ fn disk_contact_force_and_accelerations() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "#]],
+        "]],
     );
 }
 
@@ -102,7 +102,7 @@ fn top_in_eulers_angles() {
         "euler_top",
         "looping",
         "",
-        expect![[r#"
+        expect![[r"
             states: theta, u1
             quadratures: phi, psi
             p_psi_there [kg*m^2/s] = I1*u2*sin(theta) + I3*u3*(cos(theta) - 1)
@@ -117,7 +117,7 @@ fn top_in_eulers_angles() {
             u1' = (c_m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
             regular while sin(theta) > 0
             energy known; divided by: sin(theta); I1*sin(theta)
-        "#]],
+        "]],
     );
 }
 
@@ -127,7 +127,7 @@ fn spherical_pendulum() {
         "spherical_pendulum",
         "wide",
         "",
-        expect![[r#"
+        expect![[r"
             states: theta, u1
             quadratures: phi
             p_phi [kg*m^2/s] = u2*sin(theta)
@@ -137,7 +137,7 @@ fn spherical_pendulum() {
             u1' = u2^2/tan(theta) - g*sin(theta)
             regular while sin(theta) > 0
             energy known; divided by: sin(theta)
-        "#]],
+        "]],
     );
 }
 
@@ -147,7 +147,7 @@ fn free_body() {
         "free_body",
         "steady",
         "",
-        expect![[r#"
+        expect![[r"
             states: theta, w1
             quadratures: phi, psi
             p_x [kg*m/s] = 2*v1
@@ -175,7 +175,7 @@ fn free_body() {
             z -> p_z*t/2 + centre_z/2
             regular while sin(theta) > 0
             energy known; divided by: sin(theta); I1*sin(theta)
-        "#]],
+        "]],
     );
 }
 
@@ -185,7 +185,7 @@ fn floating_chain_folding_angle() {
         "floating_chain",
         "folding",
         r#"["theta2 - theta1", "x"]"#,
-        expect![[r#"
+        expect![[r"
             states: theta2_from_theta1, theta3_from_theta1, u4_from_u3, u5_from_u3
             quadratures: theta1
             p_x [kg*m/s] = m*(6*u1 - l*(2*u3*sin(theta1) + 3*u4*sin(theta2) + u5*sin(theta3)))/2
@@ -202,7 +202,7 @@ fn floating_chain_folding_angle() {
             theta2 - theta1 -> theta2_from_theta1
             x -> (p_x*t + centre_x)/(3*m) - l*(2*cos(theta1) + 3*cos(theta1 + theta2_from_theta1) + cos(theta1 + theta3_from_theta1))/6
             energy known; divided by: m*l^2*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))/12
-        "#]],
+        "]],
     );
 }
 
@@ -212,7 +212,7 @@ fn top_in_cardans_angles() {
         "heavy_top",
         "looping",
         "",
-        expect![[r#"
+        expect![[r"
             states: q1, q2, u1, u2
             quadratures: q3
             p_q3 [kg*m^2/s] = I3*u3
@@ -225,7 +225,7 @@ fn top_in_cardans_angles() {
             (I1)*u2' = u1*(I3*u3 - I1*u1*tan(q2)) + c_m_l_g*cos(q1)*sin(q2)
             regular while pi/2 - abs(q2) > 0
             energy known; divided by: cos(q2)
-        "#]],
+        "]],
     );
 }
 
@@ -235,7 +235,7 @@ fn chaotic_pendulum_is_left_alone() {
         "chaotic_pendulum",
         "swing",
         "",
-        expect![[r#"
+        expect![[r"
             states: theta, phi, omega, alpha
             c_3_lB [m] = 3*lB
             c_2_mA_lA [kg*m] = 2*mA*lA
@@ -247,7 +247,7 @@ fn chaotic_pendulum_is_left_alone() {
             (IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)*omega' = 2*omega*alpha*sin(phi)*cos(phi)*(IByy - IBxx) - c_g_by_2*sin(theta)*(c_3_lB + c_2_mA_lA)
             (IBzz)*alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
             energy known; divided by: nothing
-        "#]],
+        "]],
     );
 }
 
@@ -263,7 +263,7 @@ fn links_do_not_depend_on_the_cart() {
 
 #[test]
 fn the_ledger_of_the_lean_disk_says_what_is_left_out_and_why() {
-    expect![[r#"
+    expect![[r"
         parameter M | the scene fixes it at 1 | the number of the scene file, put in exactly
         parameter R | the scene fixes it at 1 | the number of the scene file, put in exactly
         u4 | no output and nothing that outputs need depends on u4 | no formula that is left mentions it
@@ -273,7 +273,7 @@ fn the_ledger_of_the_lean_disk_says_what_is_left_out_and_why() {
         q3 | no output and nothing that outputs need depends on q3 | no formula that is left mentions it
         q4 | no output and nothing that outputs need depends on q4 | no formula that is left mentions it
         q5 | no output and nothing that outputs need depends on q5 | no formula that is left mentions it
-    "#]].assert_eq(&ledger(&library("disk", "report-10s", r#"["q2", "u1"]"#)));
+    "]].assert_eq(&ledger(&library("disk", "report-10s", r#"["q2", "u1"]"#)));
 }
 
 #[test]

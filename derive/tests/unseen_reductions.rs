@@ -96,14 +96,14 @@ fn damped_arms() -> String {
 #[test]
 fn two_masses_on_a_spring_move_by_their_distance() {
     let r = reduced(&two_masses(), "outputs = [\"y - x\"]\nfree = [\"m\", \"M\", \"k\"]");
-    expect![[r#"
+    expect![[r"
         states: y_from_x, vy_from_vx
         c_k_by_m_M [1/kg/s^2] = k/(m*M)
         y_from_x' = vy_from_vx
         vy_from_vx' = -y_from_x*c_k_by_m_M*(m + M)
         y - x -> y_from_x
         energy known; divided by: nothing
-    "#]]
+    "]]
     .assert_eq(&show(&r));
     let r = reduced(&two_masses(), "outputs = [\"x\", \"vy\"]");
     assert_eq!(integrated(&r).0.len(), 2);
@@ -113,7 +113,7 @@ fn two_masses_on_a_spring_move_by_their_distance() {
 #[test]
 fn a_bead_on_an_arm_feels_its_angular_momentum() {
     let r = reduced(&bead_on_an_arm(), "outputs = [\"r\"]\nfree = [\"m\", \"k\"]");
-    expect![[r#"
+    expect![[r"
         states: r, vr
         p_turn [kg*m^2/s] = m*r^2*vturn
         c_k_by_m [1/s^2] = k/m
@@ -121,7 +121,7 @@ fn a_bead_on_an_arm_feels_its_angular_momentum() {
         r' = vr
         vr' = r*(vturn^2 - c_k_by_m)
         energy known; divided by: m*r^2
-    "#]]
+    "]]
     .assert_eq(&show(&r));
     let r = reduced(&bead_on_an_arm(), "outputs = [\"turn\"]");
     assert_eq!(integrated(&r), (vec!["r", "vr"], vec!["turn"]));
@@ -129,10 +129,10 @@ fn a_bead_on_an_arm_feels_its_angular_momentum() {
 
 #[test]
 fn a_damped_joint_conserves_nothing_and_no_momentum_is_used() {
+    let r = reduced(&damped_arms(), "outputs = [\"a\", \"b\"]\nfree = [\"c\"]");
+    assert_eq!(integrated(&r), (vec!["a", "b", "va", "vb"], vec![]));
     let products: Vec<_> = r.products.iter().map(|d| d.symbol).collect();
     assert!(r.constants.iter().all(|q| products.contains(&q.symbol)), "a product of parameters is no momentum");
-    assert_eq!(integrated(&r), (vec!["a", "b", "va", "vb"], vec![]));
-    assert!(names(&r.constants).is_empty());
     assert!(!r.has_energy);
 }
 
@@ -176,7 +176,7 @@ fn outputs_may_be_formulas_energies_rates_and_accelerations() {
     free = ["m", "k"]"#;
     let r = reduced(&bead_on_an_arm(), &outputs.replace("\"turn''\"", "\"vturn'\""));
     assert_eq!(integrated(&r), (vec!["r", "vr"], vec![]));
-    expect![[r#"
+    expect![[r"
         states: r, vr
         p_turn [kg*m^2/s] = m*r^2*vturn
         c_k_by_m [1/s^2] = k/m
@@ -191,7 +191,7 @@ fn outputs_may_be_formulas_energies_rates_and_accelerations() {
         kinetic_energy -> m*(r^2*vturn^2 + vr^2)/2
         potential_energy -> 0
         energy known; divided by: m*r^2
-    "#]]
+    "]]
     .assert_eq(&show(&r));
 }
 

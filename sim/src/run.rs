@@ -40,6 +40,9 @@ where
 {
     let t0 = pace.t0;
     let mut run = Run { stepper, pace, options, steps: 0, rejected: 0, doubts: Doubts::default() };
+    if projector.is_some() {
+        run.stepper.expect_moves();
+    }
     let mut recorder = Recorder::new(&options.output, t0, y0);
     let mut watch = Watch::new(events, y0.len());
     let mut y_end = y0.to_vec();
@@ -112,11 +115,14 @@ impl<M: Stepper> Run<'_, M> {
                 Err(failure) => break Stop::Failed(failure),
             }
             self.stepper.accept();
-            if let Some(projector) = &mut projector
-                && let Some(y) = projector.project(self.stepper.span().0, self.stepper.ends().0)
-                && let Err(trouble) = self.stepper.restart(rhs, y)
-            {
-                break stop_for(trouble);
+            if let Some(projector) = &mut projector {
+                let outcome = match projector.project(self.stepper.span().0, self.stepper.ends().0) {
+                    Some(y) => self.stepper.restart(rhs, y),
+                    None => self.stepper.stay(rhs),
+                };
+                if let Err(trouble) = outcome {
+                    break stop_for(trouble);
+                }
             }
             if last {
                 break Stop::End;

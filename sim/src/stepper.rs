@@ -158,6 +158,16 @@ pub(crate) trait Stepper: Interpolant {
         let _ = rhs;
         true
     }
+    /// Says, before the start, that each accepted step is followed by [`Stepper::restart`] or [`Stepper::stay`].
+    fn expect_moves(&mut self) {}
+    /// Goes on from the state that it has come to, where that might have been moved.
+    fn stay<R>(&mut self, rhs: &mut R) -> Result<(), Trouble>
+    where
+        R: RightHandSide<Self::Real>,
+    {
+        let _ = rhs;
+        Ok(())
+    }
     /// Goes on from another state at the time it has come to.
     fn restart<R>(&mut self, rhs: &mut R, y: &[Self::Real]) -> Result<(), Trouble>
     where

@@ -59,6 +59,8 @@ pub(crate) struct Taylor<S> {
     /// By how much the derivative jumps at the end of the step last tried, as an error of the state.
     jump: Vec<S>,
     evaluations: u64,
+    /// Whether the state at the end of a step may be moved before the next: only its derivative is then computed in a step.
+    moved: bool,
 }
 
 impl<S: Real> Taylor<S> {
@@ -79,20 +81,22 @@ impl<S: Real> Taylor<S> {
             norms: [0.0; 2],
             jump: zeros(n),
             evaluations: 0,
+            moved: false,
         }
     }
 
-    /// The coefficients at the end of the step, whose state is there.
-    fn expand<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Trouble> {
-        self.evaluations += 1;
-        match rhs.taylor(t, self.order, &mut self.next) {
+    /// The coefficients up to this order at the end of the step, whose state is there.
+    fn expand<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, order: usize) -> Result<(), Trouble> {
+        // The derivative alone costs little, as no sums are taken for it.
+        self.evaluations += u64::from(order > 1);
+        match rhs.taylor(t, order, &mut self.next[..(order + 1) * self.n]) {
             Some(outcome) => outcome.map_err(Trouble::Failed)?,
             None => return Err(Trouble::NotFinite { component: 0 }),
         }
         let n = self.n;
         let row = |k: usize| &self.next[k * n..(k + 1) * n];
         // Coefficients grow by a power of 1/(radius of convergence); where the highest overflow, fewer are used.
-        let mut usable = self.order;
+        let mut usable = order;
         while usable > 1 && check_finite(row(usable)).is_err() {
             usable -= 1;
         }
@@ -209,7 +213,7 @@ impl<S: Real> Stepper for Taylor<S> {
     fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
         (self.t, self.t_new) = (t, t);
         self.next[..self.n].copy_from_slice(y);
-        let outcome = self.expand(rhs, t);
+        let outcome = self.expand(rhs, t, self.order);
         self.accept();
         self.carry.fill(S::from_f64(0.0));
         self.next[..self.n].copy_from_slice(y);
@@ -240,7 +244,7 @@ impl<S: Real> Stepper for Taylor<S> {
         if test.is_some_and(|test| error > test.tolerance) {
             return Ok(error);
         }
-        self.expand(rhs, trial.t_new)?;
+        self.expand(rhs, trial.t_new, if self.moved { 1 } else { self.order })?;
         let jump = test.map_or(0.0, |test| self.jump(test, trial.exact(self.t)));
         Ok(error.max(jump / ALLOWED_JUMP))
     }
@@ -257,6 +261,19 @@ impl<S: Real> Stepper for Taylor<S> {
         self.usable = self.next_usable;
         std::mem::swap(&mut self.x, &mut self.next);
         std::mem::swap(&mut self.carry, &mut self.carry_new);
+    }
+
+    fn expect_moves(&mut self) {
+        self.moved = true;
+    }
+
+    fn stay<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> Result<(), Trouble> {
+        let n = self.n;
+        self.next[..n].copy_from_slice(&self.x[..n]);
+        self.expand(rhs, self.t, self.order)?;
+        self.usable = self.next_usable;
+        std::mem::swap(&mut self.x, &mut self.next);
+        Ok(())
     }
 
     fn slope(&self) -> &[S] {

@@ -178,9 +178,14 @@ fn cell(
         stop: stop.to_owned(),
         t_end,
     };
-    let (mut t, mut y, mut steps, mut last) = (scene.span.0, problem.start()?, 0, f64::NAN);
+    let start = problem.start()?;
+    let (mut t, mut y, mut steps, mut last) = (scene.span.0, start.clone(), 0, f64::NAN);
     let instants = rung.reference.times.iter().zip(&rung.reference.states);
     for (quantity, (next, state)) in ["error inside", "error at the end"].into_iter().zip(instants) {
+        // Quadrature takes no steps that a first part could spare it, and a state inside the passage holds the energy with fewer digits.
+        if way == Way::Quadrature {
+            (t, y) = (scene.span.0, start.clone());
+        }
         let (stop, t_end) = match way.run(&problem, (t, *next), &y, options) {
             Ok(solution) => {
                 steps += solution.steps;

@@ -918,26 +918,6 @@ impl<S: Scalar> System<S> for Reduced {
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
     }
-    fn has_energy_gradient(&self) -> bool {
-        true
-    }
-    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
-        let [energy, gradient @ ..] = energy_gradient(
-            &Parameters::from_slice(p),
-            array(q),
-            array(v),
-        );
-        out.copy_from_slice(&gradient);
-        energy
-    }
-    fn has_potential_slope(&self) -> bool {
-        true
-    }
-    fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
-        let p = Parameters::from_slice(p);
-        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
-        potential_slope(&p, &[a, b], &sincs)
-    }
     fn has_accelerations(&self) -> bool {
         true
     }
@@ -970,6 +950,26 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
+    }
+    fn has_potential_slope(&self) -> bool {
+        true
+    }
+    fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
+        let p = Parameters::from_slice(p);
+        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
+        potential_slope(&p, &[a, b], &sincs)
     }
     fn has_taylor(&self) -> bool {
         true

@@ -6587,18 +6587,6 @@ impl<S: Scalar> System<S> for Reduced {
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
     }
-    fn has_energy_gradient(&self) -> bool {
-        true
-    }
-    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
-        let [energy, gradient @ ..] = energy_gradient(
-            &Parameters::from_slice(p),
-            array(q),
-            array(v),
-        );
-        out.copy_from_slice(&gradient);
-        energy
-    }
     fn has_accelerations(&self) -> bool {
         true
     }
@@ -6631,6 +6619,18 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(
             jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
         );
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
     }
     fn has_taylor(&self) -> bool {
         true
