@@ -281,7 +281,7 @@ fn derive_prints_the_count_and_the_same_equations_in_every_format() {
 fn the_report_page_is_one_file_with_equations_and_figures() {
     let folder = tempfile::tempdir().unwrap();
     for (model, figures) in [
-        ("models/disk", 17),
+        ("models/disk", 21),
         ("models/chaotic_pendulum", 4),
         ("models/cart_pendulum_3", 4),
         ("models/heavy_top", 11),

@@ -18,7 +18,8 @@ fn emit(model: &Path, out: &Path, more: &[&str]) -> (i32, String, String) {
 }
 
 fn files(folder: &Path) -> BTreeMap<String, String> {
-    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
+    // The equations of scenes stand in a folder of their own.
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap()).filter(|e| e.path().is_file());
     let text = |path: &Path| std::fs::read_to_string(path).unwrap();
     entries.map(|entry| (entry.file_name().into_string().unwrap(), text(&entry.path()))).collect()
 }
@@ -43,7 +44,10 @@ fn a_module_is_what_regenerate_writes_but_for_its_origin() {
         let emitted = files(&out);
         assert_eq!(emitted.keys().collect::<Vec<_>>(), committed.keys().collect::<Vec<_>>());
         for (file, text) in &emitted {
-            let committed = committed[file].replace("`models/", "`").replace("`tripos regenerate`", "`tripos emit`");
+            // A module for another crate has no scenes.
+            let committed = committed[file].replace("#[rustfmt::skip]\npub mod scenes;\n", "");
+            let committed = committed.replace("scenes: scenes::SCENES", "scenes: &[]");
+            let committed = committed.replace("`models/", "`").replace("`tripos regenerate`", "`tripos emit`");
             assert_eq!(*text, committed, "{name}/{file}");
         }
     }
