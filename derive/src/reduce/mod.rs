@@ -1,9 +1,9 @@
 //! The least system that gives what a scene wants to see: equations of motion on the level set of its momenta, without
 //! what the outputs do not depend on.
 //!
-//! Every step is exact. Momenta of commuting symmetries take speeds out ([`level`]); what nothing depends on by meaning is
-//! left out and stands as a constant where a formula mentions it ([`slice`]); variables that a symmetry moves together become
-//! differences ([`relative`]); what follows from the rest is computed when it is asked for. The result is a model and equations as any
+//! Every step is exact. Momenta of commuting symmetries take speeds out (`level`); what nothing depends on by meaning is
+//! left out and stands as a constant where a formula mentions it (`slice`); variables that a symmetry moves together become
+//! differences (`relative`); what follows from the rest is computed when it is asked for. The result is a model and equations as any
 //! others, with the momenta among the parameters, so that all that runs, charts and emits equations takes it.
 //!
 //! Absent on purpose: numbers of the start. A reduction holds for every start on every level set, but for the distance from
