@@ -231,13 +231,13 @@ impl<'a> Problem<'a> {
     pub fn solve(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, Failure> {
         let (how, system, p) = (&self.scene.integration, self.system(), self.scene.parameters.as_slice());
         if how.method == QUADRATURE {
+            if self.by.is_reduced() && system.speeds() == 0 {
+                let what = "no motion by quadrature: nothing is left to integrate".to_owned();
+                return Err(Failure::Request(what, "any stepping method gives it: all of it is algebra".to_owned()));
+            }
             return quadrature::solve(system, p, self.scene.span, y0, options, events).map_err(|error| match error {
                 NoQuadrature::Question(error) => refused(self.scene, &error),
-                error => Failure::Request(
-                    format!("no motion by quadrature: {error}"),
-                    "it needs a scene's own equations (no --by) with one degree of freedom left, as `tripos scene` shows"
-                        .to_owned(),
-                ),
+                error => Failure::Request(format!("no motion by quadrature: {error}"), self.no_quadrature().to_owned()),
             });
         }
         let Some(Project::Energy) = how.project else {
@@ -245,9 +245,12 @@ impl<'a> Problem<'a> {
         };
         if !system.has_energy_gradient() {
             let what = format!("{} cannot be projected onto their energy", self.by.title);
-            let help =
-                "projection needs a scene's own equations (no --by) of which the energy is a function".to_owned();
-            return Err(Failure::Request(what, help));
+            let help = if self.by.is_reduced() {
+                "no conserved energy was found that is a function of what is left: leave the projection out"
+            } else {
+                "projection needs a scene's own equations: leave --by out"
+            };
+            return Err(Failure::Request(what, help.to_owned()));
         }
         let n = system.coordinates();
         let function = |_t: f64, y: &[f64], values: &mut [f64], gradient: &mut [f64]| {
@@ -260,6 +263,20 @@ impl<'a> Problem<'a> {
         let rhs = Lent(&mut rhs as &mut dyn RightHandSide<f64>);
         let run = integrate_projected(rhs, self.scene.span, y0, options, events, &mut invariants);
         run.map_err(|error| refused(self.scene, &error))
+    }
+
+    /// What a motion by quadrature would need that these equations do not have.
+    fn no_quadrature(&self) -> &'static str {
+        let system = self.system();
+        if !self.by.is_reduced() {
+            "it needs a scene's own equations (no --by) with one degree of freedom left, as `tripos scene` shows"
+        } else if system.speeds() != 1 {
+            "it needs one degree of freedom; `tripos scene` shows how many are left: give a stepping method"
+        } else if !system.has_potential_slope() {
+            "no conserved energy with a potential in closed form was found for what is left: give a stepping method"
+        } else {
+            "give a stepping method for this motion"
+        }
     }
 
     /// The linear system at each state.

@@ -10,6 +10,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::scene::{AbsoluteTolerance as Tolerance, Crossing, Project, QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
+use tripos_sim::work_precision::larger;
 use tripos_sim::{AbsoluteTolerance, Direction, Dynamics, Effect, Event, Method, Options, Output, SimError, Solution};
 
 /// What came out of a run.
@@ -26,12 +27,12 @@ pub struct Run {
     pub names: Vec<String>,
     /// Their values at each sample.
     pub states: Vec<Vec<f64>>,
-    /// Kinetic and potential energy at each sample.
+    /// Kinetic and potential energy at each sample; nothing where a scene shows outputs of its own.
     pub energies: Vec<(f64, f64)>,
     /// The same at the end.
     pub end: Vec<f64>,
-    /// Largest change of total energy over the samples, J.
-    pub energy_drift: f64,
+    /// Largest change of total energy over the samples, J, if it is known.
+    pub energy_drift: Option<f64>,
     /// Each first integral that was watched, and its largest change over the samples.
     pub drifts: Vec<(String, f64)>,
     /// What a reader must know before trusting the numbers.
@@ -71,7 +72,36 @@ pub fn run_reduced(model: &Model, scene: &Scene) -> Result<Run, Failure> {
     let problem = Problem::reduced(&reduced, scene, &code)?;
     // Integrals of the whole are functions of all states, which a scene may not show.
     let watch = if scene.states_outputs { None } else { proved(model) };
-    run_problem(&problem, watch.as_ref())
+    let mut run = run_problem(&problem, watch.as_ref())?;
+    whole_energies(model, scene, &reduced, &mut run)?;
+    Ok(run)
+}
+
+/// The energies of the whole model, from the states that are shown; where a scene shows outputs of its own, none, and the drift of
+/// its own energy if it has one.
+///
+/// The energies of reduced equations are others: what moves by the momenta that are held counts as potential.
+///
+/// # Errors
+/// [`Failure`] if Kane's equations cannot be had.
+pub fn whole_energies(model: &Model, scene: &Scene, reduced: &Reduced, run: &mut Run) -> Result<(), Failure> {
+    if scene.states_outputs {
+        run.energies.clear();
+        run.energy_drift = run.energy_drift.filter(|_| reduced.reduction.has_energy);
+        return Ok(());
+    }
+    let code = code(model, &Formulation::Kane.into(), None)?;
+    let (system, p, n) = (code.system(), scene.parameters.as_slice(), scene.q.len());
+    let energies = |state: &Vec<f64>| {
+        let (q, u) = state.split_at(n);
+        (system.kinetic_energy(p, q, u), system.potential_energy(p, q))
+    };
+    run.energies = run.states.iter().map(energies).collect();
+    let start = run.energies.first().map_or(f64::NAN, |(t, v)| t + v);
+    let end = energies(&run.end);
+    let changes = run.energies.iter().chain([&end]).map(|(t, v)| (t + v - start).abs());
+    run.energy_drift = Some(changes.fold(0.0, larger));
+    Ok(())
 }
 
 fn shown(problem: &Problem<'_>) -> Vec<String> {
@@ -211,7 +241,7 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
         energies,
         names: shown(problem),
         end: problem.state(solution.t_end, &solution.y_end),
-        energy_drift,
+        energy_drift: Some(energy_drift),
         warnings,
         solution,
     })

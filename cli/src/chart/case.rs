@@ -7,12 +7,9 @@ use crate::reduced::Reduced;
 use crate::run::refused;
 use tripos_derive::Model;
 use tripos_derive::reduce::Reduction;
-use tripos_derive::scene::{Scene, Solve};
+use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_sim::work_precision::options;
 use tripos_sim::{Method, Options, Solution, quadrature};
-
-/// The name of the way to run a motion of one degree of freedom that takes no steps.
-pub const QUADRATURE: &str = "quadrature";
 
 /// The methods that a scene's own equations are also run by at absolute tolerances alone: they lose so little that relative ones end
 /// too early.

@@ -1,11 +1,10 @@
 //! The chart: one panel for each question.
 
 use super::Measurement;
-use super::case::QUADRATURE;
 use super::words::is_whole;
 use crate::failure::Failure;
 use crate::plot::{Panel, PlotError, Scale, Series, draw};
-use tripos_derive::scene::Solve;
+use tripos_derive::scene::{QUADRATURE, Solve};
 use tripos_sim::Method;
 use tripos_sim::work_precision::pareto;
 

@@ -4,7 +4,6 @@ mod measured;
 mod own;
 
 use crate::catalogue::{By, Code, code, model_file, read_model};
-use crate::chart::case::QUADRATURE;
 use crate::chart::compared::Compared;
 use crate::commands::chart::progress;
 use crate::failure::{Failure, say, status, warn};
@@ -20,7 +19,7 @@ use own::{Own, shown};
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
-use tripos_derive::scene::{FigureKind, Scene, Solve, load, model_path};
+use tripos_derive::scene::{FigureKind, QUADRATURE, Scene, Solve, load, model_path};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
@@ -163,8 +162,9 @@ impl Work<'_> {
         let message = |by: &By| format!("running {} by {}", scene.source.path.display(), by.name);
         let own = Own::new(self.model, scene, &self.watch).map_err(|failure| first_line(&failure));
         let mut runs = Runs { derived: Vec::new(), own, printed: Vec::new(), not_run: Vec::new() };
-        // Quadrature is of a scene's own equations alone.
+        // Quadrature and projection are of a scene's own equations alone.
         let mut stepped = scene.clone();
+        stepped.integration.project = None;
         if stepped.integration.method == QUADRATURE {
             Method::Dop853.name().clone_into(&mut stepped.integration.method);
         }
@@ -365,7 +365,7 @@ fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
         arrived: solution.stop.code() == "end",
         stop: solution.stop.to_string(),
         trusted: run.objections().is_empty(),
-        energy_drift: Some(run.energy_drift),
+        energy_drift: run.energy_drift,
         warnings: run.warnings.clone(),
         changes: course.largest_changes(),
         nearest: Nearest {

@@ -86,13 +86,14 @@ fn as_text(model: &Model, scene: &Scene, reduced: &Reduced, costs: Option<Costs>
         }
     }
     for (q, value) in reduced.constants() {
-        let _ = writeln!(out, "  {:<11}{} = {value}: {}", "constant", q.name, q.about);
+        let _ = writeln!(out, "  {:<11}{} = {value:?}: {}", "constant", q.name, q.about);
     }
     let _ = writeln!(out, "\nequations");
     for line in equations(reduced) {
         let _ = writeln!(out, "  {line}");
     }
-    let _ = writeln!(out, "\noutputs");
+    let timed = reduction.outputs.iter().any(|o| arena.mentions(o.value, reduction.time));
+    let _ = writeln!(out, "\noutputs{}", if timed { ", t being the time since the start" } else { "" });
     for o in &reduction.outputs {
         let _ = writeln!(out, "  {} = {}", o.name, text(arena, o.value));
     }

@@ -16,12 +16,15 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let (model, mut scene) = read_scene(&request.scene)?;
     request.how.change(&mut scene)?;
     // A numeric solve is one of whole equations.
-    let whole = request.how.by.is_some() || scene.integration.solve == Some(Solve::Numeric);
-    let run = if whole {
-        run(&model, &scene, &by_or_first(&model, request.how.by.as_deref())?)?
-    } else {
-        run_reduced(&model, &scene)?
-    };
+    let numeric = scene.integration.solve == Some(Solve::Numeric);
+    let by = request.how.by.as_deref().filter(|by| *by != "reduced");
+    let whole = by.is_some() || numeric;
+    if numeric && by.is_none() {
+        warn(
+            "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown",
+        );
+    }
+    let run = if whole { run(&model, &scene, &by_or_first(&model, by)?)? } else { run_reduced(&model, &scene)? };
     for warning in &run.warnings {
         warn(warning);
     }
@@ -110,7 +113,10 @@ fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
     for (name, x) in run.names.iter().zip(&run.end) {
         let _ = writeln!(out, "  {name} = {x}");
     }
-    let _ = writeln!(out, "\nlargest change of total energy: {:e} J", run.energy_drift);
+    out.push('\n');
+    if let Some(drift) = run.energy_drift {
+        let _ = writeln!(out, "largest change of total energy: {drift:e} J");
+    }
     if let Some(report) = &run.solution.projection {
         let _ = writeln!(
             out,
@@ -137,10 +143,12 @@ fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
     };
     let mut writer = csv::Writer::from_path(path).map_err(failed)?;
     let header = ["t".to_owned()].into_iter().chain(run.names.iter().cloned());
-    let header = header.chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]);
-    writer.write_record(header).map_err(failed)?;
-    for ((t, state), (kinetic, potential)) in run.solution.t.iter().zip(&run.states).zip(&run.energies) {
-        let numbers = [*t].into_iter().chain(state.iter().copied()).chain([*kinetic, *potential]);
+    // A scene that shows outputs of its own shows no energies beside them.
+    let energies = ["kinetic_energy", "potential_energy"].into_iter().filter(|_| !run.energies.is_empty());
+    writer.write_record(header.chain(energies.map(str::to_owned))).map_err(failed)?;
+    for (at, (t, state)) in run.solution.t.iter().zip(&run.states).enumerate() {
+        let energies = run.energies.get(at).into_iter().flat_map(|(kinetic, potential)| [*kinetic, *potential]);
+        let numbers = [*t].into_iter().chain(state.iter().copied()).chain(energies);
         writer.write_record(numbers.map(|x| x.to_string())).map_err(failed)?;
     }
     writer.flush().map_err(|error| Failure::Output(path.display().to_string(), error))

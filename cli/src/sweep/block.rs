@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use tripos_derive::Model;
-use tripos_derive::scene::{Family, Grid, Scene, Solve};
+use tripos_derive::scene::{Family, Grid, QUADRATURE, Scene, Solve};
 use tripos_sim::{Options, SimError, Solution, Warning};
 use tripos_traits::InLanes;
 
@@ -42,6 +42,12 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// [`Failure`] if no point could be run by these equations with this method.
     pub fn new(model: &'a Model, scene: &'a Scene, grid: &'a Grid, by: &'a By, how: &'a How) -> Result<Self, Failure> {
+        let how_own = scene.integration.method == QUADRATURE || scene.integration.project.is_some();
+        if how_own {
+            let what = "a sweep runs whole equations, which know neither quadrature nor projection".to_owned();
+            let help = "give --method with a stepper, and leave `project` out of the scene".to_owned();
+            return Err(Failure::Request(what, help));
+        }
         let code = code(model, by, scene.integration.distance)?;
         let balance = Balance::new(model, scene, by)?;
         let solve = {

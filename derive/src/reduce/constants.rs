@@ -38,6 +38,7 @@ impl Ground {
                 let speed = self.kane.variables[column];
                 held[row].about = format!("generalized speed, constant with the {}", held[row].about);
                 held[row].of_state = speed;
+                held[row].unit = self.model.speeds[column].unit.clone();
                 speed
             } else if factor == Expr::ONE {
                 continue;

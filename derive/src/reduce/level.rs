@@ -11,6 +11,7 @@ use crate::algebra::calculus::Differential;
 use crate::algebra::elimination::{Definition, fresh_symbol};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
+use crate::model::Unit;
 
 /// A momentum that is held fixed.
 #[derive(Clone)]
@@ -23,6 +24,8 @@ pub struct Held {
     pub of_state: Expr,
     /// What the symbol is, in words.
     pub about: String,
+    /// Its unit.
+    pub unit: Unit,
 }
 
 /// Equations on a level set.
@@ -79,7 +82,8 @@ impl Ground {
         let momentum = &self.momenta[at];
         let wanted = symbol_of(&momentum.name, at);
         let (of_state, about) = (momentum.value, momentum.name.split(';').next().unwrap_or_default().to_owned());
-        Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about }
+        let unit = momentum.unit.clone();
+        Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
     }
 
     /// What a momentum's row times u is, c − b, and what it times u̇ is: minus the change of the row and of b along the motion.

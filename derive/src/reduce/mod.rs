@@ -150,7 +150,10 @@ impl Ground {
         ground.fold(scene);
         let wanted = ground.wanted(scene)?;
         let mut best: Option<(Weight, Vec<usize>)> = None;
-        for momenta in ground.choices() {
+        let choices = ground.choices();
+        // With one choice there is nothing to compare.
+        let compared = if choices.len() > 1 { choices } else { Vec::new() };
+        for momenta in compared {
             let mut trial = ground.clone();
             let wanted = trial.relative(&momenta, wanted.clone());
             let Some(level) = trial.level(&momenta, None) else { continue };

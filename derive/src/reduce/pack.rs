@@ -94,8 +94,7 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
 
 /// What is held, and the mass centre's place at the start, as far as the system mentions them.
 fn constants(ground: &mut Ground, level: &Level, flow: &Flow, equations: &Equations, hoisted: &Hoist) -> Vec<Quantity> {
-    let held =
-        level.held.iter().map(|h| (h.symbol, h.about.clone(), ground.momenta[h.momentum].unit.clone(), h.of_state));
+    let held = level.held.iter().map(|h| (h.symbol, h.about.clone(), h.unit.clone(), h.of_state));
     let places = flow.carried.iter().map(|c| {
         let about = format!("{} at the start", text(&ground.arena, c.position));
         let unit = ground.momenta[level.held[c.held].momentum].position_unit.clone();

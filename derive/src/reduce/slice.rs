@@ -219,11 +219,14 @@ impl Flow {
             let momentum = &ground.momenta[h.momentum];
             // What is left of a momentum on a singular surface is no rate of a position.
             let Some(position) = momentum.position.filter(|_| h.of_state == momentum.value) else { continue };
+            // What is watched is a function of the state alone, without the time.
+            let watched: Vec<Expr> = self.wanted.conditions.iter().chain(&self.wanted.events).copied().collect();
+            let watched = self.dependence.mentioned(&ground.arena, &watched);
             let found = self.quadratures.iter().find_map(|v| {
                 let others = self.core.iter().chain(&self.quadratures);
                 let rates: Vec<Expr> = others.filter(|o| o.symbol != v.symbol).map(|o| o.rate).collect();
                 let free = !self.dependence.mentioned(&ground.arena, &rates).contains(&v.symbol);
-                (free && !v.is_speed).then_some(())?;
+                (free && !v.is_speed && !watched.contains(&v.symbol)).then_some(())?;
                 ground.carried_coordinate(v.symbol, position, h.symbol, self.time).map(|(value, symbol)| Carried {
                     coordinate: v.symbol,
                     value,

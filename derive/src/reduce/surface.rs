@@ -31,11 +31,11 @@ impl Ground {
     /// Where this level is singular, if that is a multiple of a quarter turn of a coordinate among the states: what the scene
     /// names, or else the one nearest to the start.
     pub(super) fn surface(&mut self, level: &Level, wanted: &Wanted, scene: &Scene) -> Option<Distance> {
-        let flow = Flow::new(self, level, wanted);
-        if !scene.integration.may_measure {
+        let stated = scene.integration.distance;
+        if !scene.integration.may_measure || (level.divisors.is_empty() && stated.is_none()) {
             return None;
         }
-        let stated = scene.integration.distance;
+        let flow = Flow::new(self, level, wanted);
         let candidates: Vec<usize> = (0..self.q.len()).filter(|at| flow.is_core(self.q[*at])).collect();
         let mut found: Vec<(f64, usize, i32)> = Vec::new();
         for at in candidates {
@@ -188,8 +188,7 @@ impl Surface {
         let terms: Vec<Expr> = coefficients.iter().zip(held.iter()).map(|(c, h)| arena.mul(*c, h.of_state)).collect();
         let of_state = arena.sum(&terms);
         let about = format!("{}, what is left of it on the singular surface", held[at].about);
-        held[at] =
-            Held { momentum: held[at].momentum, symbol: fresh, of_state: simplifier.simplify(arena, of_state), about };
+        held[at] = Held { symbol: fresh, of_state: simplifier.simplify(arena, of_state), about, ..held[at].clone() };
         Some((symbols[at], instead))
     }
 }

@@ -66,6 +66,12 @@ impl<'a> Values<'a, '_> {
                     (formula.clone(), formula)
                 }
             };
+            let name = Located { text: name.text.trim().to_owned(), ..name };
+            if name.text.is_empty() || name.text == "t" {
+                let message = format!("an output cannot be called `{}`", name.text);
+                self.reader.error(name.span, message, "give it a name of its own; `t` is the time");
+                continue;
+            }
             if list.iter().any(|o| o.name == name.text) {
                 let message = format!("the output `{}` is listed twice", name.text);
                 self.reader.error(name.span, message, "leave one of them out");

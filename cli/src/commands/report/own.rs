@@ -6,7 +6,7 @@ use crate::invariants::{Course, Watch};
 use crate::page::Needs;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
-use crate::run::{Run, run_problem};
+use crate::run::{Run, run_problem, whole_energies};
 use tripos_codegen::scene::costs;
 use tripos_derive::Model;
 use tripos_derive::scene::{Scene, Solve};
@@ -35,7 +35,8 @@ impl Own {
         reduced.scene.integration.solve = Some(Solve::Eliminated);
         let code = reduced.code()?;
         let watch = (!scene.states_outputs).then_some(watch);
-        let run = run_problem(&Problem::reduced(&reduced, scene, &code)?, watch)?;
+        let mut run = run_problem(&Problem::reduced(&reduced, scene, &code)?, watch)?;
+        whole_energies(model, scene, &reduced, &mut run)?;
         let course = watch.map(|watch| watch.along(scene, &code, &run));
         let (costs, has_energy) = (costs(model, &reduced.reduction), reduced.reduction.has_energy);
         Ok(Self { needs: Needs { reduced, costs }, run, course, has_energy })

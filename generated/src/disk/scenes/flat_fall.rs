@@ -24,7 +24,7 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 pub struct Parameters<S> {
     /// acceleration of free fall, m/s^2
     pub g: S,
-    /// generalized speed, constant with the momentum p_q3 = ∂L/∂q3', kg*m^2/s
+    /// generalized speed, constant with the momentum p_q3 = ∂L/∂q3', 1/s
     pub u3: S,
     /// momentum p_q4 = ∂L/∂q4', kg*m/s
     pub p_q4: S,

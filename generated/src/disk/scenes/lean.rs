@@ -19,7 +19,7 @@ use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
 pub struct Parameters<S> {
     /// acceleration of free fall, m/s^2
     pub g: S,
-    /// generalized speed, constant with the momentum p_q3 = ∂L/∂q3', kg*m^2/s
+    /// generalized speed, constant with the momentum p_q3 = ∂L/∂q3', 1/s
     pub u3: S,
     /// 4 times the angular momentum about a3 through the mass centre, kg*m^2/s
     pub H_a3_scaled: S,

@@ -35,7 +35,7 @@ pub struct Parameters<S> {
     pub p_z: S,
     /// momentum p_psi = ∂L/∂psi', what is left of it on the singular surface, kg*m^2/s
     pub p_psi_there: S,
-    /// generalized speed, constant with the momentum p_phi = ∂L/∂phi', kg*m^2/s
+    /// generalized speed, constant with the momentum p_phi = ∂L/∂phi', 1/s
     pub w3: S,
     /// 2*x at the start, kg*m
     pub centre_x: S,
