@@ -17,9 +17,9 @@ fn disk_lean() {
         "disk",
         "report-10s",
         r#"["q2", "u1"]"#,
-        expect![[r"
+        expect![[r#"
             states: q2_minus_90deg, u1
-            u3 [kg*m^2/s] = u3
+            u3 [1/s] = u3
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
             c_4_u3 [1/s] = 4*u3
             c_4_g [m/s^2] = 4*g
@@ -31,7 +31,7 @@ fn disk_lean() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "]],
+        "#]],
     );
 }
 
@@ -41,10 +41,10 @@ fn disk_with_ten_outputs() {
         "disk",
         "report-10s",
         "",
-        expect![[r"
+        expect![[r#"
             states: q2_minus_90deg, u1
             quadratures: q3, q1
-            u3 [kg*m^2/s] = u3
+            u3 [1/s] = u3
             p_q4 [kg*m/s] = u1*sin(q1)*cos(q2) - u2*cos(q1)*tan(q2) + u4
             p_q5 [kg*m/s] = u5 - u1*cos(q1)*cos(q2) - u2*sin(q1)*tan(q2)
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
@@ -66,7 +66,7 @@ fn disk_with_ten_outputs() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "]],
+        "#]],
     );
 }
 
@@ -76,9 +76,9 @@ fn disk_contact_force_and_accelerations() {
         "disk",
         "report-10s",
         r#"["N", "u1'", "q1'"]"#,
-        expect![[r"
+        expect![[r#"
             states: q2_minus_90deg, u1
-            u3 [kg*m^2/s] = u3
+            u3 [1/s] = u3
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
             c_4_u3 [1/s] = 4*u3
             c_4_g [m/s^2] = 4*g
@@ -92,7 +92,7 @@ fn disk_contact_force_and_accelerations() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "]],
+        "#]],
     );
 }
 
@@ -147,14 +147,14 @@ fn free_body() {
         "free_body",
         "steady",
         "",
-        expect![[r"
+        expect![[r#"
             states: theta, w1
             quadratures: phi, psi
             p_x [kg*m/s] = 2*v1
             p_y [kg*m/s] = 2*v2
             p_z [kg*m/s] = 2*v3
             p_psi_there [kg*m^2/s] = I1*w2*sin(theta) + w3*(cos(theta) - 1)/2
-            w3 [kg*m^2/s] = w3
+            w3 [1/s] = w3
             centre_x [kg*m] = 2*x
             centre_y [kg*m] = 2*y
             centre_z [kg*m] = 2*z
@@ -175,7 +175,7 @@ fn free_body() {
             z -> p_z*t/2 + centre_z/2
             regular while sin(theta) > 0
             energy known; divided by: sin(theta); I1*sin(theta)
-        "]],
+        "#]],
     );
 }
 

@@ -120,3 +120,39 @@ fn what_equations_do_not_contain_is_refused_with_what_to_do() {
     let (status, _, err) = tripos(&["simulate", REPORT, "--by", "kane", "--project", "energy"]);
     assert!(status == 2 && err.contains("own equations"), "{err}");
 }
+
+/// Goal: an event on a coordinate that would be computed from the time is found where it happens. Method: the same by Kane's equations.
+#[test]
+fn an_event_on_a_coordinate_that_time_would_carry_is_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("watched.toml");
+    let text = std::fs::read_to_string(root().join(LEAN)).unwrap();
+    let model = root().join("models/disk/model.toml");
+    let event = "[[events]]\nname = \"there\"\nzero = \"q4 - 5.2*R\"\nterminal = true\n";
+    std::fs::write(&path, format!("model = {:?}\n{text}\n{event}", model.to_str().unwrap())).unwrap();
+    let at = |more: &[&str]| {
+        let run = json(&[&["simulate", path.to_str().unwrap(), "--json"][..], more].concat());
+        assert_eq!(run["stop"], "event:there", "{run}");
+        run["t"].as_f64().unwrap()
+    };
+    let (own, kane) = (at(&[]), at(&["--by", "kane"]));
+    assert!((own - kane).abs() < 1e-7, "{own} and {kane}");
+}
+
+/// Goal: the energies of a table are those of the model, though reduced equations have others. Method: Kane's, at the start.
+#[test]
+fn a_table_has_the_energies_of_the_whole_model() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = |name: &str, more: &[&str]| -> Vec<f64> {
+        let path = folder.path().join(name);
+        let scene = "models/spherical_pendulum/scenes/wide.toml";
+        let (status, _, err) = tripos(&[&["simulate", scene, "--csv", path.to_str().unwrap()][..], more].concat());
+        assert_eq!(status, 0, "{err}");
+        let text = std::fs::read_to_string(&path).unwrap();
+        let line = text.lines().nth(1).unwrap();
+        line.split(',').map(|x| x.parse().unwrap()).collect()
+    };
+    let (own, kane) = (first("own.csv", &[]), first("kane.csv", &["--by", "kane"]));
+    assert!(own.len() == kane.len() && own[5] > 0.2, "{own:?}");
+    assert!(own.iter().zip(&kane).all(|(a, b)| (a - b).abs() < 1e-13), "{own:?}\n{kane:?}");
+}
