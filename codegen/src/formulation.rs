@@ -6,7 +6,7 @@ use crate::system::{self, Part};
 use crate::taylor::{self, Recurrences, recurrences};
 use crate::tokens::format;
 use quote::quote;
-use tripos_derive::algebra::elimination::Elimination;
+use tripos_derive::algebra::elimination::{Definition, Elimination};
 use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::simplify::Simplifier;
@@ -125,7 +125,6 @@ pub(crate) fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> 
         })
         .collect();
     let steps = &solved.accelerations.steps;
-    let both = [q_dot.clone(), v_dot.clone()].concat();
     let unknown_text = vector_text(writer.arena, unknowns);
     vec![
         writer.stepwise(
@@ -136,14 +135,7 @@ pub(crate) fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> 
             steps,
             &v_dot,
         ),
-        writer.stepwise(
-            "derivative",
-            "The derivative of the state: the rates of the coordinates, and the accelerations.",
-            Arguments::State,
-            Returns::Pair(q_dot.len()),
-            steps,
-            &both,
-        ),
+        derivative(writer, steps),
         writer.stepwise(
             "jacobian",
             &format!("Jacobian of the derivative by the state; columns {}.", state.join(", ")),
@@ -153,6 +145,23 @@ pub(crate) fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> 
             &slopes,
         ),
     ]
+}
+
+/// `derivative`: q̇ and v̇ together.
+pub(crate) fn derivative(writer: &Writer<'_>, steps: &[Definition]) -> Function {
+    let e = writer.equations;
+    let unknowns = &e.unknowns[..e.variables.len()];
+    let names = unknowns.iter().map(|s| writer.arena.symbol_name(*s).unwrap_or_default().to_owned());
+    let q_dot = named(writer.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
+    let both = [q_dot.clone(), named(names, unknowns)].concat();
+    writer.stepwise(
+        "derivative",
+        "The derivative of the state: the rates of the coordinates, and the accelerations.",
+        Arguments::State,
+        Returns::Pair(q_dot.len()),
+        steps,
+        &both,
+    )
 }
 
 pub(crate) fn kinematics_and_energies(writer: &Writer<'_>) -> Vec<Function> {

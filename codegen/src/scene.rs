@@ -1,6 +1,6 @@
 //! The reduced equations of one scene as a Rust file.
 
-use crate::formulation::{Solved, eliminated, kinematics_and_energies};
+use crate::formulation::{Solved, derivative, eliminated, kinematics_and_energies};
 use crate::function::{Arguments, Function, Returns, Value, Writer};
 use crate::identifiers::{Variables, module_name, spelled, type_name};
 use crate::module::parameters;
@@ -13,7 +13,7 @@ use tripos_derive::Model;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::energy_gradient as energy_gradient_of;
+use tripos_derive::mechanics::{accelerations, energy_gradient as energy_gradient_of};
 use tripos_derive::reduce::{Quantity, Reduction, Slope};
 use tripos_derive::{Equations, Formulation, derive};
 
@@ -221,9 +221,8 @@ pub struct Costs {
 pub fn costs(model: &Model, reduction: &Reduction) -> Option<Costs> {
     let of = |model: &Model, arena: &Arena, equations: &Equations| {
         let mut arena = arena.clone();
-        let solved = Solved::new(&mut arena, equations).ok()?;
-        let functions = eliminated(&writer(model, &arena, equations), &solved);
-        functions.into_iter().find(|f| f.name == "derivative").map(|f| f.cost)
+        let solved = accelerations(&mut arena, &mut Simplifier::default(), equations).ok()?;
+        Some(derivative(&writer(model, &arena, equations), &solved.steps).cost)
     };
     let kane = derive(model, Formulation::Kane).ok()?;
     let full = of(model, &kane.arena, &kane.equations)?;

@@ -17,7 +17,7 @@ fn disk_lean() {
         "disk",
         "report-10s",
         r#"["q2", "u1"]"#,
-        expect![[r#"
+        expect![[r"
             states: q2_minus_90deg, u1
             u3 [1/s] = u3
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
@@ -31,7 +31,7 @@ fn disk_lean() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "#]],
+        "]],
     );
 }
 
@@ -41,7 +41,7 @@ fn disk_with_ten_outputs() {
         "disk",
         "report-10s",
         "",
-        expect![[r#"
+        expect![[r"
             states: q2_minus_90deg, u1
             quadratures: q3, q1
             u3 [1/s] = u3
@@ -66,7 +66,7 @@ fn disk_with_ten_outputs() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "#]],
+        "]],
     );
 }
 
@@ -76,7 +76,7 @@ fn disk_contact_force_and_accelerations() {
         "disk",
         "report-10s",
         r#"["N", "u1'", "q1'"]"#,
-        expect![[r#"
+        expect![[r"
             states: q2_minus_90deg, u1
             u3 [1/s] = u3
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
@@ -92,7 +92,7 @@ fn disk_contact_force_and_accelerations() {
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
             energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
-        "#]],
+        "]],
     );
 }
 
@@ -147,7 +147,7 @@ fn free_body() {
         "free_body",
         "steady",
         "",
-        expect![[r#"
+        expect![[r"
             states: theta, w1
             quadratures: phi, psi
             p_x [kg*m/s] = 2*v1
@@ -175,7 +175,7 @@ fn free_body() {
             z -> p_z*t/2 + centre_z/2
             regular while sin(theta) > 0
             energy known; divided by: sin(theta); I1*sin(theta)
-        "#]],
+        "]],
     );
 }
 
