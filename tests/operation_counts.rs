@@ -35,16 +35,15 @@ const BOUNDS: [(&str, &str, [usize; 4]); 27] = [
 ];
 
 /// (model, scene, operations of `derivative`) of the reduced equations of scenes.
-const SCENES: [(&str, &str, usize); 9] = [
+const SCENES: [(&str, &str, usize); 8] = [
     ("cart_pendulum_3", "fall", 129),
     ("disk", "lean", 18),
-    ("disk", "near_flat", 23),
-    ("disk", "report_10s", 23),
-    ("euler_top", "looping", 19),
+    ("disk", "flat_fall", 23),
+    ("euler_top", "cusps", 19),
     ("floating_chain", "folding", 295),
-    ("free_body", "tumbling", 14),
+    ("free_body", "steady", 14),
     ("heavy_top", "looping", 16),
-    ("spherical_pendulum", "wide", 7),
+    ("spherical_pendulum", "narrow", 7),
 ];
 
 fn count(text: &str, function: &str) -> usize {

@@ -21,14 +21,70 @@ use tripos_derive::{Equations, Formulation, derive};
 pub struct SceneFile {
     /// Its module.
     pub module: String,
+    /// The key of its equations.
+    pub key: String,
     /// Its text.
     pub text: String,
 }
 
-/// Emits the file of a scene of this name, such as `report_10s.rs`; `origin` is the sentence of its header that says where it
-/// comes from. Nothing if the accelerations are not determined.
+/// What a scene's file is called by.
+pub struct Named<'a> {
+    /// The name of the scene's file, without its ending.
+    pub name: &'a str,
+    /// Its title, or nothing.
+    pub title: &'a str,
+    /// The sentence of the header that says where the text comes from.
+    pub origin: &'a str,
+}
+
+/// Emits the file of a scene, such as `report_10s.rs`, beside those that are there. Where one of them has the same equations, the
+/// file refers to it. Nothing if the accelerations are not determined.
 #[must_use]
-pub fn file(reduction: &Reduction, name: &str, title: &str, origin: &str) -> Option<SceneFile> {
+pub fn file(reduction: &Reduction, named: &Named<'_>, before: &[SceneFile]) -> Option<SceneFile> {
+    let (module, key) = (module_of(named.name, before), reduction.key());
+    let text = match before.iter().find(|file| file.key == key) {
+        Some(same) => reference(reduction, named, &same.module),
+        None => equations_of(reduction, named, &key)?,
+    };
+    Some(SceneFile { module, key, text })
+}
+
+/// A module name for a scene of any name, such as `scene_10s` for `10s`, that none of these has yet.
+fn module_of(name: &str, before: &[SceneFile]) -> String {
+    let stem = module_name(name);
+    let usable = syn::parse_str::<syn::Ident>(&stem).is_ok() && stem != "_" && stem != "gen";
+    let stem = if usable { stem } else { format!("scene_{stem}") };
+    let taken = |candidate: &String| before.iter().any(|file| file.module == *candidate);
+    let candidates = std::iter::once(stem.clone()).chain((2..).map(|n| format!("{stem}_{n}")));
+    candidates.into_iter().find(|candidate| !taken(candidate)).unwrap_or(stem)
+}
+
+/// The file of a scene whose equations another one has.
+fn reference(reduction: &Reduction, named: &Named<'_>, same: &str) -> String {
+    let header = vec![
+        first_line(reduction, named),
+        String::new(),
+        named.origin.to_owned(),
+        format!("It asks for what `{same}` asks for, with the same parameters, and has its equations."),
+    ];
+    let (name, same) = (named.name, format_ident!("{same}"));
+    format(
+        &header,
+        quote! {
+            pub use super::#same::*;
+
+            #[doc = " What a program needs to find these equations and to trust them."]
+            pub const SCENE: tripos_traits::CompiledScene = tripos_traits::CompiledScene { name: #name, ..super::#same::SCENE };
+        },
+    )
+}
+
+fn first_line(reduction: &Reduction, named: &Named<'_>) -> String {
+    format!("{}: {}.", reduction.model.title, if named.title.is_empty() { named.name } else { named.title })
+}
+
+/// The file of a scene with equations of its own.
+fn equations_of(reduction: &Reduction, named: &Named<'_>, key: &str) -> Option<String> {
     let mut arena = reduction.terms().clone();
     let equations = &reduction.derivation.equations;
     let solved = Solved::new(&mut arena, equations).ok()?;
@@ -43,7 +99,7 @@ pub fn file(reduction: &Reduction, name: &str, title: &str, origin: &str) -> Opt
     if let Some(slope) = &reduction.slope {
         functions.extend(potential_slope(&writer, slope));
     }
-    let header = header(reduction, name, title, origin, &functions);
+    let (name, header) = (named.name, header(reduction, named, &functions));
     let recurrences = solved.recurrences.as_ref();
     functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
@@ -62,7 +118,6 @@ pub fn file(reduction: &Reduction, name: &str, title: &str, origin: &str) -> Opt
     };
     let (parameter_type, parameter_names) = names(reduction.model.parameters.iter().map(|p| p.name.as_str()).collect());
     let (output_type, output_names) = names(reduction.outputs.iter().map(|o| o.name.as_str()).collect());
-    let key = reduction.key();
     let text = format(
         &header,
         quote! {
@@ -87,7 +142,7 @@ pub fn file(reduction: &Reduction, name: &str, title: &str, origin: &str) -> Opt
             };
         },
     );
-    Some(SceneFile { module: module_name(name), text })
+    Some(text)
 }
 
 fn writer<'a>(model: &'a Model, arena: &'a Arena, equations: &'a Equations) -> Writer<'a> {
@@ -175,7 +230,7 @@ pub fn list(title: &str, origin: &str, modules: &[String]) -> String {
     )
 }
 
-fn header(reduction: &Reduction, name: &str, title: &str, origin: &str, functions: &[Function]) -> Vec<String> {
+fn header(reduction: &Reduction, named: &Named<'_>, functions: &[Function]) -> Vec<String> {
     let arena = reduction.terms();
     let names = |list: &[Quantity]| match list {
         [] => "none".to_owned(),
@@ -183,9 +238,9 @@ fn header(reduction: &Reduction, name: &str, title: &str, origin: &str, function
     };
     let shown: Vec<&str> = reduction.outputs.iter().map(|o| o.name.as_str()).collect();
     let mut lines = vec![
-        format!("{}: {}.", reduction.model.title, if title.is_empty() { name } else { title }),
+        first_line(reduction, named),
         String::new(),
-        origin.to_owned(),
+        named.origin.to_owned(),
         format!("Outputs: {}.", shown.join(", ")),
         format!("States: {}. Quadratures: {}.", names(&reduction.states), names(&reduction.quadratures)),
     ];
@@ -228,4 +283,22 @@ pub fn costs(model: &Model, reduction: &Reduction) -> Option<Costs> {
     let full = of(model, &kane.arena, &kane.equations)?;
     let scene = of(&reduction.model, reduction.terms(), &reduction.derivation.equations)?;
     Some(Costs { full, scene })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Goal: a scene may be called as its author likes. Method: names that are no modules, and names that give the same one.
+    #[test]
+    fn every_scene_has_a_module_of_its_own() {
+        let mut files: Vec<SceneFile> = Vec::new();
+        for name in ["report-10s", "report_10s", "10s", "loop", "mod", "my run", "-"] {
+            let module = module_of(name, &files);
+            assert!(syn::parse_str::<syn::Ident>(&module).is_ok(), "{name} gives {module}");
+            files.push(SceneFile { module, key: String::new(), text: String::new() });
+        }
+        let modules: Vec<&str> = files.iter().map(|file| file.module.as_str()).collect();
+        assert_eq!(modules, ["report_10s", "report_10s_2", "scene_10s", "scene_loop", "scene_mod", "my_run", "scene_"]);
+    }
 }

@@ -146,10 +146,10 @@ pub(crate) fn module_files(
         }
     }
     let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();
-    let (mut scenes, mut broken_scenes) = (Vec::new(), Vec::new());
+    let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
     if origin.has_scenes() {
         for scene in scenes_beside(path) {
-            match scene_file(&model, &scene, origin) {
+            match scene_file(&model, &scene, origin, &scenes) {
                 Ok(file) => scenes.extend(file),
                 Err(diagnostics) => broken_scenes.push((file_name(&scene), diagnostics)),
             }
@@ -180,8 +180,13 @@ fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// The file of one scene; nothing if it is of another model or has no equations of its own.
-fn scene_file(model: &Model, path: &Path, origin: &Origin) -> Result<Option<SceneFile>, Diagnostics> {
+/// The file of one scene beside those that are there; nothing if it is of another model or has no equations of its own.
+fn scene_file(
+    model: &Model,
+    path: &Path,
+    origin: &Origin,
+    before: &[SceneFile],
+) -> Result<Option<SceneFile>, Diagnostics> {
     let source = Source::read(path)?;
     let belongs = scene_model(&source)?;
     let same = |a: &Path, b: &Path| matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
@@ -194,7 +199,8 @@ fn scene_file(model: &Model, path: &Path, origin: &Origin) -> Result<Option<Scen
     let reduction = reduce(&model, &loaded).map_err(|error| model.diagnose(&error))?;
     let name = file_name(path);
     let stem = name.strip_suffix(".toml").unwrap_or(&name);
-    Ok(scene::file(&reduction, stem, &loaded.title, &origin.of_scene(&name)))
+    let named = scene::Named { name: stem, title: &loaded.title, origin: &origin.of_scene(&name) };
+    Ok(scene::file(&reduction, &named, before))
 }
 
 /// The report file beside a model file, if there is one.
