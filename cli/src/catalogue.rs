@@ -1,14 +1,17 @@
 //! Which code runs a model: compiled in, or interpreted.
 
 use crate::failure::Failure;
-use crate::interpreted::Interpreted;
+use crate::interpreted::{Interpreted, NotInterpreted};
+use crate::run::method;
 use std::path::{Path, PathBuf};
 use tripos_codegen::workspace::report_beside;
-use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::{Derivation, Distance, derive_all, in_distance};
 use tripos_derive::reduce::Reduction;
+use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_derive::{Equations, Formulation, Model, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
 
@@ -156,23 +159,41 @@ fn printed_derivation(model: &Model) -> Result<Option<(Arena, Vec<Equations>)>, 
     Ok(Some((derivations.kinematics.arena, list)))
 }
 
+/// How much of interpreted equations is made ready: compiled ones have everything.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Ready {
+    /// The equations as they were derived: a matrix, a right-hand side, energies.
+    AsDerived,
+    /// Also the accelerations solved for, with their Jacobian and their recurrences, which takes much longer.
+    Solved,
+}
+
+impl Ready {
+    /// What runs of a scene need: a numeric solve asks for nothing that elimination gives but the Jacobian.
+    ///
+    /// # Errors
+    /// [`Failure::Request`] if there is no such method.
+    pub fn for_runs(scene: &Scene) -> Result<Self, Failure> {
+        let how = &scene.integration;
+        let numeric = how.solve == Some(Solve::Numeric) && how.method != QUADRATURE;
+        Ok(if numeric && !method(&how.method)?.needs_jacobian() { Self::AsDerived } else { Self::Solved })
+    }
+}
+
 /// The equations of a model: compiled in if they were derived from this very text.
 ///
 /// In a distance, if one is given. Compiled equations of a workspace model whose text has changed since are refused,
 /// never run.
-pub fn code(model: &Model, by: &By, distance: Option<Distance>) -> Result<Code, Failure> {
+pub fn code(model: &Model, by: &By, distance: Option<Distance>, ready: Ready) -> Result<Code, Failure> {
     if let Some(code) = compiled_code(model, by, distance)? {
         return Ok(code);
     }
     let derivation = derivation(model, by)?;
-    code_of(
-        model,
-        by,
-        &match distance {
-            Some(distance) => in_distance(model, derivation, distance),
-            None => derivation,
-        },
-    )
+    let derivation = match distance {
+        Some(distance) => in_distance(model, derivation, distance),
+        None => derivation,
+    };
+    code_of(model, by, &derivation, ready)
 }
 
 /// The equations of a model that were compiled in, if there are such and they are current.
@@ -194,32 +215,64 @@ pub fn compiled_scene(reduction: &Reduction) -> Option<Code> {
     found.map(|scene| Code::Compiled(&scene.system))
 }
 
-/// Equations made ready to be run by interpretation.
-///
-/// # Errors
-/// As [`interpreted`].
-pub fn code_of(model: &Model, by: &By, derivation: &Derivation) -> Result<Code, Failure> {
-    let code = interpreted(model, derivation)?;
-    // Printed equations are run as they stand.
-    let code = if by.derived.is_some() { code.solved(derivation) } else { code };
-    Ok(Code::Interpreted(Box::new(code)))
-}
-
-/// Equations made ready to be interpreted.
+/// Equations made ready to be run by interpretation. Printed ones are run as they stand.
 ///
 /// # Errors
 /// [`Failure::Request`] if they depend on what has no value during a run, as only printed ones can.
-pub fn interpreted(model: &Model, derivation: &Derivation) -> Result<Interpreted, Failure> {
-    Interpreted::new(model, derivation).map_err(|unknown| {
-        let what = format!("`{}` mentions `{}`, which has no value during a run", derivation.equations.name, unknown.0);
-        Failure::Request(what, "equations that run hold parameters, coordinates and motion variables only".to_owned())
+pub fn code_of(model: &Model, by: &By, derivation: &Derivation, ready: Ready) -> Result<Code, Failure> {
+    let code = Interpreted::new(model, derivation).map_err(NotInterpreted::from);
+    let code = match ready {
+        Ready::Solved if by.derived.is_some() => code.and_then(|code| code.solved(derivation)),
+        _ => code,
+    };
+    Ok(Code::Interpreted(Box::new(code.map_err(|why| not_interpreted(&by.name, &why))?)))
+}
+
+/// The equations of a scene made ready to be run by interpretation.
+///
+/// # Errors
+/// [`Failure::Request`] if they depend on what has no value during a run, which what a reduction gives never does.
+pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Failure> {
+    let derivation = &reduction.derivation;
+    let code = Interpreted::new(&reduction.model, derivation).map_err(NotInterpreted::from);
+    let code = code.and_then(|code| Ok(code.solved(derivation)?.showing(reduction)?));
+    Ok(Code::Interpreted(Box::new(code.map_err(|why| not_interpreted(&derivation.equations.name, &why))?)))
+}
+
+fn not_interpreted(name: &str, why: &NotInterpreted) -> Failure {
+    match why {
+        NotInterpreted::Unknown(unknown) => Failure::Request(
+            format!("`{name}` mentions `{}`, which has no value during a run", unknown.0),
+            "equations that run hold parameters, coordinates and motion variables only".to_owned(),
+        ),
+        NotInterpreted::Singular => Failure::Request(
+            format!("`{name}` determines its accelerations in no configuration"),
+            "its mass matrix is singular everywhere: give every coordinate something that resists it".to_owned(),
+        ),
+    }
+}
+
+/// What computes these values of inputs.
+///
+/// # Errors
+/// [`Failure::Request`] if one of them mentions what is no input.
+pub fn tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str) -> Result<Tape, Failure> {
+    Tape::new(arena, inputs, values).map_err(|unknown| {
+        let what = format!("{what} mentions `{}`, which has no value during a run", unknown.0);
+        Failure::Request(what, "use parameters, coordinates, q', speeds and reactions".to_owned())
     })
 }
 
 /// The equations of a model as terms.
+///
+/// # Errors
+/// [`Failure::Unsupported`] if the model does not have this formulation; [`Failure::Input`] if it cannot be derived.
 pub fn derivation(model: &Model, by: &By) -> Result<Derivation, Failure> {
     if let Some(formulation) = by.derived {
-        return Ok(derive(model, formulation).map_err(|error| model.diagnose(&error))?);
+        return derive(model, formulation).map_err(|error| match error.is_unsupported() {
+            true => Failure::Unsupported(model.diagnose(&error)),
+            false => Failure::Input(model.diagnose(&error)),
+        });
     }
     let (arena, list) = printed_derivation(model)?.unwrap_or_default();
     let equations = list.into_iter().find(|e| e.name == by.name);

@@ -16,7 +16,7 @@ use compared::Compared;
 use indicatif::ProgressBar;
 use tripos_derive::Model;
 use tripos_derive::scene::Scene;
-use tripos_sim::work_precision::{Spread, error, interleaved};
+use tripos_sim::work_precision::{Spread, error, interleaved, larger};
 use tripos_sim::{Options, Output};
 
 /// How much is measured.
@@ -81,7 +81,8 @@ pub struct Truth<'a> {
     pub watch: &'a Watch,
 }
 
-/// Measures everything against the reference, which is at the end of the scene's span.
+/// Measures everything against the reference, which is at the end of the scene's span. What cannot be measured is added to what
+/// is left out, with the reason.
 ///
 /// # Errors
 /// [`Failure`] if the scene cannot be run at all.
@@ -91,7 +92,7 @@ pub fn measure(
     cases: &[Case],
     plan: &Plan,
     truth: &Truth<'_>,
-    bar: &ProgressBar,
+    (bar, left_out): (&ProgressBar, &mut Vec<String>),
 ) -> Result<Vec<Measurement>, Failure> {
     let prepared: Vec<_> = cases.iter().map(|case| case.prepare(model, scene)).collect();
     let problems: Vec<Problem<'_>> = prepared.iter().map(case::Prepared::problem).collect::<Result<_, _>>()?;
@@ -114,7 +115,10 @@ pub fn measure(
             let measurement = match first(problem, y0, *way, &how, truth) {
                 Ok(measurement) => measurement,
                 // A motion that quadrature does not give is still integrated.
-                Err(_) if *way == Way::Quadrature => continue,
+                Err(failure) if *way == Way::Quadrature => {
+                    left_out.push(format!("{} by {}: {}", problem.by.name, way.name(), failure.first_line()));
+                    continue;
+                }
                 Err(failure) => return Err(failure),
             };
             if measurement.seconds.median <= plan.patience {
@@ -162,11 +166,11 @@ fn first(
     let shows_all = !(problem.by.is_reduced() && problem.shown.states_outputs);
     let is_watched = shows_all && bare.steps <= MOST_WATCHED;
     let again = is_watched.then(|| way.run(problem, problem.scene.span, y0, &watched));
-    let drifts = again.and_then(Result::ok).map_or_else(Vec::new, |solution| watch.changes(problem, &solution));
+    let drifts = again.transpose()?.map_or_else(Vec::new, |solution| watch.changes(problem, &solution));
     let arrived = bare.stop.code() == "end";
     let off = || {
         let right = compared.kept(compared.of_state(reference.end()));
-        error(&compared.of_run(problem, bare.t_end, &bare.y_end), &right).max(reference.uncertainty)
+        larger(error(&compared.of_run(problem, bare.t_end, &bare.y_end), &right), reference.uncertainty)
     };
     Ok(Measurement {
         formulation: problem.by.name.clone(),

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::plain::{is_forbidden, visible};
 
 /// Exit statuses, the same for every command.
 pub mod status {
@@ -18,6 +19,8 @@ pub mod status {
 pub enum Failure {
     /// A file with errors.
     Input(Diagnostics),
+    /// A formulation that this model does not have.
+    Unsupported(Diagnostics),
     /// Several files with errors.
     Inputs(Vec<Diagnostics>),
     /// A wrong request: what, and what to do.
@@ -31,10 +34,17 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// What went wrong, in a line.
+    pub fn first_line(&self) -> String {
+        self.to_string().lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
+    }
+
     /// The exit status.
     pub fn status(&self) -> u8 {
         match self {
-            Self::Input(_) | Self::Inputs(_) | Self::Request(..) | Self::Output(..) => status::BAD_INPUT,
+            Self::Input(_) | Self::Unsupported(_) | Self::Inputs(_) | Self::Request(..) | Self::Output(..) => {
+                status::BAD_INPUT
+            }
             Self::Stopped(_) => status::STOPPED,
             Self::Hangup => 0,
         }
@@ -44,7 +54,7 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Input(diagnostics) => write!(f, "{diagnostics}"),
+            Self::Input(diagnostics) | Self::Unsupported(diagnostics) => write!(f, "{diagnostics}"),
             Self::Inputs(list) => {
                 let texts: Vec<String> = list.iter().map(ToString::to_string).collect();
                 f.write_str(&texts.join("\n\n"))
@@ -73,11 +83,28 @@ pub fn warn(text: &str) {
 /// A line on standard error, for people.
 pub fn say(text: &str) {
     use std::io::Write;
-    let _ = writeln!(std::io::stderr().lock(), "{text}");
+    let _ = writeln!(std::io::stderr().lock(), "{}", visible(text));
 }
 
-/// Writes to standard output; a closed pipe is not an error of ours.
+/// Writes text for people to standard output; a closed pipe is not an error of ours.
 pub fn print(text: &str) -> Result<(), Failure> {
+    write_out(&visible(text))
+}
+
+/// Writes JSON to standard output. What steers a terminal or turns a line is escaped, which JSON reads back as it was.
+pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
+    let mut out = String::new();
+    for c in format!("{value:#}\n").chars() {
+        if c == '\n' || !is_forbidden(c) {
+            out.push(c);
+        } else {
+            out.extend(c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")));
+        }
+    }
+    write_out(&out)
+}
+
+fn write_out(text: &str) -> Result<(), Failure> {
     use std::io::Write;
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {

@@ -28,6 +28,10 @@ impl How {
             }
             scene.integration.step = Some(step);
         }
+        if self.step.is_some() && scene.integration.method == QUADRATURE {
+            let help = "leave --step out, or give a stepping method";
+            return Err(Failure::Request("quadrature takes no steps".to_owned(), help.to_owned()));
+        }
         let tolerances = [("--rtol", self.rtol), ("--atol", self.atol)];
         for (option, value) in tolerances {
             if let Some(value) = value {

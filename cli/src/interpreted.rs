@@ -7,10 +7,32 @@ use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::elimination::{Definition, needed};
 use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
+use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::mechanics::{Derivation, energy_gradient};
 use tripos_derive::reduce::Reduction;
 use tripos_traits::{Scalar, System};
+
+/// Why equations cannot be interpreted.
+#[derive(Clone, Debug)]
+pub enum NotInterpreted {
+    /// They mention what has no value during a run.
+    Unknown(UnknownSymbol),
+    /// They determine v̇ in no configuration.
+    Singular,
+}
+
+impl From<UnknownSymbol> for NotInterpreted {
+    fn from(unknown: UnknownSymbol) -> Self {
+        Self::Unknown(unknown)
+    }
+}
+
+impl From<Singular> for NotInterpreted {
+    fn from(_: Singular) -> Self {
+        Self::Singular
+    }
+}
 
 /// One formulation, interpreted. Its working space makes it a thread's own; another thread takes a copy.
 #[derive(Clone)]
@@ -24,8 +46,8 @@ pub struct Interpreted {
     forcing: Tape,
     /// v̇, then q̇ and v̇, then the Jacobian; none for printed equations, which are run as they stand.
     solved: Option<[Tape; 3]>,
-    /// What a scene shows, in parameters, time, coordinates and motion variables, and of how many entries.
-    outputs: Option<(Tape, usize)>,
+    /// What a scene shows, in parameters, time, coordinates and motion variables.
+    outputs: Option<Tape>,
     /// T + V and its slopes by the state, of a scene that has an energy.
     energy_gradient: Option<Tape>,
     /// The slope of the potential energy: the angles z, then the value for sin z/z.
@@ -80,30 +102,36 @@ impl Interpreted {
         })
     }
 
-    /// With the accelerations eliminated, where they are determined.
-    pub fn solved(mut self, derivation: &Derivation) -> Self {
+    /// With the accelerations eliminated.
+    ///
+    /// # Errors
+    /// [`NotInterpreted`] if v̇ is not determined in any configuration, or a step has a symbol that nothing defines.
+    pub fn solved(mut self, derivation: &Derivation) -> Result<Self, NotInterpreted> {
         let Derivation { mut arena, equations: e } = derivation.clone();
-        let Ok(Solved { accelerations, jacobian, recurrences }) = Solved::new(&mut arena, &e) else { return self };
+        let Solved { accelerations, jacobian, recurrences } = Solved::new(&mut arena, &e)?;
         let parameters = &self.state[..self.sizes[0]];
-        self.series = recurrences.and_then(|list| Series::new(&arena, parameters, &list).ok());
+        self.series = recurrences.map(|list| Series::new(&arena, parameters, &list)).transpose()?;
         let rates = &e.unknowns[..e.variables.len()];
         let both = [&e.coordinate_rates, rates].concat();
-        let tape = |steps: &[Definition], outputs: &[Expr]| Tape::stepwise(&arena, &self.state, steps, outputs).ok();
-        self.solved = tape(&accelerations.steps, rates)
-            .zip(tape(&accelerations.steps, &both))
-            .zip(tape(&jacobian.steps, &jacobian.entries.concat()))
-            .map(|((accelerations, derivative), jacobian)| [accelerations, derivative, jacobian]);
-        self
+        let tape = |steps: &[Definition], outputs: &[Expr]| Tape::stepwise(&arena, &self.state, steps, outputs);
+        self.solved = Some([
+            tape(&accelerations.steps, rates)?,
+            tape(&accelerations.steps, &both)?,
+            tape(&jacobian.steps, &jacobian.entries.concat())?,
+        ]);
+        Ok(self)
     }
 
     /// With the outputs of the scene that these are the equations of.
-    pub fn showing(mut self, reduction: &Reduction) -> Self {
+    ///
+    /// # Errors
+    /// [`UnknownSymbol`] if an output has a symbol that nothing defines: what a reduction gives never does.
+    pub fn showing(mut self, reduction: &Reduction) -> Result<Self, UnknownSymbol> {
         let values: Vec<Expr> = reduction.outputs.iter().map(|o| o.value).collect();
         let (p, state) = self.state.split_at(self.sizes[0]);
         let inputs = [p, &[reduction.time], state].concat();
         let steps = needed(reduction.terms(), &reduction.derivation.equations.definitions, &values);
-        let tape = Tape::stepwise(reduction.terms(), &inputs, &steps, &values);
-        self.outputs = tape.ok().map(|tape| (tape, values.len()));
+        self.outputs = Some(Tape::stepwise(reduction.terms(), &inputs, &steps, &values)?);
         let equations = &reduction.derivation.equations;
         if reduction.has_energy {
             let mut arena = reduction.terms().clone();
@@ -111,16 +139,16 @@ impl Interpreted {
             let gradient = energy_gradient(&mut arena, &mut Simplifier::default(), equations);
             let values = [&[energy][..], &gradient].concat();
             let steps = needed(&arena, &equations.definitions, &values);
-            self.energy_gradient = Tape::stepwise(&arena, &self.state, &steps, &values).ok();
+            self.energy_gradient = Some(Tape::stepwise(&arena, &self.state, &steps, &values)?);
         }
-        self.slope = reduction.slope.as_ref().and_then(|slope| {
+        if let Some(slope) = &reduction.slope {
             let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
             let ends = [p, &slope.ends].concat();
-            let angles = Tape::new(reduction.terms(), &ends, &angles).ok()?;
-            let value = Tape::new(reduction.terms(), &[ends, symbols].concat(), &[slope.value]).ok()?;
-            Some([angles, value])
-        });
-        self
+            let angles = Tape::new(reduction.terms(), &ends, &angles)?;
+            let value = Tape::new(reduction.terms(), &[ends, symbols].concat(), &[slope.value])?;
+            self.slope = Some([angles, value]);
+        }
+        Ok(self)
     }
 
     fn run(&self, tape: &Tape, inputs: &[&[f64]], out: &mut [f64]) {
@@ -159,15 +187,13 @@ impl System<f64> for Interpreted {
         self.run(&self.forcing, &[p, q, v], out);
     }
     fn output_count(&self) -> usize {
-        self.outputs.as_ref().map_or(self.sizes[1] + self.sizes[2], |(_, count)| *count)
+        self.outputs.as_ref().map_or(self.sizes[1] + self.sizes[2], Tape::outputs)
     }
     fn outputs(&self, p: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        if let Some((tape, _)) = &self.outputs {
-            return self.run(tape, &[p, &[t], q, v], out);
+        match &self.outputs {
+            Some(tape) => self.run(tape, &[p, &[t], q, v], out),
+            None => self.whole_state(p, q, v, out),
         }
-        let (of_q, of_u) = out.split_at_mut(q.len());
-        of_q.copy_from_slice(q);
-        self.generalized_speeds(p, q, v, of_u);
     }
     fn has_energy_gradient(&self) -> bool {
         self.energy_gradient.is_some()

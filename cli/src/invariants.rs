@@ -3,10 +3,10 @@
 //!
 //! Invariant: nothing here can stop a run or a page. A value that does not exist is not a number, and extremes pass it over.
 
-use crate::catalogue::Code;
+use crate::catalogue::{Code, tape};
 use crate::failure::Failure;
 use crate::problem::Problem;
-use crate::run::Run;
+use crate::run::{Run, refused};
 use tripos_derive::Model;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::evaluate::Tape;
@@ -23,7 +23,7 @@ pub struct Watch {
     pub integrals: Vec<(String, String)>,
     /// What the kinematic equations divide by, as text.
     pub divisors: Vec<String>,
-    tape: Option<Tape>,
+    tape: Tape,
 }
 
 /// Units in the last place of a first integral that its evaluation may be off by.
@@ -56,7 +56,10 @@ pub struct Course {
 
 impl Watch {
     /// The first integrals of a model, whose terms are in `arena`, and the divisors of its kinematic equations.
-    pub fn new(model: &Model, arena: &Arena, integrals: &[Integral]) -> Self {
+    ///
+    /// # Errors
+    /// [`Failure::Request`] if one of them mentions what has no value during a run.
+    pub fn new(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Self, Failure> {
         let divisors = &model.kinematic_equations.divisors;
         let outputs: Vec<_> = integrals.iter().map(|i| i.expression).chain(divisors.iter().copied()).collect();
         let inputs = [model.p(), model.q(), model.u()].concat();
@@ -65,11 +68,11 @@ impl Watch {
             Some(unit) => unit,
             None => "SI".to_owned(),
         };
-        Self {
+        Ok(Self {
             integrals: integrals.iter().map(|i| (i.name.clone(), unit(i))).collect(),
             divisors: divisors.iter().map(|e| text(arena, *e)).collect(),
-            tape: Tape::new(arena, &inputs, &outputs).ok(),
-        }
+            tape: tape(arena, &inputs, &outputs, "what is conserved")?,
+        })
     }
 
     /// Of a model alone: its first integrals are proved first.
@@ -79,7 +82,7 @@ impl Watch {
     pub fn of_model(model: &Model) -> Result<Self, Failure> {
         let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
         let proof = prove(model, &mut derivations);
-        Ok(Self::new(model, &derivations.kinematics.arena, &proof.integrals))
+        Self::new(model, &derivations.kinematics.arena, &proof.integrals)
     }
 
     /// The largest change of each first integral over the samples of a solution.
@@ -89,10 +92,8 @@ impl Watch {
         let (mut first, mut largest) = (None, vec![0.0; n]);
         let samples = solution.t.iter().zip(&solution.y).chain([(&solution.t_end, &solution.y_end)]);
         for (t, y) in samples {
-            if let Some(tape) = &self.tape {
-                let inputs = [problem.shown.parameters.clone(), problem.state(*t, y)].concat();
-                tape.evaluate_into(&inputs, &mut scratch, &mut out);
-            }
+            let inputs = [problem.shown.parameters.clone(), problem.state(*t, y)].concat();
+            self.tape.evaluate_into(&inputs, &mut scratch, &mut out);
             let first = first.get_or_insert_with(|| out[..n].to_vec());
             for ((largest, value), first) in largest.iter_mut().zip(&out).zip(first.iter()) {
                 *largest = larger((value - first).abs(), *largest);
@@ -103,11 +104,10 @@ impl Watch {
 
     /// The change of one first integral at each sample of a solution.
     pub fn course(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
-        let Some(tape) = &self.tape else { return Vec::new() };
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; self.integrals.len() + self.divisors.len()]);
         let mut value = |(t, y): (&f64, &Vec<f64>)| {
             let inputs = [problem.shown.parameters.clone(), problem.state(*t, y)].concat();
-            tape.evaluate_into(&inputs, &mut scratch, &mut out);
+            self.tape.evaluate_into(&inputs, &mut scratch, &mut out);
             out[integral]
         };
         let values: Vec<f64> = solution.t.iter().zip(&solution.y).map(&mut value).collect();
@@ -126,12 +126,11 @@ impl Watch {
     ) -> Vec<Drift> {
         let n = self.integrals.len();
         let mut worst = vec![Drift::default(); n];
-        let Some(tape) = &self.tape else { return worst };
         let p = &problem.shown.parameters;
         let mut scratch = Vec::new();
         let mut value = |state: &[f64]| {
             let mut out = vec![f64::NAN; n + self.divisors.len()];
-            tape.evaluate_into(&[p.as_slice(), state].concat(), &mut scratch, &mut out);
+            self.tape.evaluate_into(&[p.as_slice(), state].concat(), &mut scratch, &mut out);
             out.truncate(n);
             out
         };
@@ -155,6 +154,8 @@ impl Watch {
                 // A value is not known better than to its own rounding.
                 let rounding = ROUNDINGS * f64::EPSILON * here[at].abs().max(start[at].abs()).max(1e-290);
                 let ratio = change / allowed[at].max(rounding);
+                // Where an integral has no value nothing is known to be kept.
+                let ratio = if ratio.is_nan() { f64::INFINITY } else { ratio };
                 if ratio > worst.ratio {
                     *worst = Drift { t: *t, change, ratio };
                 }
@@ -164,13 +165,14 @@ impl Watch {
     }
 
     /// Everything watched, along a run by these equations.
-    pub fn along(&self, scene: &Scene, code: &Code, run: &Run) -> Course {
+    ///
+    /// # Errors
+    /// [`Failure::Request`] if the parameters are not those of the equations.
+    pub fn along(&self, scene: &Scene, code: &Code, run: &Run) -> Result<Course, Failure> {
         let mut list = vec![Vec::with_capacity(run.states.len()); self.integrals.len() + self.divisors.len()];
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; list.len()]);
         for state in &run.states {
-            if let Some(tape) = &self.tape {
-                tape.evaluate_into(&[scene.parameters.as_slice(), state].concat(), &mut scratch, &mut out);
-            }
+            self.tape.evaluate_into(&[scene.parameters.as_slice(), state].concat(), &mut scratch, &mut out);
             for (values, value) in list.iter_mut().zip(&out) {
                 values.push(*value);
             }
@@ -179,15 +181,16 @@ impl Watch {
         let divisors = divisors.into_iter().map(|values| values.into_iter().map(f64::abs).collect()).collect();
         let (mut determinant, mut condition) = (Vec::new(), Vec::new());
         // A scene's own equations are solved: they have no matrix, and parameters of their own.
-        let dynamics = if run.by.is_reduced() { None } else { Dynamics::new(code.system(), &scene.parameters).ok() };
-        if let Some(mut dynamics) = dynamics {
+        if !run.by.is_reduced() {
+            let mut dynamics =
+                Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused(scene, &error))?;
             for y in &run.solution.y {
                 let (q, v) = y.split_at(code.system().coordinates().min(y.len()));
                 determinant.push(dynamics.determinant(q, v));
                 condition.push(dynamics.reciprocal_condition(q, v));
             }
         }
-        Course { t: run.solution.t.clone(), integrals: list, determinant, condition, divisors }
+        Ok(Course { t: run.solution.t.clone(), integrals: list, determinant, condition, divisors })
     }
 }
 

@@ -14,6 +14,7 @@ mod problem;
 mod reduced;
 mod reference;
 mod run;
+mod shown;
 mod stability;
 mod study;
 mod sweep;

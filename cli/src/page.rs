@@ -70,7 +70,7 @@ pub struct Needs {
     /// Its own equations.
     pub reduced: Reduced,
     /// What a call of them costs beside one of the whole model.
-    pub costs: Option<Costs>,
+    pub costs: Costs,
 }
 
 /// What came of one run.

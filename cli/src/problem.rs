@@ -3,10 +3,13 @@
 //! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
 //! that people see hold the coordinate.
 
-use crate::catalogue::{By, Code, code};
+use crate::catalogue::{By, Code, compiled_code, derivation, tape};
 use crate::failure::Failure;
 use crate::reduced::Reduced;
 use crate::run::refused;
+use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::{Expr, Node, Rational};
+use tripos_derive::mechanics::has_inertia_at;
 use tripos_derive::scene::{Extended, Motion, Project, QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
@@ -40,6 +43,28 @@ struct Origin {
     value: DoubleDouble,
 }
 
+/// Refuses values at which something that moves has no mass: eliminated equations may have divided by it.
+///
+/// # Errors
+/// [`Failure`] that names the speed and the parameters that are 0.
+fn has_inertia(model: &Model, scene: &Scene) -> Result<(), Failure> {
+    let is_zero = |value: &Option<Rational>| value.as_ref().is_some_and(Rational::is_zero);
+    if !scene.exact.rational.iter().any(is_zero) {
+        return Ok(());
+    }
+    let kane = derivation(model, &Formulation::Kane.into())?;
+    let checked = has_inertia_at(&kane.arena, &kane.equations, model, &scene.exact.rational);
+    checked.map_err(|error| Failure::Input(model.diagnose(&error)))
+}
+
+/// What the equations divide by is next to zero below this.
+const NEAR: f64 = 1e-6;
+
+/// A small number in few digits.
+fn said(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+}
+
 /// A number of a scene in twice the precision of a double.
 pub fn wide(number: &Extended) -> DoubleDouble {
     DoubleDouble::sum(number.high, number.low)
@@ -63,6 +88,9 @@ impl<'a> Problem<'a> {
         code: &'a Code,
         solve: Option<Solve>,
     ) -> Result<Self, Failure> {
+        if !by.is_reduced() {
+            has_inertia(model, scene)?;
+        }
         let eliminated = code.system().has_accelerations();
         let wanted = solve.or(scene.integration.solve);
         if wanted == Some(Solve::Eliminated) && !eliminated {
@@ -92,7 +120,7 @@ impl<'a> Problem<'a> {
         self.code.system()
     }
 
-    /// The coordinates of an integrated state.
+    /// The coordinates of an integrated state, or of its first part.
     pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
         let mut q = y[..self.system().coordinates()].to_vec();
         if let Some(Origin { at, value }) = self.origin {
@@ -130,19 +158,71 @@ impl<'a> Problem<'a> {
         let mut v = vec![0.0; system.speeds()];
         system.motion_variables(&scene.parameters, &q, &scene.u, &mut v);
         if let Some(at) = v.iter().position(|x| !x.is_finite()) {
+            let name = &self.variables()[system.coordinates() + at];
             return Err(Failure::Stopped(format!(
-                "the run cannot start: motion variable {} of {} is {} there, since the generalized speeds do not determine q'",
-                at + 1,
-                self.by.name,
-                v[at]
+                "the run cannot start: the speeds do not determine `{name}` there{}",
+                self.near_divisors(&q)?
             )));
         }
         Ok([q, v].concat())
     }
 
+    /// What the components of the integrated state are called.
+    pub fn variables(&self) -> Vec<String> {
+        let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
+        let is_rate = self.by.formulation() == Some(Formulation::Lagrange);
+        let speeds = self.model.speeds.iter().map(|s| s.name.clone());
+        let speeds: Vec<String> =
+            if is_rate { coordinates.clone().map(|name| format!("{name}'")).collect() } else { speeds.collect() };
+        coordinates.chain(speeds).collect()
+    }
+
+    /// What the equations divide by that is next to zero at an integrated state, as the end of a sentence: ", where sin(theta) =
+    /// 1.2e-16"; empty if nothing is.
+    ///
+    /// # Errors
+    /// [`Failure::Request`] if a divisor mentions what has no value during a run.
+    pub fn near_divisors(&self, y: &[f64]) -> Result<String, Failure> {
+        let (model, scene) = (self.model, self.scene);
+        let inputs = [model.p(), model.q()].concat();
+        // A reduced system may divide by what its steps define: that is no place that a reader could find.
+        let is_place = |e: &&Expr| {
+            let symbols = model.arena.reachable(&[**e]).into_iter();
+            symbols.filter(|e| matches!(model.arena.node(*e), Node::Symbol(_))).all(|e| inputs.contains(&e))
+        };
+        let divisors: Vec<Expr> = model.kinematic_equations.divisors.iter().filter(is_place).copied().collect();
+        let tape = tape(&model.arena, &inputs, &divisors, "a divisor of the equations")?;
+        let values = tape.evaluate(&[scene.parameters.as_slice(), &self.coordinates(y)].concat());
+        let near = divisors.iter().zip(values).filter(|(_, value)| value.abs() < NEAR);
+        let list: Vec<String> =
+            near.map(|(e, value)| format!("{} = {}", text(&model.arena, *e), said(value))).collect();
+        Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
+    }
+
+    /// Why the equations have no value at the start, if they have none.
+    ///
+    /// # Errors
+    /// [`Failure`] if the start does not determine the motion variables.
+    pub fn singular_start(&self) -> Result<Option<String>, Failure> {
+        let Some(mut rhs) = Eliminated::new(self.system(), &self.scene.parameters) else { return Ok(None) };
+        let y0 = self.start()?;
+        let mut rates = vec![0.0; y0.len()];
+        let failed = rhs.rhs(self.scene.span.0, &y0, &mut rates).is_err();
+        let shown = self.state(self.scene.span.0, &y0);
+        if !failed && rates.iter().chain(&shown).all(|x| x.is_finite()) {
+            return Ok(None);
+        }
+        let which = rates.iter().zip(self.variables()).find(|(rate, _)| !rate.is_finite());
+        let what = which.map_or_else(|| "an output".to_owned(), |(_, name)| format!("the rate of `{name}`"));
+        Ok(Some(format!("{what} has no value at the start{}", self.near_divisors(&y0)?)))
+    }
+
     /// Parameters and the integrated state at the start, to 32 digits; nothing if the equations are not compiled.
-    pub fn extended_start(&self) -> Option<(Vec<DoubleDouble>, Vec<DoubleDouble>)> {
-        let system = self.code.extended()?;
+    ///
+    /// # Errors
+    /// [`Failure`] if the compiled equations are of another text.
+    pub fn extended_start(&self) -> Result<Option<(Vec<DoubleDouble>, Vec<DoubleDouble>)>, Failure> {
+        let Some(system) = self.code.extended() else { return Ok(None) };
         let exact = &self.scene.exact;
         let numbers = |list: &[Extended]| list.iter().map(wide).collect::<Vec<_>>();
         let (p, mut q) = (numbers(&exact.parameters), numbers(&exact.q));
@@ -154,14 +234,16 @@ impl<'a> Problem<'a> {
             Motion::Rates(rates) if self.by.formulation() == Some(Formulation::Lagrange) => v = numbers(rates),
             Motion::Rates(rates) => {
                 // Lagrange's equations have the definitions of the speeds.
-                let lagrange = code(self.model, &Formulation::Lagrange.into(), self.scene.integration.distance).ok()?;
+                let lagrange = Formulation::Lagrange.into();
+                let lagrange = compiled_code(self.model, &lagrange, self.scene.integration.distance)?;
+                let Some(lagrange) = lagrange.as_ref().and_then(Code::extended) else { return Ok(None) };
                 let mut u = v.clone();
-                lagrange.extended()?.generalized_speeds(&p, &q, &numbers(rates), &mut u);
+                lagrange.generalized_speeds(&p, &q, &numbers(rates), &mut u);
                 system.motion_variables(&p, &q, &u, &mut v);
             }
             Motion::Speeds(u) => system.motion_variables(&p, &q, &numbers(u), &mut v),
         }
-        Some((p, [q, v].concat()))
+        Ok(Some((p, [q, v].concat())))
     }
 
     /// The same as [`Problem::state`] in twice the precision of a double.

@@ -1,11 +1,11 @@
 //! A scene's own equations, ready to be run: the least system that gives what the scene asks for.
 
-use crate::catalogue::{By, Code, compiled_scene, interpreted};
+use crate::catalogue::{By, Code, compiled_scene, interpreted_scene};
 use crate::failure::Failure;
 use crate::problem::wide;
 use crate::wide::values;
 use tripos_derive::Model;
-use tripos_derive::reduce::{Quantity, Reduction, reduce};
+use tripos_derive::reduce::{Quantity, Reduction, reduce, reduce_without_momenta};
 use tripos_derive::scene::{AbsoluteTolerance, Exact, Extended, Motion, Scene, SceneEvent};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
@@ -26,6 +26,15 @@ impl Reduced {
     /// [`Failure`] if the model cannot be derived, or the scene asks for what it does not determine.
     pub fn new(model: &Model, scene: &Scene) -> Result<Self, Failure> {
         let reduction = reduce(model, scene).map_err(|error| model.diagnose(&error))?;
+        Ok(Self::with(reduction, model, scene))
+    }
+
+    /// The same without momenta, which are singular nowhere but where the model's own equations are.
+    ///
+    /// # Errors
+    /// As [`Reduced::new`].
+    pub fn without_momenta(model: &Model, scene: &Scene) -> Result<Self, Failure> {
+        let reduction = reduce_without_momenta(model, scene).map_err(|error| model.diagnose(&error))?;
         Ok(Self::with(reduction, model, scene))
     }
 
@@ -66,12 +75,10 @@ impl Reduced {
     /// # Errors
     /// [`Failure`] if they cannot be interpreted.
     pub fn code(&self) -> Result<Code, Failure> {
-        if let Some(code) = compiled_scene(&self.reduction) {
-            return Ok(code);
+        match compiled_scene(&self.reduction) {
+            Some(code) => Ok(code),
+            None => interpreted_scene(&self.reduction),
         }
-        let code = interpreted(&self.reduction.model, &self.reduction.derivation)?;
-        let code = code.solved(&self.reduction.derivation).showing(&self.reduction);
-        Ok(Code::Interpreted(Box::new(code)))
     }
 
     /// The constants of the motion, with their values.

@@ -3,14 +3,14 @@
 //! Compiled equations run in twice the precision of a double, eliminated, by DOP853 at tolerances that no double
 //! reaches: by two formulations and at two tolerances. What they differ by is how far the reference can be trusted.
 
-use crate::catalogue::{By, code, compiled_code};
+use crate::catalogue::{By, Ready, code, compiled_code};
 use crate::failure::Failure;
 use crate::problem::Problem;
 use crate::run::refused;
 use tripos_derive::mechanics::Distance;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_derive::{Formulation, Model};
-use tripos_sim::work_precision::error;
+use tripos_sim::work_precision::{error, larger};
 use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, Output, RightHandSide, Solution, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
@@ -41,7 +41,7 @@ impl Reference {
     pub fn new(model: &Model, scene: &Scene, times: &[f64]) -> Result<Self, Failure> {
         let mut runs: Vec<(String, Vec<Vec<DoubleDouble>>)> = Vec::new();
         let mut extended = true;
-        for (at, formulation) in certifiers(model).into_iter().enumerate() {
+        for (at, formulation) in certifiers(model)?.into_iter().enumerate() {
             let (name, states, wide) = run(model, scene, formulation, times, at)?;
             extended &= wide;
             runs.push((name, states));
@@ -50,10 +50,10 @@ impl Reference {
             let help = "give a model that Kane's method or Lagrange's equations can be derived for".to_owned();
             return Err(Failure::Request("nothing is there to certify a reference with".to_owned(), help));
         };
-        let difference = states.iter().zip(check).map(|(a, b)| error(a, b)).fold(0.0, f64::max);
+        let difference = states.iter().zip(check).map(|(a, b)| error(a, b)).fold(0.0, larger);
         // A run in doubles is not known better than to its own rounding, however well two of them agree.
         let floor = if extended { DoubleDouble::EPSILON } else { 1e3 * f64::EPSILON };
-        let uncertainty = difference.max(floor);
+        let uncertainty = larger(difference, floor);
         let number = if extended { "double-double (32 digits)" } else { "double" };
         let more = if extended { "" } else { "; the model is not compiled, so errors below that are not told apart" };
         let how = format!("DOP853 in {number}, {first} against {second}: they differ by {difference:.1e}{more}");
@@ -67,13 +67,17 @@ impl Reference {
 }
 
 /// Two formulations, or one twice.
-fn certifiers(model: &Model) -> Vec<Formulation> {
-    let mut list: Vec<Formulation> = [Formulation::Lagrange, Formulation::Kane]
-        .into_iter()
-        .filter(|f| code(model, &By::from(*f), None).is_ok_and(|code| code.system().has_accelerations()))
-        .collect();
+fn certifiers(model: &Model) -> Result<Vec<Formulation>, Failure> {
+    let mut list = Vec::new();
+    for formulation in [Formulation::Lagrange, Formulation::Kane] {
+        match code(model, &By::from(formulation), None, Ready::Solved) {
+            Ok(code) if code.system().has_accelerations() => list.push(formulation),
+            Ok(_) | Err(Failure::Unsupported(_)) => {}
+            Err(failure) => return Err(failure),
+        }
+    }
     list.extend(list.first().copied().filter(|_| list.len() == 1));
-    list
+    Ok(list)
 }
 
 /// The scene in the distance from its singular surface, where the library has one compiled.
@@ -96,10 +100,10 @@ fn run(
     let by = By::from(formulation);
     let mut scene = scene.clone();
     scene.integration.distance = near(model, &scene);
-    let code = code(model, &by, scene.integration.distance)?;
+    let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, &scene, &by, &code, Some(Solve::Eliminated))?;
     let tolerance = |list: [f64; 2]| list[attempt.min(1)];
-    match (code.extended(), problem.extended_start()) {
+    match (code.extended(), problem.extended_start()?) {
         (Some(system), Some((p, y0))) => {
             let mut rhs = Eliminated::new(system, &p).expect("checked to be eliminated, with the model's parameters");
             let rtol = tolerance(EXTENDED);

@@ -1,10 +1,11 @@
 //! One run of a scene by one formulation.
 
-use crate::catalogue::{By, Code, code};
+use crate::catalogue::{By, Code, Ready, code, tape};
 use crate::failure::Failure;
 use crate::invariants::Watch;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
+use crate::shown::Shown;
 use crate::trust;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
@@ -23,6 +24,10 @@ pub struct Run {
     pub solve: Solve,
     /// The integrator's result.
     pub solution: Solution,
+    /// When, after how many steps and why it ended, in a sentence.
+    pub ending: String,
+    /// What the equations divide by that is next to zero at the end, as the end of a sentence; empty if nothing is.
+    pub near: String,
     /// What is shown of a state: the names of coordinates and generalized speeds, or of the outputs of a scene.
     pub names: Vec<String>,
     /// Their values at each sample.
@@ -42,8 +47,25 @@ pub struct Run {
 impl Run {
     /// Why the run must not be trusted to the end that was asked for, a reason a line; nothing if it can be.
     pub fn objections(&self) -> Vec<String> {
-        let stop = self.solution.stop.is_failure().then(|| self.solution.to_string());
-        stop.into_iter().chain(self.warnings.iter().cloned()).collect()
+        self.failure().into_iter().chain(self.warnings.iter().cloned()).collect()
+    }
+
+    /// Why the run could not go on, or what it does not give; nothing if it gives all that was asked for.
+    pub fn failure(&self) -> Option<String> {
+        if self.solution.stop.is_failure() { Some(self.ending.clone()) } else { self.missing() }
+    }
+
+    /// What has no value, and when first.
+    fn missing(&self) -> Option<String> {
+        let end = (&self.solution.t_end, &self.end);
+        // The last sample is the end, unless only some instants were asked for.
+        let end = Some(end).filter(|(t, _)| self.solution.t.last() != Some(*t));
+        let samples = self.solution.t.iter().zip(&self.states).chain(end);
+        let mut without = samples.filter_map(|(t, values)| Some((t, values.iter().position(|x| !x.is_finite())?)));
+        let (t, at) = without.next()?;
+        let more = without.count();
+        let more = if more == 0 { String::new() } else { format!(" and at {more} of the samples after it") };
+        Some(format!("`{}` has no value at t = {t} s{more}{}", self.names[at], self.near))
     }
 }
 
@@ -53,27 +75,47 @@ pub fn state_names(model: &Model) -> Vec<String> {
     coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
 }
 
-/// Runs a scene by one set of equations.
+/// Runs a scene by one set of equations, and shows what it asks for.
 ///
 /// # Errors
 /// [`Failure`] if the formulation is not to be had, or the scene asks for what it cannot give.
 pub fn run(model: &Model, scene: &Scene, by: &By) -> Result<Run, Failure> {
-    let code = code(model, by, scene.integration.distance)?;
-    run_code(model, scene, by, &code, proved(model).as_ref())
+    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
+    let problem = Problem::new(model, scene, by, &code, None)?;
+    let mut run = run_problem(&problem, proved(model)?.as_ref())?;
+    Shown::new(model, scene)?.apply(&problem, &mut run)?;
+    Ok(run)
 }
 
-/// Runs a scene by its own reduced equations.
+/// Runs a scene by its own reduced equations. Where they have no value at the start, since what determines a speed from a momentum
+/// is singular there, no momentum is held.
 ///
 /// # Errors
 /// As [`run`].
 pub fn run_reduced(model: &Model, scene: &Scene) -> Result<Run, Failure> {
     let reduced = Reduced::new(model, scene)?;
     let code = reduced.code()?;
-    let problem = Problem::reduced(&reduced, scene, &code)?;
+    let singular = Problem::reduced(&reduced, scene, &code)?.singular_start()?;
+    let (Some(singular), false) = (singular, reduced.constants().next().is_none()) else {
+        return run_own(model, scene, &reduced, &code);
+    };
+    let plain = Reduced::without_momenta(model, scene)?;
+    let code = plain.code()?;
+    if Problem::reduced(&plain, scene, &code)?.singular_start()?.is_some() {
+        return Err(Failure::Stopped(format!("the run cannot start: {singular}")));
+    }
+    let mut run = run_own(model, scene, &plain, &code)?;
+    run.warnings.insert(0, format!("no momentum is held, since {singular}"));
+    Ok(run)
+}
+
+/// Runs a scene by these of its own equations.
+fn run_own(model: &Model, scene: &Scene, reduced: &Reduced, code: &Code) -> Result<Run, Failure> {
+    let problem = Problem::reduced(reduced, scene, code)?;
     // Integrals of the whole are functions of all states, which a scene may not show.
-    let watch = if scene.states_outputs { None } else { proved(model) };
+    let watch = if scene.states_outputs { None } else { proved(model)? };
     let mut run = run_problem(&problem, watch.as_ref())?;
-    whole_energies(model, scene, &reduced, &mut run)?;
+    whole_energies(model, scene, reduced, &mut run)?;
     Ok(run)
 }
 
@@ -90,7 +132,7 @@ pub fn whole_energies(model: &Model, scene: &Scene, reduced: &Reduced, run: &mut
         run.energy_drift = run.energy_drift.filter(|_| reduced.reduction.has_energy);
         return Ok(());
     }
-    let code = code(model, &Formulation::Kane.into(), None)?;
+    let code = code(model, &Formulation::Kane.into(), None, Ready::AsDerived)?;
     let (system, p, n) = (code.system(), scene.parameters.as_slice(), scene.q.len());
     let energies = |state: &Vec<f64>| {
         let (q, u) = state.split_at(n);
@@ -113,9 +155,12 @@ fn shown(problem: &Problem<'_>) -> Vec<String> {
 }
 
 /// What is conserved; nothing of a large model, of which the proof may take longer than the run: there energy alone is watched.
-pub fn proved(model: &Model) -> Option<Watch> {
+///
+/// # Errors
+/// [`Failure`] if the model cannot be derived.
+pub fn proved(model: &Model) -> Result<Option<Watch>, Failure> {
     let small = model.coordinates.len() <= MOST_PROVED;
-    if small { Watch::of_model(model).ok() } else { None }
+    small.then(|| Watch::of_model(model)).transpose()
 }
 
 /// Coordinates up to which a run proves what is conserved before it watches it.
@@ -228,11 +273,15 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
     };
     let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
     let energy_drift = dynamics.energy_drift(&solution);
-    let warnings = trust::objections(problem, &solution, watch, energy_drift);
+    let warnings = trust::objections(problem, &solution, watch, energy_drift)?;
     let drifts = watch.map_or_else(Vec::new, |watch| {
         watch.integrals.iter().map(|(name, _)| name.clone()).zip(watch.changes(problem, &solution)).collect()
     });
+    let near = problem.near_divisors(&solution.y_end)?;
+    let ending = solution.described(&problem.variables());
     Ok(Run {
+        ending: if solution.stop.is_failure() { ending + &near } else { ending },
+        near,
         drifts,
         by: problem.by.clone(),
         code: problem.code.name(),
@@ -275,7 +324,7 @@ impl Balance {
         for (name, e) in watched {
             let reaction = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol));
             if let (Some(reaction), None) = (reaction, &balance) {
-                balance = Some(code(model, &Formulation::NewtonEuler.into(), None).map_err(|error| {
+                balance = Some(code(model, &Formulation::NewtonEuler.into(), None, Ready::AsDerived).map_err(|error| {
                     Failure::Request(
                         format!(
                             "`{name}` needs the reaction `{}`, which only newton-euler gives, also in a run by {}:\n{error}",
@@ -285,20 +334,13 @@ impl Balance {
                     )
                 })?);
             }
-            list.push(Watched { tape: tape(model, e)?, needs_reactions: reaction.is_some() });
+            let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
+            let inputs = [model.p(), model.q(), model.q_dot(), model.u(), reactions].concat();
+            let tape = tape(&model.arena, &inputs, &[e], &format!("`{name}`"))?;
+            list.push(Watched { tape, needs_reactions: reaction.is_some() });
         }
         Ok(Self { code: balance, watched: list })
     }
-}
-
-/// A watched expression, compiled.
-fn tape(model: &Model, e: Expr) -> Result<Tape, Failure> {
-    let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
-    let inputs = [model.p(), model.q(), model.q_dot(), model.u(), reactions].concat();
-    Tape::new(&model.arena, &inputs, &[e]).map_err(|unknown| {
-        let what = format!("a watched expression mentions `{}`, which has no value during a run", unknown.0);
-        Failure::Request(what, "use parameters, coordinates, q', speeds and reactions".to_owned())
-    })
 }
 
 /// The domain's conditions and the scene's events as functions of the integrated state; the scene must have those that

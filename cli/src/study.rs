@@ -3,7 +3,7 @@
 //! The terms of proofs and verdicts live in one store, apart from those of the equations that are shown and run: what a
 //! report prints can never change what is derived.
 
-use crate::catalogue::{By, Code, code_of, compiled_code};
+use crate::catalogue::{By, Code, Ready, code_of, compiled_code};
 use crate::failure::Failure;
 use tripos_codegen::workspace::report_beside;
 use tripos_derive::diagnostic::Diagnostics;
@@ -81,7 +81,7 @@ impl Study {
                     let derivation =
                         derivation.get_or_insert_with(|| Derivation { arena: arena(), equations: equations.clone() });
                     derivation.equations = equations.clone();
-                    code_of(model, &by, derivation)
+                    code_of(model, &by, derivation, Ready::AsDerived)
                 }
             };
             list.push((by, code));

@@ -2,11 +2,13 @@
 //!
 //! Every objection comes with its figure. None is raised by a clock: the same run gives the same objections.
 
+use crate::failure::Failure;
 use crate::invariants::{Drift, Watch};
 use crate::problem::Problem;
+use crate::run::refused;
 use tripos_derive::scene::{AbsoluteTolerance, QUADRATURE, Scene, Solve};
 use tripos_sim::stability::growth;
-use tripos_sim::{Eliminated, Method, Options, Solution};
+use tripos_sim::{Eliminated, Method, Options, RightHandSide, Solution};
 
 /// How many times what the tolerances allow a conserved quantity may change before it can be an objection.
 const ALLOWED: f64 = 100.0;
@@ -25,7 +27,15 @@ const MOST_STEPS: u64 = 100_000;
 const LAST_PART: f64 = 0.01;
 
 /// Objections to a run, each with its figure.
-pub fn objections(problem: &Problem<'_>, solution: &Solution, watch: Option<&Watch>, energy_drift: f64) -> Vec<String> {
+///
+/// # Errors
+/// [`Failure::Request`] if the parameters are not those of the equations.
+pub fn objections(
+    problem: &Problem<'_>,
+    solution: &Solution,
+    watch: Option<&Watch>,
+    energy_drift: f64,
+) -> Result<Vec<String>, Failure> {
     let mut list: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
     match watch.filter(|watch| !watch.integrals.is_empty()) {
         Some(watch) => {
@@ -34,12 +44,12 @@ pub fn objections(problem: &Problem<'_>, solution: &Solution, watch: Option<&Wat
         }
         None => list.extend(energy(problem, solution, energy_drift)),
     }
-    list.extend(condition(problem, solution));
+    list.extend(condition(problem, solution)?);
     // Quadrature has no steps whose errors could grow.
     if problem.scene.integration.method != QUADRATURE {
-        list.extend(horizon(problem, solution));
+        list.extend(horizon(problem, solution)?);
     }
-    list
+    Ok(list)
 }
 
 /// Of equations whose first integrals were not looked for: where nothing but gravity works, total energy is constant.
@@ -82,7 +92,8 @@ fn allowance(scene: &Scene, at: usize, value: f64) -> f64 {
         AbsoluteTolerance::Uniform(atol) => *atol,
         AbsoluteTolerance::Each(each) => each.get(at).copied().unwrap_or(0.0),
     };
-    atol + scene.integration.rtol * value.abs()
+    // No tolerance makes a number better known than to its rounding.
+    (atol + scene.integration.rtol * value.abs()).max(f64::EPSILON * value.abs())
 }
 
 /// How many times, in few digits.
@@ -100,6 +111,9 @@ fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Ve
 }
 
 fn said((name, unit, Drift { t, change, ratio }): &Worst<'_>) -> String {
+    if change.is_nan() {
+        return format!("{name}, constant in this motion, has no value at t = {t:.4} s: do not trust this run");
+    }
     format!(
         "{name}, constant in this motion, has changed by {change:.3e} {unit} at t = {t:.4} s, {} times what the tolerances allow in a step: do not trust this run",
         times(*ratio)
@@ -113,50 +127,57 @@ fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
 }
 
 /// A numeric solve loses as many digits as its matrix is ill-conditioned.
-fn condition(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
+fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Failure> {
     if problem.solve == Solve::Eliminated {
-        return None;
+        return Ok(None);
     }
-    let mut dynamics = problem.dynamics().ok()?;
-    let (t, rcond) = spread(solution)
+    let mut dynamics = problem.dynamics().map_err(|error| refused(problem.scene, &error))?;
+    let worst = spread(solution)
         .map(|(t, y)| {
             let (q, v) = dynamics.split(y);
             let (q, v) = (q.to_vec(), v.to_vec());
             (t, dynamics.reciprocal_condition(&q, &v))
         })
-        .min_by(|a, b| a.1.total_cmp(&b.1))?;
+        .min_by(|a, b| a.1.total_cmp(&b.1));
+    let Some((t, rcond)) = worst else { return Ok(None) };
     let lost = f64::EPSILON / rcond.max(f64::MIN_POSITIVE);
     let asked = problem.scene.integration.rtol.max(problem.scene.integration.smallest_atol());
-    (lost > asked).then(|| {
+    Ok((lost > asked).then(|| {
         let digits = (-lost.log10()).floor().max(0.0);
         format!(
             "the matrix is ill-conditioned at t = {t} s: equilibrated rcond {rcond:.1e}, so the numeric solve leaves {digits} digits there, less than rtol {:e} asks for{}",
             problem.scene.integration.rtol,
             if problem.system().has_accelerations() { "; eliminated accelerations lose none of them" } else { "" }
         )
-    })
+    }))
 }
 
 /// The instant after which no digit is left, if the run goes beyond it.
-fn horizon(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
+///
+/// Without eliminated accelerations the growth is followed by differences of those that are solved for.
+fn horizon(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Failure> {
     let scene = problem.scene;
-    let start = solution.y.first()?;
-    let mut rhs = Eliminated::new(problem.system(), &scene.parameters)?;
+    // A run that took no step says why.
+    let Some(start) = solution.y.first().filter(|_| solution.steps > 0) else { return Ok(None) };
+    let mut rhs: Box<dyn RightHandSide<f64> + '_> = match Eliminated::new(problem.system(), &scene.parameters) {
+        Some(rhs) => Box::new(rhs),
+        None => Box::new(problem.dynamics().map_err(|error| refused(scene, &error))?),
+    };
     // Tight, whatever the run: of a motion that is wrong the growth is wrong too.
     let (rtol, atol) = (1e-9, tripos_sim::AbsoluteTolerance::Uniform(1e-9));
     let options = Options { method: Method::Dop853, rtol, atol, step_limit: MOST_STEPS, ..Options::default() };
     let span = (solution.t[0], solution.t_end);
-    if span.0 - span.1 == 0.0 {
-        return None;
-    }
-    let growth = growth(&mut rhs, span, start, &vec![1.0; start.len()], &options).ok()?;
+    let growth = growth(rhs.as_mut(), span, start, &vec![1.0; start.len()], &options);
+    let growth = growth.map_err(|error| refused(scene, &error))?;
     let tolerance = scene.integration.rtol.max(scene.integration.smallest_atol()).max(f64::EPSILON);
     // What only the very end shows is the surface that the motion ends at.
     // Every step adds an error of its own, and the growth carries all of them on.
     let steps = solution.steps as f64;
     let sum = |t: f64| tolerance * (steps * (t - span.0) / (span.1 - span.0)).max(1.0);
-    let t = growth.horizon(sum).filter(|t| (span.1 - t).abs() > LAST_PART * (span.1 - span.0).abs())?;
-    Some(format!(
-        "the errors of {tolerance:.0e} that the tolerances allow in each step can have grown to 1 at t = {t:.4} s: no digit need be left after that"
-    ))
+    let t = growth.horizon(sum).filter(|t| (span.1 - t).abs() > LAST_PART * (span.1 - span.0).abs());
+    Ok(t.map(|t| {
+        format!(
+            "the errors of {tolerance:.0e} that the tolerances allow in each step can have grown to 1 at t = {t:.4} s: no digit need be left after that"
+        )
+    }))
 }

@@ -4,7 +4,7 @@ use crate::function::{Arguments, Function, Returns, Value, Writer};
 use crate::identifiers::{Variables, spelled, type_name};
 use crate::system::{self, Part};
 use crate::taylor::{self, Recurrences, recurrences};
-use crate::tokens::format;
+use crate::tokens::{format, prose};
 use quote::quote;
 use tripos_derive::algebra::elimination::{Definition, Elimination};
 use tripos_derive::algebra::linear::Singular;
@@ -58,7 +58,8 @@ pub fn file(model: &Model, origin: &str, arena: &Arena, equations: &Equations, s
     let recurrences = solved.and_then(|solved| solved.recurrences.as_ref());
     functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
-    let parts: Vec<Part> = [Part::LinearSystem]
+    let state = model.coordinates.len() + equations.variables.len();
+    let parts: Vec<Part> = [Part::LinearSystem, Part::WholeState(state)]
         .into_iter()
         .chain(solved.map(|_| Part::Eliminated))
         .chain(recurrences.map(|list| Part::Taylor(taylor::function::width(list))))
@@ -243,7 +244,7 @@ fn header(writer: &Writer<'_>, origin: &str, functions: &[Function], solved: Opt
     let shown = if solved.is_some() { 3 } else { 2 };
     let costs: Vec<String> = functions.iter().take(shown).map(|f| format!("{} {}", f.name, f.cost)).collect();
     vec![
-        format!("{}: {}, {}.", model.title, e.title, equation_text(e.formulation)),
+        format!("{}: {}, {}.", prose(&model.title), prose(&e.title), equation_text(e.formulation)),
         String::new(),
         origin.to_owned(),
         format!("{}. Unknowns: {}.", counts.join(", "), vector_text(writer.arena, &e.unknowns)),

@@ -1,7 +1,7 @@
 //! The `mod.rs` of one model: its parameters, its names, its formulations.
 
 use crate::identifiers::{fields, module_name, type_name};
-use crate::tokens::format;
+use crate::tokens::{format, prose};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
@@ -23,7 +23,8 @@ pub fn file(
     equations: &[Entry],
     scenes: &[String],
 ) -> String {
-    let header = vec![format!("{}.", model.title), String::new(), origin.to_owned(), format!("{}.", model.count())];
+    let header =
+        vec![format!("{}.", prose(&model.title)), String::new(), origin.to_owned(), format!("{}.", model.count())];
     let modules = equations.iter().map(|entry| {
         let name = format_ident!("{}", module_name(&entry.name));
         quote!(#[rustfmt::skip] pub mod #name;)
@@ -83,7 +84,7 @@ pub fn parameters(model: &Model) -> TokenStream {
     let fields = model.parameters.iter().zip(&names).map(|(p, name)| {
         let name = format_ident!("{name}");
         let about = if p.about.is_empty() { "parameter" } else { &p.about };
-        let text = format!(" {about}, {}", p.unit);
+        let text = format!(" {}, {}", prose(about), p.unit);
         quote!(#[doc = #text] pub #name: S)
     });
     let from = names.iter().enumerate().map(|(at, name)| {

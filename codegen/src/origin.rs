@@ -35,7 +35,9 @@ impl Origin {
     }
 
     fn of(&self, file: &str) -> String {
-        format!("{GENERATED}{}{file}`. {}", self.folder, advice(self.command))
+        // The quotes of the path are Markdown's: one of its own would end them.
+        let path = format!("{}{file}", self.folder).replace('`', "'");
+        format!("{GENERATED}{path}`. {}", advice(self.command))
     }
 }
 

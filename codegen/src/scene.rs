@@ -6,14 +6,15 @@ use crate::identifiers::{Variables, module_name, spelled, type_name};
 use crate::module::parameters;
 use crate::system::{self, Part};
 use crate::taylor;
-use crate::tokens::{Cost, format};
+use crate::tokens::{Cost, format, prose};
 use proc_macro2::Literal;
 use quote::{format_ident, quote};
 use tripos_derive::Model;
+use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{accelerations, energy_gradient as energy_gradient_of};
+use tripos_derive::mechanics::{DeriveError, accelerations, energy_gradient as energy_gradient_of};
 use tripos_derive::reduce::{Quantity, Reduction, Slope};
 use tripos_derive::{Equations, Formulation, derive};
 
@@ -38,15 +39,17 @@ pub struct Named<'a> {
 }
 
 /// Emits the file of a scene, such as `report_10s.rs`, beside those that are there. Where one of them has the same equations, the
-/// file refers to it. Nothing if the accelerations are not determined.
-#[must_use]
-pub fn file(reduction: &Reduction, named: &Named<'_>, before: &[SceneFile]) -> Option<SceneFile> {
+/// file refers to it.
+///
+/// # Errors
+/// [`Singular`] if the accelerations are determined in no configuration.
+pub fn file(reduction: &Reduction, named: &Named<'_>, before: &[SceneFile]) -> Result<SceneFile, Singular> {
     let (module, key) = (module_of(named.name, before), reduction.key());
     let text = match before.iter().find(|file| file.key == key) {
         Some(same) => reference(reduction, named, &same.module),
         None => equations_of(reduction, named, &key)?,
     };
-    Some(SceneFile { module, key, text })
+    Ok(SceneFile { module, key, text })
 }
 
 /// A module name for a scene of any name, such as `scene_10s` for `10s`, that none of these has yet.
@@ -80,14 +83,15 @@ fn reference(reduction: &Reduction, named: &Named<'_>, same: &str) -> String {
 }
 
 fn first_line(reduction: &Reduction, named: &Named<'_>) -> String {
-    format!("{}: {}.", reduction.model.title, if named.title.is_empty() { named.name } else { named.title })
+    let title = if named.title.is_empty() { named.name } else { named.title };
+    format!("{}: {}.", prose(&reduction.model.title), prose(title))
 }
 
 /// The file of a scene with equations of its own.
-fn equations_of(reduction: &Reduction, named: &Named<'_>, key: &str) -> Option<String> {
+fn equations_of(reduction: &Reduction, named: &Named<'_>, key: &str) -> Result<String, Singular> {
     let mut arena = reduction.terms().clone();
     let equations = &reduction.derivation.equations;
-    let solved = Solved::new(&mut arena, equations).ok()?;
+    let solved = Solved::new(&mut arena, equations)?;
     let gradient = energy_gradient_of(&mut arena, &mut Simplifier::default(), equations);
     let writer = writer(&reduction.model, &arena, equations);
     let mut functions = eliminated(&writer, &solved);
@@ -142,7 +146,7 @@ fn equations_of(reduction: &Reduction, named: &Named<'_>, key: &str) -> Option<S
             };
         },
     );
-    Some(text)
+    Ok(text)
 }
 
 fn writer<'a>(model: &'a Model, arena: &'a Arena, equations: &'a Equations) -> Writer<'a> {
@@ -217,7 +221,7 @@ fn potential_slope(writer: &Writer<'_>, slope: &Slope) -> Vec<Function> {
 /// The `mod.rs` of the scenes of a model.
 #[must_use]
 pub fn list(title: &str, origin: &str, modules: &[String]) -> String {
-    let header = vec![format!("{title}: the equations of its scenes."), String::new(), origin.to_owned()];
+    let header = vec![format!("{}: the equations of its scenes.", prose(title)), String::new(), origin.to_owned()];
     let modules: Vec<_> = modules.iter().map(|name| format_ident!("{name}")).collect();
     format(
         &header,
@@ -241,11 +245,11 @@ fn header(reduction: &Reduction, named: &Named<'_>, functions: &[Function]) -> V
         first_line(reduction, named),
         String::new(),
         named.origin.to_owned(),
-        format!("Outputs: {}.", shown.join(", ")),
+        format!("Outputs: {}.", prose(&shown.join(", "))),
         format!("States: {}. Quadratures: {}.", names(&reduction.states), names(&reduction.quadratures)),
     ];
     for constant in &reduction.constants {
-        lines.push(format!("{} = {}: {}.", constant.name, text(arena, constant.of_start), constant.about));
+        lines.push(format!("{} = {}: {}.", constant.name, text(arena, constant.of_start), prose(&constant.about)));
     }
     let folded: Vec<String> =
         reduction.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_f64())).collect();
@@ -271,18 +275,21 @@ pub struct Costs {
     pub scene: Cost,
 }
 
-/// Counts operations as generated code has them. Nothing where the accelerations are not determined.
-#[must_use]
-pub fn costs(model: &Model, reduction: &Reduction) -> Option<Costs> {
+/// Counts operations as generated code has them.
+///
+/// # Errors
+/// [`DeriveError`] if Kane's equations cannot be had, or accelerations are determined in no configuration.
+pub fn costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError> {
     let of = |model: &Model, arena: &Arena, equations: &Equations| {
         let mut arena = arena.clone();
-        let solved = accelerations(&mut arena, &mut Simplifier::default(), equations).ok()?;
-        Some(derivative(&writer(model, &arena, equations), &solved.steps).cost)
+        let solved =
+            accelerations(&mut arena, &mut Simplifier::default(), equations).map_err(|_| DeriveError::NotLinear)?;
+        Ok(derivative(&writer(model, &arena, equations), &solved.steps).cost)
     };
-    let kane = derive(model, Formulation::Kane).ok()?;
+    let kane = derive(model, Formulation::Kane)?;
     let full = of(model, &kane.arena, &kane.equations)?;
     let scene = of(&reduction.model, reduction.terms(), &reduction.derivation.equations)?;
-    Some(Costs { full, scene })
+    Ok(Costs { full, scene })
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The `System` that hands the simulator's slices to the generated functions.
 
 use crate::identifiers::type_name;
+use crate::tokens::prose;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::{Equations, Formulation, Model};
@@ -16,6 +17,8 @@ pub enum Part {
     Taylor(usize),
     /// This many `outputs` of a scene.
     Outputs(usize),
+    /// The whole state as `outputs`, of this length.
+    WholeState(usize),
     /// `energy_gradient`.
     EnergyGradient,
     /// `potential_slope`.
@@ -62,6 +65,15 @@ impl Part {
                     }
                 }
             }
+            Self::WholeState(length) => {
+                let length = Literal::usize_unsuffixed(length);
+                quote! {
+                    fn output_count(&self) -> usize { #length }
+                    fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
+                        self.whole_state(p, q, v, out);
+                    }
+                }
+            }
             Self::EnergyGradient => quote! {
                 fn has_energy_gradient(&self) -> bool { true }
                 fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
@@ -97,7 +109,7 @@ fn state() -> TokenStream {
 /// The `System` that hands slices to the functions above.
 pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     let name = format_ident!("{}", type_name(&e.name));
-    let about = format!(" {} of this model as a [`System`].", e.title);
+    let about = format!(" {} of this model as a [`System`].", prose(&e.title));
     let symmetric = e.symmetric;
     let [parameters, n, m, reactions] =
         [model.parameters.len(), model.coordinates.len(), e.variables.len(), e.unknowns.len() - e.variables.len()]

@@ -6,6 +6,7 @@ use quote::{format_ident, quote};
 use std::fmt::Write;
 use tripos_derive::algebra::Rational;
 use tripos_derive::algebra::view::View;
+use tripos_derive::plain::{one_line, visible};
 
 /// What a piece of generated code costs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -88,14 +89,38 @@ fn number(numerator: &str, denominator: &str) -> TokenStream {
             let (n, d) = (proc_macro2::Literal::i64_unsuffixed(n), proc_macro2::Literal::i64_unsuffixed(d));
             quote!(S::ratio(#n, #d))
         }
-        // Too large for a word: the nearest double.
-        _ => {
-            let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
-            let value = value.and_then(|(n, d)| Some(n.mul(&d.recip()?).to_f64())).unwrap_or(f64::NAN);
-            let value = proc_macro2::Literal::f64_unsuffixed(value);
-            quote!(S::from_f64(#value))
-        }
+        // Too large for a word.
+        _ => long_number(numerator, denominator),
     }
+}
+
+/// A quotient of whole numbers of any length: the nearest double, times a power of ten where no double is near.
+fn long_number(numerator: &str, denominator: &str) -> TokenStream {
+    let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
+    let value = value.and_then(|(n, d)| Some(n.mul(&d.recip()?)));
+    let Some(value) = value else { return quote!(compile_error!("not a number")) };
+    let double = |x: f64| proc_macro2::Literal::f64_unsuffixed(x);
+    let nearest = value.to_f64();
+    if nearest.is_normal() {
+        let nearest = double(nearest);
+        return quote!(S::from_f64(#nearest));
+    }
+    // Whole digits less, of both: the size in powers of ten, to one.
+    let size = digits(numerator) - digits(denominator);
+    let ten = Rational::integer(10);
+    let power = ten.pow(size).map(|power| value.mul(&power.recip().unwrap_or(Rational::ONE)).to_f64());
+    match power {
+        Some(mantissa) if mantissa.is_finite() => {
+            let (mantissa, size) = (double(mantissa), proc_macro2::Literal::i32_unsuffixed(size));
+            quote!(S::from_f64(#mantissa) * S::int(10).powi(#size))
+        }
+        _ => quote!(compile_error!("a number beyond all scalars")),
+    }
+}
+
+/// How many digits a whole number has.
+fn digits(text: &str) -> i32 {
+    i32::try_from(text.trim_start_matches('-').len()).unwrap_or(i32::MAX)
 }
 
 /// Terms from left to right. A product of plain factors is fused with what stands before it, where the scalar type can:
@@ -309,6 +334,21 @@ pub fn section(heading: &str, list: &[Statement], cost: &mut Cost) -> TokenStrea
     tokens
 }
 
+/// Words of a file for a doc comment: on one line, and plain for Markdown, which would run fenced and indented text as examples and
+/// follow brackets as links.
+#[must_use]
+pub fn prose(text: &str) -> String {
+    let line = one_line(text);
+    let mut out = String::new();
+    for c in visible(&line).chars() {
+        if matches!(c, '`' | '~' | '[' | ']' | '<' | '>') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
+}
+
 /// A comment on the next statement.
 #[must_use]
 pub fn comment(text: &str) -> TokenStream {
@@ -349,8 +389,10 @@ fn uses(program: &Program, name: &str) -> bool {
 pub fn format(header: &[String], items: TokenStream) -> String {
     let file: syn::File = syn::parse2(items).expect("generated tokens are a Rust file");
     let body = prettyplease::unparse(&file);
+    // A line break in a line would end its comment: what follows would be code.
+    let lines = header.iter().map(|line| one_line(&visible(line)));
     let mut out: String =
-        header.iter().map(|line| if line.is_empty() { "//!\n".to_owned() } else { format!("//! {line}\n") }).collect();
+        lines.map(|line| if line.is_empty() { "//!\n".to_owned() } else { format!("//! {line}\n") }).collect();
     out.push('\n');
     let marked = format!("///{MARK}");
     let mut before = "";
@@ -365,7 +407,7 @@ pub fn format(header: &[String], items: TokenStream) -> String {
         before = line;
         match line.split_once(&marked) {
             Some((indent, text)) if indent.trim().is_empty() => {
-                for (at, part) in wrap(text, 104 - indent.len().min(60)).iter().enumerate() {
+                for (at, part) in wrap(&visible(text), 104 - indent.len().min(60)).iter().enumerate() {
                     let hang = if at == 0 { "" } else { "  " };
                     let _ = writeln!(out, "{indent}// {hang}{part}");
                 }

@@ -120,11 +120,11 @@ pub(crate) fn module_files(
             Ok(derivation) => {
                 let near = distances(&model).into_iter().map(|d| in_distance(&model, derivation.clone(), d));
                 for Derivation { mut arena, equations } in std::iter::once(derivation.clone()).chain(near) {
-                    // The matrix has full rank by meaning, so it is never singular identically.
-                    let solved = Solved::new(&mut arena, &equations).ok();
-                    let text = formulation::file(&model, &origin.of_model(), &arena, &equations, solved.as_ref());
+                    let solved =
+                        Solved::new(&mut arena, &equations).map_err(|_| undetermined(&model.source, f.title()))?;
+                    let text = formulation::file(&model, &origin.of_model(), &arena, &equations, Some(&solved));
                     files.push((format!("{}.rs", module_name(&equations.name)), text));
-                    entries.push(Entry { name: equations.name, solved: solved.is_some() });
+                    entries.push(Entry { name: equations.name, solved: true });
                 }
             }
             Err(error) if error.is_unsupported() => left_out.push((f, error)),
@@ -167,6 +167,13 @@ pub(crate) fn module_files(
     Ok(ModuleFiles { files, left_out, broken_scenes })
 }
 
+/// The derivation tests the rank by meaning, so that this is not seen of its equations.
+fn undetermined(source: &Source, equations: &str) -> Diagnostics {
+    let message = format!("{equations}: the accelerations are determined in no configuration");
+    let help = "give every coordinate something that resists it";
+    Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)])
+}
+
 /// The scene files of a model file, in order of their names.
 fn scenes_beside(path: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(path.with_file_name("scenes")) else { return Vec::new() };
@@ -180,7 +187,7 @@ fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// The file of one scene beside those that are there; nothing if it is of another model or has no equations of its own.
+/// The file of one scene beside those that are there; nothing if it is of another model.
 fn scene_file(
     model: &Model,
     path: &Path,
@@ -200,7 +207,9 @@ fn scene_file(
     let name = file_name(path);
     let stem = name.strip_suffix(".toml").unwrap_or(&name);
     let named = scene::Named { name: stem, title: &loaded.title, origin: &origin.of_scene(&name) };
-    Ok(scene::file(&reduction, &named, before))
+    let file =
+        scene::file(&reduction, &named, before).map_err(|_| undetermined(&source, "the scene's own equations"))?;
+    Ok(Some(file))
 }
 
 /// The report file beside a model file, if there is one.

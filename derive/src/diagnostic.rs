@@ -1,5 +1,6 @@
 //! What is wrong with a file: place, fact, help.
 
+use crate::plain::{one_line, visible};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::fmt;
 use std::io::Read;
@@ -61,7 +62,8 @@ impl Source {
             return fail_at(at, 1, "the file has a NUL byte here", "the file must be plain text");
         }
         match std::str::from_utf8(&bytes) {
-            Ok(text) => Ok(Self { path: path.to_owned(), text: text.to_owned() }),
+            // A byte order mark is no part of the text, and would shift its columns.
+            Ok(text) => Ok(Self { path: path.to_owned(), text: text.trim_start_matches('\u{feff}').to_owned() }),
             Err(error) => {
                 fail_at(error.valid_up_to(), 1, "the file is not UTF-8 from here on", "save the file as UTF-8")
             }
@@ -71,7 +73,7 @@ impl Source {
     /// A text that did not come from a file.
     #[must_use]
     pub fn from_text(path: &str, text: &str) -> Self {
-        Self { path: PathBuf::from(path), text: text.to_owned() }
+        Self { path: PathBuf::from(path), text: text.trim_start_matches('\u{feff}').to_owned() }
     }
 }
 
@@ -143,11 +145,12 @@ const MARGIN: usize = 160;
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let path = self.source.path.display().to_string();
+        let path = visible(&path);
         for (at, diagnostic) in self.list.iter().take(MAX_SHOWN).enumerate() {
             if at > 0 {
                 writeln!(f, "\n")?;
             }
-            f.write_str(&render(&path, &self.source.text, diagnostic))?;
+            f.write_str(&visible(&render(&path, &self.source.text, diagnostic)))?;
         }
         if self.list.len() > MAX_SHOWN {
             write!(f, "\n\nand {} more errors", self.list.len() - MAX_SHOWN)?;
@@ -220,8 +223,7 @@ impl<'a> Excerpt<'a> {
         let end = if text[..end].ends_with('\r') { end - 1 } else { end }.max(from);
         let to = to.min(end).max(from);
         let line = text[..first].bytes().filter(|b| *b == b'\n').count() + 1;
-        let bom = usize::from(text[first..from].starts_with('\u{feff}'));
-        let column = text[first..from].chars().count() + 1 - bom;
+        let column = text[first..from].chars().count() + 1;
         let whole = end - first <= 2 * MARGIN;
         let start = if whole { first } else { from };
         let end = if whole { end } else { floor(text, from + MARGIN).min(end) };
@@ -262,12 +264,14 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Stri
     }
 }
 
-/// A text short enough to stand in a message.
+/// A text short enough to stand in a message, on one line.
 #[must_use]
 pub fn shown(text: &str) -> String {
     const LONGEST: usize = 60;
+    let line = one_line(text);
+    let text = visible(&line);
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
+        None => text.into_owned(),
     }
 }

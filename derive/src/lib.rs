@@ -44,6 +44,7 @@ pub mod diagnostic;
 pub mod diff;
 pub mod mechanics;
 pub mod model;
+pub mod plain;
 pub mod prove;
 mod read;
 pub mod reduce;

@@ -1,6 +1,7 @@
 //! Typed access to a TOML file, collecting every error with its place.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
+use crate::plain::{called, is_blank, is_forbidden, one_line};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use toml::Spanned;
@@ -52,7 +53,10 @@ impl<'a> Reader<'a> {
     pub fn parse(source: &'a Source) -> Result<(Self, Spanned<DeTable<'a>>), Diagnostics> {
         let (table, errors) = DeTable::parse_recoverable(&source.text);
         if errors.is_empty() {
-            return Ok((Self::new(source), table));
+            let mut reader = Self::new(source);
+            reader.gate(table.get_ref());
+            reader.finish()?;
+            return Ok((reader, table));
         }
         let duplicate = |e: &toml::de::Error| e.message() == "duplicate key";
         let mut list: Vec<Diagnostic> = Vec::new();
@@ -75,6 +79,53 @@ impl<'a> Reader<'a> {
             list.push(Diagnostic::new(span, message, help));
         }
         Err(Diagnostics::new(source.clone(), list))
+    }
+
+    /// Refuses every key and text with a character that has no place in a line. Line breaks and tabs part the words of formulas and of
+    /// prose.
+    fn gate(&mut self, table: &DeTable<'_>) {
+        let mut tables = vec![table];
+        let mut values: Vec<&Spanned<DeValue<'_>>> = Vec::new();
+        while let Some(table) = tables.pop() {
+            for (key, value) in table {
+                self.gate_text(key.span(), key.get_ref(), |c| !is_forbidden(c));
+                values.push(value);
+            }
+            while let Some(value) = values.pop() {
+                match value.get_ref() {
+                    DeValue::String(text) => {
+                        self.gate_text(value.span(), text, |c| is_blank(c) || !is_forbidden(c));
+                    }
+                    DeValue::Array(list) => values.extend(list.iter()),
+                    DeValue::Table(table) => tables.push(table),
+                    _ => {}
+                }
+            }
+        }
+    }
+
+    fn gate_text(&mut self, span: Range<usize>, text: &str, fits: impl Fn(char) -> bool) {
+        if let Some(c) = text.chars().find(|c| !fits(*c)) {
+            let kind = if c.is_control() { "the control character" } else { "the invisible character" };
+            self.error(span, format!("this text has {kind} {}", called(c)), "remove it: text is what one can read");
+        }
+    }
+
+    /// A line of prose that may be absent; its line breaks and tabs count as spaces.
+    pub fn prose(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
+        let value = self.get(table, key)?;
+        Some(one_line(&self.string(value, &format!("`{key}`"))?.text))
+    }
+
+    /// A name for people, on one line; reports one that is not.
+    pub fn name(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
+        let text = self.string(value, what)?;
+        if let Some(c) = text.text.chars().find(|c| is_forbidden(*c)) {
+            let message = format!("{what} has the control character {}", called(c));
+            self.error(text.span, message, "write it on one line");
+            return None;
+        }
+        Some(Located { text: text.text.trim().to_owned(), ..text })
     }
 
     /// Ends reading: the errors as diagnostics, or nothing if there were none.

@@ -11,7 +11,7 @@ mod values;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::Model;
-use crate::read::{Located, Reader};
+use crate::read::Reader;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -22,6 +22,7 @@ pub use extended::Extended;
 pub use family::Family;
 pub use integration::{AbsoluteTolerance, Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
+pub use outputs::ENERGIES;
 
 /// Which way an event function must cross zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -204,7 +205,8 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let free = values.free(table);
     let events = values.events(table);
     let figures = values.figures(table);
-    let title = values.text(table, "title").unwrap_or_default();
+    let title = values.reader.get(table, "title").and_then(|v| values.reader.name(v, "`title`"));
+    let title = title.map_or_else(String::new, |title| title.text);
     let about = values.text(table, "about").unwrap_or_default();
     values.reader.finish()?;
     let Start { q, u, exact } = numbers.start;
@@ -225,6 +227,19 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
         events,
         figures,
     })
+}
+
+impl Scene {
+    /// What its author may have meant otherwise, a line each.
+    #[must_use]
+    pub fn hints(&self, model: &Model) -> Vec<String> {
+        let starts = model.coordinates.iter().zip(&self.q).filter(|(c, _)| c.unit.is_plain());
+        let turned = starts.filter(|(_, q)| q.abs() > std::f64::consts::TAU && q.fract() == 0.0);
+        let hint = |(c, q): (&crate::model::Coordinate, &f64)| {
+            format!("`{}` starts at {q} rad: if degrees are meant, write \"{q}*deg\"", c.name)
+        };
+        turned.map(hint).collect()
+    }
 }
 
 /// What a scene says in numbers, and what may follow from its parameters.
@@ -334,7 +349,7 @@ impl<'a> Values<'a, '_> {
         for (entry, value) in self.entries(table, "events") {
             self.reader.allow(entry, "an event", &["name", "zero", "direction", "terminal", "about"]);
             let name = self.reader.need(entry, "name", "an event", &value.span());
-            let name = name.and_then(|v| self.reader.string(v, "an event's name"));
+            let name = name.and_then(|v| self.reader.name(v, "an event's name"));
             let zero = self.reader.need(entry, "zero", "an event", &value.span());
             let zero = zero.and_then(|v| self.reader.formula(v, "an event function"));
             let function = zero.and_then(|f| self.motion_formula(&f));
@@ -374,8 +389,6 @@ impl<'a> Values<'a, '_> {
     }
 
     fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
-        let value = self.reader.get(table, key)?;
-        let text: Located = self.reader.string(value, &format!("`{key}`"))?;
-        Some(text.text)
+        self.reader.prose(table, key)
     }
 }

@@ -160,13 +160,27 @@ impl Stop {
     }
 }
 
+impl Stop {
+    /// Why a run ended, with these names for the components of its state.
+    #[must_use]
+    pub fn described(&self, names: &[String]) -> String {
+        match self {
+            Self::NotFinite { component } => match names.get(*component) {
+                Some(name) => format!("`{name}` or its rate is not finite"),
+                None => self.to_string(),
+            },
+            other => other.to_string(),
+        }
+    }
+}
+
 impl fmt::Display for Stop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::End => f.write_str("end of the run"),
             Self::Event { name } => write!(f, "event `{name}`"),
             Self::LeftDomain { name } => {
-                write!(f, "outside the domain of the equations: `{name}` is not positive")
+                write!(f, "left the domain of the equations: `{name}` no longer holds")
             }
             Self::StepTooSmall { step } => write!(f, "step {step:.1e} s is below rounding"),
             Self::StepLimit { limit } => write!(f, "the limit of {limit} steps is used up"),
@@ -210,14 +224,22 @@ pub struct Solution<S = f64> {
     pub projection: Option<ProjectionReport>,
 }
 
-/// When, after how many steps, why: "stopped at t = 3.181 s after 412 steps (19 rejected): …".
-impl<S> fmt::Display for Solution<S> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl<S> Solution<S> {
+    /// When, after how many steps, why, with these names for the components of the state.
+    #[must_use]
+    pub fn described(&self, names: &[String]) -> String {
         let verb = if self.stop == Stop::End { "ended" } else { "stopped" };
         let plural = if self.steps == 1 { "" } else { "s" };
         let (t, steps, rejected) = (self.t_end, self.steps, self.rejected);
-        write!(f, "{verb} at t = {t} s after {steps} step{plural} ({rejected} rejected)")?;
-        if self.stop == Stop::End { Ok(()) } else { write!(f, ": {}", self.stop) }
+        let how = format!("{verb} at t = {t} s after {steps} step{plural} ({rejected} rejected)");
+        if self.stop == Stop::End { how } else { format!("{how}: {}", self.stop.described(names)) }
+    }
+}
+
+/// When, after how many steps, why: "stopped at t = 3.181 s after 412 steps (19 rejected): …".
+impl<S> fmt::Display for Solution<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.described(&[]))
     }
 }
 

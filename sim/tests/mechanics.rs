@@ -43,6 +43,12 @@ impl<S: Small> System<f64> for Of<S> {
     fn forcing(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
         S::forcing(p, q, v, out);
     }
+    fn output_count(&self) -> usize {
+        2 * S::COORDINATES
+    }
+    fn outputs(&self, p: &[f64], _t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.whole_state(p, q, v, out);
+    }
     fn generalized_speeds(&self, _p: &[f64], _q: &[f64], v: &[f64], out: &mut [f64]) {
         out.copy_from_slice(v);
     }

@@ -1,6 +1,6 @@
 //! What is charted: equations, how their accelerations are found, and the ways to run them.
 
-use crate::catalogue::{By, Code, code};
+use crate::catalogue::{By, Code, Ready, code};
 use crate::failure::Failure;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
@@ -164,47 +164,55 @@ impl Way {
 }
 
 /// Every formulation that the model has with each way to find its accelerations; printed equations, if wanted, as they
-/// stand; last the scene's own equations, if they can be had.
+/// stand; last the scene's own equations. Beside them why something cannot be had.
 ///
 /// # Errors
 /// [`Failure`] if nothing can be run.
-pub fn cases(model: &Model, scene: &Scene, printed: bool) -> Result<Vec<Case>, Failure> {
-    let mut list = whole(model, scene, printed)?;
-    list.extend(own(model, scene));
-    Ok(list)
+pub fn cases(model: &Model, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Failure> {
+    let (mut list, mut left_out) = whole(model, scene, printed)?;
+    match own(model, scene) {
+        Ok(case) => list.push(case),
+        Err(failure) => left_out.push(format!("the scene's own equations: {}", failure.first_line())),
+    }
+    Ok((list, left_out))
 }
 
 /// Those of the whole model.
 ///
 /// # Errors
 /// As [`cases`].
-pub fn whole(model: &Model, scene: &Scene, printed: bool) -> Result<Vec<Case>, Failure> {
-    let mut list = Vec::new();
+pub fn whole(model: &Model, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Failure> {
+    let (mut list, mut left_out) = (Vec::new(), Vec::new());
     let mut why = None;
     let mut names: Vec<By> = tripos_derive::Formulation::ALL.map(By::from).to_vec();
     if printed {
         names.extend(crate::catalogue::printed(model)?);
     }
     for by in names {
-        for solve in Solve::ALL {
-            match code(model, &by, scene.integration.distance) {
-                Ok(code) if solve == Solve::Numeric || code.system().has_accelerations() => {
-                    list.push(Case { by: by.clone(), code, solve, reduction: None });
-                }
-                Ok(_) => {}
-                Err(failure) => why = Some(failure),
+        match code(model, &by, scene.integration.distance, Ready::Solved) {
+            Ok(code) => {
+                let can = |solve: &Solve| *solve == Solve::Numeric || code.system().has_accelerations();
+                let solves = Solve::ALL.into_iter().filter(can);
+                list.extend(solves.map(|solve| Case { by: by.clone(), code: code.clone(), solve, reduction: None }));
+            }
+            Err(failure) => {
+                left_out.push(format!("{}: {}", by.name, failure.first_line()));
+                why = Some(failure);
             }
         }
     }
     match why {
         Some(failure) if list.is_empty() => Err(failure),
-        _ => Ok(list),
+        _ => Ok((list, left_out)),
     }
 }
 
-/// A scene's own equations; nothing where they cannot be had, which is no reason not to chart the others.
-pub fn own(model: &Model, scene: &Scene) -> Option<Case> {
-    let reduced = Reduced::new(model, scene).ok()?;
-    let code = reduced.code().ok().filter(|code| code.system().has_accelerations())?;
-    Some(Case { by: reduced.by, code, solve: Solve::Eliminated, reduction: Some(reduced.reduction) })
+/// A scene's own equations.
+///
+/// # Errors
+/// [`Failure`] if they cannot be had, which is no reason not to chart the others.
+pub fn own(model: &Model, scene: &Scene) -> Result<Case, Failure> {
+    let reduced = Reduced::new(model, scene)?;
+    let code = reduced.code()?;
+    Ok(Case { by: reduced.by, code, solve: Solve::Eliminated, reduction: Some(reduced.reduction) })
 }

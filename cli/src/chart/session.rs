@@ -3,7 +3,7 @@
 use super::case::cases;
 use super::compared::Compared;
 use super::{Measurement, Plan, Truth, measure};
-use crate::catalogue::{By, code};
+use crate::catalogue::{By, Ready, code};
 use crate::failure::Failure;
 use crate::invariants::Watch;
 use crate::problem::Problem;
@@ -28,6 +28,8 @@ pub struct Session {
     pub until: f64,
     /// Why that is before the end of the scene, if it is.
     pub cut: Option<String>,
+    /// What could not be charted, each with the reason.
+    pub left_out: Vec<String>,
 }
 
 /// Charts a scene to its end, or to shortly before the motion leaves the domain of its equations.
@@ -37,7 +39,7 @@ pub struct Session {
 pub fn chart(model: &Model, scene: &Scene, printed: bool, plan: &Plan, bar: &ProgressBar) -> Result<Session, Failure> {
     let mut scene = scene.clone();
     bar.set_message("reference");
-    let mut cases = cases(model, &scene, printed)?;
+    let (mut cases, mut left_out) = cases(model, &scene, printed)?;
     let mut compared = Compared::new(model, &scene);
     let said = compared.said();
     if compared.is_empty() {
@@ -62,13 +64,13 @@ pub fn chart(model: &Model, scene: &Scene, printed: bool, plan: &Plan, bar: &Pro
     let reference = Reference::new(model, &scene, &[scene.span.1])?;
     let watch = Watch::of_model(model)?;
     let truth = Truth { reference: &reference, compared: &compared, watch: &watch };
-    let list = measure(model, &scene, &cases, plan, &truth, bar)?;
-    Ok(Session { list, compared: said, reference, watch, until: scene.span.1, cut })
+    let list = measure(model, &scene, &cases, plan, &truth, (bar, &mut left_out))?;
+    Ok(Session { list, compared: said, reference, watch, until: scene.span.1, cut, left_out })
 }
 
 /// When the motion leaves the domain of its equations, or meets a terminal event, before the end of its span.
 fn leaves(model: &Model, scene: &Scene, by: &By) -> Result<Option<f64>, Failure> {
-    let code = code(model, by, scene.integration.distance)?;
+    let code = code(model, by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let balance = Balance::new(model, scene, by)?;
     let mut events = events(&problem, &balance);

@@ -2,7 +2,7 @@
 
 use crate::chart::{Plan, figure, files, session};
 use crate::commands::simulate::read_scene;
-use crate::failure::{Failure, print, say};
+use crate::failure::{Failure, print, say, warn};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
@@ -15,6 +15,9 @@ pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, 
     bar.finish_and_clear();
     if let Some(cut) = &session.cut {
         say(cut);
+    }
+    for what in &session.left_out {
+        warn(&format!("not charted: {what}"));
     }
     files::write(out, &session.list, &session.watch.integrals)?;
     let svg = figure::chart(&session.list, session.reference.uncertainty)?;

@@ -4,7 +4,7 @@ mod models;
 
 use crate::catalogue::{model_file, read_model, short_name};
 use crate::commands::prove::{witness, word};
-use crate::failure::{Failure, print, status};
+use crate::failure::{Failure, print, print_json, status};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -30,7 +30,7 @@ pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
     let difference = judge(&model, &mut derivations, &report, &proof);
     let arena = &derivations.kinematics.arena;
     if as_json {
-        print(&format!("{:#}\n", json_of(&model, arena, &difference)))?;
+        print_json(&json_of(&model, arena, &difference))?;
     } else {
         print(&text_of(&model, &report.title, arena, &difference))?;
     }

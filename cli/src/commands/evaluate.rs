@@ -1,19 +1,18 @@
 //! `tripos evaluate`: everything at one state, by interpretation.
 
-use crate::catalogue::{by as equations, derivation, interpreted, read_model, short_name};
-use crate::failure::{Failure, print, warn};
+use crate::catalogue::{By, Ready, by as equations, code_of, derivation, read_model, short_name, tape};
+use crate::failure::{Failure, print, print_json, warn};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::print::text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, rates_to_speeds};
+use tripos_derive::model::Reaction;
 use tripos_derive::scene::{State, load_state};
 use tripos_sim::Dynamics;
-use tripos_traits::System;
 
 /// The equations in numbers.
 struct Values {
@@ -32,7 +31,7 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
     let by = equations(&model, by)?;
     let derivation = derivation(&model, &by)?;
     let state = load_state(&Source::read(at)?, &mut model)?;
-    let values = values(&model, &derivation, &state)?;
+    let values = values(&model, &by, &derivation, &state)?;
     if as_json {
         let object = |list: &[(String, f64)]| {
             list.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<String, Value>>()
@@ -48,15 +47,16 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
             "kinetic_energy": values.kinetic_energy,
             "potential_energy": values.potential_energy,
         });
-        print(&format!("{value:#}\n"))?;
+        print_json(&value)?;
     } else {
         print(&as_text(&model, &by.title, &values))?;
     }
     Ok(0)
 }
 
-fn values(model: &Model, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
-    let system = interpreted(model, derivation)?;
+fn values(model: &Model, by: &By, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
+    let code = code_of(model, by, derivation, Ready::AsDerived)?;
+    let system = code.system();
     let State { parameters: p, q, u } = state;
     let mut v = vec![0.0; system.speeds()];
     system.motion_variables(p, q, u, &mut v);
@@ -65,12 +65,12 @@ fn values(model: &Model, derivation: &Derivation, state: &State) -> Result<Value
     system.mass_matrix(p, q, &v, &mut matrix);
     system.forcing(p, q, &v, &mut forcing);
     let stopped = |why: String| Failure::Stopped(format!("no accelerations at this state: {why}"));
-    let mut dynamics = Dynamics::new(&system, p).map_err(|error| stopped(error.to_string()))?;
+    let mut dynamics = Dynamics::new(system, p).map_err(|error| stopped(error.to_string()))?;
     let x = dynamics.unknowns(q, &v).map_err(|failure| stopped(failure.message))?.to_vec();
     let rcond = dynamics.reciprocal_condition(q, &v);
     if rcond.is_nan() || rcond < f64::EPSILON {
         let what = "the matrix is singular to rounding";
-        return Err(stopped(format!("{what}: equilibrated rcond {rcond:.1e}{}", near_divisors(model, state))));
+        return Err(stopped(format!("{what}: equilibrated rcond {rcond:.1e}{}", near_divisors(model, state)?)));
     }
     if rcond < LOSSY {
         let lost = (-rcond.log10()).floor();
@@ -86,7 +86,7 @@ fn values(model: &Model, derivation: &Derivation, state: &State) -> Result<Value
     if energies.iter().any(|e| !e.is_finite()) {
         return Err(stopped("an energy is too large for a number".to_owned()));
     }
-    warn_outside_domain(model, state, reactions);
+    warn_outside_domain(model, state, reactions)?;
     let unknowns = &derivation.equations.unknowns;
     Ok(Values {
         unknowns: unknowns.iter().filter_map(|e| derivation.arena.symbol_name(*e)).map(str::to_owned).collect(),
@@ -103,7 +103,7 @@ fn values(model: &Model, derivation: &Derivation, state: &State) -> Result<Value
 const LOSSY: f64 = 1e-8;
 
 /// Says which conditions of the domain do not hold; those of reactions only where reactions are known.
-fn warn_outside_domain(model: &Model, state: &State, reactions: &[f64]) {
+fn warn_outside_domain(model: &Model, state: &State, reactions: &[f64]) -> Result<(), Failure> {
     let known: Vec<Expr> = model.reactions.iter().take(reactions.len()).map(|r| r.symbol).collect();
     let inputs = [model.p(), model.q(), model.u(), known].concat();
     let values = [state.parameters.as_slice(), &state.q, &state.u, reactions].concat();
@@ -111,7 +111,11 @@ fn warn_outside_domain(model: &Model, state: &State, reactions: &[f64]) {
         let mut in_speeds = rates_to_speeds(model);
         let mut arena = model.arena.clone();
         let positive = in_speeds.apply(&mut arena, condition.positive);
-        let Ok(tape) = Tape::new(&arena, &inputs, &[positive]) else { continue };
+        let unknown = |r: &Reaction| !inputs.contains(&r.symbol) && arena.mentions(positive, r.symbol);
+        if model.reactions.iter().any(unknown) {
+            continue;
+        }
+        let tape = tape(&arena, &inputs, &[positive], &format!("`{}`", condition.name))?;
         if tape.evaluate(&values)[0] <= 0.0 {
             warn(&format!(
                 "this state is outside the model's domain: `{}` ({}) does not hold",
@@ -119,16 +123,17 @@ fn warn_outside_domain(model: &Model, state: &State, reactions: &[f64]) {
             ));
         }
     }
+    Ok(())
 }
 
 /// The divisors of the kinematic equations that are next to zero at a state.
-fn near_divisors(model: &Model, state: &State) -> String {
+fn near_divisors(model: &Model, state: &State) -> Result<String, Failure> {
     let divisors = &model.kinematic_equations.divisors;
     let inputs = [model.p(), model.q()].concat();
-    let Ok(tape) = Tape::new(&model.arena, &inputs, divisors) else { return String::new() };
+    let tape = tape(&model.arena, &inputs, divisors, "a divisor of the kinematic equations")?;
     let values = tape.evaluate(&[state.parameters.as_slice(), &state.q].concat());
     let near = divisors.iter().zip(values).filter(|(_, value)| value.abs() < 1e-6);
-    near.fold(String::new(), |all, (e, value)| all + &format!("; {} = {value:.1e}", text(&model.arena, *e)))
+    Ok(near.fold(String::new(), |all, (e, value)| all + &format!("; {} = {value:.1e}", text(&model.arena, *e))))
 }
 
 fn as_text(model: &Model, title: &str, values: &Values) -> String {

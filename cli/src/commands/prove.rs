@@ -1,7 +1,7 @@
 //! `tripos prove`: the formulations are equivalent, and what the motion conserves.
 
 use crate::catalogue::{read_model, short_name};
-use crate::failure::{Failure, print, status};
+use crate::failure::{Failure, print, print_json, status};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -19,7 +19,7 @@ pub fn prove(model: &Path, as_json: bool) -> Result<u8, Failure> {
     let proof = prove_model(&model, &mut derivations);
     let arena = &derivations.kinematics.arena;
     if as_json {
-        print(&format!("{:#}\n", json_of(&model, arena, &proof)))?;
+        print_json(&json_of(&model, arena, &proof))?;
     } else {
         print(&text_of(&model, arena, &proof))?;
     }
@@ -78,6 +78,7 @@ pub fn json_of(model: &Model, arena: &Arena, proof: &Proof) -> Value {
             json!({
                 "name": integral.name,
                 "expression": whole_text(arena, integral.expression),
+                "except_where": integral.divisors(arena).iter().map(|e| format!("{} = 0", whole_text(arena, *e))).collect::<Vec<_>>(),
                 "verdict": if integral.verdict.is_equal() { "proved" } else { word(&integral.verdict) },
                 "engine": engine(&integral.verdict),
             })
@@ -132,6 +133,11 @@ fn text_of(model: &Model, arena: &Arena, proof: &Proof) -> String {
             Verdict::Undecided(why) => format!("undecided: {why}"),
         };
         let _ = writeln!(out, "  {}: {verdict}\n    {}", integral.name, text(arena, integral.expression));
+        let divisors: Vec<String> =
+            integral.divisors(arena).iter().map(|e| format!("{} = 0", text(arena, *e))).collect();
+        if !divisors.is_empty() {
+            let _ = writeln!(out, "    except where {}", divisors.join(", "));
+        }
     }
     if proof.integrals.is_empty() {
         out.push_str("  none found\n");

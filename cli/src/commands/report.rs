@@ -3,7 +3,7 @@
 mod measured;
 mod own;
 
-use crate::catalogue::{By, Code, code, model_file, read_model};
+use crate::catalogue::{By, Code, Ready, code, model_file, read_model};
 use crate::chart::compared::Compared;
 use crate::commands::chart::progress;
 use crate::failure::{Failure, say, status, warn};
@@ -44,13 +44,13 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
     let mut derived = Vec::new();
     for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
         let by = By::from(*f);
-        let code = code(&model, &by, None)?;
+        let code = code(&model, &by, None, Ready::Solved)?;
         derived.push((by, code));
     }
     let work = Work {
         model: &model,
         study: &study,
-        watch: Watch::new(&model, &study.derivations.kinematics.arena, &study.proof.integrals),
+        watch: Watch::new(&model, &study.derivations.kinematics.arena, &study.proof.integrals)?,
         derived,
         printed: study.printed(&model)?,
     };
@@ -61,7 +61,7 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
         let own = runs.own.iter().map(|own| &own.run);
         for run in runs.derived.iter().map(|(run, _)| run).chain(own) {
             let place = format!("{} by {}", scene.source.path.display(), run.by.name);
-            stopped |= run.solution.stop.is_failure();
+            stopped |= run.failure().is_some();
             doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
         }
         let section = work.section(scene, runs, out, &bar)?;
@@ -160,7 +160,7 @@ impl Work<'_> {
     /// Runs everything. Printed equations may fail as they like: that is shown, and nothing else comes of it.
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
         let message = |by: &By| format!("running {} by {}", scene.source.path.display(), by.name);
-        let own = Own::new(self.model, scene, &self.watch).map_err(|failure| first_line(&failure));
+        let own = Own::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
         let mut runs = Runs { derived: Vec::new(), own, printed: Vec::new(), not_run: Vec::new() };
         // Quadrature and projection are of a scene's own equations alone.
         let mut stepped = scene.clone();
@@ -172,11 +172,11 @@ impl Work<'_> {
             bar.set_message(message(by));
             let own = match scene.integration.distance {
                 None => None,
-                distance => Some(crate::catalogue::code(self.model, by, distance)?),
+                distance => Some(crate::catalogue::code(self.model, by, distance, Ready::Solved)?),
             };
             let code = own.as_ref().unwrap_or(code);
             let run = run_code(self.model, &stepped, by, code, Some(&self.watch))?;
-            let course = self.watch.along(scene, code, &run);
+            let course = self.watch.along(scene, code, &run)?;
             runs.derived.push((run, course));
             bar.inc(1);
         }
@@ -189,13 +189,13 @@ impl Work<'_> {
             let why = match code {
                 Ok(code) => match run_code(self.model, &limited, by, code, None) {
                     Ok(run) => {
-                        let course = self.watch.along(scene, code, &run);
+                        let course = self.watch.along(scene, code, &run)?;
                         runs.printed.push((run, course));
                         continue;
                     }
-                    Err(failure) => first_line(&failure),
+                    Err(failure) => failure.first_line(),
                 },
-                Err(failure) => first_line(failure),
+                Err(failure) => failure.first_line(),
             };
             runs.not_run.push((by.name.clone(), why));
         }
@@ -315,11 +315,6 @@ static UNWATCHED: Course = Course {
     condition: Vec::new(),
     divisors: Vec::new(),
 };
-
-/// What failed, without its help.
-fn first_line(failure: &Failure) -> String {
-    failure.to_string().lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
-}
 
 fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
     let svg = plot::draw(panels, columns)

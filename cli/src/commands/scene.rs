@@ -2,7 +2,7 @@
 
 use super::simulate::read_scene;
 use crate::catalogue::short_name;
-use crate::failure::{Failure, print};
+use crate::failure::{Failure, print, print_json};
 use crate::reduced::Reduced;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -18,20 +18,20 @@ use tripos_derive::scene::Scene;
 pub fn scene(path: &Path, json: bool) -> Result<u8, Failure> {
     let (model, scene) = read_scene(path)?;
     let reduced = Reduced::new(&model, &scene)?;
-    let costs = costs(&model, &reduced.reduction);
+    let costs = costs(&model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
     if json {
-        print(&format!("{:#}\n", as_json(&model, &scene, &reduced, costs)))?;
+        print_json(&as_json(&model, &scene, &reduced, costs))?;
     } else {
         print(&as_text(&model, &scene, &reduced, costs))?;
     }
     Ok(0)
 }
 
-fn as_json(model: &Model, scene: &Scene, reduced: &Reduced, costs: Option<Costs>) -> Value {
+fn as_json(model: &Model, scene: &Scene, reduced: &Reduced, costs: Costs) -> Value {
     let reduction = &reduced.reduction;
     let arena = reduction.terms();
     let names = |list: &[Quantity]| list.iter().map(|q| q.name.clone()).collect::<Vec<_>>();
-    let count = |of: fn(&Cost) -> usize| costs.map(|c| json!({ "full": of(&c.full), "scene": of(&c.scene) }));
+    let count = |of: fn(&Cost) -> usize| json!({ "full": of(&costs.full), "scene": of(&costs.scene) });
     let constants = reduced.constants().map(|(q, value)| {
         json!({ "name": q.name, "value": value, "unit": q.unit.to_string(), "about": q.about, "is": text(arena, q.of_start) })
     });
@@ -74,7 +74,7 @@ fn equations(reduced: &Reduced) -> Vec<String> {
     definitions.chain(rates).chain(solved).map(|(name, value)| format!("{name} = {value}")).collect()
 }
 
-fn as_text(model: &Model, scene: &Scene, reduced: &Reduced, costs: Option<Costs>) -> String {
+fn as_text(model: &Model, scene: &Scene, reduced: &Reduced, costs: Costs) -> String {
     let reduction = &reduced.reduction;
     let arena = reduction.terms();
     let mut out = format!("{}: {}\n", model.title, if scene.title.is_empty() { "a scene" } else { &scene.title });
@@ -97,13 +97,12 @@ fn as_text(model: &Model, scene: &Scene, reduced: &Reduced, costs: Option<Costs>
     for o in &reduction.outputs {
         let _ = writeln!(out, "  {} = {}", o.name, text(arena, o.value));
     }
-    if let Some(Costs { full, scene }) = costs {
-        let _ = writeln!(
-            out,
-            "\ncost of a call: {} operations of {} by Kane's method, divisions {} of {}, sines and cosines {} of {}",
-            scene.operations, full.operations, scene.divisions, full.divisions, scene.sincos, full.sincos
-        );
-    }
+    let Costs { full, scene } = costs;
+    let _ = writeln!(
+        out,
+        "\ncost of a call: {} operations of {} by Kane's method, divisions {} of {}, sines and cosines {} of {}",
+        scene.operations, full.operations, scene.divisions, full.divisions, scene.sincos, full.sincos
+    );
     if !reduction.divisors.is_empty() {
         let places: Vec<String> = reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
         let _ = writeln!(out, "singular where {}", places.join(" and where "));

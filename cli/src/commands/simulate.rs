@@ -2,7 +2,7 @@
 
 use crate::Simulate;
 use crate::catalogue::{by_or_first, read_model, short_name};
-use crate::failure::{Failure, print, say, status, warn};
+use crate::failure::{Failure, print, print_json, say, status, warn};
 use crate::run::{Run, how, run, run_reduced};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -28,11 +28,12 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     for warning in &run.warnings {
         warn(warning);
     }
+    let failure = run.failure();
+    if let Some(failure) = failure.as_ref().filter(|_| request.json || !run.solution.stop.is_failure()) {
+        say(failure);
+    }
     if request.json {
-        print(&format!("{:#}\n", as_json(&model, &scene, &run)))?;
-        if run.solution.stop.is_failure() {
-            say(&run.solution.to_string());
-        }
+        print_json(&as_json(&model, &scene, &run))?;
     } else {
         print(&as_text(&model, &scene, &run))?;
     }
@@ -40,7 +41,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     if let Some(path) = &request.csv {
         write_csv(path, &run)?;
     }
-    Ok(if run.solution.stop.is_failure() { status::STOPPED } else { 0 })
+    Ok(if failure.is_some() { status::STOPPED } else { 0 })
 }
 
 /// A scene and the model it belongs to.
@@ -48,6 +49,7 @@ pub fn read_scene(path: &Path) -> Result<(Model, Scene), Failure> {
     let source = Source::read(path)?;
     let mut model = read_model(&model_path(&source)?)?;
     let scene = load(&source, &mut model)?;
+    scene.hints(&model).iter().for_each(|hint| warn(hint));
     Ok((model, scene))
 }
 
@@ -74,6 +76,7 @@ fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
         "rejected": solution.rejected,
         "evaluations": solution.evaluations,
         "stop": solution.stop.code(),
+        "failure": run.failure(),
         "drift": drift,
         "projection": projection(run),
         "events": events,
@@ -105,7 +108,7 @@ fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
         run.solve.name(),
         how(scene)
     );
-    let _ = writeln!(out, "{}", run.solution);
+    let _ = writeln!(out, "{}", run.ending);
     for event in &run.solution.events {
         let _ = writeln!(out, "  {} at t = {} s ({:?})", event.name, event.t, event.kind);
     }

@@ -3,7 +3,7 @@
 use super::simulate::read_scene;
 use crate::Sweep as Request;
 use crate::catalogue::{by_or_first, short_name};
-use crate::failure::{Failure, print, say, status};
+use crate::failure::{Failure, print_json, say, status};
 use crate::run::how;
 use crate::sweep::{Columns, Row, Shard, Sweep, Table, Tally, in_order};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -48,7 +48,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             "seconds": seconds.as_secs_f64(),
             "out": request.out.display().to_string(),
         });
-        print(&format!("{summary:#}\n"))?;
+        print_json(&summary)?;
     } else {
         say(&format!(
             "{}, {}, {} code, accelerations {}, {}",

@@ -44,19 +44,18 @@ fn summary(page: &Page, needs: &Needs) -> String {
         let _ = write!(out, "; {} from the start stand for the rest", count(reduction.constants.len(), "constant"));
     }
     out += ".";
-    if let Some(Costs { full, scene }) = &needs.costs {
-        let _ = write!(
-            out,
-            " A call of the derivative takes {} operations instead of {} by Kane's method, with {} instead of {} and {} of sine \
-             and cosine instead of {}.",
-            scene.operations,
-            full.operations,
-            count(scene.divisions, "division"),
-            full.divisions,
-            count(scene.sincos, "pair"),
-            full.sincos
-        );
-    }
+    let Costs { full, scene } = &needs.costs;
+    let _ = write!(
+        out,
+        " A call of the derivative takes {} operations instead of {} by Kane's method, with {} instead of {} and {} of sine \
+         and cosine instead of {}.",
+        scene.operations,
+        full.operations,
+        count(scene.divisions, "division"),
+        full.divisions,
+        count(scene.sincos, "pair"),
+        full.sincos
+    );
     if !reduction.divisors.is_empty() {
         let arena = reduction.terms();
         let zero = |e: &Expr| {

@@ -94,8 +94,12 @@ fn vanishing(arena: &Arena, e: Expr) -> String {
 
 fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) -> String {
     let verdict = verdict(&integral.verdict);
+    let divisors = integral.divisors(arena);
+    let places: Vec<String> = divisors.iter().map(|e| inline(&vanishing(arena, *e))).collect();
+    let places =
+        if places.is_empty() { String::new() } else { format!("<p>Except where {}.</p>\n", places.join(", ")) };
     format!(
-        "<h4>{}: {}, {verdict}</h4>\n<div class=\"formula\">{}</div>\n",
+        "<h4>{}: {}, {verdict}</h4>\n<div class=\"formula\">{}</div>\n{places}",
         inline(&integral_symbol(at)),
         integral_name(model, &integral.name),
         wrapped(&[integral_symbol(at), formula(arena, integral.expression)])

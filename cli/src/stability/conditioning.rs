@@ -2,7 +2,7 @@
 
 use super::ladder::passage;
 use super::{Findings, Row, Study};
-use crate::catalogue::code;
+use crate::catalogue::{Code, Ready, code, compiled_code, tape};
 use crate::chart::case::{Case, whole};
 use crate::chart::figure::failed;
 use crate::failure::Failure;
@@ -10,11 +10,11 @@ use crate::plot::{Panel, Scale, Series, draw};
 use crate::problem::Problem;
 use crate::run::refused;
 use tripos_derive::Formulation;
-use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::print::text;
 use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::work_precision::larger;
 use tripos_sim::{Dynamics, Options, Output, linear};
-use tripos_traits::{DoubleDouble, Real, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 /// Distances from the singular surface at which matrices are looked at, for one decade.
 const PER_DECADE: usize = 6;
@@ -27,9 +27,7 @@ struct Place {
 }
 
 /// u̇ at exactly these doubles, in twice their precision.
-fn exact(study: &Study<'_>, place: &Place) -> Option<Vec<DoubleDouble>> {
-    let code = code(study.model, &Formulation::Lagrange.into(), None).ok()?;
-    let system = code.extended()?;
+fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Place) -> Vec<DoubleDouble> {
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let (p, q, u) = (wide(&study.scene.parameters), wide(&place.q), wide(&place.u));
     let zeros = vec![DoubleDouble::int(0); system.speeds()];
@@ -37,33 +35,42 @@ fn exact(study: &Study<'_>, place: &Place) -> Option<Vec<DoubleDouble>> {
     system.motion_variables(&p, &q, &u, &mut v);
     system.accelerations(&p, &q, &v, &mut v_dot);
     system.generalized_speed_rates(&p, &q, &v, &v_dot, &mut u_dot);
-    Some(u_dot)
+    u_dot
 }
 
-/// The largest error of u̇ in units of the largest u̇, and the condition numbers (plain, equilibrated) of the matrix.
-fn look(case: &Case, scene: &Scene, place: &Place, exact: &[DoubleDouble]) -> Option<(f64, f64, f64)> {
+/// The largest error of u̇ in units of the largest u̇, not a number where the linear system has no solution, and the condition
+/// numbers (plain, equilibrated) of the matrix.
+fn look(
+    case: &Case,
+    extended: &dyn System<DoubleDouble>,
+    scene: &Scene,
+    place: &Place,
+    exact: &[DoubleDouble],
+) -> Result<(f64, f64, f64), Failure> {
     let (system, p) = (case.code.system(), scene.parameters.as_slice());
     let mut v = vec![0.0; system.speeds()];
     system.motion_variables(p, &place.q, &place.u, &mut v);
     let mut v_dot = vec![0.0; system.speeds()];
-    let mut dynamics = Dynamics::new(system, p).ok()?;
+    let mut dynamics = Dynamics::new(system, p).map_err(|error| refused(scene, &error))?;
     match case.solve {
         Solve::Eliminated => system.accelerations(p, &place.q, &v, &mut v_dot),
-        Solve::Numeric => v_dot.copy_from_slice(&dynamics.unknowns(&place.q, &v).ok()?[..v.len()]),
+        Solve::Numeric => match dynamics.unknowns(&place.q, &v) {
+            Ok(x) => v_dot.copy_from_slice(&x[..v.len()]),
+            Err(_) => v_dot.fill(f64::NAN),
+        },
     }
     // The definitions of the speeds, applied to doubles, must not add an error of their own: in twice the precision.
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let mut u_dot = vec![DoubleDouble::int(0); place.u.len()];
-    let extended = case.code.extended()?;
     let mut exact_v = vec![DoubleDouble::int(0); v.len()];
     extended.motion_variables(&wide(p), &wide(&place.q), &wide(&place.u), &mut exact_v);
     extended.generalized_speed_rates(&wide(p), &wide(&place.q), &exact_v, &wide(&v_dot), &mut u_dot);
-    let largest = exact.iter().map(|a| a.abs().to_f64()).fold(0.0, f64::max);
-    let error = u_dot.iter().zip(exact).map(|(a, b)| (*a - *b).abs().to_f64()).fold(0.0, f64::max) / largest;
+    let largest = exact.iter().map(|a| a.abs().to_f64()).fold(0.0, larger);
+    let error = u_dot.iter().zip(exact).map(|(a, b)| (*a - *b).abs().to_f64()).fold(0.0, larger) / largest;
     let n = system.unknowns();
     let mut matrix = vec![0.0; n * n];
     system.mass_matrix(p, &place.q, &v, &mut matrix);
-    Some((error, 1.0 / linear::plain_reciprocal_condition(&matrix, n), 1.0 / linear::reciprocal_condition(&matrix, n)))
+    Ok((error, 1.0 / linear::plain_reciprocal_condition(&matrix, n), 1.0 / linear::reciprocal_condition(&matrix, n)))
 }
 
 /// States along the first passage of the narrowest rung, some in each decade of the divisor.
@@ -81,7 +88,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
     let Some((least, _, mut scene)) = narrow else { return Ok(Vec::new()) };
     scene.integration.distance = None;
     let by = crate::catalogue::By::from(Formulation::Kane);
-    let code = code(model, &by, None)?;
+    let code = code(model, &by, None, Ready::Solved)?;
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let options = Options {
         method: tripos_sim::Method::Dop853,
@@ -93,7 +100,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
     let run = problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?;
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(Vec::new()) };
     let inputs = [model.p(), model.q()].concat();
-    let Ok(tape) = Tape::new(&model.arena, &inputs, &[*divisor]) else { return Ok(Vec::new()) };
+    let tape = tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;
     let n = problem.system().coordinates();
     let mut list: Vec<Place> = Vec::new();
     let mut next = 0.7;
@@ -110,21 +117,22 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
 
 /// Looks along a passage, if there is one and the equations are compiled.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+    let lagrange = compiled_code(study.model, &Formulation::Lagrange.into(), None)?;
+    let Some(lagrange) = lagrange.as_ref().and_then(Code::extended) else { return Ok(()) };
     let places = places(study)?;
     let mut scene = study.scene.clone();
     scene.integration.distance = None;
-    let cases = whole(study.model, &scene, false)?;
+    let (cases, _) = whole(study.model, &scene, false)?;
     let (mut errors, mut conditions) = (Vec::new(), Vec::new());
     for (at, case) in cases.iter().enumerate() {
         let label = format!("{}, {}", case.by.name, case.solve.name());
         let (mut error_points, mut plain, mut scaled) = (Vec::new(), Vec::new(), Vec::new());
         for place in &places {
-            let Some((error, cond, equilibrated)) = exact(study, place).and_then(|e| look(case, &scene, place, &e))
-            else {
-                continue;
-            };
+            let Some(extended) = case.code.extended() else { continue };
+            let exact = exact(study, lagrange, place);
+            let (error, cond, equilibrated) = look(case, extended, &scene, place, &exact)?;
             // Below half a unit in the last place an error is none.
-            error_points.push((place.divisor, error.max(1e-17)));
+            error_points.push((place.divisor, larger(error, 1e-17)));
             plain.push((place.divisor, cond));
             scaled.push((place.divisor, equilibrated));
             for (quantity, value) in
@@ -161,7 +169,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         series,
         note: None,
     };
-    let worst = |s: &Series| s.points.iter().map(|p| p.1).fold(0.0, f64::max);
+    let worst = |s: &Series| s.points.iter().map(|p| p.1).fold(0.0, larger);
     let list: Vec<String> = errors.iter().map(|s| format!("{} {:.0e}", s.label, worst(s))).collect();
     findings.statements.push(format!("largest error of the accelerations on the way in: {}", list.join("; ")));
     let panels = [

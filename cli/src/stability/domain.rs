@@ -1,8 +1,7 @@
 //! The domain: what stops a run that has left the world its equations describe.
 
 use super::{Findings, Row, Study};
-use crate::catalogue::By;
-use crate::catalogue::code;
+use crate::catalogue::{By, Ready, code};
 use crate::failure::Failure;
 use crate::problem::Problem;
 use crate::run::{Balance, events, options, refused};
@@ -18,7 +17,11 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     let mut said = false;
     for formulation in Formulation::ALL {
         let by = By::from(formulation);
-        let Ok(code) = code(model, &by, study.scene.integration.distance) else { continue };
+        let code = match code(model, &by, study.scene.integration.distance, Ready::Solved) {
+            Ok(code) => code,
+            Err(Failure::Unsupported(_)) => continue,
+            Err(failure) => return Err(failure),
+        };
         for method in [Method::Ode45, Method::Dop853] {
             let problem = Problem::new(model, study.scene, &by, &code, None)?;
             let balance = Balance::new(model, study.scene, &by)?;

@@ -1,7 +1,7 @@
 //! Long runs: whether what is conserved drifts for ever or stays bounded, by method; and tolerances finer than rounding.
 
 use super::{Findings, Row, Study};
-use crate::catalogue::{By, code};
+use crate::catalogue::{By, Ready, code};
 use crate::chart::figure::failed;
 use crate::failure::Failure;
 use crate::invariants::Watch;
@@ -10,6 +10,7 @@ use crate::problem::{Problem, instants};
 use crate::run::refused;
 use tripos_derive::Formulation;
 use tripos_sim::stability::{Trend, trend};
+use tripos_sim::work_precision::larger;
 use tripos_sim::{AbsoluteTolerance, Method, Options, Output};
 
 /// How many spans of the scene a long run takes.
@@ -24,7 +25,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     let watch = Watch::of_model(model)?;
     let Some(energy) = watch.integrals.iter().position(|(name, _)| name.starts_with("energy")) else { return Ok(()) };
     let by = By::from(Formulation::Kane);
-    let code = code(model, &by, scene.integration.distance)?;
+    let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, &by, &code, None)?;
     let y0 = problem.start()?;
     below_rounding(study, &problem, &y0, findings)?;
@@ -62,7 +63,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
             let run = problem.integrate_over(long, &y0, &options, &mut []).map_err(|e| refused(scene, &e))?;
             let drifts = watch.course(&problem, &run, energy);
             let trend = trend(&drifts);
-            let largest = drifts.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) });
+            let largest = drifts.iter().map(|x| x.abs()).fold(0.0, larger);
             // Of a run that did not arrive nothing is said.
             let word = match trend {
                 _ if run.stop.is_failure() => "stopped",

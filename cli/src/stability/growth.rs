@@ -1,7 +1,7 @@
 //! Growth of small errors: the horizon after which no digit is left, predicted and confirmed.
 
 use super::{Findings, Row, Study};
-use crate::catalogue::{By, code};
+use crate::catalogue::{By, Ready, code};
 use crate::chart::figure::failed;
 use crate::failure::Failure;
 use crate::plot::{Panel, Scale, Series, draw};
@@ -10,7 +10,7 @@ use crate::reference::Reference;
 use crate::run::refused;
 use tripos_derive::Formulation;
 use tripos_sim::stability::growth;
-use tripos_sim::work_precision::error;
+use tripos_sim::work_precision::{error, larger};
 use tripos_sim::{AbsoluteTolerance, Eliminated, Method, Options, Output};
 
 /// Instants at which runs are compared with the reference.
@@ -22,7 +22,7 @@ const TOLERANCES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
     let (model, scene) = (study.model, study.scene);
     let by = By::from(Formulation::Kane);
-    let code = code(model, &by, scene.integration.distance)?;
+    let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, &by, &code, None)?;
     let Some(mut rhs) = Eliminated::new(problem.system(), &scene.parameters) else { return Ok(()) };
     let y0 = problem.start()?;
@@ -64,7 +64,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
             .iter()
             .zip(&run.y)
             .zip(&reference.states)
-            .map(|((t, y), state)| (*t, error(&problem.precise_state(*t, y), state).max(reference.uncertainty)))
+            .map(|((t, y), state)| (*t, larger(error(&problem.precise_state(*t, y), state), reference.uncertainty)))
             .collect();
         // Every step adds an error of its own.
         let steps = run.steps as f64;

@@ -1,7 +1,7 @@
 //! Passages near a singular surface: every formulation, solve and method, in the coordinate and in its distance.
 
 use super::{Findings, Passed, Row, Study, words};
-use crate::catalogue::By;
+use crate::catalogue::{By, Ready, code, tape};
 use crate::chart::case::{Case, Way, own, whole};
 use crate::chart::compared::Compared;
 use crate::chart::figure::failed;
@@ -10,12 +10,11 @@ use crate::plot::{Cell, HeatMap, draw_heat};
 use crate::problem::Problem;
 use crate::reference::Reference;
 use crate::run::refused;
-use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::print::text;
 use tripos_derive::mechanics::{Distance, distances};
 use tripos_derive::scene::Scene;
 use tripos_derive::{Formulation, Model};
-use tripos_sim::work_precision::{error, options};
+use tripos_sim::work_precision::{error, larger, options};
 use tripos_sim::{Method, Options, Output};
 
 /// The methods that are compared, each at a tolerance near the finest that it takes.
@@ -46,10 +45,10 @@ pub fn passage(model: &Model, scene: &Scene) -> Result<Option<Passage>, Failure>
     let by = By::from(Formulation::Kane);
     let mut scene = scene.clone();
     scene.integration.distance = distances(model).first().copied();
-    let code = crate::catalogue::code(model, &by, scene.integration.distance)?;
+    let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let inputs = [model.p(), model.q()].concat();
-    let Ok(tape) = Tape::new(&model.arena, &inputs, &[*divisor]) else { return Ok(None) };
+    let tape = tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;
     let options = Options { output: Output::Steps { refine: 20 }, ..options(Method::Dop853, 1e-12, 1.0, 1_000_000) };
     let run = problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?;
     let values: Vec<f64> =
@@ -98,7 +97,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         let mut scene = study.scene.clone();
         scene.integration.distance = distance;
         let variable = Variable { distance, name: distance.map_or("coordinate", |_| "distance") };
-        for case in whole(model, &scene, false)? {
+        // A formulation that the model does not have has no passages.
+        for case in whole(model, &scene, false)?.0 {
             for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
                 if case.has(method) {
                     row(findings, &case, variable, Way::Steps(method, tolerance))?;
@@ -107,7 +107,11 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         }
     }
     // A scene's own equations are in the distance where they have one.
-    if let Some(case) = own(model, study.scene) {
+    let own = own(model, study.scene);
+    if let Err(failure) = &own {
+        findings.statements.push(format!("the scene's own equations were not run: {}", failure.first_line()));
+    }
+    if let Ok(case) = own {
         let measured = case.reduction.as_ref().is_some_and(|reduction| !reduction.divisors.is_empty());
         let variable = Variable { distance: None, name: if measured { "distance" } else { "coordinate" } };
         row(findings, &case, variable, OWN)?;
@@ -207,7 +211,7 @@ fn cell(
         }
         t = *next;
         let right = compared.kept(compared.of_state(state));
-        last = error(&compared.of_run(&problem, t, &y), &right).max(rung.reference.uncertainty);
+        last = larger(error(&compared.of_run(&problem, t, &y), &right), rung.reference.uncertainty);
         findings.rows.push(row(quantity, Some(last), ""));
     }
     findings.rows.push(row("steps", Some(steps as f64), ""));
@@ -231,6 +235,6 @@ fn summary(findings: &mut Findings, rungs: &[Rung]) {
             narrow.least, best.0, best.1, worst.0, worst.1
         ));
     }
-    let known = rungs.iter().map(|r| r.reference.uncertainty).fold(0.0, f64::max);
+    let known = rungs.iter().map(|r| r.reference.uncertainty).fold(0.0, larger);
     findings.statements.push(format!("the references are known to {:.0e}: {}", known, narrow.reference.how));
 }

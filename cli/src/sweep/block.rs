@@ -3,11 +3,12 @@
 use super::lanes::{self, Request};
 use super::row::{Ended, Row};
 use crate::How;
-use crate::catalogue::{By, Code, code};
+use crate::catalogue::{By, Code, Ready, code};
 use crate::failure::{Failure, warn};
 use crate::invariants::Watch;
 use crate::problem::Problem;
 use crate::run::{Balance, events, options_of_ends, proved, refused};
+use crate::shown::Shown;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -28,10 +29,12 @@ pub struct Sweep<'a> {
     pub watch: Option<Watch>,
     /// How accelerations are found.
     pub solve: Solve,
+    /// What the table shows of the end of each run.
+    pub names: Vec<String>,
     /// The equations that run: `compiled` or `interpreted`.
     pub code: &'static str,
     /// The equations and what is watched. Interpreted ones have working space, so that every thread takes a copy.
-    originals: Mutex<(Code, Balance)>,
+    originals: Mutex<(Code, Balance, Shown)>,
     /// Set when no more rows are wanted.
     pub stop: AtomicBool,
 }
@@ -48,16 +51,18 @@ impl<'a> Sweep<'a> {
             let help = "give --method with a stepper, and leave `project` out of the scene".to_owned();
             return Err(Failure::Request(what, help));
         }
-        let code = code(model, by, scene.integration.distance)?;
+        let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
         let balance = Balance::new(model, scene, by)?;
         let solve = {
             let problem = Problem::new(model, scene, by, &code, None)?;
             try_one_step(&problem)?;
             problem.solve
         };
-        let (name, watch) = (code.name(), proved(model));
-        let (originals, stop) = (Mutex::new((code, balance)), AtomicBool::new(false));
-        Ok(Self { model, scene, grid, by, how, watch, solve, code: name, originals, stop })
+        let (name, watch) = (code.name(), proved(model)?);
+        let shown = Shown::new(model, scene)?;
+        let names = shown.names.clone();
+        let (originals, stop) = (Mutex::new((code, balance, shown)), AtomicBool::new(false));
+        Ok(Self { model, scene, grid, by, how, watch, solve, names, code: name, originals, stop })
     }
 
     /// Where nothing but gravity works, total energy is constant.
@@ -84,9 +89,9 @@ impl<'a> Sweep<'a> {
     /// [`Failure`] if the scene's text cannot be read again.
     pub fn worker(&'a self) -> Result<Worker<'a>, Failure> {
         let family = Family::new(self.scene, self.model, self.grid)?;
-        let (code, balance) = self.originals.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let (code, balance, shown) = self.originals.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let lanes = lanes::equations(self, &code);
-        Ok(Worker { sweep: self, family, code, balance, lanes })
+        Ok(Worker { sweep: self, family, code, balance, shown, lanes })
     }
 }
 
@@ -114,6 +119,7 @@ pub struct Worker<'a> {
     family: Family<'a>,
     code: Code,
     balance: Balance,
+    shown: Shown,
     /// The equations in lanes, where runs can share them.
     lanes: Option<InLanes<'static>>,
 }
@@ -174,27 +180,32 @@ impl Worker<'_> {
                 solution.map_err(|error| refused(scene, &error))?
             }
         };
-        Ok(self.ended(&problem, &solution))
+        self.ended(&problem, &solution)
     }
 
-    fn ended(&self, problem: &Problem<'_>, solution: &Solution) -> Ended {
+    fn ended(&self, problem: &Problem<'_>, solution: &Solution) -> Result<Ended, Failure> {
         let changes = match &self.sweep.watch {
             Some(watch) => watch.changes(problem, solution),
             None if self.sweep.conserves_energy() => {
-                vec![problem.dynamics().map_or(f64::NAN, |dynamics| dynamics.energy_drift(solution))]
+                let dynamics = problem.dynamics().map_err(|error| refused(problem.scene, &error))?;
+                vec![dynamics.energy_drift(solution)]
             }
             None => Vec::new(),
         };
-        Ended {
+        let shown = self.shown.of(problem, solution.t_end, &solution.y_end)?;
+        let failed = solution.stop.is_failure().then(|| solution.stop.described(&problem.variables()));
+        let without = shown.iter().position(|x| !x.is_finite());
+        let missing = || without.map(|at| format!("`{}` has no value at the end", self.shown.names[at]));
+        Ok(Ended {
             t_end: solution.t_end,
             stop: solution.stop.code(),
-            failure: solution.stop.is_failure().then(|| solution.stop.to_string()),
-            state: problem.state(solution.t_end, &solution.y_end),
+            failure: failed.or_else(missing),
+            shown,
             steps: solution.steps,
             rejected: solution.rejected,
             evaluations: solution.evaluations,
             changes,
-        }
+        })
     }
 }
 

@@ -3,7 +3,6 @@
 //! Invariant: a number is written as the shortest text that reads back to the same double.
 
 use super::block::Sweep;
-use crate::run::state_names;
 
 /// What became of one point.
 pub struct Row {
@@ -23,8 +22,8 @@ pub struct Ended {
     pub stop: String,
     /// Why the run could not go on, if it could not.
     pub failure: Option<String>,
-    /// Coordinates, then generalized speeds.
-    pub state: Vec<f64>,
+    /// Coordinates and generalized speeds, or what the scene asks for.
+    pub shown: Vec<f64>,
     /// Accepted steps.
     pub steps: u64,
     /// Rejected steps.
@@ -64,7 +63,7 @@ impl Columns {
     /// For a sweep: `index`, `over:NAME` for each name, `t_end`, `stop`, the state at the end, `steps`, `rejected`,
     /// `evaluations`, the change of each first integral, `reason`.
     pub fn new(sweep: &Sweep<'_>) -> Self {
-        let states = state_names(sweep.model);
+        let states = sweep.names.clone();
         let changes: Vec<String> = sweep.conserved().iter().map(|name| format!("change of {name}")).collect();
         let fixed = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
         let swept = sweep.grid.names().into_iter().map(|name| format!("over:{name}")).collect();
@@ -99,7 +98,7 @@ impl Columns {
         match &row.outcome {
             Ok(ended) => {
                 fields.extend([shortest(ended.t_end), ended.stop.clone()]);
-                fields.extend(numbers(&ended.state));
+                fields.extend(numbers(&ended.shown));
                 fields.extend([ended.steps, ended.rejected, ended.evaluations].map(|n| n.to_string()));
                 fields.extend(numbers(&ended.changes));
             }

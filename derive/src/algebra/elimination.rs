@@ -91,7 +91,7 @@ pub fn eliminate(
     }
     let Some((_, its_arena, its_simplifier, steps)) = best else { return Ok(Elimination::default()) };
     (*arena, *simplifier) = (its_arena, its_simplifier);
-    let divisors = divisors(arena, &steps);
+    let divisors = divisors(arena, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
     Ok(Elimination { steps, divisors })
 }
 
@@ -268,11 +268,11 @@ impl<'a> Work<'a> {
     }
 }
 
-/// The bases of negative powers.
-fn divisors(arena: &Arena, steps: &[Definition]) -> Vec<Expr> {
-    let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
+/// What these terms divide by: the bases of negative powers, each once.
+#[must_use]
+pub fn divisors(arena: &Arena, values: &[Expr]) -> Vec<Expr> {
     let mut found = Vec::new();
-    for part in arena.reachable(&values) {
+    for part in arena.reachable(values) {
         if let Node::Product(factors) = arena.node(part) {
             for (base, n) in factors {
                 if *n < 0 && !found.contains(base) {

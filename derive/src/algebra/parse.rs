@@ -123,6 +123,11 @@ impl Parser<'_, '_> {
         let span = self.at..self.at + found.len_utf8();
         let before = self.text[..self.at].trim_end();
         let alone = before.is_empty() || before.ends_with(['+', '-', '*', '/', '^', '(']);
+        if !alone && is_degree(&self.text[self.at..]) {
+            let help =
+                "angles are in radians: in a scene or state write 90 degrees as `90*deg`, in a model as `90*pi/180`";
+            return error(span, "an operator is missing here", Some(help));
+        }
         if !alone && (found.is_ascii_alphanumeric() || found == '(' || found == '_') {
             return error(span, "an operator is missing here", Some("write products with `*`, as in `2*q1`"));
         }
@@ -421,33 +426,45 @@ impl Parser<'_, '_> {
 
     /// f(argument), refused for constants outside the function's domain.
     fn checked_apply(&mut self, f: Function, argument: Expr, start: usize) -> Result<Expr, ParseError> {
-        if let Some(value) = constant_value(self.arena, f, argument) {
-            // Only plain numbers are exact.
-            let slack = if self.arena.as_number(argument).is_some() { 0.0 } else { 1e-12 };
-            let outside = match f {
-                Function::Sqrt => value < -slack,
-                Function::Log => value <= 0.0,
-                Function::Asin | Function::Acos => value.abs() > 1.0 + slack,
-                _ => false,
-            };
-            if outside {
-                let message = format!("{}({value}) is not a real number", f.name());
-                return Err(error(start..self.at, message, Some("the argument is outside the function's domain")));
-            }
+        if is_outside(self.arena, f, argument) {
+            let shown = crate::diagnostic::shown(&crate::algebra::print::text(self.arena, argument));
+            let message = format!("{}({shown}) is not a real number", f.name());
+            return Err(error(start..self.at, message, Some("the argument is outside the function's domain")));
         }
         Ok(self.arena.apply(f, argument))
     }
 }
 
-/// The value of an argument without symbols, for functions that are not defined everywhere.
-fn constant_value(arena: &Arena, f: Function, argument: Expr) -> Option<f64> {
+/// Whether an argument without symbols is where a function has no real value: exactly for plain numbers, to rounding for others.
+fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
     if !matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos) {
-        return None;
+        return false;
     }
     if let Some(value) = arena.as_number(argument) {
-        return Some(value.to_f64());
+        let size = if value.is_negative() { value.neg() } else { value.clone() };
+        return match f {
+            Function::Sqrt => value.is_negative(),
+            Function::Log => value.is_negative() || value.is_zero(),
+            _ => size > Rational::ONE,
+        };
     }
-    Some(Tape::new(arena, &[], &[argument]).ok()?.evaluate(&[])[0])
+    // What mentions a symbol may have any value.
+    let Ok(tape) = Tape::new(arena, &[], &[argument]) else { return false };
+    let value = tape.evaluate(&[])[0];
+    match f {
+        Function::Sqrt => value < -ROUNDING,
+        Function::Log => value <= 0.0,
+        _ => value.abs() > 1.0 + ROUNDING,
+    }
+}
+
+/// What the value of a constant such as sin(1)^2 + cos(1)^2 may be off by.
+const ROUNDING: f64 = 1e-12;
+
+/// Whether a text goes on with a word for degrees.
+fn is_degree(text: &str) -> bool {
+    let word: String = text.chars().take_while(|c| c.is_alphanumeric() || *c == '°').collect();
+    matches!(word.as_str(), "deg" | "degree" | "degrees" | "°")
 }
 
 /// Bits of the numerator and of the denominator of the number in front of a term, at least 1 each.

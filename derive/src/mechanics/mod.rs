@@ -21,7 +21,7 @@ pub use quantities::{Energy, Owner, Quantities, Quantity, QuantityError, Quantit
 pub use vector::{Frames, Vector};
 
 use crate::algebra::elimination::Definition;
-use crate::algebra::{Arena, Expr};
+use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;
 use std::fmt;
@@ -154,6 +154,13 @@ pub enum DeriveError {
         /// The speed.
         speed: String,
     },
+    /// At the values of a scene a speed moves no mass.
+    NoInertiaAt {
+        /// The speed.
+        speed: String,
+        /// The parameters that are 0 there.
+        zero: Vec<String>,
+    },
     /// An acceleration did not come out linear: cannot happen for a checked model.
     NotLinear,
     /// Newton–Euler needs as many reactions as there are equations left.
@@ -164,6 +171,8 @@ pub enum DeriveError {
         speeds: usize,
         /// Reactions named.
         reactions: usize,
+        /// Equations of all bodies: as many reactions as speeds leave over of these can be needed, and no more.
+        all: usize,
     },
     /// The reactions named are not independent: they cannot be told apart.
     ReactionsDependent,
@@ -206,8 +215,14 @@ impl DeriveError {
             Self::NoInertia { speed } => {
                 (Some(speed.trim_end_matches('\'')), "give mass to what moves with it, or leave the coordinate out")
             }
+            Self::NoInertiaAt { speed, .. } => {
+                (Some(speed), "give mass to what moves with it, or leave the coordinate out of the model")
+            }
             Self::NotLinear => (None, "this is a defect of the program: please report the model"),
-            Self::ReactionCount { .. } => (None, "name the missing reactions in [reactions], or use kane or lagrange"),
+            Self::ReactionCount { .. } => (
+                None,
+                "name in [reactions] every force and torque that each joint exerts, along every direction and axis that it prevents, or use kane or lagrange",
+            ),
             Self::ReactionsDependent => (
                 None,
                 "let each constraint be enforced by one reaction along its own direction, or use kane or lagrange",
@@ -244,17 +259,33 @@ impl fmt::Display for DeriveError {
             Self::NoInertia { speed } => {
                 write!(f, "`{speed}` moves no mass of its own: the mass matrix is singular in every configuration")
             }
+            Self::NoInertiaAt { speed, zero } => {
+                let zero: Vec<String> = zero.iter().map(|name| format!("{name} = 0")).collect();
+                let zero = zero.join(" and ");
+                write!(
+                    f,
+                    "`{speed}` moves no mass of its own where {zero}: the mass matrix is singular in every configuration"
+                )
+            }
             Self::NotLinear => write!(f, "the equations are not linear in the accelerations"),
-            Self::ReactionCount { equations, speeds, reactions } => {
+            Self::ReactionCount { equations, speeds, reactions, all } => {
                 let needed = equations.saturating_sub(*speeds);
                 let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
                 write!(
                     f,
-                    "newton-euler has {equations} equations for {} unknowns, {} and {}: {} needed",
+                    "newton-euler has {equations} equations for {} unknowns, {} and {}: {} needed{}",
                     speeds + reactions,
                     plural(*speeds, "speed"),
                     plural(*reactions, "reaction"),
                     if needed == 1 { "1 reaction is".to_owned() } else { format!("{needed} reactions are") },
+                    if equations == all {
+                        String::new()
+                    } else {
+                        format!(
+                            " of those that keep these equations; each may bring another equation into play, up to {} reactions when all {all} are",
+                            all.saturating_sub(*speeds)
+                        )
+                    }
                 )
             }
             Self::ReactionsDependent => {
@@ -366,6 +397,39 @@ fn derive_with(model: &Model, kinematics: &mut Kinematics, formulation: Formulat
     match rank.and_then(|r| r.dependent) {
         Some(row) => Err(singular(model, formulation, row)),
         None => Ok(equations),
+    }
+}
+
+/// That what moves has inertia at these values of the parameters, exactly: where parameters are 0 the mass matrix may be singular in
+/// every configuration, and what divides by it has no meaning.
+///
+/// # Errors
+/// [`DeriveError::NoInertiaAt`] if it is; `kane` are the model's equations by Kane's method, in their store.
+pub fn has_inertia_at(
+    arena: &Arena,
+    kane: &Equations,
+    model: &Model,
+    values: &[Option<Rational>],
+) -> Result<(), DeriveError> {
+    let zero = |value: &Option<Rational>| value.as_ref().is_some_and(Rational::is_zero);
+    let absent: Vec<&crate::model::Parameter> =
+        model.parameters.iter().zip(values).filter(|(_, value)| zero(value)).map(|(p, _)| p).collect();
+    if absent.is_empty() {
+        return Ok(());
+    }
+    let mut arena = arena.clone();
+    let pairs: Vec<(Expr, Expr)> = absent.iter().map(|p| (p.symbol, Expr::ZERO)).collect();
+    let mut put = crate::algebra::calculus::Substitution::new(&pairs);
+    let matrix: Vec<Vec<Expr>> =
+        kane.matrix.iter().map(|row| row.iter().map(|e| put.apply(&mut arena, *e)).collect()).collect();
+    let names = || absent.iter().map(|p| p.name.clone()).collect::<Vec<_>>();
+    // A term that divides by such a parameter says nothing about inertia.
+    if put.undefined.is_some() {
+        return Ok(());
+    }
+    match crate::algebra::rank::rank(&arena, &matrix).and_then(|rank| rank.dependent) {
+        Some(row) => Err(DeriveError::NoInertiaAt { speed: model.speeds[row].name.clone(), zero: names() }),
+        None => Ok(()),
     }
 }
 

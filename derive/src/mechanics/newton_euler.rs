@@ -44,6 +44,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
             equations: matrix.len(),
             speeds: model.speeds.len(),
             reactions: model.reactions.len(),
+            all: model.bodies.iter().map(|body| if body.rigid.is_some() { 6 } else { 3 }).sum(),
         });
     }
     let mut equations = Equations {

@@ -2,7 +2,7 @@
 
 use super::elements::Elements;
 use super::loading::Loading;
-use super::names::{CONFIGURATION, Kind};
+use super::names::{CONFIGURATION, HOLONOMIC, Kind};
 use super::{Constraint, Coordinate};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
@@ -41,7 +41,7 @@ impl<'a> Loading<'a> {
             let Some(text) = self.reader.string(value, "`equation`") else { continue };
             let help = "write the equation as \"z = 0\"";
             let Some((left, (_, right))) = self.split(&text, &["="], help) else { continue };
-            let what = "a holonomic constraint";
+            let what = HOLONOMIC;
             let left = self.names.formula(&mut self.reader, &mut self.arena, &left, CONFIGURATION, what);
             let right = self.names.formula(&mut self.reader, &mut self.arena, &right, CONFIGURATION, what);
             let (Some(left), Some(right)) = (left, right) else { continue };

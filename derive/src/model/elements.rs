@@ -246,8 +246,9 @@ impl Elements {
 
     /// Checks what can only be seen when everything is read.
     pub fn check(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
+        let known = physics::defaults(parameters);
         for body in &self.bodies {
-            if let Some((message, help)) = physics::objection(&loading.arena, parameters, body) {
+            if let Some((message, help)) = physics::objection(&loading.arena, &known, body) {
                 let span = loading.names.span(&body.name).unwrap_or_default();
                 loading.reader.error(span, message, help);
             }

@@ -2,7 +2,7 @@
 
 use super::names::Kind;
 use super::names::{Allowed, Names};
-use super::units::{Unit, unit_of};
+use super::units::{Unit, bare_number, unit_of};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::shown;
 use crate::read::{Entry, Located, Reader};
@@ -25,9 +25,7 @@ pub struct Loading<'a> {
 
 impl<'a> Loading<'a> {
     pub fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
-        let value = self.reader.get(table, key)?;
-        let text = self.reader.string(value, &format!("`{key}`"))?;
-        Some(text.text)
+        self.reader.prose(table, key)
     }
 
     /// The named entries of a section, in the order of the file; none if the section is absent.
@@ -128,8 +126,8 @@ impl<'a> Loading<'a> {
     pub fn unit_of(&mut self, e: Expr, span: &Range<usize>) -> Option<Unit> {
         match unit_of(&self.arena, e, &self.units) {
             Ok(unit) => unit,
-            Err(message) => {
-                self.reader.error(span.clone(), message, "check the units of the parameters and coordinates");
+            Err((message, help)) => {
+                self.reader.error(span.clone(), message, help);
                 None
             }
         }
@@ -146,7 +144,7 @@ impl<'a> Loading<'a> {
             let help = if self.arena.reachable(&[e]).iter().any(|part| self.arena.symbol_name(*part).is_some()) {
                 "check the units of the parameters and coordinates".to_owned()
             } else {
-                format!("a plain number has no unit: declare a parameter with unit = \"{needed}\" and use its name")
+                bare_number(&needed)
             };
             self.reader.error(formula.span.clone(), message, help);
         }

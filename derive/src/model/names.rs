@@ -2,7 +2,7 @@
 
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::parse::{is_reserved, parse};
-use crate::algebra::{Arena, Expr, Node};
+use crate::algebra::{Arena, Expr, Node, Rational};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::read::{Located, Reader};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -55,6 +55,8 @@ pub const CONSTANT: Allowed = Allowed(&[]);
 pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
 /// Parameters and coordinates.
 pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
+/// What a formula of [`CONFIGURATION`] is where it is to hold.
+pub const HOLONOMIC: &str = "a holonomic constraint";
 /// Parameters, coordinates and their time derivatives.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
 /// The same and speeds.
@@ -187,7 +189,10 @@ impl Names {
         });
         match result {
             Ok(_) if spoiled => None,
-            Ok(e) => no_hidden_zero(reader, arena, formula, e),
+            Ok(e) => {
+                let e = no_hidden_zero(reader, arena, formula, e)?;
+                in_range(reader, arena, formula, e)
+            }
             Err(error) => {
                 let (span, help) = (formula.part(error.span), error.help.unwrap_or_default());
                 if unknown {
@@ -204,6 +209,12 @@ impl Names {
         let plain = name.trim_end_matches('\'');
         match self.known.get(name) {
             Some((kind, _, Some(symbol))) if allowed.0.contains(kind) => Ok(*symbol),
+            Some((Kind::Rate, _, _)) if what == HOLONOMIC => Err((
+                format!(
+                    "the rate `{name}` makes this a constraint on the motion, as rolling is: these are not supported yet"
+                ),
+                Some("choose speeds that fulfil it, or state a relation between coordinates".to_owned()),
+            )),
             Some((kind, _, _)) => {
                 let may: Vec<String> = allowed.0.iter().map(|k| format!("{}s", k.noun())).collect();
                 let may = if may.is_empty() { "numbers only".to_owned() } else { may.join(", ") };
@@ -224,6 +235,39 @@ impl Names {
             None => Err((format!("unknown name `{}`", shown(name)), Some(nearest(name, self.of_kind(allowed.0))))),
         }
     }
+}
+
+/// Refuses a number that no double comes near: it would be infinite, or zero, wherever the formula is computed.
+fn in_range(reader: &mut Reader<'_>, arena: &Arena, formula: &Located, e: Expr) -> Option<Expr> {
+    let fits = |value: &Rational| {
+        let size = value.to_f64().abs();
+        value.is_zero() || (size.is_normal() && size.recip().is_normal())
+    };
+    for part in arena.reachable(&[e]) {
+        let found = match arena.node(part) {
+            Node::Number(value) => Some(value).filter(|value| !fits(value)),
+            Node::Sum(constant, terms) => terms.iter().map(|(_, k)| k).chain([constant]).find(|value| !fits(value)),
+            _ => None,
+        };
+        if let Some(value) = found {
+            let message = format!("a number of about {} is beyond double precision", magnitude(value));
+            reader.error(
+                formula.span.clone(),
+                message,
+                "scale the quantity: numbers reach from 1e-307 to 1e308 in size",
+            );
+            return None;
+        }
+    }
+    Some(e)
+}
+
+/// A number of any size as a power of ten.
+fn magnitude(value: &Rational) -> String {
+    let big = value.to_big();
+    let bits = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
+    let twos = bits(big.numer().bits()) - bits(big.denom().bits());
+    format!("10^{}", (twos as f64 * std::f64::consts::LOG10_2).round())
 }
 
 /// Refuses a divisor that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1.

@@ -1,33 +1,52 @@
-//! What no body can be: checks of masses and inertias at the default values.
+//! What no body can be: checks of masses and inertias at the default values of a model, and at those of a scene or state.
 
-use super::{Body, Parameter};
+use super::{Body, Model, Parameter};
 use crate::algebra::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
 
-/// Values of expressions at the default parameters, if all that they need have one.
-pub fn at_defaults(arena: &Arena, parameters: &[Parameter], outputs: &[Expr]) -> Option<Vec<f64>> {
-    let known: Vec<&Parameter> = parameters.iter().filter(|p| p.value.is_some()).collect();
-    let symbols: Vec<Expr> = known.iter().map(|p| p.symbol).collect();
-    let values: Vec<f64> =
-        known.iter().filter_map(|p| p.value.as_ref().map(crate::algebra::Rational::to_f64)).collect();
+/// The default values of parameters, where they have one.
+pub fn defaults(parameters: &[Parameter]) -> Vec<(Expr, f64)> {
+    parameters.iter().filter_map(|p| Some((p.symbol, p.value.as_ref()?.to_f64()))).collect()
+}
+
+/// Values of expressions at these parameters, if all that they need are there.
+pub fn values_at(arena: &Arena, known: &[(Expr, f64)], outputs: &[Expr]) -> Option<Vec<f64>> {
+    let (symbols, values): (Vec<Expr>, Vec<f64>) = known.iter().copied().unzip();
     Some(Tape::new(arena, &symbols, outputs).ok()?.evaluate(&values))
+}
+
+impl Model {
+    /// What no body can be at these values of the parameters: a line each, the way out, and the parameters that it depends on.
+    #[must_use]
+    pub fn impossible(&self, parameters: &[f64]) -> Vec<(String, String, Vec<usize>)> {
+        let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
+        let objections = self.bodies.iter().filter_map(|body| {
+            let (message, help) = objection(&self.arena, &known, body)?;
+            let tensor = body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied());
+            let values: Vec<Expr> = tensor.chain([body.mass]).collect();
+            let mentions = |p: &Parameter| values.iter().any(|e| self.arena.mentions(*e, p.symbol));
+            let places = (0..self.parameters.len()).filter(|at| mentions(&self.parameters[*at]));
+            Some((message, help, places.collect()))
+        });
+        objections.collect()
+    }
 }
 
 /// Relative rounding allowed in the checks of an inertia: a thin disk fulfils 1 + 1 ≥ 2 with equality.
 pub const TOLERANCE: f64 = 1e-12;
 
-/// Why this body cannot exist, in a line, if it cannot.
-pub fn objection(arena: &Arena, parameters: &[Parameter], body: &Body) -> Option<(String, &'static str)> {
-    let mass = at_defaults(arena, parameters, &[body.mass]).map(|v| v[0]);
+/// Why this body cannot exist at these values, in a line, if it cannot, and the way out.
+pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body) -> Option<(String, String)> {
+    let mass = values_at(arena, known, &[body.mass]).map(|v| v[0]);
     if let Some(mass) = mass.filter(|m| m.is_nan() || *m < 0.0) {
         return Some((
-            format!("the mass of `{}` is {} at the default values", body.name, rounded(mass)),
-            "give a mass that is not negative",
+            format!("the mass of `{}` is {} at these values", body.name, rounded(mass)),
+            "give a mass that is not negative".to_owned(),
         ));
     }
     let (_, inertia) = body.rigid.as_ref()?;
     let flat: Vec<Expr> = inertia.tensor.iter().flatten().copied().collect();
-    let values = at_defaults(arena, parameters, &flat)?;
+    let values = values_at(arena, known, &flat)?;
     let trace = values[0] + values[4] + values[8];
     // ∫ x xᵀ dm = tr(I)/2 · 1 − I is positive semidefinite for every body: all principal minors ≥ 0.
     let p = |i: usize, j: usize| if i == j { trace / 2.0 - values[3 * i + j] } else { -values[3 * i + j] };
@@ -47,7 +66,7 @@ pub fn objection(arena: &Arena, parameters: &[Parameter], body: &Body) -> Option
     if negative {
         return Some((
             format!("the central moments of inertia of `{}` are {}, {}, {}", body.name, at(0), at(4), at(8)),
-            "a moment of inertia is not negative; one stated about another point must be at least m d^2",
+            "a moment of inertia is not negative; one stated about another point must be at least m d^2".to_owned(),
         ));
     }
     let moments = format!("moments {}, {}, {}", at(0), at(4), at(8));
@@ -56,12 +75,24 @@ pub fn objection(arena: &Arena, parameters: &[Parameter], body: &Body) -> Option
     } else {
         format!("{moments}, products {}, {}, {} (xy, yz, zx)", at(1), at(5), at(6))
     };
-    broken.then(|| {
-        (
-            format!("no body has the central inertia of `{}`: {why}", body.name),
-            "each principal moment is at most the sum of the other two (equal for a thin plate)",
-        )
-    })
+    broken.then(|| (format!("no body has the central inertia of `{}`: {why}", body.name), way_out(&values)))
+}
+
+/// How to state an inertia that a body can have.
+fn way_out(values: &[f64]) -> String {
+    let rule = "each principal moment is at most the sum of the other two (equal for a thin plate)";
+    let moments = [values[0], values[4], values[8]];
+    let only = (0..3).find(|i| (0..3).all(|j| (i == &j) == (moments[j] != 0.0)));
+    match only.filter(|_| [1, 5, 6].iter().all(|i| values[*i] == 0.0)) {
+        Some(axis) => {
+            let entry = |i: usize| if i == axis { "\"J\"" } else { "\"J/2\"" };
+            let plate = format!("[{}, {}, {}]", entry(0), entry(1), entry(2));
+            format!(
+                "{rule}: of a body that moves in a plane only the moment about the normal counts, so state a thin plate, diagonal = {plate} with J that moment"
+            )
+        }
+        None => rule.to_owned(),
+    }
 }
 
 /// A value to show: 12 digits.

@@ -11,6 +11,7 @@ use super::{Condition, Coordinate, Model, Parameter};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Arena, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
+use crate::plain::one_line;
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
@@ -62,7 +63,8 @@ impl<'a> Loading<'a> {
         if !table.contains_key("name") {
             self.reader.errors.push(Diagnostic::of_file("the model has no `name`", "add `name = \"…\"` at the top"));
         }
-        let title = self.text(table, "name");
+        let title = self.reader.get(table, "name").and_then(|v| self.reader.name(v, "`name`"));
+        let title = title.map(|title| title.text);
         let reference = self.text(table, "source").unwrap_or_default();
         let parameters = self.parameters(table);
         let before_motion = self.reader.errors.len();
@@ -181,9 +183,9 @@ impl<'a> Loading<'a> {
                 }
                 Some(number)
             });
-            let about = self.reader.get(entry, "about").and_then(|v| v.get_ref().as_str()).unwrap_or_default();
+            let about = self.about(entry);
             let unit = unit.unwrap_or_default();
-            parameters.push(Parameter { name: name.text, symbol, unit, value, positive, about: about.to_owned() });
+            parameters.push(Parameter { name: name.text, symbol, unit, value, positive, about });
         }
         parameters
     }
@@ -194,7 +196,7 @@ impl<'a> Loading<'a> {
         let e = self.names.formula(&mut self.reader, &mut self.arena, formula, CONSTANT, what)?;
         let value = match self.arena.as_number(e) {
             Some(value) => Some(value.clone()),
-            None => super::physics::at_defaults(&self.arena, &[], &[e]).and_then(|v| Rational::from_f64_exact(v[0])),
+            None => super::physics::values_at(&self.arena, &[], &[e]).and_then(|v| Rational::from_f64_exact(v[0])),
         };
         // Neither overflow nor a silent 0.
         let value = value.filter(|v| v.to_f64().is_finite() && (v.is_zero() || v.to_f64().is_normal()));
@@ -213,8 +215,8 @@ impl<'a> Loading<'a> {
             let Some((entry, _)) = entry else { continue };
             self.reader.allow(entry, "a coordinate", &["unit", "about"]);
             let unit = self.unit(entry, &name);
-            let about = self.reader.get(entry, "about").and_then(|v| v.get_ref().as_str()).unwrap_or_default();
-            coordinates.push((name, symbol, unit, about.to_owned()));
+            let about = self.about(entry);
+            coordinates.push((name, symbol, unit, about));
         }
         if coordinates.is_empty() {
             self.names.unread(&[Kind::Coordinate, Kind::Rate]);
@@ -256,7 +258,7 @@ impl<'a> Loading<'a> {
                 self.reader.error(text.span, message, "state where the model holds, or remove the condition");
                 continue;
             }
-            domain.push(Condition { name: name.text, text: text.text, positive });
+            domain.push(Condition { name: name.text, text: one_line(&text.text), positive });
         }
         domain
     }

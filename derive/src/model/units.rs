@@ -114,7 +114,9 @@ impl Unit {
         self.times(&Self::new(0, 0, -1))
     }
 
-    fn is_plain(&self) -> bool {
+    /// Whether it is 1, as of an angle.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
         *self == Self::default()
     }
 }
@@ -141,8 +143,9 @@ impl fmt::Display for Unit {
 /// unit, and for what contains a symbol without a unit, whose declaration is already reported.
 ///
 /// # Errors
-/// What does not fit, in a line.
-pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Result<Option<Unit>, String> {
+/// What does not fit, in a line, and what to do.
+pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Result<Option<Unit>, (String, String)> {
+    let check = "check the units of the parameters and coordinates".to_owned();
     let show = |e: Expr| shown(&crate::algebra::print::text(arena, e));
     let mut units: FxHashMap<Expr, Option<Unit>> = FxHashMap::default();
     for part in arena.reachable(&[e]) {
@@ -158,13 +161,18 @@ pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Resul
                         if let Some((term, other)) = known.find(|(_, other)| *other != unit) {
                             let (a, b) = (show(first), show(term));
                             let (unit, other) = (unit.words(), other.words());
-                            return Err(format!("`{a}` is in {unit} but `{b}` in {other}: they cannot be added"));
+                            let plain = [term, first].into_iter().find(|e| is_bare(arena, *e));
+                            let help =
+                                plain.map_or(check, |_| bare_number(if other == "1 or rad" { &unit } else { &other }));
+                            return Err((
+                                format!("`{a}` is in {unit} but `{b}` in {other}: they cannot be added"),
+                                help,
+                            ));
                         }
                         if !constant.is_zero() && !unit.is_plain() {
-                            return Err(format!(
-                                "the number {constant} cannot be added to a quantity in {}",
-                                unit.words()
-                            ));
+                            let words = unit.words();
+                            let message = format!("a bare number is added to `{}`, which is in {words}", show(first));
+                            return Err((message, bare_number(&words)));
                         }
                         Some(unit.clone())
                     }
@@ -181,7 +189,7 @@ pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Resul
             Node::Apply(f, argument) => {
                 if let Some(unit) = units[argument].as_ref().filter(|unit| !unit.is_plain()) {
                     let (f, inner) = (f.name(), show(*argument));
-                    return Err(format!("{f}({inner}) is the function of a quantity in {}", unit.words()));
+                    return Err((format!("{f}({inner}) is the function of a quantity in {}", unit.words()), check));
                 }
                 Some(Unit::default())
             }
@@ -189,6 +197,18 @@ pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Resul
         units.insert(part, unit);
     }
     Ok(units.remove(&e).flatten())
+}
+
+/// Whether a term has no letter in it.
+fn is_bare(arena: &Arena, e: Expr) -> bool {
+    arena.reachable(&[e]).iter().all(|part| arena.symbol_name(*part).is_none())
+}
+
+/// What to write instead of a number that stands for a quantity.
+pub fn bare_number(unit: &str) -> String {
+    format!(
+        "a bare number has no unit: declare a parameter such as `x0 = {{ unit = \"{unit}\", value = 0.1 }}` and use its name"
+    )
 }
 
 impl super::Model {

@@ -8,9 +8,11 @@ use super::fields::{Field, Lagrangian};
 use super::motions;
 use crate::algebra::calculus::Differential;
 use crate::algebra::compare::{Comparer, Verdict};
+use crate::algebra::elimination::divisors;
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::normal::Normalizer;
+use crate::algebra::range::never_zero;
 use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Rational};
@@ -30,6 +32,16 @@ pub struct Integral {
     pub field: Option<Vec<Expr>>,
     /// Whether its rate is zero along Kane's equations, by identity.
     pub verdict: Verdict,
+}
+
+impl Integral {
+    /// What it divides by and is not proved to be zero nowhere: where one of these is 0, it says nothing. A parameter that is
+    /// not stated to be positive is one.
+    #[must_use]
+    pub fn divisors(&self, arena: &Arena) -> Vec<Expr> {
+        let all = divisors(arena, &[self.expression]);
+        all.into_iter().filter(|e| !never_zero(arena, *e)).collect()
+    }
 }
 
 /// Finds first integrals: the energy T + V and of forces with a polynomial potential; the momenta of coordinates;

@@ -29,7 +29,7 @@ pub use proof::Proof;
 
 use crate::algebra::elimination::Definition;
 use crate::algebra::{Arena, Expr, Rational, print};
-use crate::mechanics::{Derivation, DeriveError};
+use crate::mechanics::{Derivation, DeriveError, has_inertia_at};
 use crate::model::{Model, Unit, text_hash};
 use crate::scene::Scene;
 use proof::Whole;
@@ -140,6 +140,18 @@ pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
     Ground::new(model)?.reduce(scene)
 }
 
+/// The same without momenta: nothing is divided by but what the model's own equations divide by.
+///
+/// # Errors
+/// As [`reduce`].
+pub fn reduce_without_momenta(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
+    let mut ground = Ground::new(model)?;
+    ground.fold(scene);
+    let wanted = ground.wanted(scene)?;
+    let whole = Whole { kane: ground.kane.clone(), wanted };
+    ground.on_level(&[], &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
+}
+
 impl Ground {
     /// The reduced system of a scene of the model that this was made from.
     ///
@@ -147,6 +159,7 @@ impl Ground {
     /// As [`reduce`].
     pub fn reduce(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
         let mut ground = self.clone();
+        has_inertia_at(&self.arena, &self.kane, &self.model, &scene.exact.rational)?;
         ground.fold(scene);
         let wanted = ground.wanted(scene)?;
         let mut best: Option<(Weight, Vec<usize>)> = None;
@@ -157,7 +170,8 @@ impl Ground {
             let mut trial = ground.clone();
             let wanted = trial.relative(&momenta, wanted.clone());
             let Some(level) = trial.level(&momenta, None) else { continue };
-            let (core, integrated, operations) = Flow::new(&mut trial, &level, &wanted).weight(&trial);
+            let Some(flow) = Flow::new(&mut trial, &level, &wanted) else { continue };
+            let (core, integrated, operations) = flow.weight(&trial);
             // Of equal ones the choice that holds most: then the energy, too, is a function of what is kept.
             let weight = (core, integrated, operations, Reverse(momenta.len()));
             if best.as_ref().is_none_or(|(least, _)| weight < *least) {
@@ -186,7 +200,7 @@ impl Ground {
             None => (None, wanted),
         };
         let level = self.level(momenta, surface.as_ref()).ok_or("that the momenta determine speeds")?;
-        let flow = Flow::new(&mut self, &level, &wanted);
+        let flow = Flow::new(&mut self, &level, &wanted).ok_or("that the accelerations are determined")?;
         pack::pack(self, whole, &level, flow, scene)
     }
 }

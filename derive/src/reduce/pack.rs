@@ -3,13 +3,13 @@
 use super::hoist::Hoist;
 use super::level::Level;
 use super::proof::{Whole, prove};
-use super::slice::{Flow, Variable};
+use super::slice::{Flow, Variable, Wanted};
 use super::{Ground, Output, Quantity, Reduction};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::elimination::Definition;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::print::text;
-use crate::algebra::{Arena, Expr};
+use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::{Derivation, Equations, Formulation};
 use crate::model::{Condition, Coordinate, KinematicEquations, Parameter, Speed, Unit};
 use crate::scene::Scene;
@@ -32,16 +32,16 @@ pub fn pack(
     let states = quantities(&ground, &flow.core);
     let quadratures = quantities(&ground, &flow.quadratures);
     let omitted = super::ledger::omissions(&mut ground, level, &flow, scene, &proof);
-    let mut equations = equations(&mut ground, level, &flow);
-    let hoisted = hoist(&mut ground, level, &mut equations);
-    let outputs =
-        flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
-    let folded = ground.folded.clone();
     // What is watched is evaluated apart from the equations, without their definitions.
     let mut dependence = flow.dependence.clone();
     for e in flow.wanted.events.iter_mut().chain(&mut flow.wanted.conditions) {
         *e = dependence.whole(&mut ground.arena, *e);
     }
+    let mut equations = equations(&mut ground, level, &flow);
+    let hoisted = hoist(&mut ground, level, &mut equations);
+    let outputs =
+        flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
+    let folded = ground.folded.clone();
     let events = flow.wanted.events.clone();
     let constants = constants(&mut ground, level, &flow, &equations, &hoisted);
     let slope = flow.slope(&mut ground, equations.kinetic_energy, equations.potential_energy);
@@ -51,7 +51,7 @@ pub fn pack(
     let time = flow.time;
     let model = model(ground, &flow, &constants, &equations);
     let derivation = Derivation { arena: model.arena.clone(), equations };
-    Ok(Reduction {
+    let reduction = Reduction {
         model,
         derivation,
         states,
@@ -71,7 +71,36 @@ pub fn pack(
         slope,
         time,
         proof,
-    })
+    };
+    closed(&reduction)?;
+    Ok(reduction)
+}
+
+/// Every symbol that is computed with has a value: it is a parameter, a variable, the time, or defined before.
+fn closed(reduction: &Reduction) -> Result<(), String> {
+    let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
+    let mut known: FxHashSet<Expr> = reduction.model.p().into_iter().chain([reduction.time]).collect();
+    known.extend(e.coordinates.iter().chain(&e.variables));
+    let has_value = |known: &FxHashSet<Expr>, values: &[Expr], what: &str| {
+        let symbols = arena.reachable(values).into_iter().filter(|e| matches!(arena.node(*e), Node::Symbol(_)));
+        let unknown = symbols.into_iter().find(|e| !known.contains(e)).and_then(|e| arena.symbol_name(e));
+        unknown.map_or(Ok(()), |name| Err(format!("that `{name}`, which {what} mentions, has a value")))
+    };
+    // What is watched is evaluated without the definitions.
+    has_value(&known, &reduction.events, "an event")?;
+    let conditions: Vec<Expr> = reduction.model.domain.iter().map(|c| c.positive).collect();
+    has_value(&known, &conditions, "the domain")?;
+    for definition in &e.definitions {
+        has_value(&known, &[definition.value], "a step")?;
+        known.insert(definition.symbol);
+    }
+    for output in &reduction.outputs {
+        has_value(&known, &[output.value], &format!("the output {}", output.name))?;
+    }
+    let energies = [e.kinetic_energy, e.potential_energy];
+    let rates =
+        e.matrix.concat().into_iter().chain(e.forcing.iter().copied()).chain(e.coordinate_rates.iter().copied());
+    has_value(&known, &rates.chain(energies).collect::<Vec<_>>(), "an equation")
 }
 
 /// Variables with their values at the start.
@@ -203,14 +232,14 @@ impl Flow {
     /// Everything that the reduced system computes.
     pub(super) fn terms(&self) -> Vec<Expr> {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate);
-        let wanted = &self.wanted;
-        let outputs = wanted.outputs.iter().map(|(_, e)| *e);
-        rates
-            .chain(outputs)
-            .chain(wanted.conditions.iter().copied())
-            .chain(wanted.events.iter().copied())
-            .chain(self.energy)
-            .collect()
+        rates.chain(self.shown()).collect()
+    }
+
+    /// What is shown and watched: outputs, conditions, events and the energy.
+    fn shown(&self) -> impl Iterator<Item = Expr> {
+        let Wanted { outputs, conditions, events } = &self.wanted;
+        let outputs = outputs.iter().map(|(_, e)| *e);
+        outputs.chain(conditions.iter().copied()).chain(events.iter().copied()).chain(self.energy)
     }
 }
 
@@ -227,12 +256,12 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     // generation eliminates in its own way.
     let (mut matrix, mut forcing): (Vec<Vec<Expr>>, Vec<Expr>) =
         ((0..n).map(identity).collect(), speeds.iter().map(|v| v.rate).collect());
-    let mut terms = flow.terms();
     if let Some((whole_matrix, whole_forcing)) = flow.system.as_ref().filter(|_| n > 1) {
-        terms.retain(|e| !speeds.iter().any(|v| v.rate == *e));
-        terms.extend(whole_matrix.concat().iter().chain(whole_forcing));
         (matrix, forcing) = (whole_matrix.clone(), whole_forcing.clone());
     }
+    // An output may be an acceleration as it was solved for, even where the equations are kept as a linear system.
+    let rates = coordinates.iter().map(|v| v.rate);
+    let terms: Vec<Expr> = flow.shown().chain(rates).chain(matrix.concat()).chain(forcing.iter().copied()).collect();
     let arena = &mut ground.arena;
     let (kinetic_energy, potential_energy) = flow.energy.map_or((Expr::ZERO, Expr::ZERO), |energy| {
         let at_rest: Vec<(Expr, Expr)> = variables.iter().map(|u| (*u, Expr::ZERO)).collect();

@@ -247,7 +247,7 @@ mod tests {
         let wanted = ground.wanted(&scene).unwrap();
         let whole = Whole { kane: ground.kane.clone(), wanted: wanted.clone() };
         let mut level = ground.level(&[0], None).unwrap();
-        let mut flow = Flow::new(&mut ground, &level, &wanted);
+        let mut flow = Flow::new(&mut ground, &level, &wanted).unwrap();
         spoil(&mut ground, &mut level, &mut flow);
         prove(&mut ground, &whole, &level, &mut flow)
     }

@@ -102,9 +102,9 @@ pub struct Flow {
 }
 
 impl Flow {
-    /// What is needed of a level for what is wanted.
-    pub(super) fn new(ground: &mut Ground, level: &Level, wanted: &Wanted) -> Self {
-        let (mut variables, definitions) = ground.variables(level);
+    /// What is needed of a level for what is wanted; nothing if the level does not determine its accelerations.
+    pub(super) fn new(ground: &mut Ground, level: &Level, wanted: &Wanted) -> Option<Self> {
+        let (mut variables, definitions) = ground.variables(level)?;
         let symbols: Vec<Expr> = variables.iter().map(|v| v.symbol).collect();
         let solved: Vec<(Expr, Expr)> = level
             .kept
@@ -157,7 +157,7 @@ impl Flow {
             let mentioned = flow.dependence.mentioned(&ground.arena, &[*e]);
             !others.iter().any(|s| mentioned.contains(s))
         });
-        flow
+        Some(flow)
     }
 
     /// Whether a variable is among the states.
@@ -249,8 +249,8 @@ impl Flow {
 }
 
 impl Ground {
-    /// Coordinates and kept speeds with their rates, and what these are defined by.
-    fn variables(&mut self, level: &Level) -> (Vec<Variable>, Vec<Definition>) {
+    /// Coordinates and kept speeds with their rates, and what these are defined by; nothing if the matrix is singular.
+    fn variables(&mut self, level: &Level) -> Option<(Vec<Variable>, Vec<Definition>)> {
         let mut list: Vec<Variable> = Vec::new();
         for (place, (symbol, rate)) in self.q.iter().zip(&self.kane.coordinate_rates).enumerate() {
             list.push(Variable { symbol: *symbol, rate: *rate, is_speed: false, place });
@@ -259,7 +259,7 @@ impl Ground {
         let system =
             LinearSystem { matrix: &level.matrix, right: &level.forcing, unknowns: &unknowns, symmetric: true };
         let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
-        let solved = eliminate(arena, simplifier, system).unwrap_or_default();
+        let solved = eliminate(arena, simplifier, system).ok()?;
         let (mut written, mut definitions) = (Substitution::default(), level.definitions.clone());
         for step in &solved.steps {
             let value = written.apply(arena, step.value);
@@ -273,7 +273,7 @@ impl Ground {
             let rate = written.apply(arena, *unknown);
             list.push(Variable { symbol: self.kane.variables[*k], rate, is_speed: true, place: *k });
         }
-        (list, definitions)
+        Some((list, definitions))
     }
 
     /// The symbol of the time, which no model has among its own.

@@ -35,7 +35,7 @@ impl Ground {
         if !scene.integration.may_measure || (level.divisors.is_empty() && stated.is_none()) {
             return None;
         }
-        let flow = Flow::new(self, level, wanted);
+        let flow = Flow::new(self, level, wanted)?;
         let candidates: Vec<usize> = (0..self.q.len()).filter(|at| flow.is_core(self.q[*at])).collect();
         let mut found: Vec<(f64, usize, i32)> = Vec::new();
         for at in candidates {

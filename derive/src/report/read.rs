@@ -80,8 +80,7 @@ impl<'a> Loading<'a, '_> {
 
     /// A string that may be absent.
     pub fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
-        let value = self.reader.get(table, key)?;
-        Some(self.reader.string(value, &format!("`{key}`"))?.text.trim().to_owned())
+        self.reader.prose(table, key)
     }
 
     /// The values of an array.

@@ -4,6 +4,7 @@ use super::SceneOutput;
 use super::values::Values;
 use crate::diagnostic::nearest;
 use crate::model::Model;
+use crate::plain::one_line;
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
@@ -55,7 +56,7 @@ impl<'a> Values<'a, '_> {
                     let Some(table) = self.reader.table(entry, "an output", how) else { continue };
                     self.reader.allow(table, "an output", &["name", "value"]);
                     let name = self.reader.need(table, "name", "an output", &entry.span());
-                    let name = name.and_then(|v| self.reader.string(v, "an output's name"));
+                    let name = name.and_then(|v| self.reader.name(v, "an output's name"));
                     let value = self.reader.need(table, "value", "an output", &entry.span());
                     let value = value.and_then(|v| self.reader.formula(v, "an output"));
                     let (Some(name), Some(value)) = (name, value) else { continue };
@@ -66,10 +67,17 @@ impl<'a> Values<'a, '_> {
                     (formula.clone(), formula)
                 }
             };
-            let name = Located { text: name.text.trim().to_owned(), ..name };
+            let name = Located { text: one_line(&name.text), ..name };
             if name.text.is_empty() || name.text == "t" {
                 let message = format!("an output cannot be called `{}`", name.text);
                 self.reader.error(name.span, message, "give it a name of its own; `t` is the time");
+                continue;
+            }
+            // A number is what its name says.
+            let is_taken = self.model.arena.find_symbol(&name.text).is_some() || ENERGIES.contains(&name.text.as_str());
+            if is_taken && name.text != formula.text.trim() {
+                let message = format!("an output cannot be called `{}`, which is something else", name.text);
+                self.reader.error(name.span, message, "give it a name that the model does not have");
                 continue;
             }
             if list.iter().any(|o| o.name == name.text) {

@@ -123,6 +123,7 @@ impl<'a> Values<'a, '_> {
     /// Values of all parameters: those stated, the model's defaults for the rest.
     pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Option<Vec<Number>> {
         let mut values: Vec<Option<Number>> = vec![None; self.model.parameters.len()];
+        let mut places = vec![None; values.len()];
         let section = self.section(table, "parameters");
         for (name, value) in section.map_or(Vec::new(), |s| self.reader.entries(s)) {
             let Some(at) = self.model.parameters.iter().position(|p| p.name == name.text) else {
@@ -133,9 +134,9 @@ impl<'a> Values<'a, '_> {
             let Some(formula) = self.reader.formula(value, "a parameter's value") else { continue };
             let Some(number) = self.constant(&formula) else { continue };
             if let Some(message) = self.not_positive(at, &number) {
-                self.reader.error(formula.span, message, "give a value above zero");
+                self.reader.error(formula.span.clone(), message, "give a value above zero");
             }
-            values[at] = Some(number);
+            (values[at], places[at]) = (Some(number), Some(formula.span));
         }
         for (place, number) in self.given {
             let Place::Parameter(at) = *place else { continue };
@@ -154,7 +155,19 @@ impl<'a> Values<'a, '_> {
                 self.reader.errors.push(Diagnostic::of_file(message, help));
             }
         }
-        values.into_iter().collect()
+        let values: Vec<Number> = values.into_iter().collect::<Option<_>>()?;
+        self.check_bodies(&values, &places);
+        Some(values)
+    }
+
+    /// Refuses values at which a body cannot exist, where the first of them that matters is stated.
+    fn check_bodies(&mut self, values: &[Number], places: &[Option<std::ops::Range<usize>>]) {
+        for (message, help, parameters) in self.model.impossible(&doubles(values)) {
+            match parameters.into_iter().find_map(|at| places[at].clone()) {
+                Some(span) => self.reader.error(span, message, help),
+                None => self.reader.errors.push(Diagnostic::of_file(message, help)),
+            }
+        }
     }
 
     /// What is wrong with the value of a parameter that is stated to be positive.

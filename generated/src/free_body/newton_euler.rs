@@ -656,6 +656,12 @@ impl<S: Scalar> System<S> for NewtonEuler {
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
     }
+    fn output_count(&self) -> usize {
+        12
+    }
+    fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
+        self.whole_state(p, q, v, out);
+    }
     fn has_accelerations(&self) -> bool {
         true
     }

@@ -43,6 +43,12 @@ where
     fn forcing(&self, _p: &[f64], q: &[f64], _v: &[f64], out: &mut [f64]) {
         out[0] = -(self.slope)(q[0], q[0]);
     }
+    fn output_count(&self) -> usize {
+        self.coordinates + 1
+    }
+    fn outputs(&self, p: &[f64], _t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.whole_state(p, q, v, out);
+    }
     fn generalized_speeds(&self, _p: &[f64], _q: &[f64], v: &[f64], out: &mut [f64]) {
         out.copy_from_slice(v);
     }

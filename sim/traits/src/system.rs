@@ -78,12 +78,14 @@ pub trait System<S: Scalar = f64> {
     }
 
     /// How many numbers [`System::outputs`] gives.
-    fn output_count(&self) -> usize {
-        self.coordinates() + self.speeds()
-    }
-    /// What is to be seen of a state, `t` after the start: the coordinates and the generalized speeds of the model, or what a
-    /// scene asks for. `out` has [`System::output_count`] entries.
-    fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
+    fn output_count(&self) -> usize;
+    /// What is to be seen of a state, `t` after the start: what a scene asks for, or [`System::whole_state`] where no scene
+    /// does. `out` has [`System::output_count`] entries.
+    ///
+    /// Stated by every implementation: values that nobody asked for must not appear under the names of others.
+    fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]);
+    /// The coordinates, then the generalized speeds of the model; `out` has `coordinates` + `speeds` entries.
+    fn whole_state(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         let (of_q, of_u) = out.split_at_mut(q.len());
         of_q.copy_from_slice(q);
         self.generalized_speeds(p, q, v, of_u);

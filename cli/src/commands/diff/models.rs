@@ -1,7 +1,7 @@
 //! `tripos diff OLD NEW`: what a model edit changed in the equations of motion.
 
 use crate::catalogue::short_name;
-use crate::failure::{Failure, print, status};
+use crate::failure::{Failure, print, print_json, status};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos_derive::Model;
@@ -23,7 +23,7 @@ pub fn diff(old: &Model, new: &Model, as_json: bool) -> Result<u8, Failure> {
     );
     let arena = &after.kinematics.arena;
     if as_json {
-        print(&format!("{:#}\n", json_of(old, new, arena, &difference)))?;
+        print_json(&json_of(old, new, arena, &difference))?;
     } else {
         print(&text_of(old, new, arena, &difference))?;
     }

@@ -37,8 +37,9 @@ impl Own {
         let watch = (!scene.states_outputs).then_some(watch);
         let mut run = run_problem(&Problem::reduced(&reduced, scene, &code)?, watch)?;
         whole_energies(model, scene, &reduced, &mut run)?;
-        let course = watch.map(|watch| watch.along(scene, &code, &run));
-        let (costs, has_energy) = (costs(model, &reduced.reduction), reduced.reduction.has_energy);
+        let course = watch.map(|watch| watch.along(scene, &code, &run)).transpose()?;
+        let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
+        let has_energy = reduced.reduction.has_energy;
         Ok(Self { needs: Needs { reduced, costs }, run, course, has_energy })
     }
 }

@@ -1,0 +1,145 @@
+//! What is shown of states of whole equations, by any formulation, with any solve: every coordinate and speed, and what else a
+//! scene wants to see.
+//!
+//! Invariant: an output has a value for each state or the state has none for it, which is then not a number; no other number
+//! ever stands in its place. Reduced equations bring their outputs with them ([`tripos_traits::System::outputs`]).
+
+use crate::catalogue::{Code, Ready, code, tape};
+use crate::failure::Failure;
+use crate::problem::Problem;
+use crate::run::{Run, refused, state_names};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::scene::{ENERGIES, Scene, Solve};
+use tripos_derive::{Formulation, Model};
+use tripos_sim::{Dynamics, Eliminated, RightHandSide};
+
+/// What is shown of a state.
+#[derive(Clone)]
+pub struct Shown {
+    /// The names of coordinates and generalized speeds, then of the outputs that are none of these.
+    pub names: Vec<String>,
+    /// Nothing if the scene asks for no more than the state.
+    outputs: Option<Outputs>,
+}
+
+/// Outputs as functions of p, q, q̇, u, u̇, reactions and energies.
+#[derive(Clone)]
+struct Outputs {
+    tape: Tape,
+    needs_accelerations: bool,
+    /// The force balance, if an output needs a reaction.
+    balance: Option<Code>,
+    /// The energies that the scene names: kinetic, potential, total.
+    energies: Vec<usize>,
+}
+
+impl Shown {
+    /// Of a scene of this model.
+    ///
+    /// # Errors
+    /// [`Failure`] if an output needs a reaction that the model does not determine.
+    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Failure> {
+        let mut names = state_names(model);
+        let others: Vec<_> = scene.outputs.iter().filter(|o| !names.contains(&o.name)).collect();
+        if others.is_empty() {
+            return Ok(Self { names, outputs: None });
+        }
+        let (arena, values) = (&model.arena, others.iter().map(|o| o.value).collect::<Vec<_>>());
+        let mentioned = |list: &[Expr]| list.iter().any(|s| values.iter().any(|e| arena.mentions(*e, *s)));
+        let u_dot: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
+        let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
+        let energies: Vec<(usize, Expr)> =
+            ENERGIES.iter().enumerate().filter_map(|(at, name)| Some((at, arena.find_symbol(name)?))).collect();
+        let inputs = [model.p(), model.q(), model.q_dot(), model.u(), u_dot.clone(), reactions.clone()].concat();
+        let energies: Vec<_> = energies.into_iter().filter(|(_, symbol)| !inputs.contains(symbol)).collect();
+        let inputs = inputs.into_iter().chain(energies.iter().map(|(_, symbol)| *symbol)).collect::<Vec<_>>();
+        let balance = mentioned(&reactions)
+            .then(|| code(model, &Formulation::NewtonEuler.into(), None, Ready::AsDerived))
+            .transpose()?;
+        let outputs = Outputs {
+            tape: tape(arena, &inputs, &values, "an output")?,
+            needs_accelerations: mentioned(&u_dot),
+            balance,
+            energies: energies.into_iter().map(|(at, _)| at).collect(),
+        };
+        names.extend(others.iter().map(|o| o.name.clone()));
+        Ok(Self { names, outputs: Some(outputs) })
+    }
+
+    /// What an integrated state of whole equations shows.
+    ///
+    /// # Errors
+    /// [`Failure::Request`] if the parameters are not those of the equations.
+    pub fn of(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+        let state = problem.state(t, y);
+        match &self.outputs {
+            None => Ok(state),
+            Some(outputs) => {
+                let values = outputs.of(problem, &state, t, y)?;
+                Ok([state, values].concat())
+            }
+        }
+    }
+
+    /// Shows the outputs beside the states of a run by whole equations.
+    ///
+    /// # Errors
+    /// As [`Shown::of`].
+    pub fn apply(&self, problem: &Problem<'_>, run: &mut Run) -> Result<(), Failure> {
+        if self.outputs.is_none() {
+            return Ok(());
+        }
+        let samples = run.solution.t.iter().zip(&run.solution.y);
+        run.states = samples.map(|(t, y)| self.of(problem, *t, y)).collect::<Result<_, _>>()?;
+        run.end = self.of(problem, run.solution.t_end, &run.solution.y_end)?;
+        run.names.clone_from(&self.names);
+        Ok(())
+    }
+}
+
+impl Outputs {
+    fn of(&self, problem: &Problem<'_>, state: &[f64], t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+        let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
+        let (variables, v) = y.split_at(system.coordinates());
+        let (q, u) = state.split_at(system.coordinates());
+        let mut q_dot = vec![0.0; q.len()];
+        system.coordinate_rates(p, variables, v, &mut q_dot);
+        let u_dot = self.accelerations(problem, t, y)?;
+        let reactions = self.reactions(problem, q, u)?;
+        let (kinetic, potential) = (system.kinetic_energy(p, variables, v), system.potential_energy(p, variables));
+        let energies = [kinetic, potential, kinetic + potential];
+        let energies: Vec<f64> = self.energies.iter().map(|at| energies[*at]).collect();
+        Ok(self.tape.evaluate(&[p, q, &q_dot, u, &u_dot, &reactions, &energies].concat()))
+    }
+
+    /// u̇ as the run finds it; not numbers where nothing asks for it, or where it has no value.
+    fn accelerations(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+        let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
+        let n = system.coordinates();
+        let mut u_dot = vec![f64::NAN; y.len() - n];
+        if !self.needs_accelerations {
+            return Ok(u_dot);
+        }
+        let mut rhs: Box<dyn RightHandSide<f64> + '_> = match Eliminated::new(system, p) {
+            Some(rhs) if problem.solve == Solve::Eliminated => Box::new(rhs),
+            _ => Box::new(problem.dynamics().map_err(|error| refused(problem.scene, &error))?),
+        };
+        let mut rates = vec![0.0; y.len()];
+        // A state without accelerations shows none: the run says why it stops there.
+        if rhs.rhs(t, y, &mut rates).is_ok() {
+            system.generalized_speed_rates(p, &y[..n], &y[n..], &rates[n..], &mut u_dot);
+        }
+        Ok(u_dot)
+    }
+
+    /// Every reaction; not numbers where nothing asks for them, or where they have no value.
+    fn reactions(&self, problem: &Problem<'_>, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Failure> {
+        let count = problem.model.reactions.len();
+        let Some(balance) = &self.balance else { return Ok(vec![f64::NAN; count]) };
+        let mut dynamics = Dynamics::new(balance.system(), &problem.scene.parameters)
+            .map_err(|error| refused(problem.scene, &error))?;
+        let unknowns = dynamics.unknowns(q, u);
+        Ok(unknowns.map_or_else(|_| vec![f64::NAN; count], |x| x[u.len()..].to_vec()))
+    }
+}

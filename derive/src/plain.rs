@@ -1,0 +1,57 @@
+//! Text of files among text of ours: what it may not have, and what is made of it where people see it.
+//!
+//! Files are gated: a control character, or one that turns the direction of writing, is refused where it stands, so that no output has to
+//! fear it. What does not pass that gate, such as the file's own text in a message or the name of a folder, is [`visible`].
+//! Absent on purpose: quoting for Rust, HTML, LaTeX, CSV and JSON. Whoever writes one of these escapes for it, in one place each.
+
+use std::borrow::Cow;
+
+/// Whether a character has no place in a line of text: control characters, marks that turn the direction of writing (which let a
+/// text read as another than it is), and line and paragraph separators.
+#[must_use]
+pub fn is_forbidden(c: char) -> bool {
+    c.is_control()
+        || matches!(c,
+            '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
+}
+
+/// Whether a character only parts words.
+#[must_use]
+pub fn is_blank(c: char) -> bool {
+    matches!(c, '\n' | '\r' | '\t' | ' ')
+}
+
+/// What a character is called: `U+001B`.
+#[must_use]
+pub fn called(c: char) -> String {
+    format!("U+{:04X}", u32::from(c))
+}
+
+/// The text on one line: white space of any kind and length as one space, none at the ends.
+#[must_use]
+pub fn one_line(text: &str) -> String {
+    text.split(is_blank).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+/// The text with what has no place in a line written out, as `\u{1b}`; line breaks stay.
+#[must_use]
+pub fn visible(text: &str) -> Cow<'_, str> {
+    if text.chars().all(|c| c == '\n' || !is_forbidden(c)) {
+        return Cow::Borrowed(text);
+    }
+    let written = |c: char| if c == '\n' || !is_forbidden(c) { c.to_string() } else { c.escape_unicode().to_string() };
+    Cow::Owned(text.chars().map(written).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_steers_a_terminal_or_turns_a_line_is_written_out() {
+        assert_eq!(visible("q\u{1b}[31m \u{202e}abc\u{9b}"), "q\\u{1b}[31m \\u{202e}abc\\u{9b}");
+        assert_eq!(visible("plain — θ̇ 🎢\nand a line"), "plain — θ̇ 🎢\nand a line");
+        assert_eq!(one_line("  two\r\n\twords "), "two words");
+        assert_eq!(called('\u{1b}'), "U+001B");
+    }
+}
