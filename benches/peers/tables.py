@@ -1,5 +1,7 @@
 """Numbers and tables in Markdown."""
 
+import size
+
 
 def duration(seconds):
     """Three digits with the unit that suits."""
@@ -38,10 +40,12 @@ def details(reached):
 
 
 def aims(rows):
-    """(what, against, ours, theirs, aim): what was asked for, beside what came out."""
+    """(what, against, ours, theirs, aim): what was asked for, beside what came out; nothing where speed is not measured."""
+    if size.SMALL:
+        return []
     cells = []
     for what, against, ours, theirs, aim in rows:
         value = ours / theirs if theirs else float("inf")
         met = "met" if value <= aim else f"missed: {value / aim:.2f} times the aim"
         cells.append((what, against, ratio(value), f"≤ {aim}", met))
-    return table(("work", "Tripos ÷", "ratio", "aim", ""), cells)
+    return list(table(("work", "Tripos ÷", "ratio", "aim", ""), cells)) if cells else []
