@@ -68,7 +68,8 @@ def asked():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, help="samples of each time (31, or 1 with --small)")
     parser.add_argument("--only", type=sections, default=list(SECTIONS), help=f"some of {','.join(SECTIONS)}")
-    parser.add_argument("--packages", choices=("all", "installed", "none"), default="all", help="install all, take what there is, or none")
+    packages = {"choices": ("all", "installed", "none"), "default": "all"}
+    parser.add_argument("--packages", **packages, help="of Python: install all, take what there is, or none")
     parser.add_argument("--small", action="store_true", help="as little as shows that all works; writes no results")
     parser.add_argument("--dry", action="store_true", help="leave results/ as it is")
     arguments = parser.parse_args()

@@ -8,7 +8,7 @@ from measure import error, interleaved
 from measure import started as present
 from sections import scenes
 from sections.search import Question, search
-from tables import aims, details, duration, ratio, table
+from tables import aims, details, duration, quotients, table
 
 # The smallest tolerance that is tried is what doubles allow.
 TOLERANCES = size.of([10.0 ** (-k / 2) for k in range(4, 29)], [1e-6, 1e-9, 1e-12])
@@ -146,16 +146,9 @@ def ratios(peers, reached):
     rows = []
     for name in (name for name in PEERS if name in peers):
         pairs = [(reached.get((LAGRANGE, target)), reached.get((name, target))) for target in TARGETS]
-        rows.append([name, *(quotients(*pair) for pair in pairs)])
+        rows.append([name, *(quotients(*pair, otherwise="not reached") for pair in pairs)])
     head = (f"{LAGRANGE} ÷ peer, by medians (by fastest samples)", *(f"error {target:.0e}" for target in TARGETS))
     return [*table(head, rows), ""] if rows else []
-
-
-def quotients(ours, theirs):
-    if ours is None or theirs is None:
-        return "not reached"
-    ours, theirs = ours.samples, theirs.samples
-    return f"{ratio(ours.median / theirs.median)} ({ratio(ours.fastest / theirs.fastest)})"
 
 
 def judged(peers, reached):
