@@ -3,17 +3,27 @@
 import json
 import os
 import platform
+import shutil
 import subprocess
 import sys
 import time
 import venv
 from pathlib import Path
 
+import size
+
 HERE = Path(__file__).resolve().parent
 WORKERS = HERE / "workers"
 ROOT = HERE.parent.parent
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR") or ROOT / "target")
-PLACE = TARGET / "peers"
+PLACE = TARGET / size.of("peers", "peers/small")
+# The environment of the packages is one for both sizes.
+ENVIRONMENT = TARGET / "peers/python"
+# How Rust is built, and where cargo puts that. What `cargo test` has built is not built again for the small size.
+PROFILE, PROFILE_FOLDER = size.of(("release", "release"), ("test", "debug"))
+# Whether programs are built for this processor, too; and what the rows of the best build are called.
+NATIVE = size.of(True, False)
+BUILD = size.of("native", "default build")
 REQUIREMENTS = HERE / "requirements.txt"
 C_FLAGS = ["-std=gnu17", "-O3", "-march=native"]
 CPP_FLAGS = ["-std=c++17", "-O3", "-march=native", "-DNDEBUG"]
@@ -21,18 +31,20 @@ CPP_FLAGS = ["-std=c++17", "-O3", "-march=native", "-DNDEBUG"]
 UNFUSED = "-ffp-contract=off"
 
 
-def python():
-    """The Python of an environment with exactly the pinned packages, made anew when these change."""
-    folder = PLACE / "python"
-    program = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    stamp = folder / "made-for.json"
+def python(install):
+    """The Python of an environment with exactly the pinned packages, made anew when these change; none if it may not be made."""
+    program = ENVIRONMENT / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+    stamp = ENVIRONMENT / "made-for.json"
     wanted = json.dumps([sys.version, REQUIREMENTS.read_text()])
-    if not (program.exists() and stamp.exists() and stamp.read_text() == wanted):
-        say("a Python environment with the packages of requirements.txt (once; needs a network)")
-        venv.create(folder, clear=True, with_pip=True)
-        pip = ["-m", "pip", "install", "--quiet", "--no-input", "--disable-pip-version-check"]
-        call([program, *pip, "-r", REQUIREMENTS])
-        stamp.write_text(wanted)
+    if program.exists() and stamp.exists() and stamp.read_text() == wanted:
+        return program
+    if not install:
+        return None
+    say("a Python environment with the packages of requirements.txt (once; needs a network)")
+    venv.create(ENVIRONMENT, clear=True, with_pip=True)
+    pip = ["-m", "pip", "install", "--quiet", "--no-input", "--disable-pip-version-check"]
+    call([program, *pip, "-r", REQUIREMENTS])
+    stamp.write_text(wanted)
     return program
 
 
@@ -77,14 +89,19 @@ def eigen_version():
 
 def example(name, native):
     """An example of the workspace: as everyone builds it, or with leave to use all that this processor has, as the C programs."""
-    cargo(["-p", "tripos", "--example", name], native)
-    return rust_target(native) / "release/examples" / executable(name)
+    cargo([*selected("tripos"), "--example", name], native)
+    return rust_target(native) / PROFILE_FOLDER / "examples" / executable(name)
 
 
 def command():
     """The command `tripos`."""
-    cargo(["-p", "tripos-cli"], native=False)
-    return rust_target(native=False) / "release" / executable("tripos")
+    cargo([*selected("tripos-cli"), "--bin", "tripos"], native=False)
+    return rust_target(native=False) / PROFILE_FOLDER / executable("tripos")
+
+
+def selected(package):
+    """The package alone; at the small size with the features that it has in `cargo test --workspace`."""
+    return size.of(["-p", package], ["--workspace"])
 
 
 def rates_crate(folders):
@@ -96,10 +113,16 @@ def rates_crate(folders):
         begin = time.perf_counter()
         call([tripos, "emit", folder, "--out", place / "src" / problem, "--formulation", "lagrange"], quiet=True)
         seconds[problem] = time.perf_counter() - begin
-    modules = "".join(f"pub mod {problem};\n" for problem in folders)
     manifest = EMITTED.format(traits=ROOT / "sim/traits", rates=WORKERS / "rates.rs")
-    write_crate(place, manifest, {"src/lib.rs": f"#![allow(non_snake_case)]\n{modules}"})
+    write_crate(place, manifest, {"src/lib.rs": emitted_library(folders)})
     return seconds
+
+
+def emitted_library(problems):
+    """The modules, and a macro that does something with the one of a name; `None` if there is none of it."""
+    modules = "".join(f"pub mod {problem};\n" for problem in problems)
+    arms = "".join(f"            {problem!r} => $served!({problem}, $($more),*),\n".replace("'", '"') for problem in problems)
+    return f"#![allow(non_snake_case)]\n{modules}{CHOOSING.replace('ARMS', arms)}"
 
 
 def write_crate(place, manifest, files):
@@ -122,13 +145,23 @@ def rates_of_emitted(native):
     """The program that times the modules of that crate, and the seconds that compiling them took."""
     manifest = ["--manifest-path", PLACE / "emitted/Cargo.toml"]
     environment = rust_environment(native)
-    call(["cargo", "clean", "--quiet", *manifest, "--release", "-p", "emitted"], environment)
+    call(["cargo", "clean", "--quiet", *manifest, "--profile", PROFILE, "-p", "emitted"], environment)
     begin = time.perf_counter()
     cargo(manifest, native)
     seconds = time.perf_counter() - begin
-    return rust_target(native) / "release" / executable("rates"), seconds
+    return rust_target(native) / PROFILE_FOLDER / executable("rates"), seconds
 
 
+CHOOSING = """
+#[macro_export]
+macro_rules! choose {
+    ($problem:expr, $served:ident, $($more:expr),*) => {
+        match $problem {
+ARMS            _ => None,
+        }
+    };
+}
+"""
 EMITTED = """[package]
 name = "emitted"
 version = "0.0.0"
@@ -148,8 +181,8 @@ tripos-traits = {{ path = '{traits}' }}
 def cargo(arguments, native):
     flags = rust_environment(native).get("RUSTFLAGS", "")
     words = " ".join(word.name if isinstance(word, Path) else word for word in arguments)
-    say(f"cargo build --release {words} {flags and f'(RUSTFLAGS={flags!r})'}".rstrip())
-    call(["cargo", "build", "--release", "--quiet", *arguments], rust_environment(native))
+    say(f"cargo build --profile {PROFILE} {words} {flags and f'(RUSTFLAGS={flags!r})'}".rstrip())
+    call(["cargo", "build", "--profile", PROFILE, "--quiet", *arguments], rust_environment(native))
 
 
 def rust_target(native):
@@ -189,17 +222,16 @@ def say(text):
     print(f"== {text}", file=sys.stderr, flush=True)
 
 
-def machine():
-    """What the times depend on; neither names nor places."""
-    # The peers; not what these need.
-    pinned = REQUIREMENTS.read_text().partition("\n\n")[0].split()
+def machine(packages):
+    """What the times depend on; neither names nor places. Packages by name with their versions."""
+    versions = ", ".join(f"{name} {version}" for name, version in packages.items())
     return {
         "processor": f"{processor()}, {os.cpu_count()} cores visible",
         "system": f"{platform.system()} {platform.machine()}, {' '.join(platform.libc_ver())}".rstrip(", "),
-        "C": f"{first_line([compiler(), '--version'])}; {' '.join(C_FLAGS)}",
-        "C++": f"{first_line([compiler_plus(), '--version'])}; {' '.join(CPP_FLAGS)}; {eigen_version()}",
+        "C": f"{version_of(compiler())}; {' '.join(C_FLAGS)}",
+        "C++": f"{version_of(compiler_plus())}; {' '.join(CPP_FLAGS)}; {eigen_version()}",
         "Rust": first_line(["rustc", "--version"]),
-        "Python": f"{platform.python_version()}; {', '.join(line.replace('==', ' ') for line in pinned)}",
+        "Python": f"{platform.python_version()}; {versions or 'no packages'}",
     }
 
 
@@ -215,6 +247,10 @@ def processor():
     wanted = [about.get("model name", platform.machine())]
     wanted += [f"{key} {about[key]}" for key in ("cpu family", "model") if key in about]
     return ", ".join(wanted)
+
+
+def version_of(program):
+    return first_line([program, "--version"]) if shutil.which(program) else "none"
 
 
 def first_line(command):

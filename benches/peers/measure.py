@@ -5,6 +5,8 @@ import subprocess
 import time
 from dataclasses import dataclass, field
 
+import tools
+
 
 @dataclass
 class Samples:
@@ -54,6 +56,12 @@ class Peer:
     def close(self):
         self.process.stdin.close()
         self.process.wait()
+
+
+def started(rows, greeting=None):
+    """The workers of these rows, each given as what it needs and what makes its command; rows without their tools are left out."""
+    here = {name: command for name, (needs, command) in rows.items() if tools.has(name, *needs)}
+    return {name: Peer(name, command(), greeting) for name, command in here.items()}
 
 
 def interleaved(askings, rounds):

@@ -101,7 +101,7 @@ def write(problem, count=128):
     folder.mkdir(parents=True, exist_ok=True)
     about = start(problem)
     lines = [parameters(problem), *spread(about, [WIDTH] * len(about), count)]
-    (folder / "states").write_text("".join(" ".join(map(repr, line)) + "\n" for line in lines))
+    build.write_text(folder / "states", "".join(" ".join(map(repr, line)) + "\n" for line in lines))
     build.write_text(folder / "model.toml", model_text(problem))
     return folder
 

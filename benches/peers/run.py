@@ -5,6 +5,8 @@ Sections: derivation, rhs, runs, batches, first-result. In each all compute the 
 all take turns. Writes the tables to standard output, and those of each section to benches/peers/results/SECTION.md.
 
 Needs Python 3.11 or newer with `venv`, a C and a C++ compiler, cargo, and a network the first time; for SymForce the headers of Eigen.
+What is not here is left out, and said to be. `--packages installed` installs nothing, `--packages none` measures without Python's
+packages. `--small` does as little as shows that all works, in seconds, and writes no results: a test runs it.
 Everything made is in target/peers.
 
 A worker reads lines and answers each with one line of numbers. A problem is a folder of target/peers/problems (problems.py).
@@ -27,12 +29,12 @@ import importlib
 import os
 import sys
 import time
+from pathlib import Path
 
 sys.dont_write_bytecode = True  # nothing is written beside the sources
 
-import build
+import size
 
-RESULTS = build.HERE / "results"
 SECTIONS = {
     "derivation": "sections.derivation",
     "rhs": "sections.rates",
@@ -43,21 +45,36 @@ SECTIONS = {
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--rounds", type=int, default=31, help="samples of each time (31)")
-    parser.add_argument("--only", type=sections, default=list(SECTIONS), help=f"some of {','.join(SECTIONS)}")
-    parser.add_argument("--dry", action="store_true", help="leave results/ as it is")
-    arguments = parser.parse_args()
+    arguments = asked()
+    # Before anything that states both sizes is read.
+    size.SMALL = arguments.small
+    tools = importlib.import_module("tools")
+    tools.PACKAGES = arguments.packages
     for name in arguments.only:
+        tools.LEFT_OUT.clear()
         begin, loads = time.monotonic(), [os.getloadavg()[0]]
         block = importlib.import_module(SECTIONS[name]).section(arguments.rounds)
         loads.append(os.getloadavg()[0])
         minutes = (time.monotonic() - begin) / 60
-        text = "\n".join([*head(arguments, name), *block, "", *tail(arguments.rounds, loads, minutes)]) + "\n"
-        print(text)
-        if not arguments.dry:
-            RESULTS.mkdir(exist_ok=True)
-            (RESULTS / f"{name}.md").write_text(text)
+        text = "\n".join([*head(arguments, name), *block, "", *tail(tools, arguments.rounds, loads, minutes)]) + "\n"
+        print(text, flush=True)
+        if not (arguments.dry or arguments.small):
+            results = Path(__file__).resolve().parent / "results"
+            results.mkdir(exist_ok=True)
+            (results / f"{name}.md").write_text(text)
+
+
+def asked():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--rounds", type=int, help="samples of each time (31, or 1 with --small)")
+    parser.add_argument("--only", type=sections, default=list(SECTIONS), help=f"some of {','.join(SECTIONS)}")
+    packages = {"choices": ("all", "installed", "none"), "default": "all"}
+    parser.add_argument("--packages", **packages, help="of Python: install all, take what there is, or none")
+    parser.add_argument("--small", action="store_true", help="as little as shows that all works; writes no results")
+    parser.add_argument("--dry", action="store_true", help="leave results/ as it is")
+    arguments = parser.parse_args()
+    arguments.rounds = arguments.rounds or (1 if arguments.small else 31)
+    return arguments
 
 
 def sections(text):
@@ -69,19 +86,26 @@ def sections(text):
 
 
 def head(arguments, name):
-    yield f"Written by `python3 benches/peers/run.py --rounds {arguments.rounds} --only {name}` on {datetime.date.today()}."
+    packages = "" if arguments.packages == "all" else f" --packages {arguments.packages}"
+    options = f"--rounds {arguments.rounds} --only {name}{packages}{' --small' if arguments.small else ''}"
+    yield f"Written by `python3 benches/peers/run.py {options}` on {datetime.date.today()}."
     yield ""
 
 
-def tail(rounds, loads, minutes):
+def tail(tools, rounds, loads, minutes):
+    build = tools.build
     yield "## How it was measured"
     yield ""
+    if size.SMALL:
+        yield "- Small: few calls of programs that are not built to be fast. That all works is seen here, nothing of speed."
     yield f"- Medians of {rounds} samples, fewer where the text says so, taken in turns; {minutes:.0f} minutes in"
     yield f"  all; load average {loads[0]:.1f} before, {loads[1]:.1f} after."
-    yield "- `native`: built with `-C target-cpu=native`, as the C programs are with `-march=native`. gcc then fuses"
-    yield f"  multiplications with additions, unless told not to (`{build.UNFUSED}`); Tripos does where it asks for that. Parameters"
-    yield "  are known to heyoka and numba when they compile, not to C and Rust."
-    for what, value in build.machine().items():
+    if build.NATIVE:
+        yield "- `native`: built with `-C target-cpu=native`, as the C programs are with `-march=native`. gcc then fuses"
+        yield f"  multiplications with additions, unless told not to (`{build.UNFUSED}`); Tripos does where it asks for that. Parameters"
+        yield "  are known to heyoka and numba when they compile, not to C and Rust."
+    yield from tools.left_out()
+    for what, value in build.machine(tools.packages()).items():
         yield f"- {what}: {value}."
 
 

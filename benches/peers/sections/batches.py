@@ -4,21 +4,24 @@ import statistics
 
 import build
 import problems
-from measure import Peer, error, interleaved
+import size
+import tools
+from measure import error, interleaved
+from measure import started as present
 from sections.runs import TRIPOS_REFERENCE
 from tables import aims, duration, table
 
-COUNT, TOLERANCE = 10_000, 1e-6
+COUNT, TOLERANCE = size.of(10_000, 32), 1e-6
 # The error that is asked for beside the tolerance: of half the sample.
 TARGET = 1e-6
-TOLERANCES = [10.0 ** (-k / 2) for k in range(8, 27)]
+TOLERANCES = size.of([10.0 ** (-k / 2) for k in range(8, 27)], [1e-9, 1e-11])
 # Runs of the search for a tolerance; what is sampled in all.
-FEW, SAMPLE, MOST_ROUNDS = 64, 16, 5
+FEW, SAMPLE, MOST_ROUNDS = size.of(64, 32), 16, 5
 
 TRIPOS = {
-    "Tripos, DOP853, one by one, native": "lagrange dop853",
-    "Tripos, Taylor, one by one, native": "lagrange taylor",
-    "Tripos, DOP853 in lanes, native": "lagrange lanes",
+    f"Tripos, DOP853, one by one, {build.BUILD}": "lagrange dop853",
+    f"Tripos, Taylor, one by one, {build.BUILD}": "lagrange taylor",
+    f"Tripos, DOP853 in lanes, {build.BUILD}": "lagrange lanes",
 }
 LOOPS, VECTORS = "C by hand, loops", "C by hand, vector types"
 BATCH, ENSEMBLE = "heyoka, batches of {}", "heyoka, ensemble of batches of {}"
@@ -31,7 +34,7 @@ def section(rounds):
     peers = started()
     few = problems.write_starts(FEW)
     tripos = peers[next(iter(TRIPOS))]
-    references = {path: sampled(tripos, count, path) for path, count in ((few, FEW), (starts, COUNT))}
+    references = {path: sampled(tripos, count, path) for path, count in {few: FEW, starts: COUNT}.items()}
     tolerances = {name: loosest(name, peer, few, references[few]) for name, peer in peers.items()}
     askings, errors, steps = {}, {}, {}
     for name, peer in peers.items():
@@ -60,13 +63,13 @@ def title(rounds):
 
 
 def started():
-    native = build.example("peer", native=True)
-    worker = [build.python(), "-B", build.WORKERS / "batch_worker.py"]
-    commands = {name: [native, *words.split()] for name, words in TRIPOS.items()}
-    commands |= {LOOPS: [build.c_program("disk_loops")], VECTORS: [build.c_program("disk_vectors")]}
-    commands |= {BATCH.format(width): [*worker, "batch", width] for width in WIDTHS}
-    commands |= {ENSEMBLE.format(8): [*worker, "ensemble", 8]}
-    return {name: Peer(name, command, "start") for name, command in commands.items()}
+    best = build.example("peer", build.NATIVE)
+    rows = {name: ((), lambda words=words: [best, *words.split()]) for name, words in TRIPOS.items()}
+    rows[LOOPS] = ((tools.C,), lambda: [build.c_program("disk_loops")])
+    rows[VECTORS] = ((tools.C,), lambda: [build.c_program("disk_vectors")])
+    kinds = {BATCH.format(width): ("batch", width) for width in WIDTHS} | {ENSEMBLE.format(8): ("ensemble", 8)}
+    rows |= {name: (tools.HEYOKA, lambda words=words: tools.worker("batch_worker.py", *words)) for name, words in kinds.items()}
+    return present(rows, "start")
 
 
 def sampled(tripos, count, path):
@@ -105,10 +108,12 @@ def overview(peers, samples, steps, errors, tolerances):
 
 
 def judged(peers, samples):
-    """The fastest of Tripos against the fastest of heyoka."""
+    """The fastest of Tripos against the fastest of heyoka, if it is here."""
     rows = []
-    for column, what in (("tolerance", f"a run at tolerance {TOLERANCE:.0e}"), ("error", f"a run to an error of {TARGET:.0e}")):
+    heyoka = [name for name in peers if name.startswith("heyoka")]
+    columns = (("tolerance", f"a run at tolerance {TOLERANCE:.0e}"), ("error", f"a run to an error of {TARGET:.0e}"))
+    for column, what in columns if heyoka else ():
         ours = min(samples[name, column].median for name in peers if name.startswith("Tripos"))
-        theirs = min(samples[name, column].median for name in peers if name.startswith("heyoka"))
+        theirs = min(samples[name, column].median for name in heyoka)
         rows.append((what, "heyoka, its fastest", ours, theirs, 0.5))
     return aims(rows)

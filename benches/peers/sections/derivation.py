@@ -2,7 +2,9 @@
 
 import build
 import problems
-from measure import Peer, error, interleaved, repeats
+import size
+import tools
+from measure import error, interleaved, repeats, started
 from tables import aims, duration, ratio, table
 
 FORMULATIONS = ("kane", "lagrange", "newton-euler")
@@ -12,11 +14,12 @@ TOOLS = {
     "sympy": "SymPy, derivatives",
     "kane": "SymPy, `KanesMethod`",
 }
-CHAINS = [problems.chain(n) for n in (5, 10, 20)]
+PACKAGES = {"casadi": ["casadi"], "symengine": ["symengine", "sympy"], "sympy": ["sympy"], "kane": ["sympy"]}
+CHAINS = [problems.chain(n) for n in size.of((5, 10, 20), (2, 3))]
 PROBLEMS = ["disk", *CHAINS]
 # What takes too long to be worth its time here: SymPy's method on the longer chains, and code of the longest.
 LEFT_OUT = {("kane", problems.chain(10)), ("kane", problems.chain(20))}
-WITH_CODE = ["disk", problems.chain(5)]
+WITH_CODE = ["disk", *size.of(CHAINS[:1], [])]
 # Slower than this is sampled three times only.
 SLOW = 0.2
 AGREEMENT = 1e-8
@@ -25,17 +28,21 @@ AGREEMENT = 1e-8
 def section(rounds):
     for problem in PROBLEMS:
         problems.write(problem)
-    program = build.example("derivation", native=False)
-    command = {f"Tripos, {f}": [program, f, problems.FOLDER] for f in FORMULATIONS}
-    worker = build.HERE / "workers/derivation_worker.py"
-    command |= {name: [build.python(), "-B", worker, tool, problems.FOLDER] for tool, name in TOOLS.items()}
-    peers = {name: Peer(name, words) for name, words in command.items()}
+    peers = started(rows())
     lines = ["## Derivation to M and f", "", *ABOUT, ""]
     results = {problem: measured(peers, problem, rounds) for problem in PROBLEMS}
     lines += [*overview(peers, results), "", *operations(peers, results), "", *code(peers, rounds), "", *judged(results)]
     for peer in peers.values():
         peer.close()
     return lines
+
+
+def rows():
+    """What each row needs, and its command."""
+    program = build.example("derivation", native=False)
+    ours = {f"Tripos, {f}": ((), lambda f=f: [program, f, problems.FOLDER]) for f in FORMULATIONS}
+    command = lambda tool: lambda: tools.worker("derivation_worker.py", tool, problems.FOLDER)
+    return ours | {name: (("numpy", *PACKAGES[tool]), command(tool)) for tool, name in TOOLS.items()}
 
 
 ABOUT = [
@@ -108,15 +115,17 @@ def judged(results):
     ours = lambda problem, of: min(of(f"Tripos, {f}") for f in FORMULATIONS[:2])
     time = lambda problem: lambda name: results[problem][0][name].median
     count = lambda problem: lambda name: results[problem][1][name][0]
-    longest = problems.chain(20)
-    casadi, symengine = TOOLS["casadi"], TOOLS["symengine"]
-    yield from aims(
-        [
-            ("disk, time", "symengine", ours("disk", time("disk")), time("disk")(symengine), 1.0),
-            ("chain n = 20, time", "CasADi", ours(longest, time(longest)), time(longest)(casadi), 0.5),
-            ("chain n = 20, operations", "CasADi", ours(longest, count(longest)), count(longest)(casadi), 0.6),
-        ]
-    )
+    longest = CHAINS[-1]
+    casadi, symengine, n = TOOLS["casadi"], TOOLS["symengine"], problems.links(longest)
+    rows = []
+    if symengine in results["disk"][0]:
+        rows.append(("disk, time", "symengine", ours("disk", time("disk")), time("disk")(symengine), 1.0))
+    if casadi in results["disk"][0]:
+        rows.append((f"chain n = {n}, time", "CasADi", ours(longest, time(longest)), time(longest)(casadi), 0.5))
+        rows.append((f"chain n = {n}, operations", "CasADi", ours(longest, count(longest)), count(longest)(casadi), 0.6))
+    yield from aims(rows)
+    if symengine not in results["disk"][0]:
+        return
     yield ""
     each = (f"{f} {ratio(time('disk')(f'Tripos, {f}') / time('disk')(symengine))}" for f in FORMULATIONS)
     yield "Tripos by the better of Kane and Lagrange, whose unknowns are those of the others; Newton-Euler's are the reactions, too."

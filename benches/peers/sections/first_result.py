@@ -7,6 +7,8 @@ import time
 
 import build
 import problems
+import size
+import tools
 from measure import error, interleaved
 from tables import duration, table
 
@@ -16,40 +18,56 @@ COMPILED = "Tripos, `cargo run` in the workspace: all models derived and compare
 EMITTED = "Tripos, `tripos emit` of one formulation and `cargo build` of a crate of one's own"
 INTERPRETED = "Tripos, interpreted"
 FORM = "heyoka, closed form derived again by hand (not in the time), JIT"
+SYMPY = ("numpy", "scipy", "sympy")
 SCRIPTS = {
-    FORM: "first_heyoka.py form",
-    "CasADi, CVODES, its C compiled": "first_casadi.py c",
-    "CasADi, CVODES, interpreted": "first_casadi.py machine",
-    "SymPy `KanesMethod`, PyDy through Cython, SciPy DOP853": "first_sympy.py pydy",
-    "SymPy `KanesMethod`, `lambdify`, SciPy DOP853": "first_sympy.py lambdify",
+    FORM: ("first_heyoka.py form", tools.HEYOKA),
+    "CasADi, CVODES, its C compiled": ("first_casadi.py c", ("casadi", tools.C)),
+    "CasADi, CVODES, interpreted": ("first_casadi.py machine", ("casadi",)),
+    "SymPy `KanesMethod`, PyDy through Cython, SciPy DOP853": ("first_sympy.py pydy", (*SYMPY, "pydy", "cython", tools.C)),
+    "SymPy `KanesMethod`, `lambdify`, SciPy DOP853": ("first_sympy.py lambdify", SYMPY),
 }
 # More than ten times as long as the others: once.
-LAGRANGIAN = {"heyoka, from its Lagrangian, JIT": "first_heyoka.py lagrangian"}
+LAGRANGIAN = {"heyoka, from its Lagrangian, JIT": ("first_heyoka.py lagrangian", tools.HEYOKA)}
 MOST_ROUNDS = 3
 PLACE = build.PLACE / "edited"
 
 
 def section(rounds):
     rounds = min(rounds, MOST_ROUNDS)
-    tripos = build.command()
-    build.python()
-    workspace = copied_workspace()
-    runs = {INTERPRETED: lambda share: interpreted(tripos, share), COMPILED: lambda share: compiled(workspace, share)}
-    runs |= {EMITTED: lambda share: emitted(tripos, share)}
-    runs |= {name: lambda share, words=words: script(words, share) for name, words in SCRIPTS.items()}
+    runs = commands()
     build.say("first builds, so that only what an edit changes is compiled in what is timed")
-    for run in (runs[COMPILED], runs[EMITTED]):
-        run(50)
+    for name in (COMPILED, EMITTED):
+        if name in runs:
+            runs[name](50)
     # The edit of round k is the same for all, so that their results can be compared.
     ends, edits = {}, {name: iter(range(49, 49 - rounds, -1)) for name in runs}
     samples = interleaved({name: lambda name=name: timed(runs[name], next(edits[name]), ends, name) for name in runs}, rounds)
-    once = {name: lambda words=words: timed(lambda s: script(words, s), 49, ends, name) for name, words in LAGRANGIAN.items()}
+    once = {name: lambda run=run, name=name: timed(run, 49, ends, name) for name, run in scripts(size.of(LAGRANGIAN, {})).items()}
     samples |= interleaved(once, 1)
     for (name, share), end in ends.items():
         if error(end, ends[INTERPRETED, share]) > AGREEMENT:
             raise SystemExit(f"{name} ends elsewhere: {end}\n  {ends[INTERPRETED, share]}")
     rows = [[name, duration(s.median), duration(s.fastest)] for name, s in samples.items()]
-    return [*title(rounds), *table(("", "median", "fastest"), rows)]
+    return [*title(rounds), *table(("", "median", "fastest"), rows), *size.of([], SMALLER)]
+
+
+SMALLER = ["", "Left out at this size: what compiles the workspace again, and heyoka from the Lagrangian."]
+
+
+def commands():
+    """What gives the end for an edit, by row. At the small size without what compiles the workspace: a test of its own does."""
+    tripos = build.command()
+    runs = {INTERPRETED: lambda share: interpreted(tripos, share)}
+    if not size.SMALL:
+        workspace = copied_workspace()
+        runs[COMPILED] = lambda share: compiled(workspace, share)
+    runs[EMITTED] = lambda share: emitted(tripos, share)
+    return runs | scripts(SCRIPTS)
+
+
+def scripts(rows):
+    here = {name: words for name, (words, needs) in rows.items() if tools.has(name, *needs)}
+    return {name: lambda share, words=words: script(words, share) for name, words in here.items()}
 
 
 def title(rounds):
@@ -128,7 +146,7 @@ def emitted(tripos, share):
     build.call([tripos, "emit", crate / "disk.toml", "--out", out, "--formulation", "lagrange"], quiet=True)
     environment = build.rust_environment(native=False) | {"CARGO_TARGET_DIR": str(PLACE / "target")}
     numbers = [*problems.parameters("disk"), *problems.start("disk"), TOLERANCE]
-    command = ["cargo", "run", "--release", "--quiet", "--", *map(repr, numbers)]
+    command = ["cargo", "run", "--profile", build.PROFILE, "--quiet", "--", *map(repr, numbers)]
     return [float(word) for word in build.lines(command, environment, crate)[-1].split()]
 
 
@@ -150,6 +168,6 @@ def script(words, share):
     # From a folder of its own, since some leave files where they stand.
     place = PLACE / "scripts"
     place.mkdir(parents=True, exist_ok=True)
-    command = [build.python(), "-B", build.WORKERS / name, kind, repr(share / 100), repr(TOLERANCE)]
+    command = tools.worker(name, kind, repr(share / 100), repr(TOLERANCE))
     environment = {**os.environ, "PYTHONPATH": str(build.WORKERS)}
     return [float(word) for word in build.lines(command, environment, place)[-1].split()]

@@ -4,11 +4,14 @@ import time
 
 import build
 import problems
+import size
+import tools
 from measure import Peer, interleaved, must_agree
 from tables import aims, duration, table
 
-PROBLEMS = ["disk", *(problems.chain(n) for n in (2, 5, 10))]
-NATIVE, DEFAULT = "Tripos, native", "Tripos, default build"
+PROBLEMS = ["disk", *(problems.chain(n) for n in size.of((2, 5, 10), ()))]
+BUILDS = size.of({"Tripos, native": True, "Tripos, default build": False}, {"Tripos, default build": False})
+OURS = next(iter(BUILDS))
 # What a call of the rows above takes; other kinds that the Tripos worker gains have rows of their own.
 ONE = "one"
 HAND = "C by hand, closed form"
@@ -21,18 +24,25 @@ GENERATED = {
 NUMBA, HEYOKA = "numba, closed form", "heyoka `cfunc`, closed form, one state"
 HEYOKA_BATCH = "heyoka `cfunc`, closed form, {} states at a time"
 WIDTHS = (4, 8)
+NEEDS = {
+    "casadi-ldl": (tools.C, "casadi"),
+    "casadi-qr": (tools.C, "casadi"),
+    "sympy": (tools.C, "sympy"),
+    "symforce": (tools.C, tools.CPP, tools.EIGEN, "symforce"),
+}
+# What is compiled in the process, by the word that its worker knows it by.
+COMPILED = {NUMBA: ("numba", tools.NUMBA), HEYOKA: ("heyoka-1", tools.HEYOKA)}
+COMPILED |= {HEYOKA_BATCH.format(w): (f"heyoka-{w}", tools.HEYOKA) for w in WIDTHS}
 # Calls of a sample, in passes over 128 states; answers at so many states are compared.
-PASSES, COMPARED, AGREEMENT = 200, 8, 1e-9
+PASSES, COMPARED, AGREEMENT = size.of(200, 2), 8, 1e-9
 
 
 def section(rounds):
     folders = {problem: problems.write(problem) for problem in PROBLEMS}
     emitted = build.rates_crate(folders)
-    builds = {name: build.rates_of_emitted(native) for name, native in ((NATIVE, True), (DEFAULT, False))}
-    kinds = build.lines([builds[NATIVE][0], "kinds"])
+    builds = {name: build.rates_of_emitted(native) for name, native in BUILDS.items()}
+    kinds = build.lines([builds[OURS][0], "kinds"])
     lines = ["## Right-hand side", "", *ABOUT, ""]
-    if not build.eigen():
-        lines += ["SymForce is left out: there are no Eigen headers (`libeigen3-dev`, or the folder in `EIGEN`).", ""]
     results, made = {}, {}
     for problem in PROBLEMS:
         build.say(f"right-hand side of {problem}")
@@ -62,26 +72,29 @@ def started(problem, folder, builds, kinds):
             row = name if kind == ONE else f"{name}, {kind}"
             peers[row] = Peer(row, [program, problem, kind, states])
     lengths = (len(problems.start(problem)) // 2, len(problems.parameters(problem)))
-    if problem == "disk":
+    if problem == "disk" and tools.has(HAND, tools.C):
         program, compiling = build.rates_program(copied("disk_rates.c"), lengths)
         peers[HAND], seconds[HAND] = Peer(HAND, [program, states]), (0.0, compiling)
     for tool, name in GENERATED.items():
-        if tool == "symforce" and not build.eigen():
-            continue
-        source = folder / f"{tool}.{'cpp' if tool == 'symforce' else 'c'}"
-        begin = time.perf_counter()
-        generate = build.WORKERS / "generate.py"
-        build.call([build.python(), "-B", generate, tool, "{},{}".format(*lengths), source], quiet=True)
-        generating = time.perf_counter() - begin
-        program, compiling = build.rates_program(source, lengths, build.eigen())
-        peers[name], seconds[name] = Peer(name, [program, states]), (generating, compiling)
+        if tools.has(name, *NEEDS[tool]):
+            program, seconds[name] = generated(tool, folder, lengths)
+            peers[name] = Peer(name, [program, states])
     if problem == "disk":
-        worker = [build.python(), "-B", build.WORKERS / "rates_worker.py"]
-        kinds = {NUMBA: "numba", HEYOKA: "heyoka-1"} | {HEYOKA_BATCH.format(w): f"heyoka-{w}" for w in WIDTHS}
-        for name, kind in kinds.items():
-            peers[name] = Peer(name, [*worker, kind, states], "compiled")
-            seconds[name] = (0.0, peers[name].greeting[0])
+        for name, (kind, needs) in COMPILED.items():
+            if tools.has(name, *needs):
+                peers[name] = Peer(name, tools.worker("rates_worker.py", kind, states), "compiled")
+                seconds[name] = (0.0, peers[name].greeting[0])
     return peers, seconds
+
+
+def generated(tool, folder, lengths):
+    """The program of a tool's code, and the seconds to generate and to compile that."""
+    source = folder / f"{tool}.{'cpp' if tool == 'symforce' else 'c'}"
+    begin = time.perf_counter()
+    build.call(tools.worker("generate.py", tool, "{},{}".format(*lengths), source), quiet=True)
+    generating = time.perf_counter() - begin
+    program, compiling = build.rates_program(source, lengths, build.eigen())
+    return program, (generating, compiling)
 
 
 def copied(name):
@@ -104,7 +117,7 @@ def measured(peers, problem, rounds):
 
 
 def overview(results):
-    for title, group in (("disk", ["disk"]), ("cart and chain", PROBLEMS[1:])):
+    for title, group in (("disk", ["disk"]), *size.of([("cart and chain", PROBLEMS[1:])], [])):
         names = dict.fromkeys(name for problem in group for name, _ in results[problem])
         head = [f"n = {problems.links(p)}, {what}" if len(group) > 1 else what for p in group for what in ("throughput", "chained")]
         rows = []
@@ -119,32 +132,33 @@ def compiled(results, made, emitted, builds):
     yield "To generate the code, and to compile it (heyoka and numba: in the process, with the tool's own start):"
     yield ""
     rows = []
-    for name in [HAND, *GENERATED.values(), NUMBA, HEYOKA, *(HEYOKA_BATCH.format(w) for w in WIDTHS)]:
+    for name in dict.fromkeys(name for _, name in made):
         cells = [made.get((problem, name)) for problem in PROBLEMS]
         rows.append([name, *(" + ".join(duration(seconds) for seconds in c if seconds) if c else "–" for c in cells)])
     everything = ", ".join(f"{duration(seconds)} ({name.removeprefix('Tripos, ')})" for name, (_, seconds) in builds.items())
     rows.insert(0, ["Tripos, `tripos emit`", *(duration(emitted[problem]) for problem in PROBLEMS)])
     yield from table(("", *PROBLEMS), rows)
     yield ""
-    yield f"Tripos' four modules together, all their functions, compile in {everything}."
+    yield f"Tripos' modules together, all their functions, compile in {everything}."
 
 
 def judged(results):
     seconds = lambda problem, name, what: results[problem][name, what].median
-    rows = [
-        ("disk, " + what, "C by hand", seconds("disk", NATIVE, what), seconds("disk", HAND, what), 1.0)
-        for what in ("throughput", "chained")
-    ]
+    compared = lambda problem, name, what: (seconds(problem, OURS, what), seconds(problem, name, what))
     names = dict.fromkeys(name for name, _ in results["disk"])
+    rows = []
+    for what in ("throughput", "chained") if HAND in names else ():
+        rows.append(("disk, " + what, "C by hand", *compared("disk", HAND, what), 1.0))
     derived = [name for name in GENERATED.values() if name in names and "QR" not in name]
-    for name in derived:
-        rows += [("disk, throughput", name, seconds("disk", NATIVE, "throughput"), seconds("disk", name, "throughput"), 0.2)]
-    batch = min(seconds("disk", HEYOKA_BATCH.format(w), "throughput") for w in WIDTHS)
-    ours = min((name for name in names if name.startswith("Tripos")), key=lambda name: seconds("disk", name, "throughput"))
-    rows += [(f"disk, per state, {ours}", "heyoka `cfunc`, batch", seconds("disk", ours, "throughput"), batch, 0.25)]
-    for problem in PROBLEMS[1:]:
+    rows += [("disk, throughput", name, *compared("disk", name, "throughput"), 0.2) for name in derived]
+    if batches := [seconds("disk", name, "throughput") for name in names if name in COMPILED and "at a time" in name]:
+        ours = min((name for name in names if name.startswith("Tripos")), key=lambda name: seconds("disk", name, "throughput"))
+        what = f"disk, per state, {ours}"
+        rows.append((what, "heyoka `cfunc`, batch", seconds("disk", ours, "throughput"), min(batches), 0.25))
+    others = [name for name in derived if "SymForce" not in name]
+    for problem in PROBLEMS[1:] if others else ():
         for what in ("throughput", "chained"):
-            best = min(seconds(problem, name, what) for name in derived if "SymForce" not in name)
+            best = min(seconds(problem, name, what) for name in others)
             title = f"chain n = {problems.links(problem)}, {what}"
-            rows += [(title, "best of SymPy C, CasADi C", seconds(problem, NATIVE, what), best, 0.6)]
+            rows.append((title, "best of SymPy C, CasADi C", seconds(problem, OURS, what), best, 0.6))
     return aims(rows)

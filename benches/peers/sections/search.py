@@ -3,10 +3,11 @@
 from dataclasses import dataclass, field
 
 import build
+import size
 from measure import Peer, Samples, error, repeats
 
 # What every worker must come down to: one that does not solves another problem.
-SAME_PROBLEM = 1e-7
+SAME_PROBLEM = size.of(1e-7, 1e-5)
 
 
 @dataclass

@@ -1,33 +1,50 @@
 //! What the workers for the disk share: the question, equations that are known when a worker is compiled, and the lines
 //! that `benches/peers/run.py` documents.
+//!
+//! Invariant: the numbers of the question are those of a scene's file, as it writes them.
 
 use std::io::{BufRead, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
+use tripos_derive::Model;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::scene::{self, Extended, Motion, Scene};
 use tripos_sim::{AbsoluteTolerance, Failure, Method, Options, Output, RightHandSide};
-use tripos_traits::{DoubleDouble, Real, Scalar, System};
+use tripos_traits::{Real, System};
 
 /// Coordinates; as many rates follow them in a state.
-pub const N: usize = 5;
+pub const N: usize = tripos::disk::COORDINATES.len();
 /// End of the run, in s.
 pub const SPAN: f64 = 10.0;
-/// M, R and g.
-pub const PARAMETERS: [&str; 3] = ["1", "1", "9.81"];
-/// q, of which the first three are in degrees, and q̇.
-pub const START: [&str; 2 * N] = ["10", "2", "45", "5", "1", "0.01", "-0.1", "0.02", "0.4", "0.1"];
 
-/// The scene's start and parameters, rounded once to `S`.
-pub fn question<S: Real>() -> (Vec<S>, Vec<S>) {
-    let degree = DoubleDouble::pi() / DoubleDouble::int(180);
-    let state = START.iter().enumerate().map(|(i, text)| {
-        let value = DoubleDouble::decimal(text);
-        narrow(if i < 3 { value * degree } else { value })
-    });
-    (PARAMETERS.iter().map(|text| S::decimal(text)).collect(), state.collect())
+/// A scene of the disk with its model, from the files of this workspace.
+///
+/// # Errors
+/// What is wrong, in words, if they cannot be read, or the scene runs to another instant than the workers do.
+pub fn read(name: &str) -> Result<(Model, Scene), String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/disk");
+    let scene = Source::read(&folder.join(format!("scenes/{name}.toml"))).map_err(|error| error.to_string())?;
+    let mut model = Model::read(&folder.join("model.toml")).map_err(|error| error.to_string())?;
+    let scene = scene::load(&scene, &mut model).map_err(|error| error.to_string())?;
+    if scene.span.0.abs() > 0.0 || (scene.span.1 - SPAN).abs() > 0.0 {
+        return Err(format!("{name} no longer runs from 0 to {SPAN} s, as the workers do"));
+    }
+    Ok((model, scene))
 }
 
-fn narrow<S: Real>(x: DoubleDouble) -> S {
-    S::from_f64(x.hi()) + S::from_f64(x.lo())
+/// The parameters of a scene, and its start as q and q̇, rounded once to `S`.
+///
+/// # Errors
+/// What is wrong, in words, if the scene states generalized speeds.
+pub fn numbers_of<S: Real>(scene: &Scene) -> Result<(Vec<S>, Vec<S>), String> {
+    let Motion::Rates(rates) = &scene.exact.motion else { return Err("a scene here states q̇".to_owned()) };
+    let list = |numbers: &[Extended]| numbers.iter().map(narrow).collect::<Vec<S>>();
+    Ok((list(&scene.exact.parameters), [list(&scene.exact.q), list(rates)].concat()))
+}
+
+fn narrow<S: Real>(x: &Extended) -> S {
+    S::from_f64(x.high) + S::from_f64(x.low)
 }
 
 /// Equations that are known when this is compiled: no virtual call, and the compiler may inline.

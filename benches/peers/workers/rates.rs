@@ -1,5 +1,5 @@
 //! Times right-hand sides of modules that `tripos emit` wrote: a worker of `benches/peers/run.py`, which documents the lines it
-//! reads and answers, and makes the crate `emitted` that this is compiled with.
+//! reads and answers, and makes the crate `emitted` that this is compiled with: modules, and `choose!` among them by name.
 //!
 //! `rates PROBLEM KIND STATES`, where KIND says how many states a call takes, as one of [`KINDS`], which `rates kinds` lists.
 //! States are (q, q̇), since Lagrange's equations have these.
@@ -158,13 +158,9 @@ fn main() -> ExitCode {
         return ExitCode::SUCCESS;
     }
     let served = match arguments.as_slice() {
-        [problem, kind, path] => std::fs::read_to_string(path).ok().and_then(|text| match problem.as_str() {
-            "disk" => served!(disk, kind.as_str(), &text),
-            "chain_2" => served!(chain_2, kind.as_str(), &text),
-            "chain_5" => served!(chain_5, kind.as_str(), &text),
-            "chain_10" => served!(chain_10, kind.as_str(), &text),
-            _ => None,
-        }),
+        [problem, kind, path] => std::fs::read_to_string(path)
+            .ok()
+            .and_then(|text| emitted::choose!(problem.as_str(), served, kind.as_str(), &text)),
         _ => None,
     };
     served.unwrap_or_else(|| {

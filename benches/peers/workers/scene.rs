@@ -5,21 +5,23 @@
 //! [`QUADRATURE`], for which no tolerance matters.
 //!
 //! A run is all that follows from the scene's start: the constants of the motion, which are taken from it in twice the precision of
-//! a double, as `tripos simulate` does; the motion, in doubles; and the outputs at its end.
+//! a double, as `tripos simulate` does; the motion, in doubles; and the outputs at its end. Which constants there are, and what they
+//! are at the start, the reduction of the scene says; it is made once, before any run.
 
 mod disk;
+mod start;
 
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use disk::{Known, N, SPAN, numbers, options, question, serve};
+use disk::{Known, N, SPAN, numbers, numbers_of, options, read, serve};
+use start::Beginning;
 use tripos::disk::kane;
-use tripos::disk::lagrange::Lagrange;
 use tripos::disk::scenes::{lean, report_10s};
 use tripos_sim::projection::Invariants;
 use tripos_sim::{Lent, Method, Solution, Stop, integrate, integrate_projected, quadrature};
-use tripos_traits::{DoubleDouble, Real, Scalar, System};
+use tripos_traits::{CompiledScene, DoubleDouble, System};
 
 /// The methods that step.
 const METHODS: &[Method] = &[Method::Dop853, Method::Taylor];
@@ -47,57 +49,21 @@ impl How {
     }
 }
 
-/// Parameters of a scene's equations and their state, from the ten numbers of the start, q and q̇.
-type Beginning = fn(&[DoubleDouble]) -> (Vec<f64>, Vec<f64>);
-
-/// q and u of the model from q and q̇: M and R are 1.
-fn speeds(start: &[DoubleDouble]) -> [DoubleDouble; N] {
-    let one = DoubleDouble::int(1);
-    let mut u = [one; N];
-    let (q, q_dot) = start.split_at(N);
-    System::<DoubleDouble>::generalized_speeds(&Lagrange, &[one, one, DoubleDouble::decimal("9.81")], q, q_dot, &mut u);
-    u
-}
-
-fn doubles<const L: usize>(list: [DoubleDouble; L]) -> Vec<f64> {
-    list.iter().map(|x| x.to_f64()).collect()
-}
-
-/// As the header of `report_10s` states them.
-fn ten(start: &[DoubleDouble]) -> (Vec<f64>, Vec<f64>) {
-    let [u1, u2, u3, u4, u5] = speeds(start);
-    let [q1, q2, q3, q4, q5] = [0, 1, 2, 3, 4].map(|i| start[i]);
-    let ((s1, c1), (s2, c2)) = (q1.sin_cos(), q2.sin_cos());
-    let [one, half] = [1, 2].map(|n| DoubleDouble::ratio(1, n));
-    let tilt = u2 * s2 / c2;
-    let p_q3 = half * u3;
-    let p_q4 = u1 * s1 * c2 - c1 * tilt + u4;
-    let p_q5 = u5 - u1 * c1 * c2 - s1 * tilt;
-    let h_a3_there = half * (half * u2 * c2 + u3 * (s2 - one));
-    let constants = doubles([p_q3, p_q4, p_q5, h_a3_there, q4 - s1 * s2, q5 + c1 * s2]);
-    (constants, doubles([q2 - half * DoubleDouble::pi(), q3, q1, u1]))
-}
-
-/// As the header of `lean` states them.
-fn two(start: &[DoubleDouble]) -> (Vec<f64>, Vec<f64>) {
-    let [u1, u2, u3, ..] = speeds(start);
-    let (s2, c2) = start[1].sin_cos();
-    let [one, half] = [1, 2].map(|n| DoubleDouble::ratio(1, n));
-    let h_a3_there = half * (half * u2 * c2 + u3 * (s2 - one));
-    (doubles([half * u3, h_a3_there]), doubles([start[1] - half * DoubleDouble::pi(), u1]))
-}
-
 /// What answers lines.
 struct Worker<E> {
     rhs: Known<E>,
     beginning: Beginning,
+    /// p, then q and q̇, as the scene's file states them.
+    start: Vec<DoubleDouble>,
+    /// The same, rounded to doubles.
+    question: Vec<f64>,
     how: How,
 }
 
 impl<E: System<f64> + Copy> Worker<E> {
     /// One run, and its outputs.
     fn once(&mut self, start: &[DoubleDouble], tolerance: f64) -> Option<(Solution, Vec<f64>)> {
-        let (parameters, y0) = (self.beginning)(start);
+        let (parameters, y0) = self.beginning.at(start);
         let (equations, n, span) = (self.rhs.equations, self.rhs.equations.coordinates(), (0.0, SPAN));
         self.rhs.parameters.clone_from(&parameters);
         let with = |method| options(method, tolerance);
@@ -121,7 +87,7 @@ impl<E: System<f64> + Copy> Worker<E> {
     }
 
     fn run(&mut self, tolerance: f64, repeats: u32) -> Option<Vec<f64>> {
-        let (_, start) = question::<DoubleDouble>();
+        let start = self.start.clone();
         let mut last = None;
         let begin = Instant::now();
         for _ in 0..repeats {
@@ -130,17 +96,25 @@ impl<E: System<f64> + Copy> Worker<E> {
         let seconds = begin.elapsed().as_secs_f64() / f64::from(repeats);
         let (solution, outputs) = last?;
         let counts = [solution.steps + solution.rejected, solution.evaluations].map(|n| n as f64);
-        Some([[seconds].as_slice(), &counts, &rates(outputs)].concat())
+        Some([[seconds].as_slice(), &counts, &self.rates(outputs)].concat())
+    }
+
+    /// q and q̇ where the outputs are q and u; otherwise the outputs.
+    fn rates(&self, mut outputs: Vec<f64>) -> Vec<f64> {
+        if outputs.len() == 2 * N {
+            let (q, u) = outputs.split_at_mut(N);
+            let mut q_dot = [0.0; N];
+            System::<f64>::coordinate_rates(&kane::Kane, &self.question, q, u, &mut q_dot);
+            u.copy_from_slice(&q_dot);
+        }
+        outputs
     }
 
     /// Answers one line; `None` if it is not understood.
     fn answer(&mut self, line: &str) -> Option<String> {
         let words: Vec<&str> = line.split_whitespace().collect();
         let answer = match words.as_slice() {
-            ["start"] => {
-                let (parameters, start) = question::<f64>();
-                [parameters, start].concat()
-            }
+            ["start"] => self.question.clone(),
             ["prepare", _] => vec![0.0],
             ["run", tolerance, repeats] => self.run(tolerance.parse().ok()?, repeats.parse().ok()?)?,
             _ => return None,
@@ -149,29 +123,33 @@ impl<E: System<f64> + Copy> Worker<E> {
     }
 }
 
-/// q and q̇ where the outputs are q and u; otherwise the outputs.
-fn rates(mut outputs: Vec<f64>) -> Vec<f64> {
-    if outputs.len() == 2 * N {
-        let (q, u) = outputs.split_at_mut(N);
-        let mut q_dot = [0.0; N];
-        System::<f64>::coordinate_rates(&kane::Kane, &[1.0, 1.0, 9.81], q, u, &mut q_dot);
-        u.copy_from_slice(&q_dot);
+/// Serves the equations of a generated module: these, with this key and these parameters.
+fn answers<E: System<f64> + Copy>(equations: E, scene: &CompiledScene, names: &[&str], how: How) -> ExitCode {
+    let worker = || {
+        let (model, stated) = read(scene.name)?;
+        let beginning = Beginning::new(&model, &stated, scene.key, names)?;
+        let (parameters, state) = numbers_of::<DoubleDouble>(&stated)?;
+        let rounded = numbers_of::<f64>(&stated)?;
+        let rhs = Known { equations, parameters: Vec::new(), work: Vec::new() };
+        let question = [rounded.0, rounded.1].concat();
+        Ok::<_, String>(Worker { rhs, beginning, start: [parameters, state].concat(), question, how })
+    };
+    match worker() {
+        Ok(mut worker) => serve(|line| worker.answer(line)),
+        Err(error) => {
+            eprintln!("{}: {error}", scene.name);
+            ExitCode::from(2)
+        }
     }
-    outputs
-}
-
-fn answers<E: System<f64> + Copy>(equations: E, beginning: Beginning, how: How) -> ExitCode {
-    let rhs = Known { equations, parameters: Vec::new(), work: Vec::new() };
-    let mut worker = Worker { rhs, beginning, how };
-    serve(|line| worker.answer(line))
 }
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [scene, how] = arguments.as_slice() else { return usage() };
-    match (scene.as_str(), How::named(how)) {
-        ("report-10s", Some(how)) => answers(report_10s::Reduced, ten, how),
-        ("lean", Some(how)) => answers(lean::Reduced, two, how),
+    let Some(how) = How::named(how) else { return usage() };
+    match scene.as_str() {
+        "report-10s" => answers(report_10s::Reduced, &report_10s::SCENE, &report_10s::PARAMETERS, how),
+        "lean" => answers(lean::Reduced, &lean::SCENE, &lean::PARAMETERS, how),
         _ => usage(),
     }
 }

@@ -12,7 +12,7 @@ use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use disk::{Known, N, SPAN, numbers, options, question, serve};
+use disk::{Known, N, SPAN, numbers, numbers_of, options, read, serve};
 use tripos::disk::{kane, lagrange};
 use tripos_sim::batch::{self, Plan, Trajectory};
 use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, RightHandSide, Solution, Stop, integrate};
@@ -20,6 +20,8 @@ use tripos_traits::{Derivative, DoubleDouble, InLanes, Real, System};
 
 /// The methods that runs can be made by, in the order of the rows of the results.
 const METHODS: &[Method] = &[Method::Dop853, Method::Taylor];
+/// The scene that all are asked for.
+const SCENE: &str = "report-10s";
 /// The word for batches in lanes.
 const LANES: &str = "lanes";
 
@@ -50,6 +52,11 @@ impl<S: Real> Equations<'_, S> {
         self.system.coordinate_rates(&self.parameters, q, v, &mut q_dot);
         [q, &q_dot].concat()
     }
+}
+
+/// The parameters and the start of the scene.
+fn question<S: Real>() -> Result<(Vec<S>, Vec<S>), String> {
+    numbers_of(&read(SCENE)?.1)
 }
 
 /// From the start to the end of the span at rtol = atol = `tolerance`.
@@ -91,7 +98,7 @@ fn read_starts(path: &str) -> Option<Vec<f64>> {
 /// The end state computed with 32 digits from the start as it is written, not as an `f64` rounds it; or from the k-th of a
 /// file of starts.
 fn reference(method: Method, tolerance: f64, of_file: Option<(usize, &str)>) -> Option<Vec<f64>> {
-    let (parameters, mut start) = question::<DoubleDouble>();
+    let (parameters, mut start) = question::<DoubleDouble>().ok()?;
     if let Some((k, path)) = of_file {
         let starts = read_starts(path)?;
         start = starts.get(2 * N * k..2 * N * (k + 1))?.iter().map(|x| DoubleDouble::from(*x)).collect();
@@ -114,7 +121,7 @@ struct Worker<'a, R> {
 
 impl<R: RightHandSide> Worker<'_, R> {
     fn run(&mut self, tolerance: f64, repeats: u32) -> Option<Vec<f64>> {
-        let y0 = self.equations.state(&question::<f64>().1);
+        let y0 = self.equations.state(&question::<f64>().ok()?.1);
         let mut solution = None;
         let begin = Instant::now();
         for _ in 0..repeats {
@@ -146,7 +153,7 @@ impl<R: RightHandSide> Worker<'_, R> {
         let words: Vec<&str> = line.trim().splitn(4, ' ').collect();
         let answer = match words.as_slice() {
             ["start"] => {
-                let (parameters, start) = question::<f64>();
+                let (parameters, start) = question::<f64>().ok()?;
                 [parameters, start].concat()
             }
             ["prepare", _] => vec![0.0],
@@ -180,7 +187,13 @@ fn main() -> ExitCode {
         _ => (String::new(), None),
     };
     let lanes = arguments.get(1).is_some_and(|word| word == LANES);
-    let (values, _) = question::<f64>();
+    let values = match question::<f64>() {
+        Ok((values, _)) => values,
+        Err(error) => {
+            eprintln!("{SCENE}: {error}");
+            return ExitCode::from(2);
+        }
+    };
     let work = Vec::new();
     let system: &dyn System<f64> = if which.ends_with("kane") { &kane::Kane } else { &lagrange::Lagrange };
     let parameters = black_box(values.clone());
