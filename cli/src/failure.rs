@@ -1,6 +1,7 @@
 //! How a command ends when it does not end well.
 
 use std::fmt;
+use tripos_codegen::files::WriteError;
 use tripos_derive::diagnostic::Diagnostics;
 
 /// Exit statuses, the same for every command.
@@ -62,6 +63,22 @@ impl fmt::Display for Failure {
 impl From<Diagnostics> for Failure {
     fn from(diagnostics: Diagnostics) -> Self {
         Self::Input(diagnostics)
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        let what = error.to_string();
+        match error {
+            WriteError::There(_) => {
+                Self::Request(what, "give another file, or --overwrite to replace this one".to_owned())
+            }
+            WriteError::Appeared(..) => Self::Request(what, "rename it to what you want to keep it as".to_owned()),
+            WriteError::Busy(_) => Self::Request(what, "wait for it, or give another file".to_owned()),
+            // Nobody listens any more.
+            WriteError::Io(_, error) if error.kind() == std::io::ErrorKind::BrokenPipe => Self::Hangup,
+            WriteError::Io(path, error) => Self::Output(path.display().to_string(), error),
+        }
     }
 }
 

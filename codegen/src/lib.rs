@@ -5,6 +5,7 @@
 //! environment variable or a hash map's order.
 
 pub mod emit;
+pub mod files;
 pub mod formulation;
 mod function;
 mod identifiers;

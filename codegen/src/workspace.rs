@@ -1,5 +1,6 @@
 //! All models of a workspace, and what stands in `generated/`.
 
+use crate::files::{self, WriteError};
 use crate::formulation::Solved;
 use crate::identifiers::module_name;
 use crate::module::Entry;
@@ -369,18 +370,18 @@ fn read_tree(root: &Path) -> std::io::Result<BTreeMap<String, String>> {
 ///
 /// # Errors
 /// If a file cannot be written.
-pub fn write(freshness: &Freshness, committed: &Path) -> std::io::Result<()> {
+pub fn write(freshness: &Freshness, committed: &Path) -> Result<(), WriteError> {
     for difference in &freshness.differences {
         let path = committed.join(difference.file());
         match freshness.generated.files.get(difference.file()) {
             Some(text) => {
                 if let Some(folder) = path.parent() {
-                    std::fs::create_dir_all(folder)?;
+                    files::folder(folder)?;
                 }
-                std::fs::write(&path, text)?;
+                files::write(&path, text)?;
             }
             None => {
-                std::fs::remove_file(&path)?;
+                std::fs::remove_file(&path).map_err(|error| WriteError::Io(path.clone(), error))?;
                 // The folder of a model that is gone goes too, once it is empty.
                 if let Some(folder) = path.parent().filter(|folder| *folder != committed) {
                     let _ = std::fs::remove_dir(folder);

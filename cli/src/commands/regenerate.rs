@@ -27,7 +27,7 @@ pub fn check() -> Result<u8, Failure> {
 pub fn regenerate() -> Result<u8, Failure> {
     let (found, committed) = look()?;
     let text = summary(&found, &committed);
-    write(&found, &committed).map_err(|error| Failure::Output(committed.display().to_string(), error))?;
+    write(&found, &committed)?;
     print(&text)?;
     let answer = reference::renew(&workspace_root(), &sound(&found))?;
     complain(&found)?;
