@@ -13,6 +13,7 @@ mod module;
 mod origin;
 pub mod program;
 pub mod scene;
+pub mod scene_files;
 mod system;
 pub mod taylor;
 pub mod tokens;
