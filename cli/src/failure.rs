@@ -12,6 +12,8 @@ pub mod status {
     pub const BAD_INPUT: u8 = 2;
     /// A run that could not go on.
     pub const STOPPED: u8 = 3;
+    /// Somebody ended the command; what it had finished is kept.
+    pub const INTERRUPTED: u8 = 130;
 }
 
 /// Why a command could not do its work.
@@ -27,6 +29,8 @@ pub enum Failure {
     Output(String, std::io::Error),
     /// A state or run that has no answer.
     Stopped(String),
+    /// Somebody ended the command: what is kept, if anything is.
+    Interrupted(String),
     /// The reader of standard output has gone.
     Hangup,
 }
@@ -37,6 +41,7 @@ impl Failure {
         match self {
             Self::Input(_) | Self::Inputs(_) | Self::Request(..) | Self::Output(..) => status::BAD_INPUT,
             Self::Stopped(_) => status::STOPPED,
+            Self::Interrupted(_) => status::INTERRUPTED,
             Self::Hangup => 0,
         }
     }
@@ -55,6 +60,10 @@ impl fmt::Display for Failure {
                 write!(f, "error: cannot write `{path}`: {error}\nhelp: give a path that can be written")
             }
             Self::Stopped(why) => write!(f, "error: {why}"),
+            Self::Interrupted(kept) if kept.is_empty() => {
+                f.write_str("interrupted before there was anything to keep: nothing is written")
+            }
+            Self::Interrupted(kept) => write!(f, "interrupted: {kept}"),
             Self::Hangup => Ok(()),
         }
     }

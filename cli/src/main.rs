@@ -5,9 +5,11 @@ mod chart;
 mod commands;
 mod failure;
 mod figures;
+mod follow;
 mod how;
 mod interpreted;
 mod invariants;
+mod output;
 mod page;
 mod plot;
 mod problem;
@@ -29,7 +31,7 @@ use std::process::ExitCode;
 /// file, generates Rust for them, and runs it.
 ///
 /// Exit status: 0 done; 1 the answer is "no" (stale, different); 2 bad input; 3 a run that could not
-/// go on. With --json, standard output is the JSON alone.
+/// go on; 130 interrupted, with what was finished kept. With --json, standard output is the JSON alone.
 #[derive(Parser)]
 #[command(name = "tripos", version)]
 struct Arguments {
@@ -41,9 +43,8 @@ struct Arguments {
 enum Command {
     /// Derive, run every scene of a model by all formulations, and write one page that shows it
     Report {
-        /// A model file, or a folder with model.toml and scenes/
-        #[arg(default_value = "models/disk")]
-        model: PathBuf,
+        /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
+        model: Option<PathBuf>,
         /// Where index.html goes
         #[arg(long, default_value = "target/report")]
         out: PathBuf,
@@ -167,9 +168,12 @@ struct Simulate {
     scene: PathBuf,
     #[command(flatten)]
     how: How,
-    /// Write the samples to this file
+    /// Write the samples to this file; one that is there is replaced if its name ends in .csv
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Replace the file of --csv whatever its name is; never what the run reads
+    #[arg(long, requires = "csv")]
+    overwrite: bool,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -251,8 +255,22 @@ enum Format {
 }
 
 fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
-        Command::Report { model, out } => commands::report::report(&model, &out),
+    match run(Arguments::parse().command) {
+        Ok(status) => ExitCode::from(status),
+        Err(Failure::Hangup) => ExitCode::from(Failure::Hangup.status()),
+        Err(failure) => {
+            // What ends early because it was asked to has no error of its own.
+            let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
+            let failure = if follow::asked() && !is_own { Failure::Interrupted(String::new()) } else { failure };
+            say(&failure.to_string());
+            ExitCode::from(failure.status())
+        }
+    }
+}
+
+fn run(command: Command) -> Result<u8, Failure> {
+    match command {
+        Command::Report { model, out } => commands::report::report(model.as_deref(), &out),
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
         Command::Prove { model, json } => commands::prove::prove(&model, json),
@@ -265,14 +283,5 @@ fn main() -> ExitCode {
         Command::Scene { scene, json } => commands::scene::scene(&scene, json),
         Command::Simulate(request) => commands::simulate::simulate(&request),
         Command::Sweep(request) => commands::sweep::sweep(&request),
-    };
-    match result {
-        Ok(status) => ExitCode::from(status),
-        Err(failure) => {
-            if !matches!(failure, Failure::Hangup) {
-                say(&failure.to_string());
-            }
-            ExitCode::from(failure.status())
-        }
     }
 }

@@ -6,7 +6,7 @@ use crate::invariants::{Drift, Watch};
 use crate::problem::Problem;
 use tripos_derive::scene::{AbsoluteTolerance, QUADRATURE, Scene, Solve};
 use tripos_sim::stability::growth;
-use tripos_sim::{Eliminated, Method, Options, Solution};
+use tripos_sim::{Eliminated, Method, Options, Solution, Stop};
 
 /// How many times what the tolerances allow a conserved quantity may change before it can be an objection.
 const ALLOWED: f64 = 100.0;
@@ -27,6 +27,10 @@ const LAST_PART: f64 = 0.01;
 /// Objections to a run, each with its figure.
 pub fn objections(problem: &Problem<'_>, solution: &Solution, watch: Option<&Watch>, energy_drift: f64) -> Vec<String> {
     let mut list: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
+    if solution.stop == Stop::Interrupted {
+        // Nobody waits for a judgement.
+        return list;
+    }
     match watch.filter(|watch| !watch.integrals.is_empty()) {
         Some(watch) => {
             let worst = worst(problem, solution, watch);

@@ -6,6 +6,7 @@ use crate::catalogue::code;
 use crate::chart::case::{Case, whole};
 use crate::chart::figure::failed;
 use crate::failure::Failure;
+use crate::follow::uninterrupted;
 use crate::plot::{Panel, Scale, Series, draw};
 use crate::problem::Problem;
 use crate::run::refused;
@@ -90,7 +91,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
         output: Output::Steps { refine: 50 },
         ..Options::default()
     };
-    let run = problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?;
+    let run = uninterrupted(problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?)?;
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(Vec::new()) };
     let inputs = [model.p(), model.q()].concat();
     let Ok(tape) = Tape::new(&model.arena, &inputs, &[*divisor]) else { return Ok(Vec::new()) };
