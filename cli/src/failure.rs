@@ -1,8 +1,9 @@
 //! How a command ends when it does not end well.
 
+use serde_json::{Value, json};
 use std::fmt;
 use tripos_codegen::files::WriteError;
-use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 
 /// Exit statuses, the same for every command.
 pub mod status {
@@ -45,6 +46,30 @@ impl Failure {
             Self::Hangup => 0,
         }
     }
+
+    /// The same for programs: what is wrong, what to do, and every place in a file, with the exit status.
+    pub fn json(&self) -> Value {
+        let places = match self {
+            Self::Input(diagnostics) => places(std::slice::from_ref(diagnostics)),
+            Self::Inputs(list) => places(list),
+            _ => Vec::new(),
+        };
+        let text = self.to_string();
+        let (message, help) = match self {
+            Self::Request(what, help) => (what.clone(), Some(help.clone())),
+            Self::Input(_) | Self::Inputs(_) => {
+                let first = places.first();
+                let of = |key: &str| first.and_then(|place| place[key].as_str()).map(str::to_owned);
+                (of("message").unwrap_or_default(), of("help"))
+            }
+            // "error: …", and below it "help: …" where there is something to do.
+            _ => match text.trim_start_matches("error: ").split_once("\nhelp: ") {
+                Some((what, help)) => (what.to_owned(), Some(help.to_owned())),
+                None => (text.trim_start_matches("error: ").to_owned(), None),
+            },
+        };
+        json!({ "error": { "message": message, "help": help, "places": places }, "exit_status": self.status() })
+    }
 }
 
 impl fmt::Display for Failure {
@@ -67,6 +92,19 @@ impl fmt::Display for Failure {
             Self::Hangup => Ok(()),
         }
     }
+}
+
+/// Every error of these files, with its place if it has one.
+fn places(files: &[Diagnostics]) -> Vec<Value> {
+    let of = |file: &Diagnostics| {
+        let path = file.source.path.display().to_string();
+        let place = |d: &Diagnostic| {
+            let (line, column) = file.place(d).unzip();
+            json!({ "file": path, "line": line, "column": column, "message": d.message, "help": d.help })
+        };
+        file.list.iter().map(place).collect::<Vec<_>>()
+    };
+    files.iter().flat_map(of).collect()
 }
 
 impl From<Diagnostics> for Failure {

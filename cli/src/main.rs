@@ -23,7 +23,7 @@ mod trust;
 mod wide;
 
 use clap::{Parser, Subcommand, ValueEnum};
-use failure::{Failure, say};
+use failure::{Failure, print, say};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -31,7 +31,8 @@ use std::process::ExitCode;
 /// file, generates Rust for them, and runs it.
 ///
 /// Exit status: 0 done; 1 the answer is "no" (stale, different); 2 bad input; 3 a run that could not
-/// go on; 130 interrupted, with what was finished kept. With --json, standard output is the JSON alone.
+/// go on; 130 interrupted, with what was finished kept. With --json, standard output is the JSON alone, also that
+/// of a failure.
 #[derive(Parser)]
 #[command(name = "tripos", version)]
 struct Arguments {
@@ -254,8 +255,26 @@ enum Format {
     Json,
 }
 
+impl Command {
+    /// Whether programs read the answer.
+    fn is_json(&self) -> bool {
+        match self {
+            Self::Derive { format, .. } => *format == Format::Json,
+            Self::Prove { json, .. }
+            | Self::Diff { json, .. }
+            | Self::Evaluate { json, .. }
+            | Self::Scene { json, .. } => *json,
+            Self::Simulate(request) => request.json,
+            Self::Sweep(request) => request.json,
+            _ => false,
+        }
+    }
+}
+
 fn main() -> ExitCode {
-    match run(Arguments::parse().command) {
+    let command = Arguments::try_parse().unwrap_or_else(|error| wrong_arguments(&error)).command;
+    let is_json = command.is_json();
+    match run(command) {
         Ok(status) => ExitCode::from(status),
         Err(Failure::Hangup) => ExitCode::from(Failure::Hangup.status()),
         Err(failure) => {
@@ -263,9 +282,27 @@ fn main() -> ExitCode {
             let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
             let failure = if follow::asked() && !is_own { Failure::Interrupted(String::new()) } else { failure };
             say(&failure.to_string());
+            if is_json {
+                // Where nobody reads it there is nobody to tell.
+                let _ = print(&format!("{:#}\n", failure.json()));
+            }
             ExitCode::from(failure.status())
         }
     }
+}
+
+/// Says what is wrong with the command line, also to programs, and ends; help and version are asked for in the same way.
+fn wrong_arguments(error: &clap::Error) -> ! {
+    let words: Vec<_> = std::env::args_os().collect();
+    let has = |word: &str| words.iter().any(|given| given == word);
+    let is_json =
+        has("--json") || has("--format=json") || words.windows(2).any(|w| w[0] == "--format" && w[1] == "json");
+    if error.use_stderr() && is_json {
+        let text = error.render().to_string();
+        let (what, help) = text.trim_start_matches("error: ").split_once("\n\n").unwrap_or((text.as_str(), ""));
+        let _ = print(&format!("{:#}\n", Failure::Request(what.to_owned(), help.trim_end().to_owned()).json()));
+    }
+    error.exit()
 }
 
 fn run(command: Command) -> Result<u8, Failure> {

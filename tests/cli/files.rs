@@ -325,6 +325,44 @@ fn an_interrupted_sweep_says_where_its_rows_are() {
     assert!(table.ends_with('\n') && !table.contains("interrupted"));
 }
 
+/// Every command with JSON: a failure is an object on standard output, with what, what to do and where, and for people as before.
+#[test]
+fn failures_are_json_where_json_was_asked_for() {
+    let folder = slider(&SCENE.replace("x = 1", "x = \"1 +\""));
+    std::fs::write(folder.path().join("broken.toml"), MODEL.replace("\"x'\"", "\"y'\"")).unwrap();
+    for (arguments, place) in [
+        (&["prove", "broken.toml", "--json"][..], Some("broken.toml")),
+        (&["diff", "broken.toml", "model.toml", "--json"], Some("broken.toml")),
+        (&["evaluate", "broken.toml", "--by", "kane", "--at", "x.toml", "--json"], Some("broken.toml")),
+        (&["derive", "broken.toml", "--format", "json"], Some("broken.toml")),
+        (&["scene", "run.toml", "--json"], Some("run.toml")),
+        (&["simulate", "run.toml", "--json"], Some("run.toml")),
+        (&["sweep", "run.toml", "--over", "k=1", "--out", "a.csv", "--json"], Some("run.toml")),
+        (&["prove", "none", "--json"], None),
+        (&["simulate", "run.toml", "--no-such", "--json"], None),
+    ] {
+        let output = tripos(folder.path(), arguments);
+        let message = stderr(&output);
+        assert_eq!(status(&output), 2, "{arguments:?}: {message}");
+        let json: serde_json::Value =
+            serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{arguments:?}: {:?}", output.stdout));
+        assert_eq!(json["exit_status"], 2);
+        let what = json["error"]["message"].as_str().unwrap();
+        assert!(!what.is_empty() && message.contains(what), "{what}: {message}");
+        let places = json["error"]["places"].as_array().unwrap();
+        match place {
+            Some(file) => {
+                assert_eq!(places[0]["file"], file, "{json:#}");
+                assert!(places[0]["line"].as_u64().unwrap() > 0 && places[0]["column"].as_u64().unwrap() > 0);
+                assert!(!json["error"]["help"].as_str().unwrap().is_empty(), "{json:#}");
+            }
+            None => assert!(places.is_empty(), "{json:#}"),
+        }
+    }
+    let output = tripos(folder.path(), &["simulate", "run.toml"]);
+    assert!(output.stdout.is_empty(), "without JSON there is none");
+}
+
 /// Scenes in `scenes/` and beside the model are on one page, and what their figures plot is beside it.
 #[test]
 fn the_page_has_the_scenes_beside_its_model() {
