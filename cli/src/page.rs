@@ -161,8 +161,10 @@ pub struct Choice {
 /// The page as HTML.
 pub fn render(page: &Page) -> String {
     let title = escape(&page.model.title);
-    let mut body =
-        page.unfinished.as_ref().map_or_else(String::new, |why| format!("<p class=\"missing\">{}.</p>\n", escape(why)));
+    let mut body = page
+        .unfinished
+        .as_ref()
+        .map_or_else(String::new, |why| format!("<p class=\"missing\">This page is partial: {}.</p>\n", escape(why)));
     body += &mechanism::section(page.model);
     let mut shown = Vec::new();
     for (formulation, result) in &page.derivations {

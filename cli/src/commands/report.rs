@@ -58,10 +58,8 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     bar.inc(1);
     let work = Work::new(&model, &study, &derivations)?;
     let done = work.scenes(&scenes, out, &bar)?;
-    let unfinished = (done.sections.len() < scenes.len()).then(|| {
-        let (there, all) = (done.sections.len(), scenes.len());
-        format!("This page is partial: it was interrupted after {there} of {all} scenes")
-    });
+    let (there, all) = (done.sections.len(), scenes.len());
+    let unfinished = (there < all).then(|| format!("it was interrupted after {there} of {all} scenes"));
     let command = format!("tripos report {}", argument.display());
     let html = page::render(&Page {
         model: &model,
@@ -79,7 +77,7 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     }
     say(&page.display().to_string());
     if let Some(unfinished) = unfinished {
-        return Err(Failure::Interrupted(format!("{}: {unfinished}", page.display())));
+        return Err(Failure::Interrupted(format!("the page is partial: {unfinished}")));
     }
     if !broken.is_empty() {
         return Err(Failure::Inputs(broken));
