@@ -14,6 +14,7 @@ fn main() {
 #[cfg(feature = "fresh")]
 mod fresh {
     use std::path::{Path, PathBuf};
+    use tripos_codegen::files::write;
     use tripos_codegen::workspace::{Freshness, freshness, stale_library};
 
     pub fn check() {
@@ -46,12 +47,12 @@ mod fresh {
         for (file, text) in &found.generated.files {
             let path = folder.join(file);
             std::fs::create_dir_all(path.parent().expect("a file has a folder")).expect("OUT_DIR can be written");
-            std::fs::write(path, text).expect("OUT_DIR can be written");
+            write(&path, text).expect("OUT_DIR can be written");
         }
         for name in &found.generated.models {
             modules.push((name.clone(), folder.join(name)));
         }
-        std::fs::write(out.join("stale.rs"), stale_library(&modules)).expect("OUT_DIR can be written");
+        write(&out.join("stale.rs"), stale_library(&modules)).expect("OUT_DIR can be written");
         println!("cargo::rustc-cfg=stale");
         let files = found.differences.len();
         println!(

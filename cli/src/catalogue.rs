@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::interpreted::{Interpreted, NotInterpreted};
 use crate::run::method;
 use std::path::{Path, PathBuf};
+use tripos_codegen::scene_files::is_same;
 use tripos_codegen::workspace::report_beside;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
@@ -59,6 +60,11 @@ pub fn model_file(argument: &Path) -> PathBuf {
 
 /// Reads the model that an argument means.
 pub fn read_model(argument: &Path) -> Result<Model, Failure> {
+    if std::fs::symlink_metadata(argument).is_err_and(|error| error.kind() == std::io::ErrorKind::NotFound) {
+        let what = format!("there is no model at `{}`: no such file or folder", argument.display());
+        let help = "give a model file, or a folder that holds `model.toml`".to_owned();
+        return Err(Failure::Request(what, help));
+    }
     let path = model_file(argument);
     Ok(tripos_derive::model::load(&Source::read(&path)?)?)
 }
@@ -307,20 +313,40 @@ fn compiled(model: &Model) -> Result<Option<&'static CompiledModel>, Failure> {
 
 /// Whether the model file is the one that a compiled model was derived from, by place.
 fn is_workspace_model(model: &Model, name: &str) -> bool {
-    let committed = workspace_root().join("models").join(name).join("model.toml");
-    match (committed.canonicalize(), model.source.path.canonicalize()) {
-        (Ok(a), Ok(b)) => a == b,
-        _ => false,
-    }
+    let path = &model.source.path;
+    let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_owned));
+    let root = folder.and_then(|folder| workspace_around(&folder));
+    root.is_some_and(|root| is_same(&root.join("models").join(name).join("model.toml"), path))
 }
 
-/// The workspace: the nearest folder, from the current one upwards, that holds `models` and
-/// `generated`; otherwise the one this program was built from.
-pub fn workspace_root() -> PathBuf {
-    let here = std::env::current_dir().unwrap_or_default();
-    let is_root = |folder: &Path| folder.join("models").is_dir() && folder.join("generated/src").is_dir();
-    if let Some(root) = here.ancestors().find(|folder| is_root(folder)) {
-        return root.to_owned();
-    }
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(".")).to_owned()
+/// The workspace that a folder lies in: the nearest folder, from this one upwards, that holds `models` and `generated/src`.
+pub fn workspace_around(folder: &Path) -> Option<PathBuf> {
+    let is_root = |folder: &&Path| folder.join("models").is_dir() && folder.join("generated/src").is_dir();
+    folder.ancestors().find(is_root).map(Path::to_owned)
+}
+
+/// The workspace that the command was called in.
+///
+/// # Errors
+/// [`Failure::Request`] if it was called elsewhere: no command looks for a workspace that it was not called in.
+pub fn workspace_here() -> Result<PathBuf, Failure> {
+    let here = current_folder()?;
+    workspace_around(&here).ok_or_else(|| {
+        let what = format!(
+            "no workspace: neither `{}` nor a folder above it holds `models` and `generated/src`",
+            here.display()
+        );
+        let help = "go to a checkout that has both; `tripos emit MODEL --out DIR` writes the code of a model anywhere";
+        Failure::Request(what, help.to_owned())
+    })
+}
+
+/// The folder that the command was called in.
+///
+/// # Errors
+/// [`Failure::Request`] if it is gone.
+pub fn current_folder() -> Result<PathBuf, Failure> {
+    let gone =
+        |error| Failure::Request(format!("there is no current folder: {error}"), "go to one that exists".to_owned());
+    std::env::current_dir().map_err(gone)
 }

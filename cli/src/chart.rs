@@ -8,6 +8,7 @@ pub mod session;
 pub mod words;
 
 use crate::failure::Failure;
+use crate::follow;
 use crate::invariants::Watch;
 use crate::problem::Problem;
 use crate::reference::Reference;
@@ -81,8 +82,8 @@ pub struct Truth<'a> {
     pub watch: &'a Watch,
 }
 
-/// Measures everything against the reference, which is at the end of the scene's span. What cannot be measured is added to what
-/// is left out, with the reason.
+/// Measures everything against the reference, which is at the end of the scene's span; if it is interrupted, what came before. What
+/// cannot be measured is added to what is left out, with the reason.
 ///
 /// # Errors
 /// [`Failure`] if the scene cannot be run at all.
@@ -112,7 +113,12 @@ pub fn measure(
             bar.set_message(format!("{} {} {}", problem.by.name, way.solve(problem.solve), way.name()));
             let how = way.options(length, plan.step_limit);
             bar.inc(1);
-            let measurement = match first(problem, y0, *way, &how, truth) {
+            let outcome = first(problem, y0, *way, &how, truth);
+            if follow::asked() {
+                // What was under way is not measured.
+                return Ok(list);
+            }
+            let measurement = match outcome {
                 Ok(measurement) => measurement,
                 // A motion that quadrature does not give is still integrated.
                 Err(failure) if *way == Way::Quadrature => {
@@ -138,7 +144,10 @@ pub fn measure(
             Box::new(move || drop(way.run(problem, problem.scene.span, y0, how)))
         })
         .collect();
-    let times = interleaved(&mut jobs, plan.repeats, || bar.inc(1));
+    let times = interleaved(&mut jobs, plan.repeats, || {
+        bar.inc(1);
+        follow::go_on()
+    });
     drop(jobs);
     for ((_, place, ..), times) in again.iter().zip(times) {
         list[*place].seconds = Spread::of(&times).unwrap_or(list[*place].seconds);

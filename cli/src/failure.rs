@@ -1,7 +1,9 @@
 //! How a command ends when it does not end well.
 
+use serde_json::{Value, json};
 use std::fmt;
-use tripos_derive::diagnostic::Diagnostics;
+use tripos_codegen::files::WriteError;
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 use tripos_derive::plain::{is_forbidden, visible};
 
 /// Exit statuses, the same for every command.
@@ -12,6 +14,8 @@ pub mod status {
     pub const BAD_INPUT: u8 = 2;
     /// A run that could not go on.
     pub const STOPPED: u8 = 3;
+    /// Somebody ended the command; what it had finished is kept.
+    pub const INTERRUPTED: u8 = 130;
 }
 
 /// Why a command could not do its work.
@@ -29,6 +33,8 @@ pub enum Failure {
     Output(String, std::io::Error),
     /// A state or run that has no answer.
     Stopped(String),
+    /// Somebody ended the command: what is kept, if anything is.
+    Interrupted(String),
     /// The reader of standard output has gone.
     Hangup,
 }
@@ -46,8 +52,33 @@ impl Failure {
                 status::BAD_INPUT
             }
             Self::Stopped(_) => status::STOPPED,
+            Self::Interrupted(_) => status::INTERRUPTED,
             Self::Hangup => 0,
         }
+    }
+
+    /// The same for programs: what is wrong, what to do, and every place in a file, with the exit status.
+    pub fn json(&self) -> Value {
+        let places = match self {
+            Self::Input(diagnostics) | Self::Unsupported(diagnostics) => places(std::slice::from_ref(diagnostics)),
+            Self::Inputs(list) => places(list),
+            _ => Vec::new(),
+        };
+        let text = self.to_string();
+        let (message, help) = match self {
+            Self::Request(what, help) => (what.clone(), Some(help.clone())),
+            Self::Input(_) | Self::Unsupported(_) | Self::Inputs(_) => {
+                let first = places.first();
+                let of = |key: &str| first.and_then(|place| place[key].as_str()).map(str::to_owned);
+                (of("message").unwrap_or_default(), of("help"))
+            }
+            // "error: …", and below it "help: …" where there is something to do.
+            _ => match text.trim_start_matches("error: ").split_once("\nhelp: ") {
+                Some((what, help)) => (what.to_owned(), Some(help.to_owned())),
+                None => (text.trim_start_matches("error: ").to_owned(), None),
+            },
+        };
+        json!({ "error": { "message": message, "help": help, "places": places }, "exit_status": self.status() })
     }
 }
 
@@ -64,14 +95,47 @@ impl fmt::Display for Failure {
                 write!(f, "error: cannot write `{path}`: {error}\nhelp: give a path that can be written")
             }
             Self::Stopped(why) => write!(f, "error: {why}"),
+            Self::Interrupted(kept) if kept.is_empty() => {
+                f.write_str("interrupted before there was anything to keep: nothing is written")
+            }
+            Self::Interrupted(kept) => write!(f, "interrupted: {kept}"),
             Self::Hangup => Ok(()),
         }
     }
 }
 
+/// Every error of these files, with its place if it has one.
+fn places(files: &[Diagnostics]) -> Vec<Value> {
+    let of = |file: &Diagnostics| {
+        let path = file.source.path.display().to_string();
+        let place = |d: &Diagnostic| {
+            let (line, column) = file.place(d).unzip();
+            json!({ "file": path, "line": line, "column": column, "message": d.message, "help": d.help })
+        };
+        file.list.iter().map(place).collect::<Vec<_>>()
+    };
+    files.iter().flat_map(of).collect()
+}
+
 impl From<Diagnostics> for Failure {
     fn from(diagnostics: Diagnostics) -> Self {
         Self::Input(diagnostics)
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        let what = error.to_string();
+        match error {
+            WriteError::There(_) => {
+                Self::Request(what, "give another file, or --overwrite to replace this one".to_owned())
+            }
+            WriteError::Appeared(..) => Self::Request(what, "rename it to what you want to keep it as".to_owned()),
+            WriteError::Busy(_) => Self::Request(what, "wait for it, or give another file".to_owned()),
+            // Nobody listens any more.
+            WriteError::Io(_, error) if error.kind() == std::io::ErrorKind::BrokenPipe => Self::Hangup,
+            WriteError::Io(path, error) => Self::Output(path.display().to_string(), error),
+        }
     }
 }
 

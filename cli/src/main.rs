@@ -5,9 +5,11 @@ mod chart;
 mod commands;
 mod failure;
 mod figures;
+mod follow;
 mod how;
 mod interpreted;
 mod invariants;
+mod output;
 mod page;
 mod plot;
 mod problem;
@@ -22,7 +24,7 @@ mod trust;
 mod wide;
 
 use clap::{Parser, Subcommand, ValueEnum};
-use failure::{Failure, say};
+use failure::{Failure, print_json, say};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -30,7 +32,8 @@ use std::process::ExitCode;
 /// file, generates Rust for them, and runs it.
 ///
 /// Exit status: 0 done; 1 the answer is "no" (stale, different); 2 bad input; 3 a run that could not
-/// go on. With --json, standard output is the JSON alone.
+/// go on; 130 interrupted, with what was finished kept. With --json, standard output is the JSON alone, also that
+/// of a failure.
 #[derive(Parser)]
 #[command(name = "tripos", version)]
 struct Arguments {
@@ -42,9 +45,8 @@ struct Arguments {
 enum Command {
     /// Derive, run every scene of a model by all formulations, and write one page that shows it
     Report {
-        /// A model file, or a folder with model.toml and scenes/
-        #[arg(default_value = "models/disk")]
-        model: PathBuf,
+        /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
+        model: Option<PathBuf>,
         /// Where index.html goes
         #[arg(long, default_value = "target/report")]
         out: PathBuf,
@@ -168,9 +170,12 @@ struct Simulate {
     scene: PathBuf,
     #[command(flatten)]
     how: How,
-    /// Write the samples to this file
+    /// Write the samples to this file; one that is there is replaced if its name ends in .csv
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Replace the file of --csv whatever its name is; never what the run reads
+    #[arg(long, requires = "csv")]
+    overwrite: bool,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -251,9 +256,59 @@ enum Format {
     Json,
 }
 
+impl Command {
+    /// Whether programs read the answer.
+    fn is_json(&self) -> bool {
+        match self {
+            Self::Derive { format, .. } => *format == Format::Json,
+            Self::Prove { json, .. }
+            | Self::Diff { json, .. }
+            | Self::Evaluate { json, .. }
+            | Self::Scene { json, .. } => *json,
+            Self::Simulate(request) => request.json,
+            Self::Sweep(request) => request.json,
+            _ => false,
+        }
+    }
+}
+
 fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
-        Command::Report { model, out } => commands::report::report(&model, &out),
+    let command = Arguments::try_parse().unwrap_or_else(|error| wrong_arguments(&error)).command;
+    let is_json = command.is_json();
+    match run(command) {
+        Ok(status) => ExitCode::from(status),
+        Err(Failure::Hangup) => ExitCode::from(Failure::Hangup.status()),
+        Err(failure) => {
+            // What ends early because it was asked to has no error of its own.
+            let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
+            let failure = if follow::asked() && !is_own { Failure::Interrupted(String::new()) } else { failure };
+            say(&failure.to_string());
+            if is_json {
+                // Where nobody reads it there is nobody to tell.
+                let _ = print_json(&failure.json());
+            }
+            ExitCode::from(failure.status())
+        }
+    }
+}
+
+/// Says what is wrong with the command line, also to programs, and ends; help and version are asked for in the same way.
+fn wrong_arguments(error: &clap::Error) -> ! {
+    let words: Vec<_> = std::env::args_os().collect();
+    let has = |word: &str| words.iter().any(|given| given == word);
+    let is_json =
+        has("--json") || has("--format=json") || words.windows(2).any(|w| w[0] == "--format" && w[1] == "json");
+    if error.use_stderr() && is_json {
+        let text = error.render().to_string();
+        let (what, help) = text.trim_start_matches("error: ").split_once("\n\n").unwrap_or((text.as_str(), ""));
+        let _ = print_json(&Failure::Request(what.to_owned(), help.trim_end().to_owned()).json());
+    }
+    error.exit()
+}
+
+fn run(command: Command) -> Result<u8, Failure> {
+    match command {
+        Command::Report { model, out } => commands::report::report(model.as_deref(), &out),
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
         Command::Prove { model, json } => commands::prove::prove(&model, json),
@@ -266,14 +321,5 @@ fn main() -> ExitCode {
         Command::Scene { scene, json } => commands::scene::scene(&scene, json),
         Command::Simulate(request) => commands::simulate::simulate(&request),
         Command::Sweep(request) => commands::sweep::sweep(&request),
-    };
-    match result {
-        Ok(status) => ExitCode::from(status),
-        Err(failure) => {
-            if !matches!(failure, Failure::Hangup) {
-                say(&failure.to_string());
-            }
-            ExitCode::from(failure.status())
-        }
     }
 }

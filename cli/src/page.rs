@@ -35,6 +35,8 @@ pub struct Page<'a> {
     pub study: &'a Study,
     /// The simulations.
     pub scenes: Vec<SceneSection>,
+    /// Why there are not all of them, if there are not.
+    pub unfinished: Option<String>,
     /// The command that made the page.
     pub command: String,
 }
@@ -159,7 +161,11 @@ pub struct Choice {
 /// The page as HTML.
 pub fn render(page: &Page) -> String {
     let title = escape(&page.model.title);
-    let mut body = mechanism::section(page.model);
+    let mut body = page
+        .unfinished
+        .as_ref()
+        .map_or_else(String::new, |why| format!("<p class=\"missing\">This page is partial: {}.</p>\n", escape(why)));
+    body += &mechanism::section(page.model);
     let mut shown = Vec::new();
     for (formulation, result) in &page.derivations {
         body += &derivation::section(page.model, *formulation, result, &mut shown);

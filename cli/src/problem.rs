@@ -5,6 +5,7 @@
 
 use crate::catalogue::{By, Code, compiled_code, derivation, tape};
 use crate::failure::Failure;
+use crate::follow::followed;
 use crate::reduced::Reduced;
 use crate::run::refused;
 use tripos_derive::algebra::print::text;
@@ -289,7 +290,7 @@ impl<'a> Problem<'a> {
             Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
             _ => Box::new(self.dynamics()?),
         };
-        integrate(Lent(rhs.as_mut()), span, y0, options, events)
+        integrate(Lent(rhs.as_mut()), span, y0, &followed(options), events)
     }
 
     /// The same as [`Problem::state`] without rounding a distance away.
@@ -317,9 +318,13 @@ impl<'a> Problem<'a> {
                 let what = "no motion by quadrature: nothing is left to integrate".to_owned();
                 return Err(Failure::Request(what, "any stepping method gives it: all of it is algebra".to_owned()));
             }
-            return quadrature::solve(system, p, self.scene.span, y0, options, events).map_err(|error| match error {
-                NoQuadrature::Question(error) => refused(self.scene, &error),
-                error => Failure::Request(format!("no motion by quadrature: {error}"), self.no_quadrature().to_owned()),
+            return quadrature::solve(system, p, self.scene.span, y0, &followed(options), events).map_err(|error| {
+                match error {
+                    NoQuadrature::Question(error) => refused(self.scene, &error),
+                    error => {
+                        Failure::Request(format!("no motion by quadrature: {error}"), self.no_quadrature().to_owned())
+                    }
+                }
             });
         }
         let Some(Project::Energy) = how.project else {
@@ -343,7 +348,7 @@ impl<'a> Problem<'a> {
             Failure::Request("accelerations are not eliminated".to_owned(), "leave `solve` out".to_owned())
         })?;
         let rhs = Lent(&mut rhs as &mut dyn RightHandSide<f64>);
-        let run = integrate_projected(rhs, self.scene.span, y0, options, events, &mut invariants);
+        let run = integrate_projected(rhs, self.scene.span, y0, &followed(options), events, &mut invariants);
         run.map_err(|error| refused(self.scene, &error))
     }
 

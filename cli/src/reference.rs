@@ -5,6 +5,7 @@
 
 use crate::catalogue::{By, Ready, code, compiled_code};
 use crate::failure::Failure;
+use crate::follow::followed;
 use crate::problem::Problem;
 use crate::run::refused;
 use tripos_derive::mechanics::Distance;
@@ -128,7 +129,7 @@ fn run(
 fn options(rtol: f64) -> Options {
     let method = Method::Dop853;
     let atol = AbsoluteTolerance::Uniform(rtol);
-    Options { method, rtol, atol, step_limit: MOST_STEPS, output: Output::Ends, ..Options::default() }
+    followed(&Options { method, rtol, atol, step_limit: MOST_STEPS, output: Output::Ends, ..Options::default() })
 }
 
 /// From instant to instant: each is the end of a run, where the solution is as good as the tolerance.

@@ -24,6 +24,8 @@ pub struct Run {
     pub solve: Solve,
     /// The integrator's result.
     pub solution: Solution,
+    /// Why it ended, with the names of its variables.
+    pub why: String,
     /// When, after how many steps and why it ended, in a sentence.
     pub ending: String,
     /// What the equations divide by that is next to zero at the end, as the end of a sentence; empty if nothing is.
@@ -278,9 +280,11 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
         watch.integrals.iter().map(|(name, _)| name.clone()).zip(watch.changes(problem, &solution)).collect()
     });
     let near = problem.near_divisors(&solution.y_end)?;
-    let ending = solution.described(&problem.variables());
+    let names = problem.variables();
+    let at = if solution.stop.is_failure() { near.as_str() } else { "" };
     Ok(Run {
-        ending: if solution.stop.is_failure() { ending + &near } else { ending },
+        why: solution.stop.described(&names) + at,
+        ending: solution.described(&names) + at,
         near,
         drifts,
         by: problem.by.clone(),

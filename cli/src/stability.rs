@@ -11,8 +11,9 @@ pub mod growth;
 pub mod ladder;
 pub mod words;
 
-use crate::chart::files::table;
 use crate::failure::Failure;
+use crate::follow;
+use crate::output::{table, text};
 use indicatif::ProgressBar;
 use std::path::Path;
 use tripos_derive::Model;
@@ -75,6 +76,8 @@ pub struct Findings {
     pub figures: Vec<(&'static str, String)>,
     /// What to take away, a line each.
     pub statements: Vec<String>,
+    /// The study that was interrupted, if one was: those after it were not begun.
+    pub unfinished: Option<&'static str>,
 }
 
 /// What a study works on.
@@ -98,7 +101,7 @@ pub type Run = fn(&Study<'_>, &mut Findings) -> Result<(), Failure>;
 /// [`Failure`] if the scene cannot be run at all.
 pub fn all(study: &Study<'_>) -> Result<Findings, Failure> {
     let mut findings = Findings::default();
-    let studies: [(&str, Run); 5] = [
+    let studies: [(&'static str, Run); 5] = [
         ("passages", ladder::study),
         ("conditioning", conditioning::study),
         ("domain", domain::study),
@@ -108,7 +111,13 @@ pub fn all(study: &Study<'_>) -> Result<Findings, Failure> {
     study.bar.set_length(studies.len() as u64);
     for (name, run) in studies {
         study.bar.set_message(name);
-        run(study, &mut findings)?;
+        let outcome = run(study, &mut findings);
+        if follow::asked() {
+            // What it had found until then is found.
+            findings.unfinished = Some(name);
+            break;
+        }
+        outcome?;
         study.bar.inc(1);
     }
     Ok(findings)
@@ -122,7 +131,7 @@ impl Findings {
     pub fn write(&self, out: &Path) -> Result<(), Failure> {
         self.tables(out)?;
         for (name, svg) in &self.figures {
-            crate::chart::files::text(&out.join(name), svg)?;
+            text(&out.join(name), svg)?;
         }
         Ok(())
     }

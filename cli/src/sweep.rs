@@ -8,7 +8,6 @@
 //! - No point ends the sweep. One that cannot start or go on is a row with its reason.
 
 mod block;
-mod file;
 mod in_order;
 mod lanes;
 mod row;
@@ -16,7 +15,6 @@ mod shard;
 mod summary;
 
 pub use block::Sweep;
-pub use file::Table;
 pub use in_order::in_order;
 pub use row::{Columns, Row};
 pub use shard::Shard;

@@ -8,7 +8,7 @@ use crate::problem::Problem;
 use crate::run::refused;
 use tripos_derive::scene::{AbsoluteTolerance, QUADRATURE, Scene, Solve};
 use tripos_sim::stability::growth;
-use tripos_sim::{Eliminated, Method, Options, RightHandSide, Solution};
+use tripos_sim::{Eliminated, Method, Options, RightHandSide, Solution, Stop};
 
 /// How many times what the tolerances allow a conserved quantity may change before it can be an objection.
 const ALLOWED: f64 = 100.0;
@@ -37,6 +37,10 @@ pub fn objections(
     energy_drift: f64,
 ) -> Result<Vec<String>, Failure> {
     let mut list: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
+    if solution.stop == Stop::Interrupted {
+        // Nobody waits for a judgement.
+        return Ok(list);
+    }
     match watch.filter(|watch| !watch.integrals.is_empty()) {
         Some(watch) => {
             let worst = worst(problem, solution, watch);

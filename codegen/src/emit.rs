@@ -3,6 +3,7 @@
 //! Invariant: a file that [`place`] did not write is never changed, and nothing is changed if one stands in the way.
 //! What it wrote it knows by the header. Absent on purpose: the crate around the module; it needs `tripos-traits`.
 
+use crate::files::{self, WriteError};
 use crate::origin::{Origin, is_written_by};
 use crate::workspace::{ModuleFiles, module_files};
 use std::collections::BTreeMap;
@@ -78,8 +79,16 @@ impl fmt::Display for Placed {
 pub enum PlaceError {
     /// A file that this did not write has the place of one of the module.
     Foreign(PathBuf),
-    /// A file or folder that cannot be read or written.
+    /// A file or folder that cannot be read or removed.
     Io(PathBuf, std::io::Error),
+    /// A file that cannot be written.
+    Write(WriteError),
+}
+
+impl From<WriteError> for PlaceError {
+    fn from(error: WriteError) -> Self {
+        Self::Write(error)
+    }
 }
 
 impl std::error::Error for PlaceError {}
@@ -88,7 +97,8 @@ impl fmt::Display for PlaceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Foreign(path) => write!(f, "`{}` is not a file that `tripos {COMMAND}` wrote", path.display()),
-            Self::Io(path, error) => write!(f, "cannot read or write `{}`: {error}", path.display()),
+            Self::Io(path, error) => write!(f, "cannot read or remove `{}`: {error}", path.display()),
+            Self::Write(error) => error.fmt(f),
         }
     }
 }
@@ -105,15 +115,14 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
             return Err(PlaceError::Foreign(path));
         }
     }
-    std::fs::create_dir_all(folder).map_err(|error| PlaceError::Io(folder.to_owned(), error))?;
+    files::folder(folder)?;
     let mut placed = Vec::new();
     for (file, text) in &emission.files {
         if old.get(file) == Some(text) {
             placed.push(Placed::Unchanged(file.clone()));
             continue;
         }
-        let path = folder.join(file);
-        std::fs::write(&path, text).map_err(|error| PlaceError::Io(path, error))?;
+        files::write(&folder.join(file), text)?;
         placed.push(Placed::Written(file.clone()));
     }
     for file in old.into_keys().filter(|file| !emission.files.contains_key(file)) {

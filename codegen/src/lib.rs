@@ -5,6 +5,7 @@
 //! environment variable or a hash map's order.
 
 pub mod emit;
+pub mod files;
 pub mod formulation;
 mod function;
 mod identifiers;
@@ -12,6 +13,7 @@ mod module;
 mod origin;
 pub mod program;
 pub mod scene;
+pub mod scene_files;
 mod system;
 pub mod taylor;
 pub mod tokens;

@@ -24,9 +24,9 @@ impl Origin {
         self.of("report.toml")
     }
 
-    /// The sentence in files derived from a scene of the model.
+    /// The sentence in files derived from a scene of the model, named as it is seen from there.
     pub fn of_scene(&self, name: &str) -> String {
-        self.of(&format!("scenes/{name}"))
+        self.of(name)
     }
 
     /// Whether the equations of scenes are written, too: those of a workspace are.

@@ -1,10 +1,12 @@
 //! All models of a workspace, and what stands in `generated/`.
 
+use crate::files::{self, WriteError};
 use crate::formulation::Solved;
 use crate::identifiers::module_name;
 use crate::module::Entry;
 use crate::origin::Origin;
 use crate::scene::SceneFile;
+use crate::scene_files::{is_same, name_beside, scene_files};
 use crate::tokens::format;
 use crate::{formulation, module, scene};
 use quote::{format_ident, quote};
@@ -54,7 +56,7 @@ pub fn generate(models: &Path) -> std::io::Result<Generated> {
                 let files = module.files.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text));
                 generated.files.extend(files);
                 let scenes = module.broken_scenes.into_iter();
-                generated.broken_scenes.extend(scenes.map(|(scene, why)| (format!("{folder}/scenes/{scene}"), why)));
+                generated.broken_scenes.extend(scenes.map(|(scene, why)| (format!("{folder}/{scene}"), why)));
                 generated.models.push(folder);
             }
             Err(diagnostics) => generated.broken.push((folder, diagnostics)),
@@ -92,7 +94,7 @@ pub(crate) struct ModuleFiles {
     pub files: Vec<(String, String)>,
     /// Formulations that this model does not support, each with the reason.
     pub left_out: Vec<(Formulation, DeriveError)>,
-    /// Scene files with errors, by name.
+    /// Scene files with errors, by their names as seen from the model.
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
@@ -148,10 +150,10 @@ pub(crate) fn module_files(
     let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();
     let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
     if origin.has_scenes() {
-        for scene in scenes_beside(path) {
+        for scene in scene_files(path) {
             match scene_file(&model, &scene, origin, &scenes) {
                 Ok(file) => scenes.extend(file),
-                Err(diagnostics) => broken_scenes.push((file_name(&scene), diagnostics)),
+                Err(diagnostics) => broken_scenes.push((name_beside(path, &scene), diagnostics)),
             }
         }
     }
@@ -174,19 +176,6 @@ fn undetermined(source: &Source, equations: &str) -> Diagnostics {
     Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)])
 }
 
-/// The scene files of a model file, in order of their names.
-fn scenes_beside(path: &Path) -> Vec<PathBuf> {
-    let Ok(entries) = std::fs::read_dir(path.with_file_name("scenes")) else { return Vec::new() };
-    let mut list: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
-    list.retain(|path| path.extension().is_some_and(|e| e == "toml"));
-    list.sort();
-    list
-}
-
-fn file_name(path: &Path) -> String {
-    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
-}
-
 /// The file of one scene beside those that are there; nothing if it is of another model.
 fn scene_file(
     model: &Model,
@@ -196,17 +185,16 @@ fn scene_file(
 ) -> Result<Option<SceneFile>, Diagnostics> {
     let source = Source::read(path)?;
     let belongs = scene_model(&source)?;
-    let same = |a: &Path, b: &Path| matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
-    if !same(&belongs, &model.source.path) {
+    if !is_same(&belongs, &model.source.path) {
         return Ok(None);
     }
     // With a store of terms of its own, so that one scene's text does not hang on another's.
     let mut model = model.clone();
     let loaded = load_scene(&source, &mut model)?;
     let reduction = reduce(&model, &loaded).map_err(|error| model.diagnose(&error))?;
-    let name = file_name(path);
-    let stem = name.strip_suffix(".toml").unwrap_or(&name);
-    let named = scene::Named { name: stem, title: &loaded.title, origin: &origin.of_scene(&name) };
+    let name = name_beside(&model.source.path, path);
+    let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let named = scene::Named { name: &stem, title: &loaded.title, origin: &origin.of_scene(&name) };
     let file =
         scene::file(&reduction, &named, before).map_err(|_| undetermined(&source, "the scene's own equations"))?;
     Ok(Some(file))
@@ -378,18 +366,18 @@ fn read_tree(root: &Path) -> std::io::Result<BTreeMap<String, String>> {
 ///
 /// # Errors
 /// If a file cannot be written.
-pub fn write(freshness: &Freshness, committed: &Path) -> std::io::Result<()> {
+pub fn write(freshness: &Freshness, committed: &Path) -> Result<(), WriteError> {
     for difference in &freshness.differences {
         let path = committed.join(difference.file());
         match freshness.generated.files.get(difference.file()) {
             Some(text) => {
                 if let Some(folder) = path.parent() {
-                    std::fs::create_dir_all(folder)?;
+                    files::folder(folder)?;
                 }
-                std::fs::write(&path, text)?;
+                files::write(&path, text)?;
             }
             None => {
-                std::fs::remove_file(&path)?;
+                std::fs::remove_file(&path).map_err(|error| WriteError::Io(path.clone(), error))?;
                 // The folder of a model that is gone goes too, once it is empty.
                 if let Some(folder) = path.parent().filter(|folder| *folder != committed) {
                     let _ = std::fs::remove_dir(folder);

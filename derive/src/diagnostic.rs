@@ -129,6 +129,13 @@ impl Diagnostics {
         Self { source, list }
     }
 
+    /// The line and the column of an error, in characters from 1; none of the file as a whole.
+    #[must_use]
+    pub fn place(&self, diagnostic: &Diagnostic) -> Option<(usize, usize)> {
+        let excerpt = Excerpt::new(&self.source.text, diagnostic.span.as_ref()?);
+        Some((excerpt.line, excerpt.column))
+    }
+
     fn without_place(path: &Path, message: &str, help: &str) -> Self {
         let source = Source { path: path.to_owned(), text: String::new() };
         Self::new(source, vec![Diagnostic::of_file(message, help)])

@@ -83,7 +83,7 @@ pub use error::{Failure, SimError};
 pub use events::{Direction, Effect, Event, EventFunction, EventRecord, Kind};
 pub use integrate::{integrate, integrate_projected};
 pub use method::Method;
-pub use options::Options;
+pub use options::{Options, Poll};
 pub use rhs::{Lent, RightHandSide, WithJacobian};
 pub use solution::{Output, Solution, Stop, Warning};
 pub use tableau::{Fraction, Tableau};

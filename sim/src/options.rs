@@ -1,5 +1,9 @@
 //! How a run is to be made, and which questions make no sense.
 
+use std::fmt;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
 use tripos_traits::Real;
 
 use crate::control;
@@ -33,6 +37,8 @@ pub struct Options {
     pub step_limit: u64,
     /// Which points to keep.
     pub output: Output,
+    /// Asked after every accepted step whether to go on; it has no influence on the steps themselves.
+    pub poll: Option<Poll>,
 }
 
 impl Default for Options {
@@ -47,7 +53,40 @@ impl Default for Options {
             order: None,
             step_limit: 1_000_000,
             output: Output::Steps { refine: 4 },
+            poll: None,
         }
+    }
+}
+
+/// Who follows a run: told the time, in s, that each accepted step has reached, and answers whether to go on.
+///
+/// Whatever it answers, the steps are the same: a run that it ends has [`Stop::Interrupted`](crate::Stop::Interrupted), and the
+/// solution up to there.
+#[derive(Clone)]
+pub struct Poll(Arc<dyn Fn(f64) -> ControlFlow<()> + Send + Sync>);
+
+impl Poll {
+    /// Of this function.
+    pub fn new(function: impl Fn(f64) -> ControlFlow<()> + Send + Sync + 'static) -> Self {
+        Self(Arc::new(function))
+    }
+
+    /// Whether the run that has reached `t` is to end there.
+    pub(crate) fn ends(poll: Option<&Self>, t: f64) -> bool {
+        poll.is_some_and(|poll| (poll.0)(t).is_break())
+    }
+}
+
+impl fmt::Debug for Poll {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Poll")
+    }
+}
+
+/// The same function, not one that does the same.
+impl PartialEq for Poll {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
     }
 }
 

@@ -5,7 +5,7 @@
 
 use crate::doubt::Doubts;
 use crate::events::Event;
-use crate::options::Options;
+use crate::options::{Options, Poll};
 use crate::pace::{Pace, Verdict};
 use crate::projection::Projector;
 use crate::recorder::Recorder;
@@ -126,6 +126,9 @@ impl<M: Stepper> Run<'_, M> {
             }
             if last {
                 break Stop::End;
+            }
+            if Poll::ends(self.options.poll.as_ref(), self.stepper.span().0) {
+                break Stop::Interrupted;
             }
         };
         // Until a step is accepted, both ends are the start; afterwards `ends` begins with the current state.

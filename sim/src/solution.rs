@@ -133,11 +133,13 @@ pub enum Stop {
     },
     /// The right-hand side (or an event function) has no value, however small the step.
     Failed(Failure),
+    /// Who followed the run ended it.
+    Interrupted,
 }
 
 impl Stop {
     /// A stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`,
-    /// `step-limit`, `not-finite`, `not-converged`, or the code of the [`Failure`], such as `singular`.
+    /// `step-limit`, `not-finite`, `not-converged`, `interrupted`, or the code of the [`Failure`], such as `singular`.
     #[must_use]
     pub fn code(&self) -> String {
         match self {
@@ -149,6 +151,7 @@ impl Stop {
             Self::NotFinite { .. } => "not-finite".to_owned(),
             Self::NotConverged { .. } => "not-converged".to_owned(),
             Self::Failed(failure) => failure.code.to_owned(),
+            Self::Interrupted => "interrupted".to_owned(),
         }
     }
 
@@ -191,6 +194,7 @@ impl fmt::Display for Stop {
                 write!(f, "Newton's method does not solve the equations of the step in {iterations} iterations")
             }
             Self::Failed(failure) => failure.fmt(f),
+            Self::Interrupted => f.write_str("interrupted"),
         }
     }
 }
@@ -285,6 +289,7 @@ mod tests {
             (Stop::NotFinite { component: 0 }, "not-finite", true),
             (Stop::NotConverged { iterations: 9 }, "not-converged", true),
             (Stop::Failed(failure), "singular", true),
+            (Stop::Interrupted, "interrupted", true),
         ] {
             assert_eq!((stop.code().as_str(), stop.is_failure()), (code, failed));
         }

@@ -3,6 +3,7 @@
 //! An error is everywhere the largest over all components of |e| / (1 + |reference|). Absent on purpose: models, and how
 //! a reference was found.
 
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use tripos_traits::{DoubleDouble, Real, Scalar};
@@ -66,18 +67,25 @@ pub fn options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> 
 }
 
 /// Times every job `repeats` times, in turn, so that whatever else the machine does falls on all of them alike.
-/// `after` is told after every single run.
-pub fn interleaved(jobs: &mut [Box<dyn FnMut() + '_>], repeats: usize, mut after: impl FnMut()) -> Vec<Vec<f64>> {
-    let mut times = vec![Vec::with_capacity(repeats); jobs.len()];
+/// `after` is told after every single run, and may end it all: that run does not count then.
+pub fn interleaved(
+    jobs: &mut [Box<dyn FnMut() + '_>],
+    repeats: usize,
+    mut after: impl FnMut() -> ControlFlow<()>,
+) -> Vec<Vec<f64>> {
+    let mut all = vec![Vec::with_capacity(repeats); jobs.len()];
     for _ in 0..repeats {
-        for (job, times) in jobs.iter_mut().zip(&mut times) {
+        for (job, times) in jobs.iter_mut().zip(&mut all) {
             let start = Instant::now();
             job();
-            times.push(start.elapsed().as_secs_f64());
-            after();
+            let seconds = start.elapsed().as_secs_f64();
+            if after().is_break() {
+                return all;
+            }
+            times.push(seconds);
         }
     }
-    times
+    all
 }
 
 /// The points that no other beats in both time and error, by time. Points are (seconds, error); those that are not numbers
@@ -137,7 +145,10 @@ mod tests {
     fn every_job_is_timed_as_often_as_the_others() {
         let (mut first, mut second, mut told) = (0, 0, 0);
         let mut jobs: Vec<Box<dyn FnMut() + '_>> = vec![Box::new(|| first += 1), Box::new(|| second += 1)];
-        let times = interleaved(&mut jobs, 3, || told += 1);
+        let times = interleaved(&mut jobs, 3, || {
+            told += 1;
+            ControlFlow::Continue(())
+        });
         drop(jobs);
         assert_eq!((first, second, told), (3, 3, 6));
         assert!(times.iter().all(|t| t.len() == 3 && t.iter().all(|x| *x >= 0.0)));

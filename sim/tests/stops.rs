@@ -1,7 +1,10 @@
 //! Runs that cannot go on say so, and keep what they have.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{AbsoluteTolerance, Failure, Options, Output, Stop, integrate};
+use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex};
+
+use tripos_sim::{AbsoluteTolerance, Failure, Method, Options, Output, Poll, Stop, integrate};
 
 /// y' = y², y(0) = 1 is 1 / (1 − t): the run must end just before t = 1, with a reason.
 #[test]
@@ -144,5 +147,40 @@ fn spans_of_any_size_are_crossed() {
             let solution = integrate(rhs, (t0, t1), &[0.0], &options, &mut []).unwrap();
             assert_eq!((solution.stop, solution.t_end), (Stop::End, t1));
         }
+    }
+}
+
+/// Goal: who follows a run sees every step, may end it, and changes nothing. Method: the same run with nobody, with one who only looks,
+/// and with one who ends it in the middle.
+#[test]
+fn a_run_that_is_ended_from_outside_keeps_what_it_has() {
+    let rhs = |_t: f64, y: &[f64], dydt: &mut [f64]| {
+        (dydt[0], dydt[1]) = (y[1], -y[0]);
+        Ok(())
+    };
+    let run = |method: Method, poll: Option<Poll>| {
+        let step = (method == Method::Rk4).then_some(0.01);
+        let options = Options { method, step, poll, ..Options::default() };
+        integrate(rhs, (0.0, 10.0), &[1.0, 0.0], &options, &mut []).unwrap()
+    };
+    for method in [Method::Rk4, Method::Ode45, Method::Dop853] {
+        let alone = run(method, None);
+        let seen = Arc::new(Mutex::new(Vec::new()));
+        let list = Arc::clone(&seen);
+        let look = Poll::new(move |t| {
+            list.lock().unwrap().push(t);
+            ControlFlow::Continue(())
+        });
+        assert_eq!(run(method, Some(look)), alone, "{}", method.name());
+        let seen = seen.lock().unwrap();
+        // The end of the span is the end, whoever looks.
+        assert_eq!(seen.len() as u64 + 1, alone.steps);
+        let end = Poll::new(|t| if t > 5.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
+        let ended = run(method, Some(end));
+        assert_eq!(ended.stop, Stop::Interrupted);
+        assert!(ended.stop.is_failure() && ended.to_string().ends_with("rejected): interrupted"), "{ended}");
+        assert_eq!(Some(&ended.t_end), seen.iter().find(|t| **t > 5.0));
+        assert_eq!(ended.y, alone.y[..ended.y.len()], "{}", method.name());
+        assert_eq!((ended.t.last(), ended.y.last()), (Some(&ended.t_end), Some(&ended.y_end)));
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::catalogue::{By, Code, Ready, code};
 use crate::failure::Failure;
+use crate::follow::uninterrupted;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
 use crate::run::refused;
@@ -151,7 +152,8 @@ impl Way {
     ) -> Result<Solution, Failure> {
         match self {
             Self::Steps(..) | Self::Absolute(..) => {
-                problem.integrate_over(span, y0, options, &mut []).map_err(|error| refused(problem.scene, &error))
+                let run = problem.integrate_over(span, y0, options, &mut []);
+                uninterrupted(run.map_err(|error| refused(problem.scene, &error))?)
             }
             Self::Quadrature => {
                 let p = &problem.scene.parameters;

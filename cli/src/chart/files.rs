@@ -3,44 +3,9 @@
 use super::Measurement;
 use super::words::{TARGETS, fastest};
 use crate::failure::Failure;
+use crate::output::table;
 use std::fmt::Write;
 use std::path::Path;
-
-/// A table as a file.
-///
-/// # Errors
-/// [`Failure::Output`] if it cannot be written.
-pub fn table(path: &Path, header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Result<(), Failure> {
-    let failed = |error: csv::Error| {
-        let error = match error.into_kind() {
-            csv::ErrorKind::Io(error) => error,
-            other => std::io::Error::other(format!("{other:?}")),
-        };
-        Failure::Output(path.display().to_string(), error)
-    };
-    let mut writer = csv::Writer::from_path(path).map_err(failed)?;
-    writer.write_record(header).map_err(failed)?;
-    for row in rows {
-        writer.write_record(row).map_err(failed)?;
-    }
-    writer.flush().map_err(|error| Failure::Output(path.display().to_string(), error))
-}
-
-/// A text file, with its folder.
-///
-/// # Errors
-/// [`Failure::Output`] if it cannot be written.
-pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text).map_err(|error| Failure::Output(path.display().to_string(), error))
-}
-
-/// The folder, made if it is not there.
-///
-/// # Errors
-/// [`Failure::Output`] if it cannot be made.
-pub fn folder(path: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(path).map_err(|error| Failure::Output(path.display().to_string(), error))
-}
 
 /// `work_precision.csv`, `times.csv` (the bars of the chart) and `drifts.csv`.
 ///

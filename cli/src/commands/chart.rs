@@ -3,13 +3,18 @@
 use crate::chart::{Plan, figure, files, session};
 use crate::commands::simulate::read_scene;
 use crate::failure::{Failure, print, say, warn};
+use crate::follow;
+use crate::output::{folder, keep_inputs, text};
 use indicatif::{ProgressBar, ProgressStyle};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Measures, and writes the tables and the chart to `out`.
 pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, Failure> {
     let (model, scene) = read_scene(path)?;
-    files::folder(out)?;
+    let names = ["work_precision.csv", "times.csv", "drifts.csv", "work_precision.svg"].map(|name| out.join(name));
+    keep_inputs(&model, Some(&scene), names.iter().map(PathBuf::as_path))?;
+    folder(out)?;
+    follow::listen();
     let bar = progress();
     let session = session::chart(&model, &scene, printed, &Plan::new(quick), &bar)?;
     bar.finish_and_clear();
@@ -19,9 +24,12 @@ pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, 
     for what in &session.left_out {
         warn(&format!("not charted: {what}"));
     }
+    if follow::asked() && session.list.is_empty() {
+        return Err(Failure::Interrupted(String::new()));
+    }
     files::write(out, &session.list, &session.watch.integrals)?;
     let svg = figure::chart(&session.list, session.reference.uncertainty)?;
-    files::text(&out.join("work_precision.svg"), &svg)?;
+    text(&out.join("work_precision.svg"), &svg)?;
     let compared = session.compared.map_or_else(String::new, |said| format!("{said}\n"));
     print(&format!(
         "{}\nreference at t = {} s: {}\n{compared}\n{}\n{}\n",
@@ -31,6 +39,12 @@ pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, 
         files::advice(&session.list),
         out.join("work_precision.svg").display()
     ))?;
+    if follow::asked() {
+        let (count, place) = (session.list.len(), out.display());
+        return Err(Failure::Interrupted(format!(
+            "the tables in {place} are partial, {count} runs measured until then"
+        )));
+    }
     Ok(0)
 }
 

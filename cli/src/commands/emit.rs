@@ -17,6 +17,7 @@ pub fn emit(model: &Path, out: &Path, formulations: &[String]) -> Result<u8, Fai
         PlaceError::Foreign(_) => {
             Failure::Request(error.to_string(), "give another folder, or move the file away".to_owned())
         }
+        PlaceError::Write(error) => error.into(),
         PlaceError::Io(path, error) => Failure::Output(path.display().to_string(), error),
     })?;
     let lines: Vec<String> = placed.iter().map(|file| format!("{file}\n")).collect();

@@ -4,18 +4,19 @@ mod changes;
 mod python;
 mod reference;
 
-use crate::catalogue::workspace_root;
+use crate::catalogue::workspace_here;
 use crate::failure::{Failure, print, status};
 use changes::equation_changes;
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tripos_codegen::workspace::{Difference, Freshness, freshness, write};
 
 /// Says what differs; exit status 1 if anything does.
 pub fn check() -> Result<u8, Failure> {
-    let (found, committed) = look()?;
+    let root = workspace_here()?;
+    let (found, committed) = look(&root)?;
     print(&summary(&found, &committed))?;
-    let references = reference::check(&workspace_root(), &sound(&found));
+    let references = reference::check(&root, &sound(&found));
     for line in &references {
         print(&format!("{line}\n"))?;
     }
@@ -25,11 +26,12 @@ pub fn check() -> Result<u8, Failure> {
 
 /// Writes what differs, and says what changed in the equations; then renews the references, exit status 1 if one disagrees.
 pub fn regenerate() -> Result<u8, Failure> {
-    let (found, committed) = look()?;
+    let root = workspace_here()?;
+    let (found, committed) = look(&root)?;
     let text = summary(&found, &committed);
-    write(&found, &committed).map_err(|error| Failure::Output(committed.display().to_string(), error))?;
+    write(&found, &committed)?;
     print(&text)?;
-    let answer = reference::renew(&workspace_root(), &sound(&found))?;
+    let answer = reference::renew(&root, &sound(&found))?;
     complain(&found)?;
     Ok(answer)
 }
@@ -40,8 +42,7 @@ fn sound(found: &Freshness) -> Vec<String> {
     found.generated.models.iter().filter(|name| !is_broken(name)).cloned().collect()
 }
 
-fn look() -> Result<(Freshness, std::path::PathBuf), Failure> {
-    let root = workspace_root();
+fn look(root: &Path) -> Result<(Freshness, PathBuf), Failure> {
     let committed = root.join("generated/src");
     let found = freshness(&root.join("models"), &committed).map_err(|error| {
         Failure::Request(

@@ -1,22 +1,30 @@
 //! `tripos report`: the main job. Derive, run every scene by every formulation, write one page.
 
+mod drawn;
 mod measured;
 mod own;
+mod rows;
 
-use crate::catalogue::{By, Code, Ready, code, model_file, read_model};
+use crate::catalogue::{By, Code, Ready, code, current_folder, model_file, read_model, workspace_around};
 use crate::chart::compared::Compared;
 use crate::commands::chart::progress;
 use crate::failure::{Failure, say, status, warn};
 use crate::figures::{self, Curve};
+use crate::follow;
 use crate::invariants::{Course, Watch};
-use crate::page::{self, Figure, Nearest, Page, RunRow, SceneSection};
-use crate::plot::{self, Panel};
-use crate::run::{Run, how, run_code, state_names};
+use crate::output::{folder, keep_inputs, text};
+use crate::page::{self, Page, RunRow, SceneSection};
+use crate::plot::Panel;
+use crate::run::{Run, run_code};
 use crate::study::{Printed, Study};
+use drawn::{Drawn, drawing, folder_of};
 use indicatif::ProgressBar;
 use measured::Measured;
 use own::{Own, shown};
+use rows::{UNWATCHED, facts, own_row, row, title};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use tripos_codegen::scene_files::{is_same, scene_files};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
 use tripos_derive::scene::{FigureKind, QUADRATURE, Scene, Solve, load, model_path};
@@ -30,9 +38,16 @@ const MOST_PRINTED_STEPS: u64 = 10_000;
 const MOST_PRINTED_CURVES: usize = 5;
 
 /// Writes the page of a model.
-pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
-    let mut model = read_model(argument)?;
-    let (scenes, mut broken) = scenes(&model_file(argument), &mut model)?;
+pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
+    let argument = argument.map_or_else(usual_model, |given| Ok(given.to_owned()))?;
+    let mut model = read_model(&argument)?;
+    let (scenes, mut broken) = scenes(&model_file(&argument), &mut model)?;
+    let page = out.join("index.html");
+    keep_inputs(&model, None, [page.as_path()])?;
+    for scene in &scenes {
+        keep_inputs(&model, Some(scene), [page.as_path()])?;
+    }
+    follow::listen();
     let bar = progress();
     let figures: usize = scenes.iter().map(|scene| scene.figures.len()).sum();
     bar.set_length((Formulation::ALL.len() * (1 + scenes.len()) + figures) as u64 + 2);
@@ -41,62 +56,53 @@ pub fn report(argument: &Path, out: &Path) -> Result<u8, Failure> {
     let (study, broken_report) = Study::new(&model)?;
     broken.extend(broken_report);
     bar.inc(1);
-    let mut derived = Vec::new();
-    for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
-        let by = By::from(*f);
-        let code = code(&model, &by, None, Ready::Solved)?;
-        derived.push((by, code));
-    }
-    let work = Work {
-        model: &model,
-        study: &study,
-        watch: Watch::new(&model, &study.derivations.kinematics.arena, &study.proof.integrals)?,
-        derived,
-        printed: study.printed(&model)?,
-    };
-    let (mut doubts, mut stopped) = (Vec::new(), false);
-    let mut sections = Vec::new();
-    for scene in &scenes {
-        let runs = work.runs(scene, &bar)?;
-        let own = runs.own.iter().map(|own| &own.run);
-        for run in runs.derived.iter().map(|(run, _)| run).chain(own) {
-            let place = format!("{} by {}", scene.source.path.display(), run.by.name);
-            stopped |= run.failure().is_some();
-            doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
-        }
-        let section = work.section(scene, runs, out, &bar)?;
-        let path = scene.source.path.display();
-        doubts.extend(section.not_drawn.iter().map(|why| format!("{path}: {why}")));
-        sections.push(section);
-    }
+    let work = Work::new(&model, &study, &derivations)?;
+    let done = work.scenes(&scenes, out, &bar)?;
+    let (there, all) = (done.sections.len(), scenes.len());
+    let unfinished = (there < all).then(|| format!("it was interrupted after {there} of {all} scenes"));
     let command = format!("tripos report {}", argument.display());
-    let html = page::render(&Page { model: &model, derivations, study: &study, scenes: sections, command });
-    let path = write(out, &html)?;
+    let html = page::render(&Page {
+        model: &model,
+        derivations,
+        study: &study,
+        scenes: done.sections,
+        unfinished: unfinished.clone(),
+        command,
+    });
+    folder(out)?;
+    text(&page, &html)?;
     bar.finish_and_clear();
-    for line in &doubts {
+    for line in &done.doubts {
         warn(line);
     }
-    say(&path.display().to_string());
+    say(&page.display().to_string());
+    if let Some(unfinished) = unfinished {
+        return Err(Failure::Interrupted(format!("the page is partial: {unfinished}")));
+    }
     if !broken.is_empty() {
         return Err(Failure::Inputs(broken));
     }
-    Ok(if stopped { status::STOPPED } else { 0 })
+    Ok(if done.stopped { status::STOPPED } else { 0 })
 }
 
-/// The scenes beside a model file, by name; those with errors apart.
+/// The model of a workspace whose page is the main job.
+fn usual_model() -> Result<PathBuf, Failure> {
+    let here = current_folder()?;
+    let root = workspace_around(&here).ok_or_else(|| {
+        let what = format!("no model is given, and `{}` is in no workspace that has one", here.display());
+        let help = "give a model file, or a folder that holds `model.toml`, as in `tripos report FOLDER`".to_owned();
+        Failure::Request(what, help)
+    })?;
+    let model = root.join("models/disk");
+    Ok(model.strip_prefix(&here).map_or_else(|_| model.clone(), Path::to_owned))
+}
+
+/// The scenes of a model file; those with errors apart.
 fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagnostics>), Failure> {
-    let folder = model_file.parent().unwrap_or(Path::new(".")).join("scenes");
-    let mut files: Vec<PathBuf> = match std::fs::read_dir(&folder) {
-        Ok(entries) => entries.filter_map(|e| e.ok().map(|e| e.path())).collect(),
-        Err(_) => Vec::new(),
-    };
-    files.retain(|path| path.extension().is_some_and(|e| e == "toml"));
-    // By stem, so that report.toml comes before report-10s.toml.
-    files.sort_by_key(|path| path.file_stem().map(std::ffi::OsStr::to_owned));
     let (mut scenes, mut broken) = (Vec::new(), Vec::new());
-    for file in files {
+    for file in scene_files(model_file) {
         let scene = Source::read(&file).and_then(|source| {
-            if !same_file(&model_path(&source)?, model_file) {
+            if !is_same(&model_path(&source)?, model_file) {
                 let message = format!("this scene is of another model than {}", model_file.display());
                 let help = "move it to the scenes of its own model, or leave its `model` out";
                 return Err(Diagnostics::new(source, vec![Diagnostic::of_file(message, help)]));
@@ -112,13 +118,6 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
         return Err(Failure::Inputs(broken));
     }
     Ok((scenes, broken))
-}
-
-fn same_file(a: &Path, b: &Path) -> bool {
-    match (a.canonicalize(), b.canonicalize()) {
-        (Ok(a), Ok(b)) => a == b,
-        _ => false,
-    }
 }
 
 type Derivations = Vec<(Formulation, Result<DerivationInSteps, String>)>;
@@ -156,7 +155,60 @@ struct Runs {
     not_run: Vec<(String, String)>,
 }
 
-impl Work<'_> {
+/// What became of the scenes: those that were finished.
+#[derive(Default)]
+struct Done {
+    sections: Vec<SceneSection>,
+    /// What to know of their runs, a line each.
+    doubts: Vec<String>,
+    /// Whether a run could not go on.
+    stopped: bool,
+}
+
+impl<'a> Work<'a> {
+    /// Derived equations, ready to run, and the printed ones.
+    fn new(model: &'a Model, study: &'a Study, derivations: &Derivations) -> Result<Self, Failure> {
+        let mut derived = Vec::new();
+        for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
+            let by = By::from(*f);
+            let code = code(model, &by, None, Ready::Solved)?;
+            derived.push((by, code));
+        }
+        let watch = Watch::new(model, &study.derivations.kinematics.arena, &study.proof.integrals)?;
+        Ok(Self { model, study, watch, derived, printed: study.printed(model)? })
+    }
+
+    /// Runs every scene and draws its figures, until somebody interrupts: a scene that is not finished is left out.
+    fn scenes(&self, scenes: &[Scene], out: &Path, bar: &ProgressBar) -> Result<Done, Failure> {
+        let mut done = Done::default();
+        for scene in scenes {
+            let runs = self.runs(scene, bar);
+            if follow::asked() {
+                // Runs that were cut short are not shown, nor written to tables.
+                break;
+            }
+            let runs = runs?;
+            let (mut doubts, mut stopped) = (Vec::new(), false);
+            let own = runs.own.iter().map(|own| &own.run);
+            for run in runs.derived.iter().map(|(run, _)| run).chain(own) {
+                let place = format!("{} by {}", scene.source.path.display(), run.by.name);
+                stopped |= run.failure().is_some();
+                doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
+            }
+            let section = self.section(scene, runs, out, bar);
+            if follow::asked() {
+                break;
+            }
+            let section = section?;
+            let path = scene.source.path.display();
+            doubts.extend(section.not_drawn.iter().map(|why| format!("{path}: {why}")));
+            done.sections.push(section);
+            done.doubts.extend(doubts);
+            done.stopped |= stopped;
+        }
+        Ok(done)
+    }
+
     /// Runs everything. Printed equations may fail as they like: that is shown, and nothing else comes of it.
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
         let message = |by: &By| format!("running {} by {}", scene.source.path.display(), by.name);
@@ -251,16 +303,19 @@ impl Work<'_> {
     }
 
     fn section(&self, scene: &Scene, runs: Runs, out: &Path, bar: &ProgressBar) -> Result<SceneSection, Failure> {
-        let mut measured = Measured::new(self.model, scene, out);
+        let folder = folder_of(self.model, scene);
+        let mut measured = Measured::new(self.model, scene, out, folder.clone());
+        let mut drawn = Drawn { out, folder, names: BTreeMap::new() };
         let mut shown = Vec::new();
         for figure in &scene.figures {
             let (kind, caption) = (figure.kind, figure.caption.as_str());
             bar.set_message(format!("{} of {}", kind.name(), scene.source.path.display()));
             shown.extend(match kind {
                 FigureKind::Energy => {
-                    Some(drawing(caption, &[figures::energy(&curves(&runs, |own| own.has_energy))], 1)?)
+                    let panel = figures::energy(&curves(&runs, |own| own.has_energy));
+                    Some(drawn.figure(kind.name(), caption, &[panel], 1)?)
                 }
-                FigureKind::States => Some(drawing(caption, &self.states(scene, &runs), 2)?),
+                FigureKind::States => Some(drawn.figure(kind.name(), caption, &self.states(scene, &runs), 2)?),
                 _ => measured.figure(kind, caption)?,
             });
             bar.inc(1);
@@ -305,88 +360,4 @@ fn curves(runs: &Runs, shows: impl Fn(&Own) -> bool) -> Vec<Curve<'_>> {
     let own = runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&UNWATCHED)));
     let derived = runs.derived.iter().map(|(run, course)| (run, course));
     derived.chain(own).map(|(run, course)| Curve { run, course, style: figures::style(&run.by) }).collect()
-}
-
-/// The course of a run along which nothing was watched.
-static UNWATCHED: Course = Course {
-    t: Vec::new(),
-    integrals: Vec::new(),
-    determinant: Vec::new(),
-    condition: Vec::new(),
-    divisors: Vec::new(),
-};
-
-fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
-    let svg = plot::draw(panels, columns)
-        .map_err(|error| Failure::Stopped(format!("the figure `{caption}` cannot be drawn: {error}")))?;
-    Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
-}
-
-/// The title of a scene; without one, its file's name.
-fn title(scene: &Scene) -> String {
-    let stem = || scene.source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
-    if scene.title.is_empty() { stem() } else { scene.title.clone() }
-}
-
-fn facts(model: &Model, scene: &Scene) -> Vec<(String, String)> {
-    let pairs = |names: Vec<String>, values: &[f64]| {
-        let list = names.iter().zip(values).map(|(name, x)| format!("{name} = {x}"));
-        list.collect::<Vec<_>>().join(", ")
-    };
-    let parameters = model.parameters.iter().map(|p| p.name.clone()).collect();
-    let start = [scene.q.as_slice(), &scene.u].concat();
-    let mut facts = vec![
-        ("Parameters".to_owned(), pairs(parameters, &scene.parameters)),
-        ("Start".to_owned(), pairs(state_names(model), &start)),
-        ("Span".to_owned(), format!("{} s to {} s", scene.span.0, scene.span.1)),
-        ("Integration".to_owned(), how(scene)),
-        ("Domain".to_owned(), model.domain.iter().map(|c| c.text.clone()).collect::<Vec<_>>().join(", ")),
-    ];
-    facts.retain(|(_, value)| !value.is_empty());
-    facts
-}
-
-fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
-    let solution = &run.solution;
-    RunRow {
-        title: run.by.title.clone(),
-        printed: run.by.name.strip_prefix("printed:").map(str::to_owned),
-        method: scene.integration.method.clone(),
-        code: run.code.to_owned(),
-        steps: solution.steps,
-        rejected: solution.rejected,
-        evaluations: solution.evaluations,
-        t_end: solution.t_end,
-        arrived: solution.stop.code() == "end",
-        stop: solution.stop.to_string(),
-        trusted: run.objections().is_empty(),
-        energy_drift: run.energy_drift,
-        warnings: run.warnings.clone(),
-        changes: course.largest_changes(),
-        nearest: Nearest {
-            determinant: range(&course.determinant),
-            relative: course.least(&course.relative_determinant()),
-            condition: course.least(&course.condition),
-            divisors: course.divisors.iter().map(|values| course.least(values)).collect(),
-        },
-    }
-}
-
-/// The row of the scene's own equations.
-fn own_row(scene: &Scene, own: &Own) -> RunRow {
-    let row = row(scene, &own.run, own.course.as_ref().unwrap_or(&UNWATCHED));
-    RunRow { energy_drift: row.energy_drift.filter(|_| own.has_energy), ..row }
-}
-
-fn range(values: &[f64]) -> Option<(f64, f64)> {
-    let numbers = || values.iter().copied().filter(|x| !x.is_nan());
-    Some((numbers().min_by(f64::total_cmp)?, numbers().max_by(f64::total_cmp)?))
-}
-
-fn write(out: &Path, html: &str) -> Result<PathBuf, Failure> {
-    let path = out.join("index.html");
-    let failed = |error| Failure::Output(path.display().to_string(), error);
-    std::fs::create_dir_all(out).map_err(failed)?;
-    std::fs::write(&path, html).map_err(failed)?;
-    Ok(path)
 }

@@ -3,6 +3,8 @@
 use crate::Simulate;
 use crate::catalogue::{by_or_first, read_model, short_name};
 use crate::failure::{Failure, print, print_json, say, status, warn};
+use crate::follow;
+use crate::output::{keep_inputs, table};
 use crate::run::{Run, how, run, run_reduced};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -10,11 +12,15 @@ use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{Scene, Solve, load, model_path};
+use tripos_sim::Stop;
 
 /// Runs the scene and prints how it ended.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let (model, mut scene) = read_scene(&request.scene)?;
     request.how.change(&mut scene)?;
+    if let Some(path) = &request.csv {
+        check_csv(path, request.overwrite, &model, &scene)?;
+    }
     // A numeric solve is one of whole equations.
     let numeric = scene.integration.solve == Some(Solve::Numeric);
     let by = request.how.by.as_deref().filter(|by| *by != "reduced");
@@ -24,7 +30,10 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
             "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown",
         );
     }
+    follow::listen();
+    follow::show(scene.span);
     let run = if whole { run(&model, &scene, &by_or_first(&model, by)?)? } else { run_reduced(&model, &scene)? };
+    follow::hide();
     for warning in &run.warnings {
         warn(warning);
     }
@@ -41,7 +50,11 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     if let Some(path) = &request.csv {
         write_csv(path, &run)?;
     }
-    Ok(if failure.is_some() { status::STOPPED } else { 0 })
+    Ok(match &run.solution.stop {
+        Stop::Interrupted => status::INTERRUPTED,
+        _ if failure.is_some() => status::STOPPED,
+        _ => 0,
+    })
 }
 
 /// A scene and the model it belongs to.
@@ -137,22 +150,24 @@ fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
 }
 
 fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
-    let failed = |error: csv::Error| {
-        let error = match error.into_kind() {
-            csv::ErrorKind::Io(error) => error,
-            other => std::io::Error::other(format!("{other:?}")),
-        };
-        Failure::Output(path.display().to_string(), error)
-    };
-    let mut writer = csv::Writer::from_path(path).map_err(failed)?;
-    let header = ["t".to_owned()].into_iter().chain(run.names.iter().cloned());
     // A scene that shows outputs of its own shows no energies beside them.
     let energies = ["kinetic_energy", "potential_energy"].into_iter().filter(|_| !run.energies.is_empty());
-    writer.write_record(header.chain(energies.map(str::to_owned))).map_err(failed)?;
-    for (at, (t, state)) in run.solution.t.iter().zip(&run.states).enumerate() {
+    let header: Vec<String> =
+        ["t"].into_iter().chain(run.names.iter().map(String::as_str)).chain(energies).map(str::to_owned).collect();
+    let rows = run.solution.t.iter().zip(&run.states).enumerate().map(|(at, (t, state))| {
         let energies = run.energies.get(at).into_iter().flat_map(|(kinetic, potential)| [*kinetic, *potential]);
-        let numbers = [*t].into_iter().chain(state.iter().copied()).chain(energies);
-        writer.write_record(numbers.map(|x| x.to_string())).map_err(failed)?;
+        [*t].into_iter().chain(state.iter().copied()).chain(energies).map(|x| x.to_string()).collect()
+    });
+    table(path, &header, rows)
+}
+
+/// Refuses to write samples over what is read, or over what looks like no table of samples.
+fn check_csv(path: &Path, overwrite: bool, model: &Model, scene: &Scene) -> Result<(), Failure> {
+    keep_inputs(model, Some(scene), [path])?;
+    let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
+    if path.is_file() && !is_table && !overwrite && !path.starts_with("/dev") {
+        let what = format!("`{}` is there already, and its name does not end in `.csv`", path.display());
+        return Err(Failure::Request(what, "give another --csv, or --overwrite to replace it".to_owned()));
     }
-    writer.flush().map_err(|error| Failure::Output(path.display().to_string(), error))
+    Ok(())
 }

@@ -1,20 +1,27 @@
 //! `tripos stability`: where runs of a scene give way.
 
-use crate::chart::files::folder;
 use crate::commands::chart::progress;
 use crate::commands::simulate::read_scene;
 use crate::failure::{Failure, print};
+use crate::follow;
+use crate::output::{folder, keep_inputs};
 use crate::stability::{Study, all};
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Runs every study that applies to the scene, and writes its numbers and figures to `out`.
 pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
     let (model, scene) = read_scene(path)?;
+    let files = ["stability.csv", "passages.csv"].map(|name| out.join(name));
+    keep_inputs(&model, Some(&scene), files.iter().map(PathBuf::as_path))?;
     folder(out)?;
+    follow::listen();
     let bar = progress();
     let findings = all(&Study { model: &model, scene: &scene, quick, bar: &bar })?;
     bar.finish_and_clear();
+    if findings.unfinished.is_some() && findings.rows.is_empty() {
+        return Err(Failure::Interrupted(String::new()));
+    }
     findings.write(out)?;
     let scene_title = if scene.title.is_empty() { String::new() } else { format!(", {}", scene.title) };
     let mut text = format!("{}{scene_title}\n\n", model.title);
@@ -26,5 +33,11 @@ pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
         let _ = writeln!(text, "{}", out.join(name).display());
     }
     print(&text)?;
+    if let Some(name) = findings.unfinished {
+        return Err(Failure::Interrupted(format!(
+            "{} is partial: the study of {name} was not finished",
+            out.display()
+        )));
+    }
     Ok(0)
 }

@@ -4,13 +4,16 @@ use super::simulate::read_scene;
 use crate::Sweep as Request;
 use crate::catalogue::{by_or_first, short_name};
 use crate::failure::{Failure, print_json, say, status};
+use crate::follow;
+use crate::output::{Rows, keep_inputs};
 use crate::run::how;
-use crate::sweep::{Columns, Row, Shard, Sweep, Table, Tally, in_order};
+use crate::sweep::{Columns, Row, Shard, Sweep, Tally, in_order};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::num::NonZero;
 use std::ops::Range;
 use std::time::{Duration, Instant};
+use tripos_codegen::files::Existing;
 use tripos_derive::scene::Grid;
 
 /// More threads than this are a slip of the pen.
@@ -19,13 +22,16 @@ const MOST_THREADS: usize = 4096;
 /// Runs the points of a shard, writes a row for each, and says how they ended.
 pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let (mut model, mut scene) = read_scene(&request.scene)?;
+    keep_inputs(&model, Some(&scene), [request.out.as_path()])?;
     let grid = Grid::read(&request.over, &scene, &mut model).map_err(Failure::Inputs)?;
     let shard = Shard::read(&request.shard)?;
     let threads = threads(request.threads)?;
     request.how.change(&mut scene)?;
     let by = by_or_first(&model, request.how.by.as_deref())?;
     let sweep = Sweep::new(&model, &scene, &grid, &by, &request.how)?;
-    let mut table = Table::create(&request.out, request.overwrite)?;
+    let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
+    let mut table = Rows::create(&request.out, existing)?;
+    follow::listen();
     let points = shard.points(grid.count());
     let begun = Instant::now();
     let tally = run(&sweep, points.clone(), threads, &mut table)?;
@@ -76,7 +82,7 @@ fn extent(shard: Shard, points: &Range<u64>, grid: &Grid, threads: usize, second
 }
 
 /// Runs points and adds their rows to the table.
-fn run(sweep: &Sweep<'_>, points: Range<u64>, threads: usize, table: &mut Table) -> Result<Tally, Failure> {
+fn run(sweep: &Sweep<'_>, points: Range<u64>, threads: usize, table: &mut Rows) -> Result<Tally, Failure> {
     let columns = Columns::new(sweep);
     table.add(&columns.header())?;
     let count = points.end - points.start;
@@ -84,7 +90,7 @@ fn run(sweep: &Sweep<'_>, points: Range<u64>, threads: usize, table: &mut Table)
     let workers = (0..threads).map(|_| sweep.worker()).collect::<Result<Vec<_>, Failure>>()?;
     let bar = progress(count);
     let done = || bar.inc(1);
-    let mut tally = Tally::default();
+    let (mut tally, mut done_rows) = (Tally::default(), 0);
     let outcome = in_order(
         points,
         workers,
@@ -98,7 +104,13 @@ fn run(sweep: &Sweep<'_>, points: Range<u64>, threads: usize, table: &mut Table)
             for row in &rows {
                 tally.add(row);
             }
-            table.add(&lines)
+            table.add(&lines)?;
+            done_rows += rows.len() as u64;
+            if follow::asked() && done_rows < count {
+                let place = table.place().display();
+                return Err(Failure::Interrupted(format!("the first {done_rows} of {count} rows are in {place}")));
+            }
+            Ok(())
         },
     );
     bar.finish_and_clear();

@@ -138,7 +138,7 @@ fn page_of(model: &Model) -> String {
     let (study, broken) = Study::new(model).unwrap();
     assert!(broken.is_none(), "{}", broken.unwrap());
     let command = "tripos report <x>".to_owned();
-    render(&Page { model, derivations, study: &study, scenes: vec![scene()], command })
+    render(&Page { model, derivations, study: &study, scenes: vec![scene()], unfinished: None, command })
 }
 
 /// A report of the pendulum: an error, a factor, a system whose gravity is wrong, a system that mentions the state alone.
@@ -259,7 +259,14 @@ fn a_scene_shows_what_it_needs_or_why_not() {
     );
     let (study, _) = Study::new(&model).unwrap();
     let scenes = vec![SceneSection { needs: Err("u1 is <odd>".to_owned()), ..scene() }];
-    let page = render(&Page { model: &model, derivations: Vec::new(), study: &study, scenes, command: String::new() });
+    let page = render(&Page {
+        model: &model,
+        derivations: Vec::new(),
+        study: &study,
+        scenes,
+        unfinished: None,
+        command: String::new(),
+    });
     assert!(page.contains("The scene has no equations of its own: u1 is &lt;odd&gt;."), "{page}");
 }
 
@@ -276,6 +283,7 @@ fn a_run_without_integrals_is_left_out_of_their_table() {
         derivations: Vec::new(),
         study: &study,
         scenes: vec![section],
+        unfinished: None,
         command: String::new(),
     });
     let changes = part(&page, "Largest |I(t)", "</table>");

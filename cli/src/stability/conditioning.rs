@@ -6,6 +6,7 @@ use crate::catalogue::{Code, Ready, code, compiled_code, tape};
 use crate::chart::case::{Case, whole};
 use crate::chart::figure::failed;
 use crate::failure::Failure;
+use crate::follow::uninterrupted;
 use crate::plot::{Panel, Scale, Series, draw};
 use crate::problem::Problem;
 use crate::run::refused;
@@ -97,7 +98,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
         output: Output::Steps { refine: 50 },
         ..Options::default()
     };
-    let run = problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?;
+    let run = uninterrupted(problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?)?;
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(Vec::new()) };
     let inputs = [model.p(), model.q()].concat();
     let tape = tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;

@@ -3,6 +3,7 @@
 use super::{Findings, Row, Study};
 use crate::catalogue::{By, Ready, code};
 use crate::failure::Failure;
+use crate::follow::uninterrupted;
 use crate::problem::Problem;
 use crate::run::{Balance, events, options, refused};
 use tripos_derive::Formulation;
@@ -35,7 +36,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
             };
             let y0 = problem.start()?;
             let mut watched = events(&problem, &balance);
-            let run = problem.integrate(&y0, &tight, &mut watched).map_err(|e| refused(study.scene, &e))?;
+            let run =
+                uninterrupted(problem.integrate(&y0, &tight, &mut watched).map_err(|e| refused(study.scene, &e))?)?;
             drop(watched);
             let row = |quantity, value, remark: String| Row {
                 check: "domain",
@@ -55,7 +57,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
                 continue;
             }
             findings.rows.push(row("left at", run.t_end, run.stop.code()));
-            let through = problem.integrate(&y0, &tight, &mut []).map_err(|e| refused(study.scene, &e))?;
+            let through =
+                uninterrupted(problem.integrate(&y0, &tight, &mut []).map_err(|e| refused(study.scene, &e))?)?;
             let dynamics = problem.dynamics().map_err(|e| refused(study.scene, &e))?;
             let drift = dynamics.energy_drift(&through);
             let unseen = Row { case: "without it".to_owned(), ..row("energy drift", drift, through.stop.code()) };

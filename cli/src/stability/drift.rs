@@ -4,6 +4,7 @@ use super::{Findings, Row, Study};
 use crate::catalogue::{By, Ready, code};
 use crate::chart::figure::failed;
 use crate::failure::Failure;
+use crate::follow::uninterrupted;
 use crate::invariants::Watch;
 use crate::plot::{Panel, Scale, Series, draw};
 use crate::problem::{Problem, instants};
@@ -60,7 +61,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
                 output: Output::At(samples.clone()),
                 ..Options::default()
             };
-            let run = problem.integrate_over(long, &y0, &options, &mut []).map_err(|e| refused(scene, &e))?;
+            let run =
+                uninterrupted(problem.integrate_over(long, &y0, &options, &mut []).map_err(|e| refused(scene, &e))?)?;
             let drifts = watch.course(&problem, &run, energy);
             let trend = trend(&drifts);
             let largest = drifts.iter().map(|x| x.abs()).fold(0.0, larger);
@@ -124,7 +126,7 @@ fn below_rounding(
             output: Output::Ends,
             ..Options::default()
         };
-        let run = problem.integrate(y0, &options, &mut []).map_err(|e| refused(study.scene, &e))?;
+        let run = uninterrupted(problem.integrate(y0, &options, &mut []).map_err(|e| refused(study.scene, &e))?)?;
         let said: Vec<String> = run.warnings.iter().map(ToString::to_string).collect();
         findings.rows.push(Row {
             check: "tolerance below rounding",

@@ -4,6 +4,7 @@ use super::{Findings, Row, Study};
 use crate::catalogue::{By, Ready, code};
 use crate::chart::figure::failed;
 use crate::failure::Failure;
+use crate::follow::{followed, uninterrupted};
 use crate::plot::{Panel, Scale, Series, draw};
 use crate::problem::{Problem, instants};
 use crate::reference::Reference;
@@ -27,7 +28,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     let Some(mut rhs) = Eliminated::new(problem.system(), &scene.parameters) else { return Ok(()) };
     let y0 = problem.start()?;
     let follow = Options { method: Method::Dop853, rtol: 1e-8, step_limit: 200_000, ..Options::default() };
-    let found = growth(&mut rhs, scene.span, &y0, &vec![1.0; y0.len()], &follow).map_err(|e| refused(scene, &e))?;
+    let found =
+        growth(&mut rhs, scene.span, &y0, &vec![1.0; y0.len()], &followed(&follow)).map_err(|e| refused(scene, &e))?;
     let (from, to) = scene.span;
     let times = instants(scene.span, INSTANTS)[1..].to_vec();
     let reference = Reference::new(model, scene, &times)?;
@@ -58,7 +60,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
             output: Output::At(times.clone()),
             ..Options::default()
         };
-        let run = problem.integrate(&y0, &options, &mut []).map_err(|e| refused(scene, &e))?;
+        let run = uninterrupted(problem.integrate(&y0, &options, &mut []).map_err(|e| refused(scene, &e))?)?;
         let errors: Vec<(f64, f64)> = run
             .t
             .iter()

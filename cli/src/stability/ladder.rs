@@ -6,6 +6,7 @@ use crate::chart::case::{Case, Way, own, whole};
 use crate::chart::compared::Compared;
 use crate::chart::figure::failed;
 use crate::failure::Failure;
+use crate::follow::{self, uninterrupted};
 use crate::plot::{Cell, HeatMap, draw_heat};
 use crate::problem::Problem;
 use crate::reference::Reference;
@@ -50,7 +51,7 @@ pub fn passage(model: &Model, scene: &Scene) -> Result<Option<Passage>, Failure>
     let inputs = [model.p(), model.q()].concat();
     let tape = tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;
     let options = Options { output: Output::Steps { refine: 20 }, ..options(Method::Dop853, 1e-12, 1.0, 1_000_000) };
-    let run = problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?;
+    let run = uninterrupted(problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?)?;
     let values: Vec<f64> =
         run.y.iter().map(|y| tape.evaluate(&[scene.parameters.clone(), problem.coordinates(y)].concat())[0]).collect();
     // A motion that goes through the surface does not pass by it.
@@ -198,7 +199,7 @@ fn cell(
                 (stop, solution.t_end)
             }
             // Quadrature does not give every motion.
-            Err(_) if way == Way::Quadrature => (Some("no-quadrature".to_owned()), t),
+            Err(_) if way == Way::Quadrature && !follow::asked() => (Some("no-quadrature".to_owned()), t),
             Err(failure) => return Err(failure),
         };
         if let Some(stop) = stop {

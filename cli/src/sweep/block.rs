@@ -5,6 +5,7 @@ use super::row::{Ended, Row};
 use crate::How;
 use crate::catalogue::{By, Code, Ready, code};
 use crate::failure::{Failure, warn};
+use crate::follow;
 use crate::invariants::Watch;
 use crate::problem::Problem;
 use crate::run::{Balance, events, options_of_ends, proved, refused};
@@ -145,6 +146,10 @@ impl Worker<'_> {
                 break;
             }
             let outcome = scene.and_then(|scene| self.run(&scene, solution));
+            if follow::asked() {
+                // Its run may have been cut short.
+                break;
+            }
             rows.push(Row { point, values, outcome: outcome.map_err(|failure| reason(&failure)) });
             done();
         }

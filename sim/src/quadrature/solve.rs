@@ -5,7 +5,7 @@ use tripos_traits::System;
 use super::{NoQuadrature, OneDegree};
 use crate::error::SimError;
 use crate::events::Event;
-use crate::options::{self, Options};
+use crate::options::{self, Options, Poll};
 use crate::recorder::Recorder;
 use crate::solution::{Output, Solution, Stop};
 use crate::stepper::{DenseStep, Interpolant, same};
@@ -108,6 +108,9 @@ impl Run<'_> {
             self.y_end.copy_from_slice(&step.ends.1);
             if same(to, span.1) {
                 return Stop::End;
+            }
+            if Poll::ends(options.poll.as_ref(), to) {
+                return Stop::Interrupted;
             }
         }
     }

@@ -87,9 +87,9 @@ fn record(reference: &Source, count: usize) -> Outcome {
     if std::fs::read(&reference.path).is_ok_and(|old| old == reference.text.as_bytes()) {
         return Outcome::Unchanged(count);
     }
-    match std::fs::write(&reference.path, &reference.text) {
+    match tripos_codegen::files::write(&reference.path, &reference.text) {
         Ok(()) => Outcome::Recorded(count),
-        Err(error) => Outcome::Refused(format!("cannot write `{}`: {error}", reference.path.display())),
+        Err(error) => Outcome::Refused(error.to_string()),
     }
 }
 

@@ -5,6 +5,7 @@
 use crate::chart::words::{TARGETS, caption, fastest, lead};
 use crate::chart::{Plan, figure, files, session};
 use crate::failure::Failure;
+use crate::output::folder as make;
 use crate::page::{Advice, Choice, Figure};
 use crate::stability::{Findings, Run, Study, conditioning, ladder, words};
 use indicatif::ProgressBar;
@@ -28,8 +29,7 @@ pub struct Measured<'a> {
 
 impl<'a> Measured<'a> {
     /// Nothing is measured yet.
-    pub fn new(model: &'a Model, scene: &'a Scene, out: &'a Path) -> Self {
-        let folder = PathBuf::from(scene.source.path.file_stem().unwrap_or_default());
+    pub fn new(model: &'a Model, scene: &'a Scene, out: &'a Path, folder: PathBuf) -> Self {
         Self { model, scene, out, folder, findings: Findings::default(), advice: None, not_drawn: Vec::new() }
     }
 
@@ -59,7 +59,7 @@ impl<'a> Measured<'a> {
     /// Where a table goes, and how the page links to it.
     fn table(&self, name: &str) -> Result<(PathBuf, String), Failure> {
         let folder = self.out.join(&self.folder);
-        files::folder(&folder)?;
+        make(&folder)?;
         Ok((folder, format!("{}/{name}", self.folder.display())))
     }
 

@@ -1,0 +1,76 @@
+//! Figures of a scene's runs: states and energies, drawn, with what they plot beside the page.
+//!
+//! Invariant: a row of the table is a point that was given to the plot, so that the two cannot differ.
+
+use crate::failure::Failure;
+use crate::output::{folder, table, text};
+use crate::page::Figure;
+use crate::plot::{Panel, draw};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use tripos_codegen::scene_files::name_beside;
+use tripos_derive::Model;
+use tripos_derive::scene::Scene;
+
+/// The folder of a scene's tables, as seen from the page: that of its name. A scene beside the model gives way to one in `scenes/`.
+pub fn folder_of(model: &Model, scene: &Scene) -> PathBuf {
+    let (model, path) = (&model.source.path, &scene.source.path);
+    let stem = path.file_stem().unwrap_or_default();
+    let is_beside = !name_beside(model, path).starts_with("scenes/");
+    let rival = model.with_file_name("scenes").join(path.file_name().unwrap_or_default());
+    let mut name = stem.to_owned();
+    if is_beside && rival.is_file() {
+        name.push(" beside the model");
+    }
+    name.into()
+}
+
+/// Draws figures of one scene and writes their tables.
+pub struct Drawn<'a> {
+    /// The folder of the page.
+    pub out: &'a Path,
+    /// In it, that of the scene.
+    pub folder: PathBuf,
+    /// How many figures of each name there are.
+    pub names: BTreeMap<String, usize>,
+}
+
+impl Drawn<'_> {
+    /// Panels as a figure: `NAME.svg` and `NAME.csv`, a second one of the name `NAME-2`.
+    ///
+    /// # Errors
+    /// [`Failure::Stopped`] if it cannot be drawn, [`Failure::Output`] if a file cannot be written.
+    pub fn figure(&mut self, name: &str, caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
+        let count = self.names.entry(name.to_owned()).or_default();
+        *count += 1;
+        let name = if *count == 1 { name.to_owned() } else { format!("{name}-{count}") };
+        let figure = drawing(caption, panels, columns)?;
+        let inside = self.out.join(&self.folder);
+        folder(&inside)?;
+        let [csv, svg] = ["csv", "svg"].map(|ending| format!("{name}.{ending}"));
+        table(&inside.join(&csv), &["quantity", "equations", "t", "value"], panels.iter().flat_map(rows))?;
+        text(&inside.join(&svg), &figure.svg)?;
+        let link = |file: String| format!("{}/{file}", self.folder.display());
+        Ok(Figure { data: vec![link(csv), link(svg)], ..figure })
+    }
+}
+
+/// The points of a panel.
+fn rows(panel: &Panel) -> impl Iterator<Item = Vec<String>> + '_ {
+    panel.series.iter().flat_map(move |series| {
+        let row = |(t, value): &(f64, f64)| {
+            vec![panel.y_label.clone(), series.label.clone(), t.to_string(), value.to_string()]
+        };
+        series.points.iter().map(row)
+    })
+}
+
+/// Panels as a figure of the page alone.
+///
+/// # Errors
+/// [`Failure::Stopped`] if it cannot be drawn.
+pub fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
+    let svg = draw(panels, columns)
+        .map_err(|error| Failure::Stopped(format!("the figure `{caption}` cannot be drawn: {error}")))?;
+    Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
+}

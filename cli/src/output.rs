@@ -1,0 +1,106 @@
+//! What commands write: tables, texts, folders.
+//!
+//! Invariant: everything goes through [`tripos_codegen::files`], so that a file of its name is whole, and nothing that a command reads is
+//! written over by it: [`keep_inputs`] is asked before work begins.
+
+use crate::failure::Failure;
+use std::io::{Error, Write};
+use std::path::{Path, PathBuf};
+use tripos_codegen::files::{self, Draft, Existing, Unfinished, WriteError, would_change};
+use tripos_derive::Model;
+use tripos_derive::scene::Scene;
+
+/// A table as a file, in the place of one that is there.
+///
+/// # Errors
+/// [`Failure`] if it cannot be written; then there is no part of it.
+pub fn table<H: AsRef<str>>(
+    path: &Path,
+    header: &[H],
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> Result<(), Failure> {
+    let failed = |error: csv::Error| match error.into_kind() {
+        csv::ErrorKind::Io(error) => WriteError::Io(path.to_owned(), error),
+        other => WriteError::Io(path.to_owned(), Error::other(format!("{other:?}"))),
+    };
+    let draft = Draft::create(path, Existing::Replaced, Unfinished::Removed)?;
+    let mut writer = csv::Writer::from_writer(draft);
+    writer.write_record(header.iter().map(AsRef::as_ref)).map_err(failed)?;
+    for row in rows {
+        writer.write_record(row).map_err(failed)?;
+    }
+    let draft = writer.into_inner().map_err(|error| WriteError::Io(path.to_owned(), error.into_error()))?;
+    Ok(draft.finish()?)
+}
+
+/// A text as a file, in the place of one that is there.
+///
+/// # Errors
+/// [`Failure`] if it cannot be written.
+pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
+    Ok(files::write(path, text)?)
+}
+
+/// The folder, made if it is not there.
+///
+/// # Errors
+/// [`Failure::Output`] if it cannot be made.
+pub fn folder(path: &Path) -> Result<(), Failure> {
+    Ok(files::folder(path)?)
+}
+
+/// Refuses outputs that would change what a command reads: a model, the report beside it, and a scene if there is one.
+///
+/// # Errors
+/// [`Failure::Request`] that names both.
+pub fn keep_inputs<'a>(
+    model: &Model,
+    scene: Option<&Scene>,
+    outputs: impl IntoIterator<Item = &'a Path>,
+) -> Result<(), Failure> {
+    let report = model.source.path.with_file_name("report.toml");
+    let scene = scene.map(|scene| scene.source.path.clone());
+    let inputs: Vec<PathBuf> = [model.source.path.clone(), report].into_iter().chain(scene).collect();
+    for output in outputs {
+        if let Some(input) = inputs.iter().find(|input| would_change(output, input)) {
+            let what = format!("`{}` would be written over `{}`, which is read", output.display(), input.display());
+            return Err(Failure::Request(what, "give another file".to_owned()));
+        }
+    }
+    Ok(())
+}
+
+/// A table that grows row by row, and stays as far as it came.
+pub struct Rows(Draft);
+
+impl Rows {
+    /// Starts the table.
+    ///
+    /// # Errors
+    /// [`Failure`] if the file is there and is to be kept, another command is writing it, or it cannot be written.
+    pub fn create(path: &Path, existing: Existing) -> Result<Self, Failure> {
+        Ok(Self(Draft::create(path, existing, Unfinished::Left)?))
+    }
+
+    /// Adds lines, to be seen at once.
+    ///
+    /// # Errors
+    /// [`Failure::Output`] if they cannot be written.
+    pub fn add(&mut self, lines: &[u8]) -> Result<(), Failure> {
+        let written = self.0.write_all(lines).and_then(|()| self.0.flush());
+        written.map_err(|error| WriteError::Io(self.0.place().to_owned(), error).into())
+    }
+
+    /// Where the rows are until the table is whole.
+    pub fn place(&self) -> &Path {
+        self.0.place()
+    }
+
+    /// Gives the table its name.
+    ///
+    /// # Errors
+    /// [`Failure`] if it cannot be renamed, or a file of its name has appeared that is to be kept.
+    pub fn finish(self) -> Result<(), Failure> {
+        Ok(self.0.finish()?)
+    }
+}

@@ -1,0 +1,76 @@
+//! Where the scenes of a model are.
+//!
+//! Invariant: whoever asks for the scenes of a model, the page as the generator of code, has them from here, in one order. A file in
+//! `scenes/` is meant to be a scene, whatever is wrong with it; beside the model stand other files as well (`report.toml`, states,
+//! other models), so there a file is a scene if it names this model under `model`. What cannot be read there is listed too: whoever
+//! reads it says what is wrong.
+
+use std::path::{Path, PathBuf};
+use tripos_derive::diagnostic::Source;
+use tripos_derive::scene::model_path;
+
+/// The scene files of a model file: those in `scenes/`, then those beside it, each in the order of their names.
+#[must_use]
+pub fn scene_files(model: &Path) -> Vec<PathBuf> {
+    let beside = model.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let is_scene = |path: &PathBuf| {
+        let is_other =
+            path.file_name() == model.file_name() || path.file_name().is_some_and(|name| name == "report.toml");
+        let belongs =
+            || Source::read(path).and_then(|source| model_path(&source)).map_or(true, |of| is_same(&of, model));
+        !is_other && belongs()
+    };
+    let mut list = tables(&model.with_file_name("scenes"));
+    list.extend(tables(beside).into_iter().filter(is_scene));
+    list
+}
+
+/// The name of a scene file as it is seen from its model: `scenes/swing.toml`, or `swing.toml`.
+#[must_use]
+pub fn name_beside(model: &Path, scene: &Path) -> String {
+    let name = scene.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let is_inside = scene.parent() == Some(&model.with_file_name("scenes"));
+    if is_inside { format!("scenes/{name}") } else { name }
+}
+
+/// Whether two paths lead to one file.
+#[must_use]
+pub fn is_same(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}
+
+/// The TOML files of a folder, in the order of their names; none if it cannot be listed.
+fn tables(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+    let names = entries.filter_map(|entry| Some(entry.ok()?.file_name()));
+    let mut list: Vec<PathBuf> = names.map(|name| folder.join(name)).collect();
+    list.retain(|path| path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir());
+    list.sort();
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_are_in_their_folder_and_beside_their_model() {
+        let folder = tempfile::tempdir().unwrap();
+        let put = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        };
+        for name in ["model.toml", "report.toml", "state.toml", "notes.txt", "other/model.toml"] {
+            put(name, "name = \"x\"\n");
+        }
+        put("scenes/b.toml", "");
+        put("scenes/a.toml", "broken");
+        put("own.toml", "model = \"model.toml\"\n");
+        put("another's.toml", "model = \"other/model.toml\"\n");
+        put("broken.toml", "model = \n");
+        let model = folder.path().join("model.toml");
+        let names: Vec<String> = scene_files(&model).iter().map(|path| name_beside(&model, path)).collect();
+        assert_eq!(names, ["scenes/a.toml", "scenes/b.toml", "broken.toml", "own.toml"]);
+    }
+}
