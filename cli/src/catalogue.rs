@@ -275,9 +275,9 @@ pub fn tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str) -> Resu
 /// [`Failure::Unsupported`] if the model does not have this formulation; [`Failure::Input`] if it cannot be derived.
 pub fn derivation(model: &Model, by: &By) -> Result<Derivation, Failure> {
     if let Some(formulation) = by.derived {
-        return derive(model, formulation).map_err(|error| match error.is_unsupported() {
-            true => Failure::Unsupported(model.diagnose(&error)),
-            false => Failure::Input(model.diagnose(&error)),
+        return derive(model, formulation).map_err(|error| {
+            let kind = if error.is_unsupported() { Failure::Unsupported } else { Failure::Input };
+            kind(model.diagnose(&error))
         });
     }
     let (arena, list) = printed_derivation(model)?.unwrap_or_default();

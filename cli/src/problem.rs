@@ -37,6 +37,9 @@ pub struct Problem<'a> {
     origin: Option<Origin>,
 }
 
+/// Parameters and the integrated state, to 32 digits.
+pub type ExtendedStart = (Vec<DoubleDouble>, Vec<DoubleDouble>);
+
 /// The integrated variable at this place is the coordinate minus the origin.
 #[derive(Clone, Copy)]
 struct Origin {
@@ -222,7 +225,7 @@ impl<'a> Problem<'a> {
     ///
     /// # Errors
     /// [`Failure`] if the compiled equations are of another text.
-    pub fn extended_start(&self) -> Result<Option<(Vec<DoubleDouble>, Vec<DoubleDouble>)>, Failure> {
+    pub fn extended_start(&self) -> Result<Option<ExtendedStart>, Failure> {
         let Some(system) = self.code.extended() else { return Ok(None) };
         let exact = &self.scene.exact;
         let numbers = |list: &[Extended]| list.iter().map(wide).collect::<Vec<_>>();

@@ -335,7 +335,7 @@ pub fn section(heading: &str, list: &[Statement], cost: &mut Cost) -> TokenStrea
 }
 
 /// Words of a file for a doc comment: on one line, and plain for Markdown, which would run fenced and indented text as examples and
-/// follow brackets as links.
+/// follow brackets and addresses as links.
 #[must_use]
 pub fn prose(text: &str) -> String {
     let line = one_line(text);
@@ -346,7 +346,8 @@ pub fn prose(text: &str) -> String {
         }
         out.push(c);
     }
-    out
+    // An address is a text, too.
+    out.replace("://", "\\://")
 }
 
 /// A comment on the next statement.

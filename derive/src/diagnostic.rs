@@ -265,7 +265,7 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Stri
         Some((_, k)) => format!("did you mean `{k}`?"),
         None if known.is_empty() => "nothing of this kind is declared".to_owned(),
         None => {
-            let list: Vec<String> = known.iter().take(20).map(|k| format!("`{k}`")).collect();
+            let list: Vec<String> = known.iter().take(40).map(|k| format!("`{k}`")).collect();
             format!("known here: {}", list.join(", "))
         }
     }

@@ -151,13 +151,13 @@ fn a_plain_number_has_no_unit() {
     check(
         &edited(&[("\"-length\"", "-0.5")], ""),
         &expect![[r#"
-        error: the position of point `C` must be in m, but `-0.5` is in 1 or rad
-          --> model.toml:26:47
-           |
-        26 | C = { from = "P", frame = "A", position = [0, -0.5, 0] }
-           |                                               ^^^^
-           |
-           = help: a plain number has no unit: declare a parameter with unit = "m" and use its name"#]],
+            error: the position of point `C` must be in m, but `-0.5` is in 1 or rad
+              --> model.toml:26:47
+               |
+            26 | C = { from = "P", frame = "A", position = [0, -0.5, 0] }
+               |                                               ^^^^
+               |
+               = help: a bare number has no unit: declare a parameter such as `x0 = { unit = "m", value = 0.1 }` and use its name"#]],
     );
 }
 

@@ -71,6 +71,10 @@ pub fn growth(
     options: &Options,
 ) -> Result<Growth, SimError> {
     let n = y0.len();
+    // Without states there is nothing that an error could be in.
+    if n == 0 {
+        return Ok(Growth { times: Vec::new(), logarithms: Vec::new(), stop: Stop::End });
+    }
     let mut slope = Slope::new(n);
     let length = size(direction, y0);
     let start: Vec<f64> = y0.iter().copied().chain(direction.iter().map(|w| w / length)).chain([0.0]).collect();
@@ -117,8 +121,9 @@ impl Slope {
     ) -> Result<(), Failure> {
         if let Some(known) = rhs.jacobian(t, y, &mut self.jacobian) {
             known?;
-            for (out, row) in out.iter_mut().zip(self.jacobian.chunks_exact(y.len())) {
-                *out = row.iter().zip(w).map(|(j, w)| j * w).sum();
+            let n = y.len();
+            for (i, out) in out.iter_mut().enumerate() {
+                *out = self.jacobian[i * n..(i + 1) * n].iter().zip(w).map(|(j, w)| j * w).sum();
             }
             return Ok(());
         }

@@ -159,8 +159,8 @@ fn text_of(model: &Model, title: &str, arena: &Arena, difference: &Difference) -
     let count = |word| difference.count(word);
     let _ = writeln!(
         out,
-        "\n{} entries: {} equal, {} scaled, {} different, {} undecided, {} stated",
-        difference.findings.len(),
+        "\n{}: {} equal, {} scaled, {} different, {} undecided, {} stated",
+        entries(difference.findings.len()),
         count("equal"),
         count("scaled"),
         count("different"),
@@ -168,6 +168,11 @@ fn text_of(model: &Model, title: &str, arena: &Arena, difference: &Difference) -
         count("stated")
     );
     out
+}
+
+/// How many entries, in words.
+pub fn entries(count: usize) -> String {
+    if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
 }
 
 /// Formulas that nobody reads to their end are cut; --json has them whole.

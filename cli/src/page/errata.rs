@@ -5,6 +5,7 @@ use super::math::{formula, inline, length, widest, wrapped};
 use super::proof::witness;
 use super::typeset::typeset;
 use super::{Page, motion};
+use crate::commands::diff::entries;
 use crate::study::Published;
 use std::fmt::Write;
 use tripos_derive::algebra::{Arena, Expr};
@@ -157,7 +158,7 @@ fn scaled(arena: &Arena, findings: &[Finding]) -> String {
         format!("<li><code>{}</code> by {by}</li>\n", breakable(&finding.id))
     };
     let items = format!("<ul class=\"entries\">\n{}</ul>\n", each(&list, item));
-    folded(&format!("Equal up to a factor <span class=\"quiet\">({} entries)</span>", list.len()), &items)
+    folded(&format!("Equal up to a factor <span class=\"quiet\">({})</span>", entries(list.len())), &items)
 }
 
 fn all(findings: &[Finding]) -> String {

@@ -9,15 +9,39 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 
 /// A rational number: two machine words where they suffice, big integers behind.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
 
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(Clone)]
 enum Repr {
     Small(i64, i64),
     Big(Box<BigRational>),
+}
+
+/// Part by part, since fractions are reduced: `BigRational` compares and hashes by a recursion as deep as Euclid's algorithm is long,
+/// which a number of some thousand digits takes through the stack.
+impl PartialEq for Repr {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Small(a, b), Self::Small(c, d)) => (a, b) == (c, d),
+            (Self::Big(a), Self::Big(b)) => a.numer() == b.numer() && a.denom() == b.denom(),
+            _ => false,
+        }
+    }
+}
+
+impl Eq for Repr {}
+
+impl Hash for Repr {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match self {
+            Self::Small(n, d) => (n, d).hash(state),
+            Self::Big(value) => (value.numer(), value.denom()).hash(state),
+        }
+    }
 }
 
 impl Rational {
@@ -279,7 +303,10 @@ impl Ord for Rational {
             (Repr::Small(a, b), Repr::Small(c, d)) => {
                 (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
             }
-            _ => self.to_big().cmp(&other.to_big()),
+            _ => {
+                let (a, b) = (self.to_big(), other.to_big());
+                (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
+            }
         }
     }
 }
@@ -355,6 +382,21 @@ mod tests {
         assert_eq!(tiny.to_f64().to_bits(), 0.0_f64.to_bits());
         assert!(tiny.recip().unwrap().to_f64().is_infinite());
         assert!((Rational::integer(10).pow(300).unwrap().to_f64() / 1e300 - 1.0).abs() < 1e-15);
+    }
+
+    /// Consecutive Fibonacci numbers, whose Euclid's algorithm is as long as it can be: 30 000 digits would take 140 000 nested calls.
+    #[test]
+    fn long_numbers_are_compared_and_hashed_without_a_deep_stack() {
+        let (mut a, mut b) = (BigInt::one(), BigInt::one());
+        for _ in 0..60_000 {
+            (a, b) = (b.clone(), a + b);
+        }
+        let ratio = |a: &BigInt, b: &BigInt| Rational::from_big(BigRational::new_raw(a.clone(), b.clone()));
+        let (one, same, other) = (ratio(&a, &b), ratio(&a, &b), ratio(&b, &(a.clone() + &b)));
+        assert_eq!(one, same);
+        assert_ne!(one.cmp(&other), Ordering::Equal);
+        let mut known = std::collections::HashSet::new();
+        assert!(known.insert(one) && !known.insert(same));
     }
 
     #[test]

@@ -5,7 +5,8 @@ use crate::algebra::Expr;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::Comparer;
 use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::mechanics::{Quantities, Quantity};
+use crate::algebra::print::text;
+use crate::mechanics::{Quantities, Quantity, QuantityKind};
 use crate::report::Names;
 
 /// Judges entries one by one.
@@ -24,6 +25,9 @@ impl Judge<'_, '_> {
         let in_rates = self.quantities.mentions_rates(printed);
         let both = self.names.resolve(self.quantities, printed).and_then(|printed| {
             let derived = self.quantities.value(quantity)?;
+            // An acceleration that an acceleration is stated by means what is derived.
+            let is_solved = matches!(quantity.kind(), QuantityKind::SpeedRate(_) | QuantityKind::SecondRate(_));
+            let printed = if is_solved { self.quantities.solved(printed)? } else { printed };
             Ok((printed, derived))
         });
         let (printed, derived) = match both {
@@ -35,7 +39,31 @@ impl Judge<'_, '_> {
         let mut rewrite = |e: Expr| if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) };
         let (printed, derived) = (rewrite(printed), rewrite(derived));
         let derived = self.simplify(derived);
-        self.compare(finding, printed, derived)
+        let finding = self.compare(finding, printed, derived);
+        match quantity.kind() {
+            QuantityKind::Energy(energy) if energy.has_a_zero() => self.up_to_its_zero(finding),
+            _ => finding,
+        }
+    }
+
+    /// A potential energy that differs by a constant is the same potential with another zero.
+    fn up_to_its_zero(&mut self, finding: Finding) -> Finding {
+        let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
+            return finding;
+        };
+        let model = self.quantities.model;
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let variables = [model.q(), model.u(), model.q_dot()].concat();
+        let constant = variables.into_iter().all(|symbol| {
+            let slope = Differential::partial(symbol).apply(arena, difference);
+            zero_test(arena, slope) == ZeroTest::Zero
+        });
+        if !constant {
+            return finding;
+        }
+        let remark = format!("its zero is elsewhere: printed − derived = {}, a constant", text(arena, difference));
+        let remarks = finding.remarks.into_iter().chain([remark]).collect();
+        Finding { judgement: Judgement::Equal, remarks, difference: None, witness: None, factor: None, ..finding }
     }
 
     /// Judges one value against another, with the difference and, where it holds, the factor.

@@ -357,13 +357,10 @@ impl Judge<'_, '_> {
             (None, Some(why)) => Judgement::Undecided(why),
             _ => Judgement::Different,
         };
-        let wrong = judged.entries.iter().enumerate().filter(|(_, v)| !v.is_equal());
-        let arena = &self.quantities.derivations.kinematics.arena;
+        let wrong: Vec<usize> = (0..judged.entries.len()).filter(|at| !judged.entries[*at].is_equal()).collect();
         let places: Vec<String> = wrong
-            .map(|(at, _)| match order.unknowns.get(at) {
-                Some(unknown) => format!("the coefficient of {}", text(arena, *unknown)),
-                None => "the right-hand side".to_owned(),
-            })
+            .into_iter()
+            .map(|at| self.wrong_place(order.unknowns.get(at), row[at], judged.expected[at]))
             .collect();
         finding.remarks.push(format!("wrong: {}", places.join(", ")));
         let printed = as_term(self, row);
@@ -377,6 +374,18 @@ impl Judge<'_, '_> {
         };
         finding.difference = Some(self.simplify(difference));
         finding
+    }
+
+    /// An entry that is wrong, and by which terms.
+    fn wrong_place(&mut self, unknown: Option<&Expr>, printed: Expr, expected: Expr) -> String {
+        let difference = self.quantities.derivations.kinematics.arena.sub(printed, expected);
+        let difference = self.simplify(difference);
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let place = match unknown {
+            Some(unknown) => format!("the coefficient of {}", text(arena, *unknown)),
+            None => "the right-hand side".to_owned(),
+        };
+        format!("{place} by {}", text(arena, difference))
     }
 
     fn entry_finding(&mut self, finding: Finding, value: Expr, judged: &RowJudgement, at: usize) -> Finding {

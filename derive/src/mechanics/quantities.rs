@@ -17,7 +17,7 @@ pub use parse::QuantityError;
 
 use super::kinematics::{Kinematics, Velocities, motion_rates};
 use super::vector::{Components, Vector, apply_tensor};
-use super::{Derivations, Equations, Formulation, kane};
+use super::{Derivations, Equations, Formulation, accelerations, kane};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
 use crate::model::Model;
@@ -41,6 +41,8 @@ pub struct Quantities<'a> {
     inertias: FxHashMap<(usize, usize), Tensor>,
     active_forces: Option<Vec<Expr>>,
     inertia_forces: Option<Vec<Expr>>,
+    /// u̇ in q and u.
+    accelerations: Option<Substitution>,
 }
 
 impl<'a> Quantities<'a> {
@@ -74,6 +76,7 @@ impl<'a> Quantities<'a> {
             inertias: FxHashMap::default(),
             active_forces: None,
             inertia_forces: None,
+            accelerations: None,
         }
     }
 
@@ -106,8 +109,38 @@ impl<'a> Quantities<'a> {
             QuantityKind::Energy(energy) => self.energy(energy)?,
             QuantityKind::Speed(at) => self.model.speeds[at].definition,
             QuantityKind::Rate(at) => self.model.kinematic_equations.rates[at],
+            QuantityKind::SpeedRate(at) => {
+                let rate = self.model.speeds[at].rate;
+                self.solved(rate)?
+            }
+            QuantityKind::SecondRate(at) => {
+                let rate = self.model.kinematic_equations.rates[at];
+                let second = self.d_dt.apply(&mut self.derivations.kinematics.arena, rate);
+                self.solved(second)?
+            }
         };
         Ok(self.simplify(value))
+    }
+
+    /// A term with every u̇ and q̈ in it solved for by Kane's equations.
+    ///
+    /// # Errors
+    /// Why there are no such equations, or that they determine no acceleration.
+    pub fn solved(&mut self, e: Expr) -> Result<Expr, String> {
+        let e = self.to_speeds.apply(&mut self.derivations.kinematics.arena, e);
+        if self.accelerations.is_none() {
+            let kane = self.equations(Formulation::Kane)?.clone();
+            let Kinematics { arena, simplifier, .. } = &mut self.derivations.kinematics;
+            let steps = accelerations(arena, simplifier, &kane).map_err(|_| "no acceleration is determined")?.steps;
+            let mut written = Substitution::default();
+            for step in steps {
+                let value = written.apply(arena, step.value);
+                written.set(step.symbol, value);
+            }
+            self.accelerations = Some(written);
+        }
+        let written = self.accelerations.as_mut().expect("made above");
+        Ok(written.apply(&mut self.derivations.kinematics.arena, e))
     }
 
     /// Whether q̇ or q̈ occurs: such an entry is compared in q and q̇.

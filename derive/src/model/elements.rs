@@ -248,7 +248,7 @@ impl Elements {
     pub fn check(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
         let known = physics::defaults(parameters);
         for body in &self.bodies {
-            if let Some((message, help)) = physics::objection(&loading.arena, &known, body) {
+            if let Some((message, help)) = physics::objection(&loading.arena, &known, body, "the default") {
                 let span = loading.names.span(&body.name).unwrap_or_default();
                 loading.reader.error(span, message, help);
             }

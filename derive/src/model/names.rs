@@ -211,7 +211,7 @@ impl Names {
             Some((kind, _, Some(symbol))) if allowed.0.contains(kind) => Ok(*symbol),
             Some((Kind::Rate, _, _)) if what == HOLONOMIC => Err((
                 format!(
-                    "the rate `{name}` makes this a constraint on the motion, as rolling is: these are not supported yet"
+                    "the time derivative `{name}` cannot stand in {what}: constraints on the motion, as rolling is, are not supported yet"
                 ),
                 Some("choose speeds that fulfil it, or state a relation between coordinates".to_owned()),
             )),

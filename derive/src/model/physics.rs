@@ -21,7 +21,7 @@ impl Model {
     pub fn impossible(&self, parameters: &[f64]) -> Vec<(String, String, Vec<usize>)> {
         let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
         let objections = self.bodies.iter().filter_map(|body| {
-            let (message, help) = objection(&self.arena, &known, body)?;
+            let (message, help) = objection(&self.arena, &known, body, "these")?;
             let tensor = body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied());
             let values: Vec<Expr> = tensor.chain([body.mass]).collect();
             let mentions = |p: &Parameter| values.iter().any(|e| self.arena.mentions(*e, p.symbol));
@@ -35,12 +35,12 @@ impl Model {
 /// Relative rounding allowed in the checks of an inertia: a thin disk fulfils 1 + 1 ≥ 2 with equality.
 pub const TOLERANCE: f64 = 1e-12;
 
-/// Why this body cannot exist at these values, in a line, if it cannot, and the way out.
-pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body) -> Option<(String, String)> {
+/// Why this body cannot exist at these values, in a line, if it cannot, and the way out; `which` values they are.
+pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str) -> Option<(String, String)> {
     let mass = values_at(arena, known, &[body.mass]).map(|v| v[0]);
     if let Some(mass) = mass.filter(|m| m.is_nan() || *m < 0.0) {
         return Some((
-            format!("the mass of `{}` is {} at these values", body.name, rounded(mass)),
+            format!("the mass of `{}` is {} at {which} values", body.name, rounded(mass)),
             "give a mass that is not negative".to_owned(),
         ));
     }

@@ -145,7 +145,7 @@ impl Mechanism {
                 bodies,
                 "[bodies.B{i}]\nframe = \"{frame}\"\ncentre = \"G{i}\"\nmass = \"m{i}\"\ninertia = {{ {inertia} }}"
             );
-            self.load(loads, i, link, &axes);
+            Self::load(loads, i, link, &axes);
             Self::reactions(reactions, i, link, &joint, &axes);
             point = format!("J{i}");
         }
@@ -168,7 +168,7 @@ impl Mechanism {
     }
 
     /// A spring and a damper in a joint, on the link and against the one before.
-    fn load(&self, out: &mut String, i: usize, link: &Link, axes: &dyn Fn(usize, &str) -> String) {
+    fn load(out: &mut String, i: usize, link: &Link, axes: &dyn Fn(usize, &str) -> String) {
         let against = if i == 0 { String::new() } else { format!("against = \"B{}\"\n", i - 1) };
         let (kind, lever) = if link.is_hinge { ("torques", "*l^2") } else { ("forces", "") };
         let place = if link.is_hinge { String::new() } else { format!("at = \"S{i}\"\n") };
@@ -244,19 +244,11 @@ impl Mechanism {
                 3 | 4 => named("acceleration", format!("u{i}'")),
                 5 => named("reaction", random.one(&self.reaction_names()).clone()),
                 6 => named("energy", (*random.one(&["kinetic_energy", "potential_energy", "total_energy"])).to_owned()),
-                7 => formula(
-                    format!("sin(q{i}{})*u{j}' + u{i}*u{j}", if self.links[i].is_hinge { "" } else { "/l" }),
+                7 => formula(format!("u{i}*u{i}'"), outputs.len()),
+                _ => formula(
+                    format!("u{i}^2*cos(q{j}{})", if self.links[j].is_hinge { "" } else { "/l" }),
                     outputs.len(),
                 ),
-                _ => formula(format!("q{i}'*q{j} + m0*u{i}*u{j}"), outputs.len()),
-            };
-            // Products of speeds may have different units: of these the squares are taken.
-            let wanted = if wanted.kind == "formula" && (i != j) {
-                formula(format!("u{i}*u{i}'"), outputs.len())
-            } else if wanted.kind == "formula" {
-                formula(format!("u{i}^2*cos(q{j}{})", if self.links[j].is_hinge { "" } else { "/l" }), outputs.len())
-            } else {
-                wanted
             };
             if outputs.iter().all(|o| o.name != wanted.name) {
                 outputs.push(wanted);
@@ -284,13 +276,16 @@ impl Mechanism {
             &["--by", "newton-euler", "--method", "dopri5"],
             &["--solve", "numeric"],
         ];
+        let way = random.one(&ways).to_vec();
+        // Inside its steps gauss6 is of order 3 alone, where an event ends a run: its states there are no more exact than that.
+        let exact_inside = !way.contains(&"gauss6");
         Scene {
             outputs,
             event,
-            terminal: random.chance(20),
-            stops_in_domain: random.chance(50),
+            terminal: random.chance(20) && exact_inside,
+            stops_in_domain: random.chance(50) && exact_inside,
             free: random.chance(30),
-            way: random.one(&ways).to_vec(),
+            way,
         }
     }
 }

@@ -103,7 +103,7 @@ impl Whole {
         let state = [&self.p, y].concat();
         let balance = self.balance.evaluate(&state);
         // n² + n entries.
-        let n = (0..).find(|n| n * n + n >= balance.len()).unwrap();
+        let n = (0..=balance.len()).find(|n| n * n + n == balance.len()).unwrap();
         let unknowns = solve(&balance[..n * n], &balance[n * n..]);
         let energies = self.energies.evaluate(&state);
         let energies = [energies[0], energies[1], energies[0] + energies[1]];

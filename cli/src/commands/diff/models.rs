@@ -1,5 +1,6 @@
 //! `tripos diff OLD NEW`: what a model edit changed in the equations of motion.
 
+use super::entries;
 use crate::catalogue::short_name;
 use crate::failure::{Failure, print, print_json, status};
 use serde_json::{Value, json};
@@ -71,7 +72,7 @@ fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
     let mut out = format!("{} -> {}\n", old.source.path.display(), new.source.path.display());
     if difference.is_empty() {
         let _ =
-            writeln!(out, "the equations of motion are the same: {} entries compared by meaning", difference.compared);
+            writeln!(out, "the equations of motion are the same: {} compared by meaning", entries(difference.compared));
         return out;
     }
     for (formulation, why) in &difference.formulations_lost {
@@ -95,6 +96,6 @@ fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
             let _ = writeln!(out, "\n{what}: {name}");
         }
     }
-    let _ = writeln!(out, "\n{} of {} entries changed", difference.changes.len(), difference.compared);
+    let _ = writeln!(out, "\n{} of {} changed", difference.changes.len(), entries(difference.compared));
     out
 }

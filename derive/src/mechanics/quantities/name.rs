@@ -138,6 +138,12 @@ pub enum Energy {
 }
 
 impl Energy {
+    /// Whether a constant may be added to it without a meaning.
+    #[must_use]
+    pub const fn has_a_zero(self) -> bool {
+        matches!(self, Self::Potential | Self::Lagrangian | Self::Total)
+    }
+
     /// All of them, with their names.
     pub(super) const ALL: [(Self, &'static str); 6] = [
         (Self::Kinetic, "T"),
@@ -206,6 +212,10 @@ pub enum QuantityKind {
     Speed(usize),
     /// The time derivative of a coordinate, in terms of the speeds.
     Rate(usize),
+    /// The time derivative of a speed, solved for: in q and u.
+    SpeedRate(usize),
+    /// The second time derivative of a coordinate, solved for: in q and u.
+    SecondRate(usize),
 }
 
 impl QuantityKind {
@@ -232,6 +242,8 @@ impl QuantityKind {
             Self::Energy(energy) => Energy::ALL[energy as usize].1.to_owned(),
             Self::Speed(at) => model.speeds[at].name.clone(),
             Self::Rate(at) => format!("{}'", model.coordinates[at].name),
+            Self::SpeedRate(at) => format!("{}'", model.speeds[at].name),
+            Self::SecondRate(at) => format!("{}''", model.coordinates[at].name),
         }
     }
 }

@@ -95,10 +95,17 @@ impl<'a> Cursor<'a> {
     fn quantity(&mut self) -> Result<QuantityKind, QuantityError> {
         let (head, range) = self.word("the name of a quantity")?;
         let model = self.model;
-        if let Some(coordinate) = head.strip_suffix('\'')
-            && let Some(at) = model.coordinates.iter().position(|c| c.name == coordinate)
-        {
-            return Ok(QuantityKind::Rate(at));
+        let coordinate = |name: &str| model.coordinates.iter().position(|c| c.name == name);
+        if let Some(at) = head.strip_suffix("''").and_then(coordinate) {
+            return Ok(QuantityKind::SecondRate(at));
+        }
+        if let Some(once) = head.strip_suffix('\'') {
+            if let Some(at) = coordinate(once) {
+                return Ok(QuantityKind::Rate(at));
+            }
+            if let Some(at) = model.speeds.iter().position(|s| s.name == once) {
+                return Ok(QuantityKind::SpeedRate(at));
+            }
         }
         if let Some((energy, _)) = Energy::ALL.iter().find(|(_, n)| *n == head) {
             return Ok(QuantityKind::Energy(*energy));
@@ -132,9 +139,10 @@ impl<'a> Cursor<'a> {
 
     fn unknown(&self, head: &str, range: Range<usize>) -> QuantityError {
         let model = self.model;
-        let rates: Vec<String> = model.coordinates.iter().map(|c| format!("{}'", c.name)).collect();
-        let known = VectorName::ALL.iter().map(|(_, n)| *n).chain(Row::ALL.iter().map(|(_, n)| *n));
-        let known = known.chain(OTHER_NAMES).chain(Energy::ALL.iter().map(|(_, n)| *n));
+        let rates = model.coordinates.iter().flat_map(|c| [format!("{}'", c.name), format!("{}''", c.name)]);
+        let rates: Vec<String> = rates.chain(model.speeds.iter().map(|s| format!("{}'", s.name))).collect();
+        let known = Energy::ALL.iter().map(|(_, n)| *n).chain(OTHER_NAMES).chain(Row::ALL.iter().map(|(_, n)| *n));
+        let known = known.chain(VectorName::ALL.iter().map(|(_, n)| *n));
         let known = known.chain(model.speeds.iter().map(|s| s.name.as_str())).chain(rates.iter().map(String::as_str));
         let message = format!("unknown quantity `{}`", shown(head));
         QuantityError { message, help: nearest(head, known), range }

@@ -1,0 +1,202 @@
+//! Numbers that once were others than their names said, or were none, and inputs that no model can have.
+
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
+}
+
+/// A file of `tests/data/repro`.
+fn given(file: &str) -> String {
+    root().join("tests/data/repro").join(file).to_str().unwrap().to_owned()
+}
+
+/// (exit status, standard output, standard error)
+fn tripos(arguments: &[&str]) -> (i32, String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
+    let Output { status, stdout, stderr } = command.args(arguments).current_dir(root()).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (status.code().expect("ended by itself"), text(stdout), text(stderr))
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let (status, out, err) = tripos(arguments);
+    assert_eq!(status, 0, "{arguments:?}: {err}");
+    serde_json::from_str(&out).unwrap()
+}
+
+/// A scene in a folder of its own.
+fn scene(text: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, text).unwrap();
+    let path = path.to_str().unwrap().to_owned();
+    (folder, path)
+}
+
+/// A scene of a model of the library.
+fn scene_of(model: &str, text: &str) -> (tempfile::TempDir, String) {
+    let model = root().join("models").join(model).join("model.toml");
+    scene(&format!("model = {:?}\n{text}", model.to_str().unwrap()))
+}
+
+/// Kane's equations of this mechanism at 1e-13, solved at each state: see `random_scenes`.
+#[test]
+fn an_acceleration_among_the_outputs_is_that_acceleration() {
+    let right = [("u1'", -13.947_255_287_69), ("u1", -0.463_036_791_49), ("th", -2.728_875_867_18)];
+    for way in [&[][..], &["--by", "kane"], &["--by", "lagrange", "--solve", "numeric"], &["--method", "taylor"]] {
+        let found = json(&[&["simulate", &given("outputs/s.toml"), "--json"], way].concat());
+        for (name, value) in right {
+            let x = found["state"][name].as_f64().unwrap();
+            assert!((x - value).abs() < 1e-8, "{way:?}: {name} = {x}, not {value}");
+        }
+    }
+}
+
+/// A reaction in the domain is found beside the equations: they stay eliminated, and methods that need that can run them.
+#[test]
+fn a_watched_reaction_leaves_the_way_to_accelerations_alone() {
+    for method in ["taylor", "gauss6", "dop853"] {
+        let run = json(&[
+            "simulate",
+            &given("reaction_domain/s.toml"),
+            "--method",
+            method,
+            "--rtol",
+            "1e-9",
+            "--atol",
+            "1e-9",
+            "--json",
+        ]);
+        assert_eq!((run["solve"].as_str(), run["stop"].as_str()), (Some("eliminated"), Some("end")), "{method}");
+    }
+}
+
+#[test]
+fn a_start_where_a_momentum_loses_its_hold_is_run_without_it() {
+    let (status, out, err) = tripos(&["simulate", &given("pole_start/s.toml"), "--json"]);
+    assert_eq!(status, 0, "{err}");
+    assert!(
+        err.contains("no momentum is held, since the rate of `phi` has no value at the start, where sin("),
+        "{err}"
+    );
+    let run: Value = serde_json::from_str(&out).unwrap();
+    // From the top with 0.3 rad/s: theta″ = g/l sin(theta) about the pole, nothing turns.
+    let fall = |t: f64| std::f64::consts::PI + 0.3 / 9.81_f64.sqrt() * (9.81_f64.sqrt() * t).sin();
+    assert_eq!(run["state"]["phi"], 0.4);
+    assert!((run["state"]["theta"].as_f64().unwrap() - fall(1.0)).abs() < 1e-3, "small about the lowest point: {out}");
+}
+
+#[test]
+fn what_a_run_shows_without_a_value_is_no_result() {
+    // In a plane through the axis the azimuth has no rate at the lowest point: 0/0 of the held momentum.
+    let text = "span = [0, 5]\n[start]\ntheta = 1\nphi = 0\n\"theta'\" = 0\n\"phi'\" = 0\n[integration]\nmethod = \"dop853\"\n";
+    let (_folder, path) = scene_of("spherical_pendulum", text);
+    let (status, out, err) = tripos(&["simulate", &path, "--json"]);
+    assert_eq!(status, 3, "{out}{err}");
+    assert!(err.contains("`u2` has no value at t = 0.53") && err.contains("where sin(theta) = 0"), "{err}");
+    let run: Value = serde_json::from_str(&out).unwrap();
+    assert!(run["state"]["u2"].is_null() && run["failure"].as_str().unwrap().contains("u2"), "{out}");
+
+    let text = "span = [0, 5]\noutputs = [\"sqrt(theta)\"]\n[start]\ntheta = 1\nomega = 0\n";
+    let (_folder, path) = scene_of("pendulum", text);
+    for way in [&[][..], &["--by", "kane"]] {
+        let (status, _, err) = tripos(&[&["simulate", path.as_str()], way].concat());
+        assert!(status == 3 && err.contains("`sqrt(theta)` has no value at t = "), "{way:?}: {err}");
+    }
+}
+
+#[test]
+fn a_sweep_shows_what_its_scene_asks_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("rows.csv");
+    let table = table.to_str().unwrap();
+    let (status, _, err) = tripos(&["sweep", &given("outputs/s.toml"), "--over", "m=0.5,0.6", "--out", table]);
+    assert_eq!(status, 0, "{err}");
+    let mut rows = csv::Reader::from_path(table).unwrap();
+    let headers = rows.headers().unwrap().clone();
+    let at = headers.iter().position(|name| name == "u1'").expect("a column for the acceleration");
+    let first = rows.records().next().unwrap().unwrap();
+    let found: f64 = first[at].parse().unwrap();
+    assert!((found + 13.947_255_287_69).abs() < 1e-8, "{found}");
+}
+
+#[test]
+fn an_absolute_tolerance_alone_raises_no_false_alarm() {
+    let text =
+        "span = [0, 5]\n[start]\ntheta = 1\nomega = 0\n[integration]\nmethod = \"dop853\"\nrtol = 0\natol = 1e-14\n";
+    let (_folder, path) = scene_of("pendulum", text);
+    let (status, _, err) = tripos(&["simulate", &path]);
+    assert!(status == 0 && !err.contains("do not trust"), "{err}");
+}
+
+#[test]
+fn no_run_has_a_body_that_cannot_be() {
+    // Without mass nothing resists: no way to accelerations may say otherwise.
+    for way in [&[][..], &["--by", "kane"], &["--by", "lagrange"], &["--by", "newton-euler", "--solve", "numeric"]] {
+        let (status, out, err) = tripos(&[&["simulate", &given("massless/s.toml")], way].concat());
+        assert_eq!(status, 2, "{way:?}: {out}{err}");
+        assert!(err.contains("`omega` moves no mass of its own where m = 0"), "{way:?}: {err}");
+    }
+    // Of a parameter that may have any sign, where the scene states it.
+    let folder = tempfile::tempdir().unwrap();
+    let model = std::fs::read_to_string(given("massless/model.toml")).unwrap().replace("value = 0,", "value = 1,");
+    std::fs::write(folder.path().join("model.toml"), model).unwrap();
+    let (scene, state) = (folder.path().join("s.toml"), folder.path().join("state.toml"));
+    std::fs::write(
+        &scene,
+        "model = \"model.toml\"\nspan = [0, 1]\n[parameters]\nm = -1\n[start]\ntheta = 1\nomega = 0\n",
+    )
+    .unwrap();
+    let (status, _, err) = tripos(&["simulate", scene.to_str().unwrap()]);
+    assert!(status == 2 && err.contains("the mass of `bob` is -1") && err.contains("s.toml:4:5"), "{err}");
+    std::fs::write(&state, "[parameters]\nm = -1\n[state]\ntheta = 1\nomega = 0\n").unwrap();
+    let model = folder.path().join("model.toml");
+    let evaluate = ["evaluate", model.to_str().unwrap(), "--by", "kane", "--at", state.to_str().unwrap()];
+    let (status, _, err) = tripos(&evaluate);
+    assert!(status == 2 && err.contains("the mass of `bob` is -1"), "{err}");
+    // Each point of a sweep is a scene.
+    let table = folder.path().join("rows.csv");
+    std::fs::write(&scene, "model = \"model.toml\"\nspan = [0, 1]\n[start]\ntheta = 1\nomega = 0\n").unwrap();
+    let sweep = ["sweep", scene.to_str().unwrap(), "--over", "m=-1,0,1", "--out", table.to_str().unwrap()];
+    let (status, _, err) = tripos(&sweep);
+    let rows = std::fs::read_to_string(&table).unwrap();
+    assert_eq!(status, 3, "{err}");
+    assert_eq!(rows.matches("no-start").count(), 2, "{rows}");
+    assert!(
+        rows.contains("the mass of `bob` is -1") && rows.contains("moves no mass of its own where m = 0"),
+        "{rows}"
+    );
+}
+
+#[test]
+fn numbers_beyond_doubles_are_refused_where_they_stand() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("swing");
+    let model = given("panic/model.toml");
+    for arguments in [&["emit", &model, "--out", out.to_str().unwrap()][..], &["derive", &model], &["prove", &model]] {
+        let (status, _, err) = tripos(arguments);
+        assert_eq!(status, 2, "{arguments:?}: {err}");
+        assert!(err.contains("a number of about 10^400 is beyond double precision"), "{err}");
+        assert!(err.contains("model.toml:"), "{err}");
+    }
+}
+
+#[test]
+fn slips_of_the_pen_are_answered_with_what_to_write() {
+    let degrees = "span = [0, 1]\n[start]\ntheta = \"90 deg\"\nomega = 0\n";
+    let (_folder, path) = scene_of("pendulum", degrees);
+    let (status, _, err) = tripos(&["simulate", &path]);
+    assert!(status == 2 && err.contains("`90*deg`"), "{err}");
+    let (_folder, path) = scene_of("pendulum", "span = [0, 1]\n[start]\ntheta = 90\nomega = 0\n");
+    let (status, _, err) = tripos(&["simulate", &path]);
+    assert!(status == 0 && err.contains("`theta` starts at 90 rad: if degrees are meant, write \"90*deg\""), "{err}");
+    let (_folder, path) = scene_of(
+        "pendulum",
+        "span = [0, 1]\n[start]\ntheta = \"10*deg\"\nomega = 0\n[integration]\nmethod = \"quadrature\"\n",
+    );
+    let (status, _, err) = tripos(&["simulate", &path, "--step", "0.1"]);
+    assert!(status == 2 && err.contains("quadrature takes no steps"), "{err}");
+}
