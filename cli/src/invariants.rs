@@ -140,6 +140,7 @@ impl Watch {
         for (t, y) in solution.t.iter().zip(&solution.y).step_by(every).chain([(&solution.t_end, &solution.y_end)]) {
             let mut state = problem.state(*t, y);
             let here = value(&state);
+            let terms = self.tape.largest_terms(&[p.as_slice(), &state].concat());
             let mut allowed = vec![0.0; n];
             for at in 0..state.len() {
                 let kept = state[at];
@@ -151,8 +152,8 @@ impl Watch {
             }
             for (at, worst) in worst.iter_mut().enumerate() {
                 let change = (here[at] - start[at]).abs();
-                // A value is not known better than to its own rounding.
-                let rounding = ROUNDINGS * f64::EPSILON * here[at].abs().max(start[at].abs()).max(1e-290);
+                // A value is not known better than to the rounding of what it is the sum of.
+                let rounding = ROUNDINGS * f64::EPSILON * terms[at].max(start[at].abs()).max(1e-290);
                 let ratio = change / allowed[at].max(rounding);
                 // Where an integral has no value nothing is known to be kept.
                 let ratio = if ratio.is_nan() { f64::INFINITY } else { ratio };

@@ -159,7 +159,7 @@ fn a_broken_scene_is_answered_with_every_error_and_status_2() {
         4 | q1 = "10 deg"
           |          ^
           |
-          = help: write products with `*`, as in `2*q1`
+          = help: angles are in radians: in a scene or state write 90 degrees as `90*deg`, in a model as `90*pi/180`
 
         error: `q2` is `nan`, not a number
          --> scene.toml:5:6

@@ -108,6 +108,24 @@ fn what_a_run_shows_without_a_value_is_no_result() {
     }
 }
 
+/// m x″ = −c x′ with c/m = 10⁴ 1/s: after the first millisecond nothing moves, and an explicit method still steps by 3·10⁻⁴ s.
+#[test]
+fn steps_that_stability_keeps_short_are_said_to_be() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = "name = \"Damped\"\n[parameters]\nm = { unit = \"kg\", value = 1, positive = true }\nc = { unit = \"N*s/m\", value = 1e4 }\n\
+                 k = { unit = \"N/m\", value = 1e4 }\n[coordinates]\nx = { unit = \"m\" }\n[speeds]\nv = \"x'\"\n\
+                 [inertial]\nframe = \"N\"\norigin = \"O\"\n[points]\nP = { from = \"O\", frame = \"N\", position = [\"x\", 0, 0] }\n\
+                 [particles]\nb = { point = \"P\", mass = \"m\" }\n[forces.f]\non = \"b\"\nframe = \"N\"\nvector = [\"-c*v - k*x\", 0, 0]\n";
+    std::fs::write(folder.path().join("model.toml"), model).unwrap();
+    let scene = folder.path().join("s.toml");
+    std::fs::write(&scene, "model = \"model.toml\"\nspan = [0, 10]\n[start]\nx = 1\nv = 0\n").unwrap();
+    let scene = scene.to_str().unwrap();
+    let (status, _, err) = tripos(&["simulate", scene]);
+    assert!(status == 0 && err.contains("stiff: what decays at 1.0e4 1/s keeps the steps of ode45"), "{err}");
+    let (status, _, err) = tripos(&["simulate", scene, "--method", "gauss6"]);
+    assert!(status == 0 && !err.contains("stiff"), "{err}");
+}
+
 #[test]
 fn a_sweep_shows_what_its_scene_asks_for() {
     let folder = tempfile::tempdir().unwrap();
@@ -127,6 +145,11 @@ fn a_sweep_shows_what_its_scene_asks_for() {
 fn an_absolute_tolerance_alone_raises_no_false_alarm() {
     let text =
         "span = [0, 5]\n[start]\ntheta = 1\nomega = 0\n[integration]\nmethod = \"dop853\"\nrtol = 0\natol = 1e-14\n";
+    let (_folder, path) = scene_of("pendulum", text);
+    let (status, _, err) = tripos(&["simulate", &path]);
+    assert!(status == 0 && !err.contains("do not trust"), "{err}");
+    // An energy of 5e-16 J is what is left of 10 J and −10 J: it is not known better than to their rounding.
+    let text = "span = [0, 10]\n[start]\ntheta = 1e-8\nomega = 0\n[integration]\nmethod = \"dop853\"\nrtol = 1e-10\natol = 1e-18\n";
     let (_folder, path) = scene_of("pendulum", text);
     let (status, _, err) = tripos(&["simulate", &path]);
     assert!(status == 0 && !err.contains("do not trust"), "{err}");

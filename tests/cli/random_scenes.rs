@@ -19,7 +19,7 @@ use std::process::Command;
 use whole::Whole;
 
 /// How many scenes are compared, unless the environment says.
-const SCENES: u64 = 40;
+const SCENES: u64 = 80;
 /// |e| / (1 + |exact|): both runs are at 1e-12 or finer, and half a second of these motions multiplies that by less than a thousand.
 /// Reactions and accelerations divide by small masses.
 const BOUND: f64 = 2e-8;

@@ -122,6 +122,36 @@ impl Tape {
         }
     }
 
+    /// For each output the largest term that is added or multiplied on the way to it: a value is not known better than to the
+    /// rounding of these, however much of them cancels.
+    ///
+    /// # Panics
+    /// If `inputs` have another length than the tape was made for.
+    #[must_use]
+    pub fn largest_terms(&self, inputs: &[f64]) -> Vec<f64> {
+        let mut values = Vec::with_capacity(self.ops.len());
+        self.evaluate_into(inputs, &mut values, &mut vec![0.0; self.outputs.len()]);
+        let mut largest: Vec<f64> = Vec::with_capacity(self.ops.len());
+        for (op, value) in self.ops.iter().zip(&values) {
+            let of = |slot: &u32| largest[*slot as usize];
+            let size = match op {
+                Op::Constant(_) | Op::Input(_) => value.abs(),
+                Op::Sum(constant, terms) => {
+                    terms.iter().fold(constant.abs(), |most, (slot, k)| most.max((k * of(slot)).abs()))
+                }
+                // A divisor is as small as it is; a factor counts with its largest term.
+                Op::Product(factors) => factors.iter().fold(1.0, |product, (slot, n)| {
+                    product * if *n > 0 { of(slot).powi(*n) } else { values[*slot as usize].abs().powi(*n) }
+                }),
+                // The sine of a large angle is rounded with the angle.
+                Op::Apply(Function::Sin | Function::Cos, slot) => value.abs().max(of(slot).min(1.0)),
+                Op::Apply(..) => value.abs(),
+            };
+            largest.push(size);
+        }
+        self.outputs.iter().map(|slot| largest[*slot as usize]).collect()
+    }
+
     /// All outputs, in a new vector.
     #[must_use]
     pub fn evaluate(&self, inputs: &[f64]) -> Vec<f64> {

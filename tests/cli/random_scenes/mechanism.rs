@@ -60,7 +60,7 @@ pub struct Mechanism {
 
 impl Mechanism {
     pub fn new(random: &mut Random) -> Self {
-        let count = *random.one(&[1, 2, 2, 2, 3]);
+        let count = *random.one(&[1, 2, 2, 3, 3, 3]);
         let (mut links, mut values) =
             (Vec::<Link>::new(), vec![("g".to_owned(), "m/s^2", 9.81), ("l".to_owned(), "m", 0.5)]);
         // Short numbers stand in the scene's own equations as such, others as letters.
@@ -233,18 +233,22 @@ impl Mechanism {
     pub fn scene(&self, random: &mut Random) -> Scene {
         let count = self.links.len();
         let mut outputs: Vec<Wanted> = Vec::new();
+        // Half of the scenes ask for nothing that would bring in what accelerations are computed by.
+        let kinds = if random.chance(50) { 6 } else { 12 };
         for _ in 0..=random.below(4) {
             let (i, j) = (random.below(count), random.below(count));
             let named = |kind, name: String| Wanted { kind, formula: name.clone(), name };
             let formula = |formula: String, at: usize| Wanted { kind: "formula", name: format!("f{at}"), formula };
-            let wanted = match random.below(9) {
+            let wanted = match random.below(kinds) {
                 0 => named("state", format!("q{i}")),
                 1 => named("state", format!("u{i}")),
                 2 => named("rate", format!("q{i}'")),
-                3 | 4 => named("acceleration", format!("u{i}'")),
-                5 => named("reaction", random.one(&self.reaction_names()).clone()),
-                6 => named("energy", (*random.one(&["kinetic_energy", "potential_energy", "total_energy"])).to_owned()),
-                7 => formula(format!("u{i}*u{i}'"), outputs.len()),
+                3..6 => named("acceleration", format!("u{i}'")),
+                6 | 7 => named("reaction", random.one(&self.reaction_names()).clone()),
+                8 | 9 => {
+                    named("energy", (*random.one(&["kinetic_energy", "potential_energy", "total_energy"])).to_owned())
+                }
+                10 => formula(format!("u{i}*u{i}'"), outputs.len()),
                 _ => formula(
                     format!("u{i}^2*cos(q{j}{})", if self.links[j].is_hinge { "" } else { "/l" }),
                     outputs.len(),
@@ -262,7 +266,11 @@ impl Mechanism {
         };
         let event = if random.chance(25) { random.one(&self.reaction_names()).clone() } else { event };
         let own: &[&str] = &[];
-        let ways: [&[&str]; 12] = [
+        let ways: [&[&str]; 16] = [
+            own,
+            own,
+            own,
+            own,
             own,
             own,
             &["--method", "taylor"],
