@@ -135,7 +135,6 @@ impl Tape {
         for (op, value) in self.ops.iter().zip(&values) {
             let of = |slot: &u32| largest[*slot as usize];
             let size = match op {
-                Op::Constant(_) | Op::Input(_) => value.abs(),
                 Op::Sum(constant, terms) => {
                     terms.iter().fold(constant.abs(), |most, (slot, k)| most.max((k * of(slot)).abs()))
                 }
@@ -145,7 +144,7 @@ impl Tape {
                 }),
                 // The sine of a large angle is rounded with the angle.
                 Op::Apply(Function::Sin | Function::Cos, slot) => value.abs().max(of(slot).min(1.0)),
-                Op::Apply(..) => value.abs(),
+                Op::Constant(_) | Op::Input(_) | Op::Apply(..) => value.abs(),
             };
             largest.push(size);
         }
