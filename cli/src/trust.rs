@@ -188,6 +188,10 @@ fn stiffness(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String
 /// The rate of the fastest decay at a state, 1/s, if the dominant eigenvalue of the Jacobian is real and negative.
 fn fastest_decay(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
     let n = y.len();
+    // What is all algebra decays by nothing.
+    if n == 0 {
+        return None;
+    }
     let mut jacobian = vec![0.0; n * n];
     rhs.jacobian(t, y, &mut jacobian)?.ok()?;
     let mut w: Vec<f64> = (0..n).map(|i| 1.0 + i as f64 / 10.0).collect();
