@@ -42,7 +42,7 @@ pub enum Failure {
 impl Failure {
     /// What went wrong, in a line.
     pub fn first_line(&self) -> String {
-        self.to_string().lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
+        self.said().0.lines().next().unwrap_or_default().to_owned()
     }
 
     /// The exit status.
@@ -64,21 +64,30 @@ impl Failure {
             Self::Inputs(list) => places(list),
             _ => Vec::new(),
         };
-        let text = self.to_string();
-        let (message, help) = match self {
-            Self::Request(what, help) => (what.clone(), Some(help.clone())),
-            Self::Input(_) | Self::Unsupported(_) | Self::Inputs(_) => {
-                let first = places.first();
-                let of = |key: &str| first.and_then(|place| place[key].as_str()).map(str::to_owned);
-                (of("message").unwrap_or_default(), of("help"))
-            }
-            // "error: …", and below it "help: …" where there is something to do.
-            _ => match text.trim_start_matches("error: ").split_once("\nhelp: ") {
-                Some((what, help)) => (what.to_owned(), Some(help.to_owned())),
-                None => (text.trim_start_matches("error: ").to_owned(), None),
-            },
-        };
+        let (message, help) = self.said();
         json!({ "error": { "message": message, "help": help, "places": places }, "exit_status": self.status() })
+    }
+
+    /// What is wrong, first where there is more than one thing, and what to do.
+    fn said(&self) -> (String, Option<String>) {
+        let of_first = |list: &[Diagnostics]| {
+            let first = list.iter().find_map(|file| file.list.first());
+            first.map_or_else(Default::default, |d| (d.message.clone(), d.help.clone()))
+        };
+        match self {
+            Self::Input(file) | Self::Unsupported(file) => of_first(std::slice::from_ref(file)),
+            Self::Inputs(files) => of_first(files),
+            Self::Request(what, help) => (what.clone(), Some(help.clone())),
+            Self::Output(path, error) => {
+                (format!("cannot write `{path}`: {error}"), Some("give a path that can be written".to_owned()))
+            }
+            Self::Stopped(why) => (why.clone(), None),
+            Self::Interrupted(kept) if kept.is_empty() => {
+                ("interrupted before there was anything to keep: nothing is written".to_owned(), None)
+            }
+            Self::Interrupted(kept) => (format!("interrupted: {kept}"), None),
+            Self::Hangup => Default::default(),
+        }
     }
 }
 
@@ -90,16 +99,13 @@ impl fmt::Display for Failure {
                 let texts: Vec<String> = list.iter().map(ToString::to_string).collect();
                 f.write_str(&texts.join("\n\n"))
             }
-            Self::Request(what, help) => write!(f, "error: {what}\nhelp: {help}"),
-            Self::Output(path, error) => {
-                write!(f, "error: cannot write `{path}`: {error}\nhelp: give a path that can be written")
-            }
-            Self::Stopped(why) => write!(f, "error: {why}"),
-            Self::Interrupted(kept) if kept.is_empty() => {
-                f.write_str("interrupted before there was anything to keep: nothing is written")
-            }
-            Self::Interrupted(kept) => write!(f, "interrupted: {kept}"),
             Self::Hangup => Ok(()),
+            // No error: it was asked for.
+            Self::Interrupted(_) => f.write_str(&self.said().0),
+            Self::Request(..) | Self::Output(..) | Self::Stopped(_) => match self.said() {
+                (what, Some(help)) => write!(f, "error: {what}\nhelp: {help}"),
+                (what, None) => write!(f, "error: {what}"),
+            },
         }
     }
 }

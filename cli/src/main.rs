@@ -9,6 +9,7 @@ mod follow;
 mod how;
 mod interpreted;
 mod invariants;
+mod near;
 mod output;
 mod page;
 mod plot;

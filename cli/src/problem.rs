@@ -3,14 +3,13 @@
 //! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
 //! that people see hold the coordinate.
 
-use crate::catalogue::{By, Code, compiled_code, derivation, tape};
+use crate::catalogue::{By, Code, compiled_code};
 use crate::failure::Failure;
 use crate::follow::followed;
+use crate::near::near_divisors;
 use crate::reduced::Reduced;
 use crate::run::refused;
-use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::{Expr, Node, Rational};
-use tripos_derive::mechanics::has_inertia_at;
+use tripos_derive::mechanics::InertiaCheck;
 use tripos_derive::scene::{Extended, Motion, Project, QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
@@ -47,28 +46,6 @@ struct Origin {
     value: DoubleDouble,
 }
 
-/// Refuses values at which something that moves has no mass: eliminated equations may have divided by it.
-///
-/// # Errors
-/// [`Failure`] that names the speed and the parameters that are 0.
-fn has_inertia(model: &Model, scene: &Scene) -> Result<(), Failure> {
-    let is_zero = |value: &Option<Rational>| value.as_ref().is_some_and(Rational::is_zero);
-    if !scene.exact.rational.iter().any(is_zero) {
-        return Ok(());
-    }
-    let kane = derivation(model, &Formulation::Kane.into())?;
-    let checked = has_inertia_at(&kane.arena, &kane.equations, model, &scene.exact.rational);
-    checked.map_err(|error| Failure::Input(model.diagnose(&error)))
-}
-
-/// What the equations divide by is next to zero below this.
-const NEAR: f64 = 1e-6;
-
-/// A small number in few digits.
-fn said(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
-}
-
 /// A number of a scene in twice the precision of a double.
 pub fn wide(number: &Extended) -> DoubleDouble {
     DoubleDouble::sum(number.high, number.low)
@@ -84,7 +61,8 @@ impl<'a> Problem<'a> {
     /// equations: eliminated accelerations where there are such.
     ///
     /// # Errors
-    /// [`Failure::Request`] if accelerations are to be eliminated that are not.
+    /// [`Failure::Request`] if accelerations are to be eliminated that are not; [`Failure::Input`] if something that moves has no
+    /// mass at these parameters.
     pub fn new(
         model: &'a Model,
         scene: &'a Scene,
@@ -92,8 +70,24 @@ impl<'a> Problem<'a> {
         code: &'a Code,
         solve: Option<Solve>,
     ) -> Result<Self, Failure> {
+        Self::among(&InertiaCheck::new(model), model, scene, by, code, solve)
+    }
+
+    /// The same for one of many scenes of a model.
+    ///
+    /// # Errors
+    /// As [`Problem::new`].
+    pub fn among(
+        inertia: &InertiaCheck<'_>,
+        model: &'a Model,
+        scene: &'a Scene,
+        by: &'a By,
+        code: &'a Code,
+        solve: Option<Solve>,
+    ) -> Result<Self, Failure> {
+        // Eliminated equations may have divided by a mass that is 0; a reduction has asked already.
         if !by.is_reduced() {
-            has_inertia(model, scene)?;
+            inertia.at(&scene.exact.rational).map_err(|error| Failure::Input(model.diagnose(&error)))?;
         }
         let eliminated = code.system().has_accelerations();
         let wanted = solve.or(scene.integration.solve);
@@ -181,26 +175,12 @@ impl<'a> Problem<'a> {
         coordinates.chain(speeds).collect()
     }
 
-    /// What the equations divide by that is next to zero at an integrated state, as the end of a sentence: ", where sin(theta) =
-    /// 1.2e-16"; empty if nothing is.
+    /// What the equations divide by that is next to zero at an integrated state: [`near_divisors`].
     ///
     /// # Errors
     /// [`Failure::Request`] if a divisor mentions what has no value during a run.
     pub fn near_divisors(&self, y: &[f64]) -> Result<String, Failure> {
-        let (model, scene) = (self.model, self.scene);
-        let inputs = [model.p(), model.q()].concat();
-        // A reduced system may divide by what its steps define: that is no place that a reader could find.
-        let is_place = |e: &&Expr| {
-            let symbols = model.arena.reachable(&[**e]).into_iter();
-            symbols.filter(|e| matches!(model.arena.node(*e), Node::Symbol(_))).all(|e| inputs.contains(&e))
-        };
-        let divisors: Vec<Expr> = model.kinematic_equations.divisors.iter().filter(is_place).copied().collect();
-        let tape = tape(&model.arena, &inputs, &divisors, "a divisor of the equations")?;
-        let values = tape.evaluate(&[scene.parameters.as_slice(), &self.coordinates(y)].concat());
-        let near = divisors.iter().zip(values).filter(|(_, value)| value.abs() < NEAR);
-        let list: Vec<String> =
-            near.map(|(e, value)| format!("{} = {}", text(&model.arena, *e), said(value))).collect();
-        Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
+        near_divisors(self.model, &self.scene.parameters, &self.coordinates(y))
     }
 
     /// Why the equations have no value at the start, if they have none.

@@ -28,8 +28,8 @@ pub struct Run {
     pub why: String,
     /// When, after how many steps and why it ended, in a sentence.
     pub ending: String,
-    /// What the equations divide by that is next to zero at the end, as the end of a sentence; empty if nothing is.
-    pub near: String,
+    /// What has no value, and when first; set by [`Run::look_for_missing`].
+    missing: Option<String>,
     /// What is shown of a state: the names of coordinates and generalized speeds, or of the outputs of a scene.
     pub names: Vec<String>,
     /// Their values at each sample.
@@ -54,20 +54,27 @@ impl Run {
 
     /// Why the run could not go on, or what it does not give; nothing if it gives all that was asked for.
     pub fn failure(&self) -> Option<String> {
-        if self.solution.stop.is_failure() { Some(self.ending.clone()) } else { self.missing() }
+        if self.solution.stop.is_failure() { Some(self.ending.clone()) } else { self.missing.clone() }
     }
 
-    /// What has no value, and when first.
-    fn missing(&self) -> Option<String> {
-        let end = (&self.solution.t_end, &self.end);
+    /// Looks whether all that is shown has a value, as it is shown now.
+    ///
+    /// # Errors
+    /// As [`Problem::near_divisors`].
+    pub fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Failure> {
+        self.missing = None;
+        let Solution { t, y, t_end, y_end, .. } = &self.solution;
         // The last sample is the end, unless only some instants were asked for.
-        let end = Some(end).filter(|(t, _)| self.solution.t.last() != Some(*t));
-        let samples = self.solution.t.iter().zip(&self.states).chain(end);
-        let mut without = samples.filter_map(|(t, values)| Some((t, values.iter().position(|x| !x.is_finite())?)));
-        let (t, at) = without.next()?;
-        let more = without.count();
+        let end = Some(((t_end, y_end), &self.end)).filter(|_| t.last() != Some(t_end));
+        let samples = t.iter().zip(y).zip(&self.states).chain(end);
+        let without = samples.filter_map(|(at, values)| Some((at, values.iter().position(|x| !x.is_finite())?)));
+        let mut without = without.peekable();
+        let Some(&((t, y), which)) = without.peek() else { return Ok(()) };
+        let more = without.count() - 1;
         let more = if more == 0 { String::new() } else { format!(" and at {more} of the samples after it") };
-        Some(format!("`{}` has no value at t = {t} s{more}{}", self.names[at], self.near))
+        let near = problem.near_divisors(y)?;
+        self.missing = Some(format!("`{}` has no value at t = {t} s{more}{near}", self.names[which]));
+        Ok(())
     }
 }
 
@@ -279,13 +286,12 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
     let drifts = watch.map_or_else(Vec::new, |watch| {
         watch.integrals.iter().map(|(name, _)| name.clone()).zip(watch.changes(problem, &solution)).collect()
     });
-    let near = problem.near_divisors(&solution.y_end)?;
     let names = problem.variables();
-    let at = if solution.stop.is_failure() { near.as_str() } else { "" };
-    Ok(Run {
-        why: solution.stop.described(&names) + at,
-        ending: solution.described(&names) + at,
-        near,
+    let at = if solution.stop.is_failure() { problem.near_divisors(&solution.y_end)? } else { String::new() };
+    let mut run = Run {
+        why: solution.stop.described(&names) + &at,
+        ending: solution.described(&names) + &at,
+        missing: None,
         drifts,
         by: problem.by.clone(),
         code: problem.code.name(),
@@ -297,7 +303,9 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
         energy_drift: Some(energy_drift),
         warnings,
         solution,
-    })
+    };
+    run.look_for_missing(problem)?;
+    Ok(run)
 }
 
 /// What is watched in the runs of a scene, compiled once: expressions, and the force balance that gives reactions, whichever

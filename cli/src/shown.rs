@@ -94,7 +94,7 @@ impl Shown {
         run.states = samples.map(|(t, y)| self.of(problem, *t, y)).collect::<Result<_, _>>()?;
         run.end = self.of(problem, run.solution.t_end, &run.solution.y_end)?;
         run.names.clone_from(&self.names);
-        Ok(())
+        run.look_for_missing(problem)
     }
 }
 

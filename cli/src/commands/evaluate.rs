@@ -2,12 +2,12 @@
 
 use crate::catalogue::{By, Ready, by as equations, code_of, derivation, read_model, short_name, tape};
 use crate::failure::{Failure, print, print_json, warn};
+use crate::near::near_divisors;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::print::text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, rates_to_speeds};
 use tripos_derive::model::Reaction;
@@ -70,7 +70,10 @@ fn values(model: &Model, by: &By, derivation: &Derivation, state: &State) -> Res
     let rcond = dynamics.reciprocal_condition(q, &v);
     if rcond.is_nan() || rcond < f64::EPSILON {
         let what = "the matrix is singular to rounding";
-        return Err(stopped(format!("{what}: equilibrated rcond {rcond:.1e}{}", near_divisors(model, state)?)));
+        return Err(stopped(format!(
+            "{what}: equilibrated rcond {rcond:.1e}{}",
+            near_divisors(model, &state.parameters, &state.q)?
+        )));
     }
     if rcond < LOSSY {
         let lost = (-rcond.log10()).floor();
@@ -124,16 +127,6 @@ fn warn_outside_domain(model: &Model, state: &State, reactions: &[f64]) -> Resul
         }
     }
     Ok(())
-}
-
-/// The divisors of the kinematic equations that are next to zero at a state.
-fn near_divisors(model: &Model, state: &State) -> Result<String, Failure> {
-    let divisors = &model.kinematic_equations.divisors;
-    let inputs = [model.p(), model.q()].concat();
-    let tape = tape(&model.arena, &inputs, divisors, "a divisor of the kinematic equations")?;
-    let values = tape.evaluate(&[state.parameters.as_slice(), &state.q].concat());
-    let near = divisors.iter().zip(values).filter(|(_, value)| value.abs() < 1e-6);
-    Ok(near.fold(String::new(), |all, (e, value)| all + &format!("; {} = {value:.1e}", text(&model.arena, *e))))
 }
 
 fn as_text(model: &Model, title: &str, values: &Values) -> String {

@@ -14,6 +14,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use tripos_derive::Model;
+use tripos_derive::mechanics::InertiaCheck;
 use tripos_derive::scene::{Family, Grid, QUADRATURE, Scene, Solve};
 use tripos_sim::{Options, SimError, Solution, Warning};
 use tripos_traits::InLanes;
@@ -30,6 +31,8 @@ pub struct Sweep<'a> {
     pub watch: Option<Watch>,
     /// How accelerations are found.
     pub solve: Solve,
+    /// Whether what moves has mass at a point's parameters.
+    inertia: InertiaCheck<'a>,
     /// What the table shows of the end of each run.
     pub names: Vec<String>,
     /// The equations that run: `compiled` or `interpreted`.
@@ -54,8 +57,9 @@ impl<'a> Sweep<'a> {
         }
         let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
         let balance = Balance::new(model, scene, by)?;
+        let inertia = InertiaCheck::new(model);
         let solve = {
-            let problem = Problem::new(model, scene, by, &code, None)?;
+            let problem = Problem::among(&inertia, model, scene, by, &code, None)?;
             try_one_step(&problem)?;
             problem.solve
         };
@@ -63,7 +67,7 @@ impl<'a> Sweep<'a> {
         let shown = Shown::new(model, scene)?;
         let names = shown.names.clone();
         let (originals, stop) = (Mutex::new((code, balance, shown)), AtomicBool::new(false));
-        Ok(Self { model, scene, grid, by, how, watch, solve, names, code: name, originals, stop })
+        Ok(Self { model, scene, grid, by, how, watch, solve, inertia, names, code: name, originals, stop })
     }
 
     /// Where nothing but gravity works, total energy is constant.
@@ -170,7 +174,8 @@ impl Worker<'_> {
     }
 
     fn problem<'s>(&'s self, scene: &'s Scene) -> Result<Problem<'s>, Failure> {
-        Problem::new(self.sweep.model, scene, self.sweep.by, &self.code, Some(self.sweep.solve))
+        let Sweep { inertia, model, by, solve, .. } = self.sweep;
+        Problem::among(inertia, model, scene, by, &self.code, Some(*solve))
     }
 
     /// One run, of the scene at a point, unless it was run already.

@@ -126,6 +126,7 @@ pub struct Arena {
     symbols: Vec<String>,
     symbol_index: FxHashMap<String, Expr>,
     positive: FxHashSet<Expr>,
+    restrictions: Vec<Expr>,
 }
 
 impl Default for Arena {
@@ -156,6 +157,7 @@ impl Arena {
             symbols: Vec::new(),
             symbol_index: FxHashMap::default(),
             positive: FxHashSet::default(),
+            restrictions: Vec::new(),
         };
         for n in [0, 1, -1] {
             arena.intern(Node::Number(Rational::integer(n)));
@@ -231,6 +233,19 @@ impl Arena {
     /// Takes a symbol to be positive from now on, so that √(x²) = x. State it before the symbol is used.
     pub fn assume_positive(&mut self, symbol: Expr) {
         self.positive.insert(symbol);
+    }
+
+    /// Notes that something was written that has a value only where this term has one, though the term itself has cancelled.
+    pub fn restrict(&mut self, e: Expr) {
+        if !self.restrictions.contains(&e) {
+            self.restrictions.push(e);
+        }
+    }
+
+    /// What must have a value where anything is said of what was written: [`Arena::restrict`].
+    #[must_use]
+    pub fn restrictions(&self) -> &[Expr] {
+        &self.restrictions
     }
 
     /// Whether a symbol was stated to be positive.

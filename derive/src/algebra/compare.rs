@@ -193,25 +193,35 @@ fn different(arena: &Arena, left: Expr, right: Expr, difference: Expr) -> Verdic
 /// How many states are tried for a witness.
 const STATES: usize = 100;
 
-/// A state where the sides differ, and whether that is proved by an interval of the difference that excludes 0.
+/// A state where the sides differ, and whether that is proved by an interval of the difference that excludes 0. What was written has a
+/// value there, also what has cancelled.
 fn witness(arena: &Arena, left: Expr, right: Expr, difference: Expr) -> Option<(Witness, bool)> {
     let sides = [left, right, difference];
-    let symbols: Vec<Expr> = arena.reachable(&sides).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect();
-    let tape = Tape::new(arena, &symbols, &sides).ok()?;
-    let mut generator = Generator(symbols.len() as u64);
+    let symbols_of = |roots: &[Expr]| {
+        let parts = arena.reachable(roots).into_iter();
+        parts.filter(|e| arena.symbol_name(*e).is_some()).collect::<Vec<_>>()
+    };
+    let mut symbols = symbols_of(&sides);
+    let mentioned = symbols.len();
+    let others: Vec<Expr> =
+        symbols_of(arena.restrictions()).into_iter().filter(|symbol| !symbols.contains(symbol)).collect();
+    symbols.extend(others);
+    let tape = Tape::new(arena, &symbols, &[&sides, arena.restrictions()].concat()).ok()?;
+    let mut generator = Generator(mentioned as u64);
     // Ranked by whether the difference is proved, then by the share of the sides that it makes.
     let mut best: Option<((bool, f64), Witness)> = None;
     for _ in 0..STATES {
         let values: Vec<f64> = symbols.iter().map(|s| handy_number(&mut generator, arena.is_positive(*s))).collect();
-        let [left, right, difference] = tape.evaluate(&values)[..] else { return None };
-        if [left, right, difference].iter().any(|x| !x.is_finite()) || difference == 0.0 {
+        let found = tape.evaluate(&values);
+        let (left, right, difference) = (found[0], found[1], found[2]);
+        if found.iter().any(|x| !x.is_finite()) || difference == 0.0 {
             continue;
         }
         let at = symbols.iter().copied().zip(values.iter().copied()).collect();
         let proved = enclose(arena, sides[2], &at).is_some_and(Interval::excludes_zero);
         let share = difference.abs() / left.abs().max(right.abs()).max(f64::MIN_POSITIVE);
         if best.as_ref().is_none_or(|(most, _)| (proved, share) > *most) {
-            let names = symbols.iter().filter_map(|s| arena.symbol_name(*s)).map(str::to_owned);
+            let names = symbols[..mentioned].iter().filter_map(|s| arena.symbol_name(*s)).map(str::to_owned);
             best = Some(((proved, share), Witness { at: names.zip(values).collect(), left, right, difference }));
         }
         // A difference that anyone can see.
@@ -364,5 +374,24 @@ mod tests {
         let Verdict::Undecided(why) = compare("1/(sin(q)^2 + cos(q)^2 - 1)", "a") else { panic!("it has no value") };
         assert!(why.contains("zero everywhere"), "{why}");
         assert!(compare("exp(a + b)*sin(q)^2", "exp(b + a)*(1 - cos(q)^2)").is_equal());
+    }
+
+    /// What has cancelled still says where the whole had a value.
+    #[test]
+    fn no_witness_is_outside_the_domain_of_what_was_written() {
+        let judged = |left: &str, right: &str| {
+            let mut arena = Arena::new();
+            let (a, b) = (parse_free(&mut arena, left).unwrap(), parse_free(&mut arena, right).unwrap());
+            Comparer::default().compare(&mut arena, a, b)
+        };
+        for text in ["log(w) - (log(w) + abs(w) - w)", "sqrt(w)^2 - abs(w)", "0*acos(w - 2) + abs(w) - w"] {
+            assert!(!matches!(judged(text, "0"), Verdict::Different(_)), "{text}: {:?}", judged(text, "0"));
+        }
+        // The same without the logarithm is different, and so is what differs inside its domain.
+        assert!(matches!(judged("abs(w) - w", "0"), Verdict::Different(_)));
+        let Verdict::Different(witness) = judged("log(w) - log(w) + 2*w", "w") else { panic!("2 w is not w") };
+        assert!(witness.at.len() == 1 && witness.at[0].1 > 0.0, "{witness:?}");
+        let Verdict::Different(witness) = judged("log(v) - log(v) + 2*w", "w") else { panic!("2 w is not w") };
+        assert_eq!(witness.at.len(), 1, "{witness:?}");
     }
 }

@@ -50,7 +50,7 @@ pub fn parse_primed(
     primes: usize,
     resolve: &mut Resolve<'_>,
 ) -> Result<Expr, ParseError> {
-    let mut parser = Parser { arena, text, at: 0, depth: 0, work: 0, primes, resolve };
+    let mut parser = Parser { arena, text, at: 0, depth: 0, work: 0, primes, partial: Vec::new(), resolve };
     parser.skip_space();
     if parser.at == text.len() {
         return Err(error(0..text.len(), "the expression is empty", Some("write 0 if nothing is meant")));
@@ -58,6 +58,12 @@ pub fn parse_primed(
     let e = parser.sum()?;
     if parser.at < text.len() {
         return Err(parser.unexpected());
+    }
+    // log(w) − log(w) + w is w, but only where there is a logarithm of w.
+    let partial = std::mem::take(&mut parser.partial);
+    if !partial.is_empty() {
+        let kept = arena.reachable(&[e]);
+        partial.into_iter().filter(|part| !kept.contains(part)).for_each(|part| arena.restrict(part));
     }
     Ok(e)
 }
@@ -88,6 +94,8 @@ struct Parser<'a, 'b> {
     work: u64,
     /// The most primes that a name may end in.
     primes: usize,
+    /// Functions that have no real value for every argument, as they were written.
+    partial: Vec<Expr>,
     resolve: &'a mut Resolve<'b>,
 }
 
@@ -431,13 +439,22 @@ impl Parser<'_, '_> {
             let message = format!("{}({shown}) is not a real number", f.name());
             return Err(error(start..self.at, message, Some("the argument is outside the function's domain")));
         }
-        Ok(self.arena.apply(f, argument))
+        let e = self.arena.apply(f, argument);
+        if is_partial(f) && self.arena.as_number(argument).is_none() {
+            self.partial.push(e);
+        }
+        Ok(e)
     }
+}
+
+/// Whether a function has no real value for some arguments.
+fn is_partial(f: Function) -> bool {
+    matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos)
 }
 
 /// Whether an argument without symbols is where a function has no real value: exactly for plain numbers, to rounding for others.
 fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
-    if !matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos) {
+    if !is_partial(f) {
         return false;
     }
     if let Some(value) = arena.as_number(argument) {

@@ -3,6 +3,7 @@
 mod accelerations;
 mod distance;
 mod energy;
+mod inertia;
 mod kane;
 mod kinematics;
 mod lagrange;
@@ -14,6 +15,7 @@ pub use accelerations::{Jacobian, accelerations, energy_gradient, jacobian};
 pub(crate) use distance::visit;
 pub use distance::{Distance, distances, in_distance};
 pub use energy::Momentum;
+pub use inertia::{InertiaCheck, has_inertia_at};
 pub use kinematics::{Kinematics, Load, Velocities, motion_rates, rates_to_speeds, speeds_to_rates};
 pub use lagrange::generalized_forces;
 pub use newton_euler::{Balance, balances, partial_velocities};
@@ -21,7 +23,7 @@ pub use quantities::{Energy, Owner, Quantities, Quantity, QuantityError, Quantit
 pub use vector::{Frames, Vector};
 
 use crate::algebra::elimination::Definition;
-use crate::algebra::{Arena, Expr, Rational};
+use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;
 use std::fmt;
@@ -397,39 +399,6 @@ fn derive_with(model: &Model, kinematics: &mut Kinematics, formulation: Formulat
     match rank.and_then(|r| r.dependent) {
         Some(row) => Err(singular(model, formulation, row)),
         None => Ok(equations),
-    }
-}
-
-/// That what moves has inertia at these values of the parameters, exactly: where parameters are 0 the mass matrix may be singular in
-/// every configuration, and what divides by it has no meaning.
-///
-/// # Errors
-/// [`DeriveError::NoInertiaAt`] if it is; `kane` are the model's equations by Kane's method, in their store.
-pub fn has_inertia_at(
-    arena: &Arena,
-    kane: &Equations,
-    model: &Model,
-    values: &[Option<Rational>],
-) -> Result<(), DeriveError> {
-    let zero = |value: &Option<Rational>| value.as_ref().is_some_and(Rational::is_zero);
-    let absent: Vec<&crate::model::Parameter> =
-        model.parameters.iter().zip(values).filter(|(_, value)| zero(value)).map(|(p, _)| p).collect();
-    if absent.is_empty() {
-        return Ok(());
-    }
-    let mut arena = arena.clone();
-    let pairs: Vec<(Expr, Expr)> = absent.iter().map(|p| (p.symbol, Expr::ZERO)).collect();
-    let mut put = crate::algebra::calculus::Substitution::new(&pairs);
-    let matrix: Vec<Vec<Expr>> =
-        kane.matrix.iter().map(|row| row.iter().map(|e| put.apply(&mut arena, *e)).collect()).collect();
-    let names = || absent.iter().map(|p| p.name.clone()).collect::<Vec<_>>();
-    // A term that divides by such a parameter says nothing about inertia.
-    if put.undefined.is_some() {
-        return Ok(());
-    }
-    match crate::algebra::rank::rank(&arena, &matrix).and_then(|rank| rank.dependent) {
-        Some(row) => Err(DeriveError::NoInertiaAt { speed: model.speeds[row].name.clone(), zero: names() }),
-        None => Ok(()),
     }
 }
 

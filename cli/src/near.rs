@@ -1,0 +1,118 @@
+//! Where equations have next to no value: what they divide by there, in words.
+
+use crate::catalogue::tape;
+use crate::failure::Failure;
+use rustc_hash::FxHashMap;
+use tripos_derive::Model;
+use tripos_derive::algebra::evaluate::value_of;
+use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::{Arena, Expr, Function, Node};
+use tripos_derive::model::{Coordinate, Unit};
+
+/// A divisor is next to zero below this part of the size that its terms have elsewhere, in whatever unit.
+const NEAR: f64 = 1e-6;
+
+/// What the equations divide by that is next to zero at a configuration, as the end of a sentence: ", where sin(theta) = 1.2e-16"; empty
+/// if nothing is.
+///
+/// # Errors
+/// [`Failure::Request`] if a divisor mentions what has no value during a run.
+pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<String, Failure> {
+    let inputs = [model.p(), model.q()].concat();
+    // A reduced system may divide by what its steps define: that is no place that a reader could find.
+    let is_place = |e: &&Expr| {
+        let symbols = model.arena.reachable(&[**e]).into_iter();
+        symbols.filter(|e| matches!(model.arena.node(*e), Node::Symbol(_))).all(|e| inputs.contains(&e))
+    };
+    let divisors: Vec<Expr> = model.kinematic_equations.divisors.iter().filter(is_place).copied().collect();
+    let values = tape(&model.arena, &inputs, &divisors, "a divisor of the equations")?;
+    let values = values.evaluate(&[parameters, q].concat());
+    let symbols: FxHashMap<Expr, f64> = inputs.into_iter().zip(extents(model, parameters, q)).collect();
+    let sizes = sizes(&model.arena, &divisors, &symbols);
+    let is_near = |value: f64, size: f64| size.is_finite() && value.abs() <= NEAR * size;
+    let near = divisors.iter().zip(values.iter().zip(sizes)).filter(|(_, (value, size))| is_near(**value, *size));
+    let list: Vec<String> =
+        near.map(|(e, (value, _))| format!("{} = {}", text(&model.arena, *e), said(*value))).collect();
+    Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
+}
+
+/// How large each parameter and each coordinate is elsewhere: a coordinate that happens to be small is as large as the largest
+/// parameter of its unit, an angle as a radian.
+fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
+    let alike = |coordinate: &Coordinate| {
+        let of = model.parameters.iter().zip(parameters).filter(|(p, _)| p.unit == coordinate.unit);
+        of.map(|(_, value)| value.abs()).reduce(f64::max).filter(|_| coordinate.unit != Unit::default()).unwrap_or(1.0)
+    };
+    let coordinates = model.coordinates.iter().zip(q).map(|(coordinate, value)| value.abs().max(alike(coordinate)));
+    parameters.iter().map(|value| value.abs()).chain(coordinates).collect()
+}
+
+/// The size of each expression where sines and cosines are 1 and nothing cancels.
+fn sizes(arena: &Arena, roots: &[Expr], symbols: &FxHashMap<Expr, f64>) -> Vec<f64> {
+    let mut known: FxHashMap<Expr, f64> = FxHashMap::default();
+    // Operands have smaller handles than what is built from them.
+    for e in arena.reachable(roots) {
+        let of = |e: &Expr| known[e];
+        let size = match arena.node(e) {
+            Node::Number(number) => number.to_f64().abs(),
+            Node::Symbol(_) => symbols[&e],
+            Node::Pi => std::f64::consts::PI,
+            Node::Sum(constant, terms) => {
+                terms.iter().fold(constant.to_f64().abs(), |sum, (term, k)| sum + k.to_f64().abs() * of(term))
+            }
+            Node::Product(factors) => factors.iter().map(|(base, n)| of(base).powi(*n)).product(),
+            Node::Apply(Function::Sin | Function::Cos, _) => 1.0,
+            Node::Apply(function, argument) => value_of(*function, of(argument)).abs(),
+        };
+        known.insert(e, size);
+    }
+    roots.iter().map(|e| known[e]).collect()
+}
+
+/// A small number in few digits.
+fn said(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tripos_derive::diagnostic::Source;
+
+    /// A bead on the end of a massless arm, in polar coordinates with speeds along and across; only what is divided by matters.
+    const BEAD: &str = r#"
+name = "bead"
+[parameters]
+m = { unit = "kg", value = 1 }
+l = { unit = "m", value = 1 }
+[coordinates]
+r = { unit = "m" }
+theta = { unit = "rad" }
+[speeds]
+along = "r'"
+across = "l*sin(theta)*r*theta'"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+A = { from = "N", axis = 3, angle = "theta" }
+[points]
+P = { from = "O", frame = "A", position = ["r", 0, 0] }
+[particles]
+b = { point = "P", mass = "m" }
+"#;
+
+    fn near(l: f64, r: f64, theta: f64) -> String {
+        let model = tripos_derive::model::load(&Source::from_text("bead.toml", BEAD)).unwrap();
+        near_divisors(&model, &[1.0, l], &[r, theta]).unwrap()
+    }
+
+    #[test]
+    fn nearness_does_not_depend_on_the_unit_of_lengths() {
+        for scale in [1.0, 1e-9, 1e9] {
+            assert_eq!(near(scale, 0.7 * scale, 1.2), "", "nothing is near at {scale}");
+            assert!(near(scale, 1e-8 * scale, 1.2).starts_with(", where "), "r is next to 0 at {scale}");
+            assert!(near(scale, 0.7 * scale, 1e-8).contains("sin(theta)"), "the angle is next to 0 at {scale}");
+        }
+    }
+}
