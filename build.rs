@@ -1,64 +1,76 @@
-//! Keeps the compiled equations fresh: derives every model again, in memory, and compares.
+//! Warns which compiled equations are of another text than their model: compares hashes, and depends on nothing.
 //!
-//! Equal: the committed text under `generated/` is compiled. Different: the fresh text goes to the
-//! build directory, `cfg(stale)` makes the library include it from there, and cargo warns. Nothing is
-//! ever written to the source tree, and neither Python nor a network is needed.
+//! The text under `generated/` is compiled as it is. A model that was edited since runs interpreted, until
+//! `tripos regenerate` derives its equations again. What a hash cannot see, a changed generator, is held by the tests.
+
+use std::fs::read_to_string;
+use std::path::Path;
 
 fn main() {
-    println!("cargo::rustc-check-cfg=cfg(stale)");
-    println!("cargo::rerun-if-changed=build.rs");
-    #[cfg(feature = "fresh")]
-    fresh::check();
-}
-
-#[cfg(feature = "fresh")]
-mod fresh {
-    use std::path::{Path, PathBuf};
-    use tripos_codegen::files::write;
-    use tripos_codegen::workspace::{Freshness, freshness, stale_library};
-
-    pub fn check() {
-        println!("cargo::rerun-if-changed=models");
-        println!("cargo::rerun-if-changed=generated/src");
-        let committed = Path::new("generated/src");
-        match freshness(Path::new("models"), committed) {
-            Ok(found) => report(&found, committed),
-            Err(error) => println!("cargo::warning=the models could not be read, so nothing was checked: {error}"),
-        }
+    for path in ["build.rs", "models", "generated/src"] {
+        println!("cargo::rerun-if-changed={path}");
     }
-
-    fn report(found: &Freshness, committed: &Path) {
-        for (name, diagnostics) in &found.generated.broken {
-            let first = diagnostics.list.first().map_or("", |d| d.message.as_str());
+    let mut folders: Vec<_> = std::fs::read_dir("models").into_iter().flatten().flatten().map(|e| e.path()).collect();
+    folders.sort();
+    for folder in folders {
+        let (Ok(model), Some(name)) = (read_to_string(folder.join("model.toml")), folder.file_name()) else { continue };
+        let name = name.to_string_lossy();
+        let report = read_to_string(folder.join("report.toml")).map(|text| hash(&text)).unwrap_or_default();
+        // Of a model that was never generated nothing is found.
+        let compiled = read_to_string(Path::new("generated/src").join(&*name).join("mod.rs")).unwrap_or_default();
+        let is_current = |key: &str, hash: &str| compiled.contains(&format!("{key}: \"{hash}\""));
+        if !is_current("text_hash", &hash(&model)) {
             println!(
-                "cargo::warning=models/{name}/model.toml has errors ({first}); `tripos derive models/{name}` shows them"
+                "cargo::warning=models/{name}/model.toml is not what its equations were generated from: it runs interpreted until `tripos regenerate {name}`"
+            );
+        } else if !is_current("report_hash", &report) {
+            println!(
+                "cargo::warning=models/{name}/report.toml is not what its equations were generated from: they run interpreted until `tripos regenerate {name}`"
             );
         }
-        for (name, diagnostics) in &found.generated.broken_scenes {
-            let first = diagnostics.list.first().map_or("", |d| d.message.as_str());
-            println!("cargo::warning=models/{name} has errors ({first}); `tripos scene models/{name}` shows them");
-        }
-        if found.differences.is_empty() {
-            return;
-        }
-        let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
-        let folder = out.join("fresh");
-        let mut modules = Vec::new();
-        for (file, text) in &found.generated.files {
-            let path = folder.join(file);
-            std::fs::create_dir_all(path.parent().expect("a file has a folder")).expect("OUT_DIR can be written");
-            write(&path, text).expect("OUT_DIR can be written");
-        }
-        for name in &found.generated.models {
-            modules.push((name.clone(), folder.join(name)));
-        }
-        write(&out.join("stale.rs"), stale_library(&modules)).expect("OUT_DIR can be written");
-        println!("cargo::rustc-cfg=stale");
-        let files = found.differences.len();
-        println!(
-            "cargo::warning=generated/ is stale in {files} file(s), for example {} of {}; this build uses fresh equations, `tripos regenerate` commits them",
-            found.differences[0].file(),
-            committed.display()
-        );
     }
+}
+
+/// The first 16 hexadecimal digits of SHA-256, as compiled equations carry them (FIPS 180-4).
+#[must_use]
+pub fn hash(text: &str) -> String {
+    // Fractions of the roots of the first primes: square roots to start from, cube roots for the rounds.
+    let primes: Vec<u128> = (2..312).filter(|n| (2..*n).all(|d| n % d != 0)).collect();
+    let fraction = |prime: u128, root: u32| {
+        // The largest x with x^root <= prime * 2^(32 root), whose low 32 bits are the fraction.
+        let target = prime << (32 * root);
+        let (mut low, mut high) = (0_u128, 1_u128 << 37);
+        while high - low > 1 {
+            let middle = u128::midpoint(low, high);
+            if middle.pow(root) <= target { low = middle } else { high = middle }
+        }
+        (low & 0xffff_ffff) as u32
+    };
+    let mut state: Vec<u32> = primes.iter().take(8).map(|p| fraction(*p, 2)).collect();
+    let rounds: Vec<u32> = primes.iter().map(|p| fraction(*p, 3)).collect();
+    let mut bytes = text.as_bytes().to_vec();
+    bytes.push(0x80);
+    bytes.resize((bytes.len() + 8).next_multiple_of(64) - 8, 0);
+    bytes.extend((8 * text.len() as u64).to_be_bytes());
+    for block in bytes.chunks(64) {
+        let mut w: Vec<u32> = block.chunks(4).map(|b| u32::from_be_bytes([b[0], b[1], b[2], b[3]])).collect();
+        for t in 16..64 {
+            let (early, late) = (w[t - 15], w[t - 2]);
+            let early = early.rotate_right(7) ^ early.rotate_right(18) ^ (early >> 3);
+            let late = late.rotate_right(17) ^ late.rotate_right(19) ^ (late >> 10);
+            w.push(late.wrapping_add(w[t - 7]).wrapping_add(early).wrapping_add(w[t - 16]));
+        }
+        let mut s = [0; 8];
+        s.copy_from_slice(&state);
+        for (w, k) in w.iter().zip(&rounds) {
+            let [a, b, c, d, e, f, g, h] = s;
+            let of_e = e.rotate_right(6) ^ e.rotate_right(11) ^ e.rotate_right(25);
+            let of_a = a.rotate_right(2) ^ a.rotate_right(13) ^ a.rotate_right(22);
+            let first = h.wrapping_add(of_e).wrapping_add((e & f) ^ (!e & g)).wrapping_add(*k).wrapping_add(*w);
+            let second = of_a.wrapping_add((a & b) ^ (a & c) ^ (b & c));
+            s = [first.wrapping_add(second), a, b, c, d.wrapping_add(first), e, f, g];
+        }
+        state.iter_mut().zip(s).for_each(|(state, s)| *state = state.wrapping_add(s));
+    }
+    format!("{:08x}{:08x}", state[0], state[1])
 }

@@ -1,6 +1,6 @@
 //! The three formulations of the disk agree, and compiled code computes what was derived.
 
-mod support;
+use crate::support;
 
 use proptest::prelude::*;
 use std::path::Path;

@@ -4,7 +4,7 @@
 //! steps of 1e-5 s its rate; this must be the derivative that the formulation computes. 1e-19 is the error of the differences,
 //! mostly the rounding of angles of up to 300 rad divided by the step.
 
-mod support;
+use crate::support;
 
 use support::exact::{Motion, exact, motion, start_of};
 use support::stability::{Equations, Start, options, rounded, wide};

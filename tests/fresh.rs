@@ -3,11 +3,15 @@
 use std::path::Path;
 use tripos_codegen::freshness;
 
+#[path = "../build.rs"]
+#[allow(dead_code, reason = "a program of its own")]
+mod build;
+
 /// Fails while a model was edited and `tripos regenerate` was not run.
 #[test]
 fn generated_text_is_what_the_models_give() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let found = freshness(&root.join("models"), &root.join("generated/src")).unwrap();
+    let found = freshness(&root.join("models"), &root.join("generated/src"), None).unwrap();
     for (name, diagnostics) in &found.generated.broken {
         eprintln!("models/{name}:\n{diagnostics}");
     }
@@ -21,7 +25,17 @@ fn generated_text_is_what_the_models_give() {
 #[test]
 fn generating_twice_gives_the_same_bytes() {
     let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
-    let first = tripos_codegen::workspace::generate(&models).unwrap();
-    let second = std::thread::spawn(move || tripos_codegen::workspace::generate(&models).unwrap()).join().unwrap();
+    let folders = tripos_codegen::workspace::model_folders(&models).unwrap();
+    let first = tripos_codegen::workspace::generate(&models, &folders);
+    let second = std::thread::spawn(move || tripos_codegen::workspace::generate(&models, &folders)).join().unwrap();
     assert_eq!(first.files, second.files);
+}
+
+/// The build depends on nothing, so it hashes by itself.
+#[test]
+fn the_build_hashes_as_the_deriving_crate_does() {
+    for length in 0..200 {
+        let text: String = (0..length).map(|at| char::from(b' ' + (at * length % 95) as u8)).collect();
+        assert_eq!(build::hash(&text), tripos_derive::model::text_hash(&text), "{text:?}");
+    }
 }

@@ -1,6 +1,6 @@
 //! Every compiled formulation in lanes computes what it computes in doubles.
 
-mod support;
+use crate::support;
 
 use support::Random;
 use tripos_traits::{CompiledSystem, InLanes, Lanes, Lengths, Rates};

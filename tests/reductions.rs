@@ -1,6 +1,6 @@
 //! Reduced systems of the library's scenes along runs: against the whole equations in 32 digits, and against closed forms.
 
-mod support;
+use crate::support;
 
 use std::path::Path;
 use support::Random;

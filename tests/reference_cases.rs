@@ -1,6 +1,6 @@
 //! Compiled equations against accelerations that were computed independently.
 
-mod support;
+use crate::support;
 
 use serde_json::Value;
 use support::{accelerations, system};

@@ -2,7 +2,7 @@
 //!
 //! References are exact solutions, eigenvalues by hand, or double-double runs that two formulations certify.
 
-mod support;
+use crate::support;
 
 use support::compiled;
 use support::stability::{Equations, Start, options, right_angle, rounded, wide};

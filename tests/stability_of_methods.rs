@@ -1,7 +1,7 @@
 //! What methods do over many steps, whatever the mechanism: limits of fixed steps, drifts of long runs, tolerances
 //! below rounding. Held against theory and the pendulum's exact solution; passages and unstable motions are in `stability.rs`.
 
-mod support;
+use crate::support;
 
 use support::stability::{Equations, Start, fixed, options, rounded, wide};
 use tripos_sim::stability::{Trend, growth, trend};

@@ -1,7 +1,6 @@
 //! What is derived here against what SymPy alone derives from the same model files.
 
-#[path = "support/sympy.rs"]
-mod sympy;
+use crate::sympy;
 
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Recurrences of Taylor coefficients: generated, interpreted, and against derivatives taken in the algebra.
 
-mod support;
+use crate::support;
 
 use support::{compiled, system};
 use tripos_codegen::formulation::Solved;

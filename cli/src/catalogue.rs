@@ -188,10 +188,9 @@ impl Ready {
 
 /// The equations of a model: compiled in if they were derived from this very text.
 ///
-/// In a distance, if one is given. Compiled equations of a workspace model whose text has changed since are refused,
-/// never run.
+/// In a distance, if one is given.
 pub fn code(model: &Model, by: &By, distance: Option<Distance>, ready: Ready) -> Result<Code, Failure> {
-    if let Some(code) = compiled_code(model, by, distance)? {
+    if let Some(code) = compiled_code(model, by, distance) {
         return Ok(code);
     }
     let derivation = derivation(model, by)?;
@@ -203,15 +202,15 @@ pub fn code(model: &Model, by: &By, distance: Option<Distance>, ready: Ready) ->
 }
 
 /// The equations of a model that were compiled in, if there are such and they are current.
-pub fn compiled_code(model: &Model, by: &By, distance: Option<Distance>) -> Result<Option<Code>, Failure> {
-    let Some(compiled) = compiled(model)? else { return Ok(None) };
+pub fn compiled_code(model: &Model, by: &By, distance: Option<Distance>) -> Option<Code> {
+    let compiled = compiled(model)?;
     let name = match distance {
         Some(distance) => format!("{}@{}", by.name, distance.name(model)),
         None => by.name.clone(),
     };
     let found = compiled.systems.iter().find(|system| system.name == name);
     let current = by.derived.is_some() || report_hash(model) == compiled.report_hash;
-    Ok(found.filter(|_| current).map(Code::Compiled))
+    found.filter(|_| current).map(Code::Compiled)
 }
 
 /// The equations of a scene that were compiled in, if they are of what it says.
@@ -295,20 +294,21 @@ fn report_hash(model: &Model) -> String {
     text.map(|text| tripos_derive::model::text_hash(&text)).unwrap_or_default()
 }
 
-fn compiled(model: &Model) -> Result<Option<&'static CompiledModel>, Failure> {
+fn compiled(model: &Model) -> Option<&'static CompiledModel> {
     let hash = model.text_hash();
-    if let Some(found) = tripos::MODELS.iter().find(|m| m.text_hash == hash) {
-        return Ok(Some(found));
-    }
-    let Some(stale) = tripos::MODELS.iter().find(|m| is_workspace_model(model, m.name)) else { return Ok(None) };
-    Err(Failure::Request(
+    tripos::MODELS.iter().find(|m| m.text_hash == hash)
+}
+
+/// What is to be said of a model of the workspace that was edited since its equations were compiled.
+pub fn edited(model: &Model) -> Option<String> {
+    let of_place = tripos::MODELS.iter().find(|m| is_workspace_model(model, m.name))?;
+    (compiled(model).is_none()).then(|| {
+        let name = of_place.name;
         format!(
-            "the compiled equations of `{}` were derived from another text of {}",
-            stale.name,
-            model.source.path.display()
-        ),
-        "build again: `cargo run --release -- …` derives the new text; then `tripos regenerate` commits it".to_owned(),
-    ))
+            "the equations of `{name}` that were compiled are of another text, so this one is interpreted: \
+             `tripos regenerate {name}` writes its equations, and the next build compiles them"
+        )
+    })
 }
 
 /// Whether the model file is the one that a compiled model was derived from, by place.

@@ -83,6 +83,8 @@ enum Command {
     },
     /// Write generated/ anew from models/
     Regenerate {
+        /// Models of the workspace, by the names of their folders; all of them if none is given
+        models: Vec<PathBuf>,
         /// Only say what would change; exit status 1 if anything would
         #[arg(long)]
         check: bool,
@@ -313,8 +315,8 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
         Command::Prove { model, json } => commands::prove::prove(&model, json),
-        Command::Regenerate { check: true } => commands::regenerate::check(),
-        Command::Regenerate { check: false } => commands::regenerate::regenerate(),
+        Command::Regenerate { models, check: true } => commands::regenerate::check(&models),
+        Command::Regenerate { models, check: false } => commands::regenerate::regenerate(&models),
         Command::Emit { model, out, formulations } => commands::emit::emit(&model, &out, &formulations),
         Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),
         Command::Stability { scene, quick, out } => commands::stability::stability(&scene, quick, &out),

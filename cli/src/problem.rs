@@ -202,11 +202,8 @@ impl<'a> Problem<'a> {
     }
 
     /// Parameters and the integrated state at the start, to 32 digits; nothing if the equations are not compiled.
-    ///
-    /// # Errors
-    /// [`Failure`] if the compiled equations are of another text.
-    pub fn extended_start(&self) -> Result<Option<ExtendedStart>, Failure> {
-        let Some(system) = self.code.extended() else { return Ok(None) };
+    pub fn extended_start(&self) -> Option<ExtendedStart> {
+        let system = self.code.extended()?;
         let exact = &self.scene.exact;
         let numbers = |list: &[Extended]| list.iter().map(wide).collect::<Vec<_>>();
         let (p, mut q) = (numbers(&exact.parameters), numbers(&exact.q));
@@ -219,15 +216,15 @@ impl<'a> Problem<'a> {
             Motion::Rates(rates) => {
                 // Lagrange's equations have the definitions of the speeds.
                 let lagrange = Formulation::Lagrange.into();
-                let lagrange = compiled_code(self.model, &lagrange, self.scene.integration.distance)?;
-                let Some(lagrange) = lagrange.as_ref().and_then(Code::extended) else { return Ok(None) };
+                let lagrange = compiled_code(self.model, &lagrange, self.scene.integration.distance);
+                let lagrange = lagrange.as_ref().and_then(Code::extended)?;
                 let mut u = v.clone();
                 lagrange.generalized_speeds(&p, &q, &numbers(rates), &mut u);
                 system.motion_variables(&p, &q, &u, &mut v);
             }
             Motion::Speeds(u) => system.motion_variables(&p, &q, &numbers(u), &mut v),
         }
-        Ok(Some((p, [q, v].concat())))
+        Some((p, [q, v].concat()))
     }
 
     /// The same as [`Problem::state`] in twice the precision of a double.

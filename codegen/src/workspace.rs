@@ -11,7 +11,7 @@ use crate::tokens::format;
 use crate::{formulation, module, scene};
 use quote::{format_ident, quote};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::{Derivation, DeriveError, derive_all, distances, in_distance};
@@ -34,13 +34,11 @@ pub struct Generated {
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
-/// Derives every model under `models/` and emits its code.
-///
-/// A model with errors does not stop the others: it is listed in [`Generated::broken`].
+/// The folders of models under `models/`, in order.
 ///
 /// # Errors
 /// If the folder cannot be listed.
-pub fn generate(models: &Path) -> std::io::Result<Generated> {
+pub fn model_folders(models: &Path) -> std::io::Result<Vec<String>> {
     let mut folders: Vec<String> = Vec::new();
     for entry in std::fs::read_dir(models)? {
         let entry = entry?;
@@ -49,8 +47,16 @@ pub fn generate(models: &Path) -> std::io::Result<Generated> {
         }
     }
     folders.sort();
+    Ok(folders)
+}
+
+/// Derives the models in these folders under `models/` and emits their code.
+///
+/// A model with errors does not stop the others: it is listed in [`Generated::broken`].
+#[must_use]
+pub fn generate(models: &Path, folders: &[String]) -> Generated {
     let mut generated = Generated::default();
-    for folder in folders {
+    for folder in folders.iter().cloned() {
         match guarded(&models.join(&folder).join("model.toml"), &folder) {
             Ok(module) => {
                 let files = module.files.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text));
@@ -62,7 +68,7 @@ pub fn generate(models: &Path) -> std::io::Result<Generated> {
             Err(diagnostics) => generated.broken.push((folder, diagnostics)),
         }
     }
-    Ok(generated)
+    generated
 }
 
 /// [`model_files`], with a defect of this program reported as an error of the one model that shows it.
@@ -212,19 +218,18 @@ pub fn report_beside(path: &Path, model: &mut Model) -> Result<Option<Report>, D
     tripos_derive::report::load(&Source::read(&path)?, model).map(Some)
 }
 
-/// `lib.rs` for these models: the committed modules, or fresh ones from the build directory.
+/// `lib.rs` for these models.
 #[must_use]
 pub fn library(models: &[String]) -> String {
     let header = [
         "Equations of motion, compiled: one module a model, one file a formulation.",
         "",
         "Generated from the files under `models/`. Do not edit; run `tripos regenerate`.",
-        "When a model file is newer than this text, the build derives its equations afresh and this",
-        "crate is built from those instead.",
+        "A model that was edited since is run interpreted: compiled equations carry the hash of their text.",
     ];
     let modules = models.iter().map(|name| {
         let name = format_ident!("{name}");
-        quote!(#[cfg(not(stale))] #[rustfmt::skip] pub mod #name;)
+        quote!(#[rustfmt::skip] pub mod #name;)
     });
     let entries = models.iter().map(|name| {
         let name = format_ident!("{name}");
@@ -238,35 +243,10 @@ pub fn library(models: &[String]) -> String {
         #(#modules)*
 
         #[doc = " Every compiled model, by name."]
-        #[cfg(not(stale))]
         #[rustfmt::skip]
         pub static MODELS: &[tripos_traits::CompiledModel] = &[#(#entries),*];
-
-        #[cfg(stale)]
-        include!(concat!(env!("OUT_DIR"), "/stale.rs"));
     };
     format(&header.map(str::to_owned), items)
-}
-
-/// The declarations that stand in for those of `lib.rs` while the committed text is stale: each model
-/// with the folder that holds its modules.
-#[must_use]
-pub fn stale_library(models: &[(String, PathBuf)]) -> String {
-    let modules = models.iter().map(|(name, folder)| {
-        let path = folder.join("mod.rs").to_string_lossy().into_owned();
-        let name = format_ident!("{name}");
-        quote!(#[path = #path] pub mod #name;)
-    });
-    let entries = models.iter().map(|(name, _)| {
-        let name = format_ident!("{name}");
-        quote!(#name::MODEL)
-    });
-    quote! {
-        #(#modules)*
-        #[doc = " Every compiled model, by name."]
-        pub static MODELS: &[tripos_traits::CompiledModel] = &[#(#entries),*];
-    }
-    .to_string()
 }
 
 /// How one file of `generated/src` differs from what the models give.
@@ -303,25 +283,25 @@ impl Difference {
 /// What the models give, beside what is committed.
 #[derive(Debug)]
 pub struct Freshness {
-    /// What the models give, `lib.rs` among the files; broken models keep their committed files.
+    /// What the models give, `lib.rs` among the files; models that are broken, and those that nobody asked for, keep their committed files.
     pub generated: Generated,
     /// Where the committed text differs.
     pub differences: Vec<Difference>,
 }
 
-/// Derives every model and compares with the committed text, byte by byte.
+/// Derives every model, or those in the folders `only`, and compares with the committed text, byte by byte.
 ///
 /// # Errors
 /// If a folder or a file cannot be read.
-pub fn freshness(models: &Path, committed: &Path) -> std::io::Result<Freshness> {
-    let mut generated = generate(models)?;
+pub fn freshness(models: &Path, committed: &Path, only: Option<&[String]>) -> std::io::Result<Freshness> {
+    let all = model_folders(models)?;
+    let mut generated = generate(models, only.unwrap_or(&all));
     let on_disk = read_tree(committed)?;
     // A model with errors keeps its last good equations.
-    for (name, _) in &generated.broken {
-        let prefix = format!("{name}/");
-        let kept: Vec<_> = on_disk.iter().filter(|(file, _)| file.starts_with(&prefix)).collect();
+    for name in all.into_iter().filter(|name| !generated.models.contains(name)).collect::<Vec<_>>() {
+        let kept: Vec<_> = on_disk.iter().filter(|(file, _)| Path::new(file).starts_with(&name)).collect();
         if !kept.is_empty() {
-            generated.models.push(name.clone());
+            generated.models.push(name);
             generated.files.extend(kept.into_iter().map(|(file, text)| (file.clone(), text.clone())));
         }
     }

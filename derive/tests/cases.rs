@@ -2,8 +2,7 @@
 
 #![allow(clippy::needless_range_loop, reason = "matrices are read by row and column")]
 
-#[path = "common/figures.rs"]
-mod figures;
+use crate::figures;
 
 use figures::{CASES, Case, State};
 use std::path::Path;

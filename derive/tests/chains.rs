@@ -1,7 +1,6 @@
 //! Pendulums of many links on a cart: the equations are those worked by hand, and they grow as they must.
 
-#[path = "common/chain.rs"]
-mod chain;
+use crate::chain;
 
 use chain::{by_hand, chain};
 use tripos_derive::algebra::calculus::Substitution;

@@ -2,7 +2,7 @@
 
 #![allow(clippy::format_collect, reason = "texts built once, for a test")]
 
-mod common;
+use crate::common;
 
 use common::{BASE, errors, read};
 use std::time::{Duration, Instant};

@@ -1,7 +1,6 @@
 //! Reductions of random mechanisms.
 
-#[path = "common/reduced.rs"]
-mod reduced;
+use crate::reduced;
 
 use proptest::prelude::*;
 use std::fmt::Write;

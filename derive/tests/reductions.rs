@@ -1,7 +1,6 @@
 //! The reduced systems of the library as people read them: the least that the outputs need, and nothing of what they do not.
 
-#[path = "common/reduced.rs"]
-mod reduced;
+use crate::reduced;
 
 use expect_test::{Expect, expect};
 use reduced::{integrated, ledger, library, show};

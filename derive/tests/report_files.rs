@@ -1,8 +1,6 @@
 //! Report files: what is read from a right one, and that no file, however wrong, does harm.
 
-mod common;
-#[path = "common/reports.rs"]
-mod reports;
+use crate::reports;
 
 use reports::{REPORT, base, edited, errors, load_text};
 use std::path::Path;

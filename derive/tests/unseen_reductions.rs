@@ -1,7 +1,6 @@
 //! Reductions of mechanisms that the library does not have: what they must find, and what they must leave alone.
 
-#[path = "common/reduced.rs"]
-mod reduced;
+use crate::reduced;
 
 use expect_test::expect;
 use reduced::{integrated, names, output, reduced, show};

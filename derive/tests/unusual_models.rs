@@ -2,7 +2,7 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-mod common;
+use crate::common;
 
 use common::{BASE, edited, read};
 use tripos_derive::algebra::print::text;

@@ -4,7 +4,7 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-mod common;
+use crate::common;
 
 use common::{edited, errors};
 use expect_test::{Expect, expect};

@@ -1,6 +1,6 @@
 //! Every wrong model gets one error, at the right line and column, with the culprit's name and a hint.
 
-mod common;
+use crate::common;
 
 use common::{BASE, errors, place};
 

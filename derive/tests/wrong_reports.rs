@@ -4,9 +4,7 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-mod common;
-#[path = "common/reports.rs"]
-mod reports;
+use crate::reports;
 
 use expect_test::expect;
 use reports::{check, check_edit, edited};

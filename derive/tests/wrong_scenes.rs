@@ -1,6 +1,6 @@
 //! Every wrong scene gets one error, at the right line and column, with the culprit's name and a hint.
 
-mod common;
+use crate::common;
 
 use common::place;
 use expect_test::{Expect, expect};

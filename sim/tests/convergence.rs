@@ -2,10 +2,8 @@
 
 #![allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 
-#[path = "support/trees.rs"]
-mod trees;
-#[path = "support/wide.rs"]
-mod wide;
+use crate::trees;
+use crate::wide;
 
 use trees::{Number, Tree, dot, trees};
 use tripos_sim::{DORMAND_PRINCE_853, Failure, Method, Options, Output, RightHandSide, Row, WithJacobian, integrate};

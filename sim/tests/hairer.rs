@@ -1,7 +1,6 @@
 //! Parity of `dopri5` and `dop853` with Hairer's programs, by way of the crate `ode_solvers`, a translation of them.
 
-#[path = "support/problems.rs"]
-mod problems;
+use crate::problems;
 
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{DVector, Dop853, Dopri5, System};

@@ -1,7 +1,6 @@
 //! The order of the methods: proved on the coefficients, then observed on solutions known exactly.
 
-#[path = "support/trees.rs"]
-mod trees;
+use crate::trees;
 
 use trees::{Number, dot, trees};
 use tripos_sim::{AbsoluteTolerance, DORMAND_PRINCE_54, Fraction, Options, Output, Solution, Tableau, integrate};

@@ -1,7 +1,6 @@
 //! Motions by quadrature against their exact solutions.
 
-#[path = "support/one_degree.rs"]
-mod one_degree;
+use crate::one_degree;
 
 use one_degree::{OneSpeed, kepler, pendulum, top};
 use tripos_sim::exact::{HeavyTop, Pendulum, SphericalPendulum, Top, TopStart};

@@ -1,20 +1,13 @@
 //! `tripos emit`: the module of any model file, and what it leaves alone.
 
+use crate::support::{cargo, make_crate, root, tripos_in};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
 
 /// (exit status, standard output, standard error)
 fn emit(model: &Path, out: &Path, more: &[&str]) -> (i32, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
-    let command = command.arg("emit").arg(model).arg("--out").arg(out).args(more).current_dir(root());
-    let Output { status, stdout, stderr } = command.output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (status.code().expect("ended by itself"), text(stdout), text(stderr))
+    let arguments = ["emit", model.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    tripos_in(&root(), &[&arguments, more].concat())
 }
 
 fn files(folder: &Path) -> BTreeMap<String, String> {
@@ -122,31 +115,58 @@ fn bad_requests_are_answered_with_what_to_do() {
     assert!(err.contains("not emitted: newton-euler is not possible: "), "{err}");
 }
 
-/// Goal: a module is Rust that compiles and gives the numbers of the command's own interpreter, in a crate that has
-/// nothing but the traits. Method: the acceleration of the pendulum at 90°, which is −g/l.
+/// Goal: a module is Rust that compiles without a warning and gives the numbers of the command's own interpreter, in a crate that has
+/// nothing but the traits. Method: the acceleration of the pendulum at 90°, which is −g/l; and a model whose names, angles and constants
+/// a generator gets wrong first, by two formulations, as `evaluate` has it.
 #[test]
-fn an_emitted_module_compiles_in_a_crate_of_its_own() {
+fn emitted_modules_compile_in_a_crate_of_their_own_and_give_the_same_numbers() {
     let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("src/swing");
-    assert_eq!(emit(&pendulum(folder.path()), &out, &[]).0, 0);
-    let traits = root().join("sim/traits");
-    let manifest = format!(
-        "[package]\nname = \"user\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\ntripos-traits = {{ path = '{}' }}\n",
-        traits.display()
-    );
-    std::fs::write(folder.path().join("Cargo.toml"), manifest).unwrap();
-    std::fs::copy(root().join("Cargo.lock"), folder.path().join("Cargo.lock")).unwrap();
-    let main = "#[allow(non_snake_case)]\npub mod swing;\nfn main() {\n    let mut out = [0.0];\n    \
-                let p: Vec<f64> = swing::PARAMETERS.iter().map(|name| if *name == \"l\" { 0.5 } else { 2.0 }).collect();\n    \
-                let q = [std::f64::consts::FRAC_PI_2];\n    \
-                tripos_traits::System::accelerations(&swing::kane::Kane, &p, &q, &[0.0], &mut out);\n    \
-                println!(\"{}\", out[0]);\n}\n";
+    let awkward = root().join("tests/data/awkward/model.toml");
+    for (model, name) in [(pendulum(folder.path()), "swing"), (awkward.clone(), "awkward")] {
+        assert_eq!(emit(&model, &folder.path().join("src").join(name), &[]).0, 0);
+    }
+    make_crate(folder.path());
+    let main = r#"
+#[allow(non_snake_case)]
+pub mod awkward;
+#[allow(non_snake_case)]
+pub mod swing;
+use tripos_traits::System;
+fn main() {
+    let mut out = [0.0];
+    let p: Vec<f64> = swing::PARAMETERS.iter().map(|name| if *name == "l" { 0.5 } else { 2.0 }).collect();
+    swing::kane::Kane.accelerations(&p, &[std::f64::consts::FRAC_PI_2], &[0.0], &mut out);
+    println!("{}", out[0]);
+    let p = [1.5, 0.5, 0.7, 1.3, 0.31, 0.2, 0.4, 0.05, 9.81, 0.25, 0.8, 2.0, 3.0, 1e-300];
+    let (q, u) = ([0.3, -0.2, 0.4, 0.1], [0.5, -0.3, 0.2, 0.6]);
+    show(&awkward::kane::Kane, &p, &q, &u);
+    show(&awkward::lagrange::Lagrange, &p, &q, &u);
+}
+fn show(system: &dyn System, p: &[f64], q: &[f64], u: &[f64]) {
+    let (mut v, mut v_dot, mut u_dot) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+    system.motion_variables(p, q, u, &mut v);
+    system.accelerations(p, q, &v, &mut v_dot);
+    system.generalized_speed_rates(p, q, &v, &v_dot, &mut u_dot);
+    u_dot.iter().for_each(|x| println!("{x}"));
+}
+"#;
     std::fs::write(folder.path().join("src/main.rs"), main).unwrap();
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut run = Command::new(cargo);
-    run.args(["run", "--quiet", "--offline"]).current_dir(folder.path());
-    let done = run.env("CARGO_TARGET_DIR", folder.path().join("target")).output().unwrap();
-    let err = String::from_utf8_lossy(&done.stderr).into_owned();
-    assert!(done.status.success() && err.is_empty(), "no warnings either: {err}");
-    assert_eq!(String::from_utf8_lossy(&done.stdout).trim(), "-4");
+    let (out, warnings) = cargo(folder.path(), &["run", "--quiet"]);
+    assert!(warnings.is_empty(), "{warnings}");
+    let numbers: Vec<f64> = out.lines().map(|line| line.parse().unwrap()).collect();
+    assert!(numbers.len() == 9 && (numbers[0] + 4.0).abs() < 1e-15, "{out}");
+
+    let state = folder.path().join("state.toml");
+    let text = "[state]\nq1 = 0.3\nq2 = -0.2\nq = 0.4\nu = 0.1\nv_ = 0.5\nv = -0.3\nout = 0.2\nzero = 0.6\n";
+    std::fs::write(&state, text).unwrap();
+    let arguments = ["evaluate", awkward.to_str().unwrap(), "--by", "kane", "--at", state.to_str().unwrap(), "--json"];
+    let (status, out, err) = tripos_in(&root(), &arguments);
+    assert_eq!(status, 0, "{err}");
+    let evaluated: serde_json::Value = serde_json::from_str(&out).unwrap();
+    for (at, name) in ["v_'", "v'", "out'", "zero'"].iter().enumerate() {
+        let expected = evaluated["accelerations"][name].as_f64().unwrap_or_else(|| panic!("{name}: {out}"));
+        for compiled in [numbers[1 + at], numbers[5 + at]] {
+            assert!((compiled - expected).abs() < 1e-9 * expected.abs().max(1.0), "{name}: {compiled}, {expected}");
+        }
+    }
 }

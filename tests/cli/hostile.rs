@@ -1,26 +1,13 @@
 //! Text of files stays text: in generated code, in messages, in JSON and on the page.
 
+use crate::support::{cargo, make_crate, tripos_in};
 use serde_json::Value;
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 use tripos_codegen::scene::{Named, file as scene_file};
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::is_forbidden;
 use tripos_derive::reduce::reduce;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
-
-/// (exit status, standard output, standard error)
-fn tripos(arguments: &[&str], folder: &Path) -> (i32, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
-    let Output { status, stdout, stderr } = command.args(arguments).current_dir(folder).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (status.code().expect("ended by itself"), text(stdout), text(stderr))
-}
 
 /// Text that is code, markup or an escape somewhere else, and has a right to stand in a file.
 const LEGAL: [&str; 18] = [
@@ -107,7 +94,7 @@ fn generated_code_of_hostile_texts_compiles_and_runs_nothing_of_theirs() {
         std::fs::write(&path, model([text, other(5), other(7), other(11)])).unwrap();
         let name = format!("m{at}");
         let arguments = ["emit", path.to_str().unwrap(), "--out", &format!("src/{name}"), "--formulation", "lagrange"];
-        let (status, _, err) = tripos(&arguments, folder.path());
+        let (status, _, err) = tripos_in(folder.path(), &arguments);
         assert_eq!(status, 0, "{text}: {err}");
         let _ = writeln!(modules, "pub mod {name};\npub mod s{at};");
         let mut read = Model::read(&path).unwrap();
@@ -118,27 +105,11 @@ fn generated_code_of_hostile_texts_compiles_and_runs_nothing_of_theirs() {
         std::fs::write(sources.join(format!("s{at}.rs")), scene_file(&reduction, &named, &[]).unwrap().text).unwrap();
     }
     std::fs::write(sources.join("lib.rs"), format!("//! Hostile.\n#![allow(non_snake_case)]\n{modules}")).unwrap();
-    let manifest = format!(
-        "[package]\nname = \"hostile\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\ntripos-traits = {{ path = '{}' }}\n",
-        root().join("sim/traits").display()
-    );
-    std::fs::write(folder.path().join("Cargo.toml"), manifest).unwrap();
-    std::fs::copy(root().join("Cargo.lock"), folder.path().join("Cargo.lock")).unwrap();
-    let cargo = |arguments: &[&str]| {
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let mut command = Command::new(cargo);
-        command.args(arguments).arg("--offline").current_dir(folder.path());
-        // One folder for all crates that tests make.
-        command.env("CARGO_TARGET_DIR", root().join("target/emitted")).env("RUSTDOCFLAGS", "-D warnings");
-        let Output { status, stdout, stderr } = command.output().unwrap();
-        let (out, err) = (String::from_utf8_lossy(&stdout).into_owned(), String::from_utf8_lossy(&stderr).into_owned());
-        assert!(status.success(), "{arguments:?}: {err}");
-        (out, err)
-    };
-    let (_, warnings) = cargo(&["build", "--quiet"]);
+    make_crate(folder.path());
+    let (_, warnings) = cargo(folder.path(), &["build", "--quiet"]);
     assert!(warnings.is_empty(), "{warnings}");
-    cargo(&["doc", "--quiet", "--no-deps"]);
-    let (examples, _) = cargo(&["test", "--doc"]);
+    cargo(folder.path(), &["doc", "--quiet", "--no-deps"]);
+    let (examples, _) = cargo(folder.path(), &["test", "--doc"]);
     assert!(examples.contains("running 0 tests"), "{examples}");
 }
 
@@ -159,7 +130,7 @@ fn control_and_bidirectional_characters_are_refused_with_their_place() {
             };
             std::fs::write(&model_file, model(with(0))).unwrap();
             std::fs::write(&scene_file, scene(with(1))).unwrap();
-            let (status, out, err) = tripos(&["simulate", "scene.toml", "--json"], folder.path());
+            let (status, out, err) = tripos_in(folder.path(), &["simulate", "scene.toml", "--json"]);
             assert!(!out.chars().chain(err.chars()).any(|c| c != '\n' && is_forbidden(c)), "{text:?}: {out}{err}");
             // A line break in prose is a space.
             if text.contains('\n') && [1, 2, 3, 7].contains(&place) {
@@ -172,12 +143,13 @@ fn control_and_bidirectional_characters_are_refused_with_their_place() {
     }
     // Keys and names of folders are text, too.
     std::fs::write(&model_file, model(fine).replace("theta = {", "\"th\\u001Beta\" = {")).unwrap();
-    let (status, _, err) = tripos(&["derive", "model.toml"], folder.path());
+    let (status, _, err) = tripos_in(folder.path(), &["derive", "model.toml"]);
     assert!(status == 2 && !err.contains('\u{1b}'), "{err:?}");
     let strange = folder.path().join("a\u{1b}[31m\u{202e}b");
     std::fs::create_dir(&strange).unwrap();
     std::fs::write(strange.join("model.toml"), model(fine)).unwrap();
-    let (status, out, err) = tripos(&["prove", strange.join("model.toml").to_str().unwrap(), "--json"], folder.path());
+    let (status, out, err) =
+        tripos_in(folder.path(), &["prove", strange.join("model.toml").to_str().unwrap(), "--json"]);
     assert_eq!(status, 0, "{err}");
     assert!(!out.chars().any(|c| c != '\n' && is_forbidden(c)), "{out:?}");
     let back: Value = serde_json::from_str(&out).unwrap();
@@ -194,7 +166,7 @@ fn hostile_texts_are_shown_as_they_stand() {
         std::fs::write(place.join("model.toml"), model([text; 4])).unwrap();
         // The name of an output must be one that the model does not have.
         std::fs::write(place.join("scene.toml"), scene([text, text, text, text])).unwrap();
-        let (status, out, err) = tripos(&["simulate", "scene.toml", "--json", "--csv", "run.csv"], &place);
+        let (status, out, err) = tripos_in(&place, &["simulate", "scene.toml", "--json", "--csv", "run.csv"]);
         assert_eq!(status, 0, "{text}: {err}");
         let json: Value = serde_json::from_str(&out).unwrap();
         let name = text.trim();
@@ -202,7 +174,7 @@ fn hostile_texts_are_shown_as_they_stand() {
         assert_eq!(json["events"][0]["name"], name, "{text}");
         let mut table = csv::Reader::from_path(place.join("run.csv")).unwrap();
         assert_eq!(&table.headers().unwrap()[1], name, "{text}");
-        let (status, _, err) = tripos(&["report", "model.toml", "--out", "page"], &place);
+        let (status, _, err) = tripos_in(&place, &["report", "model.toml", "--out", "page"]);
         assert_eq!(status, 0, "{text}: {err}");
         let page = std::fs::read_to_string(place.join("page/index.html")).unwrap();
         for markup in ["<script>alert", "<b onmouseover"] {

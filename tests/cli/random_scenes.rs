@@ -6,9 +6,7 @@
 //!
 //! `TRIPOS_RANDOM_SCENES=1000` runs that many.
 
-#[path = "random_scenes/mechanism.rs"]
 mod mechanism;
-#[path = "random_scenes/whole.rs"]
 mod whole;
 
 use mechanism::{Mechanism, Random};

@@ -1,6 +1,6 @@
 //! SymPy's word on whether two formulas mean the same.
 
-use super::sympy::{is_left_out, python, script};
+use crate::sympy::{is_left_out, python, script};
 use std::io::Write;
 use std::process::{Command, Stdio};
 

@@ -9,14 +9,15 @@ use crate::failure::{Failure, print, status};
 use changes::equation_changes;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use tripos_codegen::workspace::{Difference, Freshness, freshness, write};
+use tripos_codegen::workspace::{Difference, Freshness, freshness, model_folders, write};
+use tripos_derive::diagnostic::nearest;
 
 /// Says what differs; exit status 1 if anything does.
-pub fn check() -> Result<u8, Failure> {
+pub fn check(models: &[PathBuf]) -> Result<u8, Failure> {
     let root = workspace_here()?;
-    let (found, committed) = look(&root)?;
-    print(&summary(&found, &committed))?;
-    let references = reference::check(&root, &sound(&found));
+    let (found, committed, asked) = look(&root, models)?;
+    print(&summary(&found, &committed, asked.len()))?;
+    let references = reference::check(&root, &sound(&found, asked));
     for line in &references {
         print(&format!("{line}\n"))?;
     }
@@ -25,32 +26,44 @@ pub fn check() -> Result<u8, Failure> {
 }
 
 /// Writes what differs, and says what changed in the equations; then renews the references, exit status 1 if one disagrees.
-pub fn regenerate() -> Result<u8, Failure> {
+pub fn regenerate(models: &[PathBuf]) -> Result<u8, Failure> {
     let root = workspace_here()?;
-    let (found, committed) = look(&root)?;
-    let text = summary(&found, &committed);
+    let (found, committed, asked) = look(&root, models)?;
+    let text = summary(&found, &committed, asked.len());
     write(&found, &committed)?;
     print(&text)?;
-    let answer = reference::renew(&root, &sound(&found))?;
+    let answer = reference::renew(&root, &sound(&found, asked))?;
     complain(&found)?;
     Ok(answer)
 }
 
-/// The models without errors.
-fn sound(found: &Freshness) -> Vec<String> {
-    let is_broken = |name: &String| found.generated.broken.iter().any(|(broken, _)| broken == name);
-    found.generated.models.iter().filter(|name| !is_broken(name)).cloned().collect()
+/// The models without errors of these.
+fn sound(found: &Freshness, mut asked: Vec<String>) -> Vec<String> {
+    asked.retain(|name| !found.generated.broken.iter().any(|(broken, _)| broken == name));
+    asked
 }
 
-fn look(root: &Path) -> Result<(Freshness, PathBuf), Failure> {
-    let committed = root.join("generated/src");
-    let found = freshness(&root.join("models"), &committed).map_err(|error| {
-        Failure::Request(
-            format!("cannot read {}: {error}", root.join("models").display()),
-            "run this in a checkout that has models/ and generated/".to_owned(),
-        )
-    })?;
-    Ok((found, committed))
+/// What is fresh of the models that are asked for, where it is committed, and their folders.
+fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<String>), Failure> {
+    let (folder, committed) = (root.join("models"), root.join("generated/src"));
+    let unreadable = |error| {
+        let what = format!("cannot read {}: {error}", folder.display());
+        Failure::Request(what, "run this in a checkout that has models/ and generated/".to_owned())
+    };
+    let all = model_folders(&folder).map_err(unreadable)?;
+    let mut asked = Vec::new();
+    for model in models {
+        // `disk`, or the folder as a shell completes it.
+        let name = model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        if !all.contains(&name) {
+            let what = format!("there is no model `{}` in {}", model.display(), folder.display());
+            return Err(Failure::Request(what, nearest(&name, all.iter().map(String::as_str))));
+        }
+        asked.push(name);
+    }
+    let only = (!asked.is_empty()).then_some(asked.as_slice());
+    let found = freshness(&folder, &committed, only).map_err(unreadable)?;
+    Ok((found, committed, if models.is_empty() { all } else { asked }))
 }
 
 /// Broken models are an error of the whole command, after the others are done.
@@ -61,9 +74,10 @@ fn complain(found: &Freshness) -> Result<(), Failure> {
     Err(Failure::Inputs(found.generated.broken.iter().map(|(_, diagnostics)| diagnostics.clone()).collect()))
 }
 
-fn summary(found: &Freshness, committed: &Path) -> String {
+fn summary(found: &Freshness, committed: &Path, asked: usize) -> String {
     if found.differences.is_empty() {
-        return format!("generated/ is fresh: {} models\n", found.generated.models.len());
+        let models = if asked == 1 { "1 model".to_owned() } else { format!("{asked} models") };
+        return format!("generated/ is fresh: {models}\n");
     }
     let mut out = String::new();
     for difference in &found.differences {

@@ -5,7 +5,7 @@ mod measured;
 mod own;
 mod rows;
 
-use crate::catalogue::{By, Code, Ready, code, current_folder, model_file, read_model, workspace_around};
+use crate::catalogue::{By, Code, Ready, code, current_folder, edited, model_file, read_model, workspace_around};
 use crate::chart::compared::Compared;
 use crate::commands::chart::progress;
 use crate::failure::{Failure, say, status, warn};
@@ -41,6 +41,9 @@ const MOST_PRINTED_CURVES: usize = 5;
 pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     let argument = argument.map_or_else(usual_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
+    if let Some(note) = edited(&model) {
+        warn(&note);
+    }
     let (scenes, mut broken) = scenes(&model_file(&argument), &mut model)?;
     let page = out.join("index.html");
     keep_inputs(&model, None, [page.as_path()])?;
@@ -175,7 +178,7 @@ impl<'a> Work<'a> {
             derived.push((by, code));
         }
         let watch = Watch::new(model, &study.derivations.kinematics.arena, &study.proof.integrals)?;
-        Ok(Self { model, study, watch, derived, printed: study.printed(model)? })
+        Ok(Self { model, study, watch, derived, printed: study.printed(model) })
     }
 
     /// Runs every scene and draws its figures, until somebody interrupts: a scene that is not finished is left out.

@@ -1,7 +1,7 @@
 //! `tripos simulate`: one run of a scene.
 
 use crate::Simulate;
-use crate::catalogue::{by_or_first, read_model, short_name};
+use crate::catalogue::{by_or_first, edited, read_model, short_name};
 use crate::failure::{Failure, print, print_json, say, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, table};
@@ -62,7 +62,7 @@ pub fn read_scene(path: &Path) -> Result<(Model, Scene), Failure> {
     let source = Source::read(path)?;
     let mut model = read_model(&model_path(&source)?)?;
     let scene = load(&source, &mut model)?;
-    scene.hints(&model).iter().for_each(|hint| warn(hint));
+    edited(&model).iter().chain(&scene.hints(&model)).for_each(|note| warn(note));
     Ok((model, scene))
 }
 

@@ -118,7 +118,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
 
 /// Looks along a passage, if there is one and the equations are compiled.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
-    let lagrange = compiled_code(study.model, &Formulation::Lagrange.into(), None)?;
+    let lagrange = compiled_code(study.model, &Formulation::Lagrange.into(), None);
     let Some(lagrange) = lagrange.as_ref().and_then(Code::extended) else { return Ok(()) };
     let places = places(study)?;
     let mut scene = study.scene.clone();

@@ -1,6 +1,6 @@
 //! Elliptic functions: against tabulated values, identities, and known limits.
 
-use crate::{Dd, assert_close, dd};
+use super::{Dd, assert_close, dd};
 use tripos_sim::exact::Elliptic;
 use tripos_traits::{Real, Scalar};
 

@@ -1,6 +1,6 @@
 //! The free rigid body.
 
-use crate::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
+use super::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
 use tripos_sim::exact::FreeBody;
 use tripos_traits::Scalar;
 

@@ -1,6 +1,6 @@
 //! The free symmetric body in Euler's angles.
 
-use crate::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
+use super::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
 use tripos_sim::exact::{BodyStart, FreeBody, FreeSymmetricBody};
 use tripos_traits::Scalar;
 

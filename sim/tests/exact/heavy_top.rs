@@ -1,6 +1,6 @@
 //! The symmetric heavy top.
 
-use crate::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
+use super::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
 use tripos_sim::exact::{HeavyTop, Top, TopStart};
 use tripos_traits::Scalar;
 

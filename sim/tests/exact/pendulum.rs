@@ -1,6 +1,6 @@
 //! The plane pendulum.
 
-use crate::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
+use super::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
 use tripos_sim::exact::Pendulum;
 use tripos_traits::Scalar;
 

@@ -1,6 +1,6 @@
 //! The spherical pendulum.
 
-use crate::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
+use super::{DERIVATIVE, Dd, INSTANTS, assert_close, dd, derivative};
 use tripos_sim::exact::{Pendulum, SphericalPendulum};
 use tripos_traits::Scalar;
 

@@ -13,8 +13,6 @@ mod printed;
 mod random;
 mod report;
 mod rewritings;
-#[path = "../support/sympy.rs"]
-mod sympy;
 mod tree;
 
 use mutants::{Kind, Mutant, Place, choose};

@@ -1,0 +1,35 @@
+//! All tests of the crate, as one program.
+
+mod cases;
+#[path = "common/chain.rs"]
+mod chain;
+mod chains;
+mod combined_rows;
+mod common;
+mod differences;
+mod divided_differences;
+mod eliminations;
+mod equations;
+mod expressions;
+#[path = "common/figures.rs"]
+mod figures;
+mod kinematic_equations;
+mod limits;
+mod proofs;
+mod properties;
+#[path = "common/reduced.rs"]
+mod reduced;
+mod reduction_properties;
+mod reductions;
+mod report_files;
+#[path = "common/reports.rs"]
+mod reports;
+mod sharing;
+mod unseen_reductions;
+mod unusual_models;
+mod wrong_models;
+mod wrong_physics;
+mod wrong_places;
+mod wrong_report_formulas;
+mod wrong_reports;
+mod wrong_scenes;

@@ -1,0 +1,27 @@
+//! All tests of the crate, as one program.
+
+mod batch;
+mod convergence;
+mod events;
+mod events_everywhere;
+mod exact;
+mod fixed;
+mod gauss;
+mod hairer;
+mod mechanics;
+mod ode45;
+#[path = "support/one_degree.rs"]
+mod one_degree;
+mod order;
+#[path = "support/problems.rs"]
+mod problems;
+mod projection;
+mod properties;
+mod quadrature;
+mod stops;
+mod taylor;
+#[path = "support/trees.rs"]
+mod trees;
+mod warnings;
+#[path = "support/wide.rs"]
+mod wide;

@@ -1,0 +1,17 @@
+//! All tests of the command, as one program.
+
+mod charts;
+mod command_line;
+mod edited_model;
+mod emit;
+mod files;
+mod hostile;
+mod numbers;
+mod page;
+mod random_scenes;
+mod regenerate;
+mod scene;
+mod spoilt;
+mod support;
+mod sweep;
+mod sweep_lanes;

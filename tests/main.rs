@@ -1,0 +1,19 @@
+//! Whole-pipeline tests, as one program.
+
+mod agreement;
+mod arrows;
+mod exact_motions;
+mod fresh;
+mod lanes;
+mod mutations;
+mod operation_counts;
+mod peers;
+mod reductions;
+mod reference_cases;
+mod stability;
+mod stability_of_methods;
+mod support;
+#[path = "support/sympy.rs"]
+mod sympy;
+mod sympy_reference;
+mod taylor;
