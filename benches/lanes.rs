@@ -6,7 +6,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use tripos::disk::lagrange::Lagrange;
+use tripos_models::disk::lagrange::Lagrange;
 use tripos_sim::batch::{self, Plan, Trajectory};
 use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, integrate};
 use tripos_traits::{Derivative, InLanes, Lanes, Rates, Scalar, System, lane_width};

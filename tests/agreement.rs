@@ -44,7 +44,7 @@ proptest! {
 /// of every model, entry by entry. 64 ε of the largest term: the two sum in different orders.
 #[test]
 fn generated_code_equals_the_interpreter() {
-    for name in tripos::MODELS.iter().map(|model| model.name) {
+    for name in tripos_models::MODELS.iter().map(|model| model.name) {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(name).join("model.toml");
         let model = Model::read(&path).unwrap();
         for formulation in Formulation::ALL {
@@ -163,7 +163,7 @@ fn conversions_between_speeds_and_rates_are_inverse() {
 #[test]
 fn generated_accelerations_derivatives_and_jacobians_agree() {
     let derived = |name: &str| !name.starts_with("printed:");
-    for model in tripos::MODELS {
+    for model in tripos_models::MODELS {
         for compiled in model.systems.iter().filter(|s| derived(s.name)) {
             let place = format!("{} {}", model.name, compiled.name);
             let (double, extended) = (compiled.double, compiled.extended);

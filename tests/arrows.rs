@@ -31,7 +31,7 @@ fn knows_nothing_of(folder: &str, words: &[&str]) {
 
 #[test]
 fn derive_depends_on_none_of_our_crates() {
-    knows_nothing_of("derive/src", &["tripos_codegen", "tripos_sim", "tripos_traits", "tripos::"]);
+    knows_nothing_of("derive/src", &["tripos_codegen", "tripos_sim", "tripos_traits", "tripos_models", "tripos::"]);
 }
 
 #[test]
@@ -60,11 +60,23 @@ fn generated_code_knows_only_the_traits() {
 
 #[test]
 fn sim_knows_neither_models_nor_derivation() {
-    knows_nothing_of("sim/src", &["tripos_derive", "tripos_codegen", "tripos::", "model.toml"]);
+    knows_nothing_of("sim/src", &["tripos_derive", "tripos_codegen", "tripos_models", "tripos::", "model.toml"]);
     knows_nothing_of("sim/traits/src", &["tripos_derive", "tripos_codegen", "tripos_sim", "std::"]);
 }
 
 #[test]
+fn the_library_knows_neither_generated_code_nor_the_command() {
+    let command =
+        ["tripos_models", "tripos_cli", "clap", "indicatif", "plotters", "println!", "eprintln!", "process::exit"];
+    for (path, text) in sources("run/src") {
+        let code: String = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+        for word in command {
+            assert!(!code.contains(word), "{} mentions {word}", path.display());
+        }
+    }
+}
+
+#[test]
 fn codegen_knows_only_derive() {
-    knows_nothing_of("codegen/src", &["tripos_sim", "tripos::"]);
+    knows_nothing_of("codegen/src", &["tripos_sim", "tripos_models", "tripos::"]);
 }

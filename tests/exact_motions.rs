@@ -45,7 +45,7 @@ fn derivatives(f: impl Fn(Dd) -> Vec<Dd>, t: Dd) -> Vec<Dd> {
 
 /// Names of the derived systems of a model, those in a distance among them.
 fn derived(model: &str) -> Vec<&'static str> {
-    let model = tripos::MODELS.iter().find(|m| m.name == model).unwrap();
+    let model = tripos_models::MODELS.iter().find(|m| m.name == model).unwrap();
     model.systems.iter().map(|s| s.name).filter(|name| !name.starts_with("printed:")).collect()
 }
 

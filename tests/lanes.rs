@@ -55,7 +55,7 @@ fn agrees(name: &str, system: &CompiledSystem, InLanes { four, eight }: InLanes<
 #[test]
 fn compiled_formulations_are_the_same_in_lanes() {
     let mut tried = 0;
-    for model in tripos::MODELS {
+    for model in tripos_models::MODELS {
         for system in model.systems {
             assert_eq!(system.lanes.is_some(), system.double.has_accelerations(), "{} {}", model.name, system.name);
             if let Some(lanes) = system.lanes {

@@ -17,7 +17,7 @@ fn accelerations_match_the_independent_references() {
     let mut compared = 0;
     for case in data["cases"].as_array().unwrap() {
         let name = case["model"].as_str().unwrap();
-        let model = tripos::MODELS.iter().find(|m| m.name == name).unwrap();
+        let model = tripos_models::MODELS.iter().find(|m| m.name == name).unwrap();
         let order = parameter_names(name);
         let p: Vec<f64> = order.iter().map(|n| case["parameters"][n].as_f64().unwrap()).collect();
         // Printed equations are compiled too, and need not be right.
@@ -64,9 +64,9 @@ fn energies_match_the_independent_references() {
 
 fn parameter_names(model: &str) -> Vec<&'static str> {
     match model {
-        "disk" => tripos::disk::PARAMETERS.to_vec(),
-        "chaotic_pendulum" => tripos::chaotic_pendulum::PARAMETERS.to_vec(),
-        "cart_pendulum_3" => tripos::cart_pendulum_3::PARAMETERS.to_vec(),
+        "disk" => tripos_models::disk::PARAMETERS.to_vec(),
+        "chaotic_pendulum" => tripos_models::chaotic_pendulum::PARAMETERS.to_vec(),
+        "cart_pendulum_3" => tripos_models::cart_pendulum_3::PARAMETERS.to_vec(),
         other => panic!("no such model: {other}"),
     }
 }

@@ -67,7 +67,7 @@ fn defect(system: &dyn System<Dd>, p: &[Dd], x: &[Dd], order: usize, t: Dd) -> f
 fn the_series_of_every_model_satisfies_its_equations_to_its_order() {
     let mut seen = 0;
     for model in MODELS {
-        let found = tripos::MODELS.iter().find(|m| m.name == model).unwrap();
+        let found = tripos_models::MODELS.iter().find(|m| m.name == model).unwrap();
         for named in found.systems.iter().filter(|s| !s.name.starts_with("printed:")) {
             let system = named.extended;
             assert!(system.has_taylor(), "{model} {}", named.name);

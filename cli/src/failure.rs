@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 use std::fmt;
+use tripos::Error;
 use tripos_codegen::files::WriteError;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 use tripos_derive::plain::{is_forbidden, visible};
@@ -121,6 +122,21 @@ fn places(files: &[Diagnostics]) -> Vec<Value> {
         file.list.iter().map(place).collect::<Vec<_>>()
     };
     files.iter().flat_map(of).collect()
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Input(diagnostics) => Self::Input(diagnostics),
+            Error::Inputs(list) => Self::Inputs(list),
+            Error::Unsupported(diagnostics) => Self::Unsupported(diagnostics),
+            Error::Request { what, help } => Self::Request(what, help),
+            Error::Interrupted => Self::Interrupted(String::new()),
+            // The library may learn to stop for other reasons.
+            Error::Stopped(why) => Self::Stopped(why),
+            other => Self::Stopped(other.first_line()),
+        }
+    }
 }
 
 impl From<Diagnostics> for Failure {

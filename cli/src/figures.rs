@@ -1,9 +1,9 @@
 //! What the figures of a scene show: panels from runs.
 
-use crate::catalogue::By;
-use crate::invariants::{Course, Watch};
 use crate::plot::{Panel, Scale, Series};
-use crate::run::Run;
+use tripos::code::By;
+use tripos::invariants::{Course, Watch};
+use tripos::run::Run;
 use tripos_derive::scene::{Scene, SceneOutput};
 use tripos_derive::{Formulation, Model};
 

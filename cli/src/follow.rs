@@ -1,22 +1,21 @@
 //! Who follows long commands: the person who may end them, and who wants to see how far they are.
 //!
-//! Invariant: a command that was interrupted ends soon, with [`crate::failure::status::INTERRUPTED`], and keeps what it had finished. A
+//! Invariant: a command that was interrupted ends soon, with [`status::INTERRUPTED`], and keeps what it had finished. A
 //! second interruption ends it at once. Commands that would lose nothing do not listen, and end at the first.
 //!
 //! Signals are of the process, not of a call, and so are the state here and the progress of the one run that is shown. Absent on
 //! purpose: any influence on numbers. A run that was interrupted has the steps that it would have had.
 
-use crate::failure::{Failure, say, status};
+use crate::failure::{say, status};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
-use tripos_sim::{Options, Poll, Solution, Stop};
+use tripos::follow::{Follow, Progress};
+use tripos_sim::Poll;
 
 /// Whether the command was asked to end.
 static ASKED: AtomicBool = AtomicBool::new(false);
-/// What runs ask after every step, once somebody listens.
-static POLL: OnceLock<Poll> = OnceLock::new();
 /// What the poll of the one run that is shown keeps up to date.
 static SHOWN: OnceLock<Shown> = OnceLock::new();
 
@@ -31,9 +30,8 @@ pub fn listen() {
         }
         say("interrupted: ending what is under way, and keeping what is finished; once more to leave at once");
     };
-    if ctrlc::set_handler(asked).is_ok() {
-        POLL.get_or_init(|| Poll::new(look));
-    }
+    // Where signals cannot be had, they end the process.
+    let _ = ctrlc::set_handler(asked);
 }
 
 /// Whether the command was asked to end.
@@ -41,22 +39,9 @@ pub fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
 
-/// As [`asked`], for loops.
-pub fn go_on() -> ControlFlow<()> {
-    if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-}
-
-/// The same options, for a run that can be interrupted.
-pub fn followed(options: &Options) -> Options {
-    Options { poll: POLL.get().cloned(), ..options.clone() }
-}
-
-/// A run that nobody interrupted.
-///
-/// # Errors
-/// [`Failure::Interrupted`] otherwise.
-pub fn uninterrupted(solution: Solution) -> Result<Solution, Failure> {
-    if solution.stop == Stop::Interrupted { Err(Failure::Interrupted(String::new())) } else { Ok(solution) }
+/// For whatever runs in this command.
+pub fn follow() -> Follow {
+    Follow::new(Poll::new(look), asked)
 }
 
 /// How far the one run that is shown has come.
@@ -89,5 +74,20 @@ fn look(t: f64) -> ControlFlow<()> {
             bar.set_position(part);
         }
     }
-    go_on()
+    if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+}
+
+/// A bar as the progress of work of many parts.
+pub struct Shows<'a>(pub &'a ProgressBar);
+
+impl Progress for Shows<'_> {
+    fn set_length(&self, parts: u64) {
+        self.0.set_length(parts);
+    }
+    fn inc(&self, parts: u64) {
+        self.0.inc(parts);
+    }
+    fn set_message(&self, what: &str) {
+        self.0.set_message(what.to_owned());
+    }
 }

@@ -1,33 +1,22 @@
 //! `tripos`: equations of motion from a model file, derived three ways, compiled and run.
 
-mod catalogue;
 mod chart;
 mod commands;
 mod failure;
 mod figures;
 mod follow;
-mod how;
-mod interpreted;
-mod invariants;
-mod near;
 mod output;
 mod page;
 mod plot;
-mod problem;
-mod reduced;
-mod reference;
-mod run;
-mod shown;
 mod stability;
-mod study;
 mod sweep;
-mod trust;
-mod wide;
+mod workspace;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use failure::{Failure, print_json, say};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use tripos::overrides::Overrides;
 
 /// Derives the equations of motion of a mechanism by Kane, Lagrange and Newton–Euler from one model
 /// file, generates Rust for them, and runs it.
@@ -244,6 +233,23 @@ struct How {
     /// The last instant, s; before the first, the run goes backward
     #[arg(long, allow_negative_numbers = true)]
     until: Option<f64>,
+}
+
+impl How {
+    /// What stands in the place of what a scene says.
+    fn overrides(&self) -> Overrides {
+        let Self { by, method, project, solve, step, rtol, atol, until } = self;
+        Overrides {
+            by: by.clone(),
+            method: method.clone(),
+            project: project.clone(),
+            solve: solve.clone(),
+            step: *step,
+            rtol: *rtol,
+            atol: *atol,
+            until: *until,
+        }
+    }
 }
 
 /// How to write mathematics.

@@ -17,10 +17,10 @@ mod scene;
 mod singular;
 mod typeset;
 
-use crate::reduced::Reduced;
-use crate::study::Study;
 use html::{anchor, escape};
 use std::fmt::Write;
+use tripos::reduced::Reduced;
+use tripos::study::Study;
 use tripos_codegen::scene::Costs;
 use tripos_derive::mechanics::DerivationInSteps;
 use tripos_derive::{Formulation, Model};

@@ -9,8 +9,8 @@ mod heat;
 mod look;
 mod thin;
 
-pub use axis::{Scale, pretty};
-pub use heat::{Cell, HeatMap, draw_heat};
+pub use heat::draw_heat;
+pub use tripos::figure::{Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
 
 use axis::Axis;
 use look::{Canvas, EDGE, GRID, curve, dashed, extent, line, look, marker, write};
@@ -18,51 +18,6 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 use std::fmt;
 use thin::{marked, thin};
-
-/// One curve.
-pub struct Series {
-    /// Its name in the legend.
-    pub label: String,
-    /// Picks colour, dashes and marker: 0 Kane, 1 Lagrange, 2 Newton–Euler, then printed ones.
-    pub style: usize,
-    /// (x, y); the curve breaks where a value is not finite.
-    pub points: Vec<(f64, f64)>,
-    /// For each measured point, from where to where x was found: drawn as a bar. Measurements carry a marker each, a
-    /// curve only some.
-    pub spread: Vec<(f64, f64)>,
-}
-
-impl Series {
-    /// A curve.
-    pub fn curve(label: String, style: usize, points: Vec<(f64, f64)>) -> Self {
-        Self { label, style, points, spread: Vec::new() }
-    }
-}
-
-/// One coordinate system.
-pub struct Panel {
-    /// The title; left out where `y_label` begins with it.
-    pub title: String,
-    /// Horizontal quantity, as `t [s]`.
-    pub x_label: String,
-    /// Vertical quantity, as `T + V [J]`.
-    pub y_label: String,
-    /// How it is scaled; on a logarithmic axis a curve breaks where it is not positive.
-    pub scale: Scale,
-    /// How the horizontal quantity is scaled.
-    pub x_scale: Scale,
-    /// The curves, the first one drawn lowest.
-    pub series: Vec<Series>,
-    /// What to know about the curves, such as where one ends early.
-    pub note: Option<String>,
-}
-
-impl Panel {
-    /// Whether a point can be drawn.
-    fn shows(&self, (x, y): (f64, f64)) -> bool {
-        self.scale.shows((x, y)) && self.x_scale.shows((y, x))
-    }
-}
 
 /// Plotters could not draw.
 #[derive(Debug)]

@@ -343,7 +343,7 @@ fn wrong_requests_are_refused_before_anything_is_written() {
         (&["--method", "rk5"], "did you mean `rk4`?"),
         (&["--method", "rk4"], "give it a fixed `step`"),
         (&["--by", "printed:kane-final", "--solve", "eliminated"], "are not eliminated"),
-        (&["--rtol", "nan"], "--rtol is NaN"),
+        (&["--rtol", "nan"], "rtol is NaN"),
         (&["--over", "M=1:2:1000000000"], "the grid has 2000000000 points, more than 1000000000"),
     ] {
         let message = refused(&[&one[..], more].concat());

@@ -19,7 +19,7 @@ pub fn system(model: &str, formulation: &str) -> &'static (dyn System<f64> + Syn
 
 /// The compiled equations of a model, in each kind of number.
 pub fn compiled(model: &str, formulation: &str) -> &'static CompiledSystem {
-    let model = tripos::MODELS.iter().find(|m| m.name == model).expect("a compiled model");
+    let model = tripos_models::MODELS.iter().find(|m| m.name == model).expect("a compiled model");
     model.systems.iter().find(|system| system.name == formulation).expect("a compiled formulation")
 }
 

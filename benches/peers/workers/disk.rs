@@ -14,7 +14,7 @@ use tripos_sim::{AbsoluteTolerance, Failure, Method, Options, Output, RightHandS
 use tripos_traits::{Real, System};
 
 /// Coordinates; as many rates follow them in a state.
-pub const N: usize = tripos::disk::COORDINATES.len();
+pub const N: usize = tripos_models::disk::COORDINATES.len();
 /// End of the run, in s.
 pub const SPAN: f64 = 10.0;
 

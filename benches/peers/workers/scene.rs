@@ -17,8 +17,8 @@ use std::time::Instant;
 
 use disk::{Known, N, SPAN, numbers, numbers_of, options, read, serve};
 use start::Beginning;
-use tripos::disk::kane;
-use tripos::disk::scenes::{lean, report_10s};
+use tripos_models::disk::kane;
+use tripos_models::disk::scenes::{lean, report_10s};
 use tripos_sim::projection::Invariants;
 use tripos_sim::{Lent, Method, Solution, Stop, integrate, integrate_projected, quadrature};
 use tripos_traits::{CompiledScene, DoubleDouble, System};

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use disk::{Known, N, SPAN, numbers, numbers_of, options, read, serve};
-use tripos::disk::{kane, lagrange};
+use tripos_models::disk::{kane, lagrange};
 use tripos_sim::batch::{self, Plan, Trajectory};
 use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, RightHandSide, Solution, Stop, integrate};
 use tripos_traits::{Derivative, DoubleDouble, InLanes, Real, System};

@@ -1,9 +1,9 @@
 //! The chart: one panel for each question.
 
-use super::Measurement;
 use super::words::is_whole;
 use crate::failure::Failure;
-use crate::plot::{Panel, PlotError, Scale, Series, draw};
+use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};
+use tripos::chart::Measurement;
 use tripos_derive::scene::{QUADRATURE, Solve};
 use tripos_sim::Method;
 use tripos_sim::work_precision::pareto;
@@ -17,6 +17,18 @@ const FRONT: usize = 0;
 /// [`Failure::Output`] if it cannot be drawn.
 pub fn chart(list: &[Measurement], uncertainty: f64) -> Result<String, Failure> {
     draw(&panels(list, uncertainty), 3).map_err(|error| failed(&error))
+}
+
+/// A figure as one `<svg>` element.
+///
+/// # Errors
+/// [`Failure::Output`] if it cannot be drawn.
+pub fn drawn(figure: &Figure) -> Result<String, Failure> {
+    let svg = match figure {
+        Figure::Panels(panels, columns) => draw(panels, *columns),
+        Figure::HeatMap(map) => draw_heat(map),
+    };
+    svg.map_err(|error| failed(&error))
 }
 
 /// A figure that could not be drawn.

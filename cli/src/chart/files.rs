@@ -1,11 +1,11 @@
 //! What a chart leaves behind: tables for programs, and a table for people.
 
-use super::Measurement;
 use super::words::{TARGETS, fastest};
 use crate::failure::Failure;
 use crate::output::table;
 use std::fmt::Write;
 use std::path::Path;
+use tripos::chart::Measurement;
 
 /// `work_precision.csv`, `times.csv` (the bars of the chart) and `drifts.csv`.
 ///

@@ -1,7 +1,7 @@
 //! What a chart says in words. Every figure in a sentence is one of its measurements.
 
-use super::Measurement;
 use super::files::seconds;
+use tripos::chart::Measurement;
 use tripos_derive::scene::Solve;
 use tripos_sim::Method;
 use tripos_sim::work_precision::cheapest;

@@ -1,12 +1,13 @@
 //! `tripos chart`: speed against accuracy for every formulation, solve and method.
 
-use crate::chart::{Plan, figure, files, session};
+use crate::chart::{figure, files};
 use crate::commands::simulate::read_scene;
 use crate::failure::{Failure, print, say, warn};
-use crate::follow;
+use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs, text};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
+use tripos::chart::{Plan, session};
 
 /// Measures, and writes the tables and the chart to `out`.
 pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, Failure> {
@@ -16,7 +17,7 @@ pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, 
     folder(out)?;
     follow::listen();
     let bar = progress();
-    let session = session::chart(&model, &scene, printed, &Plan::new(quick), &bar)?;
+    let session = session::chart(&model, &scene, printed, &Plan::new(quick), &Shows(&bar))?;
     bar.finish_and_clear();
     if let Some(cut) = &session.cut {
         say(cut);

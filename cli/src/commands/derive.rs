@@ -1,17 +1,19 @@
 //! `tripos derive`: the equations, for people and for programs.
 
 use crate::Format;
-use crate::catalogue::{formulation, read_model, short_name};
 use crate::failure::{Failure, print, say};
+use crate::workspace::{read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
+use tripos::Mechanism;
+use tripos::code::formulation;
+use tripos_derive::Formulation;
 use tripos_derive::algebra::elimination::{Definition, Elimination};
 use tripos_derive::algebra::print::{latex, latex_name, mathml, mathml_name, text, whole_text};
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, accelerations, derive_in_steps};
-use tripos_derive::{Formulation, Model};
 
 /// Derives and prints.
 pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Failure> {
@@ -33,7 +35,7 @@ pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Fail
 
 /// The formulation asked for, or all that the model supports; those it does not are named on
 /// standard error.
-fn derivations(model: &Model, by: Option<&str>) -> Result<Vec<DerivationInSteps>, Failure> {
+fn derivations(model: &Mechanism, by: Option<&str>) -> Result<Vec<DerivationInSteps>, Failure> {
     if let Some(name) = by {
         let derivation = derive_in_steps(model, formulation(name)?).map_err(|error| model.diagnose(&error))?;
         return Ok(vec![derivation]);
@@ -54,7 +56,7 @@ fn solved(derivation: &mut DerivationInSteps) -> Option<Elimination> {
     accelerations(&mut derivation.arena, &mut Simplifier::default(), &derivation.equations).ok()
 }
 
-fn as_text(model: &Model, derivations: &mut [DerivationInSteps]) -> String {
+fn as_text(model: &Mechanism, derivations: &mut [DerivationInSteps]) -> String {
     let mut out = format!("{}\n{}\n", model.title, model.count());
     for derivation in derivations {
         let solved = solved(derivation);

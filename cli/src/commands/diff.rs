@@ -2,13 +2,13 @@
 
 mod models;
 
-use crate::catalogue::{model_file, read_model, short_name};
 use crate::commands::prove::{witness, word};
 use crate::failure::{Failure, print, print_json, status};
+use crate::workspace::{model_file, read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos_derive::Model;
+use tripos::Mechanism;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::compare::Witness;
 use tripos_derive::algebra::print::{text, whole_text};
@@ -43,7 +43,7 @@ fn is_model(source: &Source) -> bool {
 }
 
 /// Everything that was judged, as JSON.
-pub fn json_of(model: &Model, arena: &Arena, difference: &Difference) -> Value {
+pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Value {
     let shown = |e: Option<tripos_derive::algebra::Expr>| e.map(|e| whole_text(arena, e));
     let equations: Vec<Value> = difference
         .findings
@@ -112,7 +112,7 @@ fn summary(difference: &Difference) -> Value {
     Value::Object(counts)
 }
 
-fn text_of(model: &Model, title: &str, arena: &Arena, difference: &Difference) -> String {
+fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Difference) -> String {
     let mut out = format!("{title}\nagainst {}\n", model.title);
     let mut section = "";
     for finding in &difference.findings {

@@ -1,8 +1,9 @@
 //! `tripos emit`: the generated Rust of any model file, as a module for a crate of the user's own.
 
-use crate::catalogue::{formulation, model_file};
 use crate::failure::{Failure, print, say};
+use crate::workspace::model_file;
 use std::path::{Path, PathBuf};
+use tripos::code::formulation;
 use tripos_codegen::emit::{PlaceError, emit as emission, place};
 
 /// Writes the module, and says what became of each file.

@@ -1,12 +1,13 @@
 //! `tripos evaluate`: everything at one state, by interpretation.
 
-use crate::catalogue::{By, Ready, by as equations, code_of, derivation, read_model, short_name, tape};
 use crate::failure::{Failure, print, print_json, warn};
-use crate::near::near_divisors;
+use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos_derive::Model;
+use tripos::Mechanism;
+use tripos::code::{By, Ready, by as equations, code_of, derivation, tape};
+use tripos::near::near_divisors;
 use tripos_derive::algebra::Expr;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, rates_to_speeds};
@@ -54,7 +55,7 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
     Ok(0)
 }
 
-fn values(model: &Model, by: &By, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
+fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
     let code = code_of(model, by, derivation, Ready::AsDerived)?;
     let system = code.system();
     let State { parameters: p, q, u } = state;
@@ -106,7 +107,7 @@ fn values(model: &Model, by: &By, derivation: &Derivation, state: &State) -> Res
 const LOSSY: f64 = 1e-8;
 
 /// Says which conditions of the domain do not hold; those of reactions only where reactions are known.
-fn warn_outside_domain(model: &Model, state: &State, reactions: &[f64]) -> Result<(), Failure> {
+fn warn_outside_domain(model: &Mechanism, state: &State, reactions: &[f64]) -> Result<(), Failure> {
     let known: Vec<Expr> = model.reactions.iter().take(reactions.len()).map(|r| r.symbol).collect();
     let inputs = [model.p(), model.q(), model.u(), known].concat();
     let values = [state.parameters.as_slice(), &state.q, &state.u, reactions].concat();
@@ -129,7 +130,7 @@ fn warn_outside_domain(model: &Model, state: &State, reactions: &[f64]) -> Resul
     Ok(())
 }
 
-fn as_text(model: &Model, title: &str, values: &Values) -> String {
+fn as_text(model: &Mechanism, title: &str, values: &Values) -> String {
     let mut out = format!("{}: {title}, by interpretation\n\n", model.title);
     let row = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:>15.8e}")).collect::<Vec<_>>().join(" ");
     let _ = writeln!(out, "unknowns: {}\nmatrix | right-hand side", values.unknowns.join(", "));

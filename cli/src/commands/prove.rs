@@ -1,11 +1,11 @@
 //! `tripos prove`: the formulations are equivalent, and what the motion conserves.
 
-use crate::catalogue::{read_model, short_name};
 use crate::failure::{Failure, print, print_json, status};
+use crate::workspace::{read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos_derive::Model;
+use tripos::Mechanism;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::compare::{Engine, Verdict, Witness};
 use tripos_derive::algebra::print::{text, whole_text};
@@ -51,7 +51,7 @@ pub fn witness(witness: &Witness) -> Value {
 }
 
 /// Everything that was proved, as JSON.
-pub fn json_of(model: &Model, arena: &Arena, proof: &Proof) -> Value {
+pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
     let pairs: Vec<Value> = proof
         .pairs
         .iter()
@@ -100,7 +100,7 @@ pub fn json_of(model: &Model, arena: &Arena, proof: &Proof) -> Value {
     })
 }
 
-fn text_of(model: &Model, arena: &Arena, proof: &Proof) -> String {
+fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
     let mut out = format!("{}\n{}\n\nEquivalence\n", model.title, model.count());
     for pair in &proof.pairs {
         let verdict = match &pair.verdict {

@@ -4,8 +4,8 @@ mod changes;
 mod python;
 mod reference;
 
-use crate::catalogue::workspace_here;
 use crate::failure::{Failure, print, status};
+use crate::workspace::workspace_here;
 use changes::equation_changes;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

@@ -5,18 +5,14 @@ mod measured;
 mod own;
 mod rows;
 
-use crate::catalogue::{By, Code, Ready, code, current_folder, edited, model_file, read_model, workspace_around};
-use crate::chart::compared::Compared;
 use crate::commands::chart::progress;
 use crate::failure::{Failure, say, status, warn};
 use crate::figures::{self, Curve};
 use crate::follow;
-use crate::invariants::{Course, Watch};
 use crate::output::{folder, keep_inputs, text};
 use crate::page::{self, Page, RunRow, SceneSection};
 use crate::plot::Panel;
-use crate::run::{Run, run_code};
-use crate::study::{Printed, Study};
+use crate::workspace::{current_folder, edited, model_file, read_model, workspace_around};
 use drawn::{Drawn, drawing, folder_of};
 use indicatif::ProgressBar;
 use measured::Measured;
@@ -24,6 +20,12 @@ use own::{Own, shown};
 use rows::{UNWATCHED, facts, own_row, row, title};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use tripos::Mechanism;
+use tripos::chart::compared::Compared;
+use tripos::code::{By, Code, Ready, code};
+use tripos::invariants::{Course, Watch};
+use tripos::run::{Run, run_code};
+use tripos::study::{Printed, Study};
 use tripos_codegen::scene_files::{is_same, scene_files};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
@@ -125,7 +127,7 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
 
 type Derivations = Vec<(Formulation, Result<DerivationInSteps, String>)>;
 
-fn derivations(model: &Model, bar: &ProgressBar) -> Result<Derivations, Failure> {
+fn derivations(model: &Mechanism, bar: &ProgressBar) -> Result<Derivations, Failure> {
     let mut list = Vec::new();
     for f in Formulation::ALL {
         bar.set_message(format!("deriving by {}", f.name()));
@@ -141,7 +143,7 @@ fn derivations(model: &Model, bar: &ProgressBar) -> Result<Derivations, Failure>
 
 /// Equations that are ready to run, and what to look at.
 struct Work<'a> {
-    model: &'a Model,
+    model: &'a Mechanism,
     study: &'a Study,
     watch: Watch,
     derived: Vec<(By, Code)>,
@@ -170,7 +172,7 @@ struct Done {
 
 impl<'a> Work<'a> {
     /// Derived equations, ready to run, and the printed ones.
-    fn new(model: &'a Model, study: &'a Study, derivations: &Derivations) -> Result<Self, Failure> {
+    fn new(model: &'a Mechanism, study: &'a Study, derivations: &Derivations) -> Result<Self, Failure> {
         let mut derived = Vec::new();
         for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
             let by = By::from(*f);
@@ -227,7 +229,7 @@ impl<'a> Work<'a> {
             bar.set_message(message(by));
             let own = match scene.integration.distance {
                 None => None,
-                distance => Some(crate::catalogue::code(self.model, by, distance, Ready::Solved)?),
+                distance => Some(tripos::code::code(self.model, by, distance, Ready::Solved)?),
             };
             let code = own.as_ref().unwrap_or(code);
             let run = run_code(self.model, &stepped, by, code, Some(&self.watch))?;

@@ -1,15 +1,15 @@
 //! `tripos scene`: what a scene keeps of its model and what it leaves out.
 
 use super::simulate::read_scene;
-use crate::catalogue::short_name;
 use crate::failure::{Failure, print, print_json};
-use crate::reduced::Reduced;
+use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
+use tripos::Mechanism;
+use tripos::reduced::Reduced;
 use tripos_codegen::scene::{Costs, costs};
 use tripos_codegen::tokens::Cost;
-use tripos_derive::Model;
 use tripos_derive::algebra::print::text;
 use tripos_derive::reduce::Quantity;
 use tripos_derive::scene::Scene;
@@ -27,7 +27,7 @@ pub fn scene(path: &Path, json: bool) -> Result<u8, Failure> {
     Ok(0)
 }
 
-fn as_json(model: &Model, scene: &Scene, reduced: &Reduced, costs: Costs) -> Value {
+fn as_json(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) -> Value {
     let reduction = &reduced.reduction;
     let arena = reduction.terms();
     let names = |list: &[Quantity]| list.iter().map(|q| q.name.clone()).collect::<Vec<_>>();
@@ -74,7 +74,7 @@ fn equations(reduced: &Reduced) -> Vec<String> {
     definitions.chain(rates).chain(solved).map(|(name, value)| format!("{name} = {value}")).collect()
 }
 
-fn as_text(model: &Model, scene: &Scene, reduced: &Reduced, costs: Costs) -> String {
+fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) -> String {
     let reduction = &reduced.reduction;
     let arena = reduction.terms();
     let mut out = format!("{}: {}\n", model.title, if scene.title.is_empty() { "a scene" } else { &scene.title });

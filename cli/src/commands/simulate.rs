@@ -1,38 +1,29 @@
 //! `tripos simulate`: one run of a scene.
 
 use crate::Simulate;
-use crate::catalogue::{by_or_first, edited, read_model, short_name};
 use crate::failure::{Failure, print, print_json, say, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, table};
-use crate::run::{Run, how, run, run_reduced};
+use crate::workspace::{edited, read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos_derive::Model;
+use tripos::Mechanism;
+use tripos::run::{Run, how, simulate as simulate_scene};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Scene, Solve, load, model_path};
+use tripos_derive::scene::{Scene, load, model_path};
 use tripos_sim::Stop;
 
 /// Runs the scene and prints how it ended.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let (model, mut scene) = read_scene(&request.scene)?;
-    request.how.change(&mut scene)?;
+    request.how.overrides().change(&mut scene)?;
     if let Some(path) = &request.csv {
         check_csv(path, request.overwrite, &model, &scene)?;
     }
-    // A numeric solve is one of whole equations.
-    let numeric = scene.integration.solve == Some(Solve::Numeric);
-    let by = request.how.by.as_deref().filter(|by| *by != "reduced");
-    let whole = by.is_some() || numeric;
-    if numeric && by.is_none() {
-        warn(
-            "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown",
-        );
-    }
     follow::listen();
     follow::show(scene.span);
-    let run = if whole { run(&model, &scene, &by_or_first(&model, by)?)? } else { run_reduced(&model, &scene)? };
+    let run = simulate_scene(&model, &scene, request.how.by.as_deref())?;
     follow::hide();
     for warning in &run.warnings {
         warn(warning);
@@ -58,7 +49,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
 }
 
 /// A scene and the model it belongs to.
-pub fn read_scene(path: &Path) -> Result<(Model, Scene), Failure> {
+pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
     let source = Source::read(path)?;
     let mut model = read_model(&model_path(&source)?)?;
     let scene = load(&source, &mut model)?;
@@ -66,7 +57,7 @@ pub fn read_scene(path: &Path) -> Result<(Model, Scene), Failure> {
     Ok((model, scene))
 }
 
-fn as_json(model: &Model, scene: &Scene, run: &Run) -> Value {
+fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
     let state: Map<String, Value> = run.names.iter().cloned().zip(&run.end).map(|(name, x)| (name, json!(x))).collect();
     let solution = &run.solution;
     let mut drift = Map::new();
@@ -112,7 +103,7 @@ fn projection(run: &Run) -> Value {
     }
 }
 
-fn as_text(model: &Model, scene: &Scene, run: &Run) -> String {
+fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     let mut out = format!(
         "{}, {}, {} code, accelerations {}, {}\n",
         model.title,
@@ -162,7 +153,7 @@ fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
 }
 
 /// Refuses to write samples over what is read, or over what looks like no table of samples.
-fn check_csv(path: &Path, overwrite: bool, model: &Model, scene: &Scene) -> Result<(), Failure> {
+fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     keep_inputs(model, Some(scene), [path])?;
     let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
     if path.is_file() && !is_table && !overwrite && !path.starts_with("/dev") {

@@ -3,11 +3,12 @@
 use crate::commands::chart::progress;
 use crate::commands::simulate::read_scene;
 use crate::failure::{Failure, print};
-use crate::follow;
+use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs};
-use crate::stability::{Study, all};
+use crate::stability::{statements, write};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use tripos::stability::{Study, all};
 
 /// Runs every study that applies to the scene, and writes its numbers and figures to `out`.
 pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
@@ -17,15 +18,15 @@ pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
     folder(out)?;
     follow::listen();
     let bar = progress();
-    let findings = all(&Study { model: &model, scene: &scene, quick, bar: &bar })?;
+    let findings = all(&Study { model: &model, scene: &scene, quick, progress: &Shows(&bar) })?;
     bar.finish_and_clear();
     if findings.unfinished.is_some() && findings.rows.is_empty() {
         return Err(Failure::Interrupted(String::new()));
     }
-    findings.write(out)?;
+    write(&findings, out)?;
     let scene_title = if scene.title.is_empty() { String::new() } else { format!(", {}", scene.title) };
     let mut text = format!("{}{scene_title}\n\n", model.title);
-    for statement in &findings.statements {
+    for statement in statements(&model, &findings) {
         let _ = writeln!(text, "- {statement}");
     }
     let _ = writeln!(text, "\n{} numbers in {}", findings.rows.len(), out.join("stability.csv").display());

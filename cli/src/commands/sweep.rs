@@ -2,17 +2,19 @@
 
 use super::simulate::read_scene;
 use crate::Sweep as Request;
-use crate::catalogue::{by_or_first, short_name};
-use crate::failure::{Failure, print_json, say, status};
+use crate::failure::{Failure, print_json, say, status, warn};
 use crate::follow;
 use crate::output::{Rows, keep_inputs};
-use crate::run::how;
-use crate::sweep::{Columns, Row, Shard, Sweep, Tally, in_order};
+use crate::sweep::{Columns, Tally};
+use crate::workspace::short_name;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::num::NonZero;
 use std::ops::Range;
 use std::time::{Duration, Instant};
+use tripos::code::by_or_first;
+use tripos::run::how;
+use tripos::sweep::{Row, Shard, Sweep, in_order};
 use tripos_codegen::files::Existing;
 use tripos_derive::scene::Grid;
 
@@ -26,9 +28,13 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let grid = Grid::read(&request.over, &scene, &mut model).map_err(Failure::Inputs)?;
     let shard = Shard::read(&request.shard)?;
     let threads = threads(request.threads)?;
-    request.how.change(&mut scene)?;
+    let how_else = request.how.overrides();
+    how_else.change(&mut scene)?;
     let by = by_or_first(&model, request.how.by.as_deref())?;
-    let sweep = Sweep::new(&model, &scene, &grid, &by, &request.how)?;
+    let sweep = Sweep::new(&model, &scene, &grid, &by, &how_else)?;
+    for warning in &sweep.warnings {
+        warn(warning);
+    }
     let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
     let mut table = Rows::create(&request.out, existing)?;
     follow::listen();
@@ -87,7 +93,7 @@ fn run(sweep: &Sweep<'_>, points: Range<u64>, threads: usize, table: &mut Rows) 
     table.add(&columns.header())?;
     let count = points.end - points.start;
     let threads = threads.min(usize::try_from(count).unwrap_or(usize::MAX)).max(1);
-    let workers = (0..threads).map(|_| sweep.worker()).collect::<Result<Vec<_>, Failure>>()?;
+    let workers = (0..threads).map(|_| sweep.worker()).collect::<Result<Vec<_>, tripos::Error>>()?;
     let bar = progress(count);
     let done = || bar.inc(1);
     let (mut tally, mut done_rows) = (Tally::default(), 0);

@@ -6,8 +6,8 @@ use super::proof::witness;
 use super::typeset::typeset;
 use super::{Page, motion};
 use crate::commands::diff::entries;
-use crate::study::Published;
 use std::fmt::Write;
+use tripos::study::Published;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::{Finding, Judgement};
 

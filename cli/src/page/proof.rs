@@ -3,8 +3,8 @@
 use super::errata::value;
 use super::html::{each, escape, head, table};
 use super::math::{decimal, formula, inline, symbol, wrapped};
-use crate::study::Study;
 use std::fmt::Write;
+use tripos::study::Study;
 use tripos_derive::algebra::compare::{Verdict, Witness};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Integral, Pair, Singularity, There};

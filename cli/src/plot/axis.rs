@@ -3,21 +3,7 @@
 //! Invariant: no tick shows a rounding error: a tick is a whole number times a power of ten, printed with
 //! the digits of that power.
 
-/// How values are placed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scale {
-    /// Evenly.
-    Linear,
-    /// By their logarithms.
-    Logarithmic,
-}
-
-impl Scale {
-    /// Whether a point (other, value) can be drawn on this axis. Beyond 1e300 a range could overflow.
-    pub fn shows(self, (x, y): (f64, f64)) -> bool {
-        x.abs() < 1e300 && y.abs() < 1e300 && (self == Self::Linear || y >= 1e-300)
-    }
-}
+use super::{Scale, pretty};
 
 /// An axis: values less `offset`, or their decimal logarithms, from `low` to `high`.
 pub struct Axis {
@@ -142,34 +128,6 @@ fn raised(number: &str) -> String {
             .map_or(digit, |_| char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit)),
     };
     number.chars().map(raise).collect()
-}
-
-/// Words as a person writes them: `q1'` as q̇₁, `cos(q2)` as cos(q₂), `m/s^2` as m/s², `kg*m` as kg·m.
-pub fn pretty(text: &str) -> String {
-    let belongs = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
-    let mut out = String::new();
-    let mut rest = text.trim();
-    while let Some(first) = rest.chars().next() {
-        let end = rest.find(|c| belongs(c) != belongs(first)).unwrap_or(rest.len());
-        let (part, others) = rest.split_at(end);
-        out += &if belongs(first) { name(part) } else { part.to_owned() };
-        rest = others;
-    }
-    let out = out.replace("^2", "²").replace("^3", "³").replace('*', "·");
-    out.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// A name with its index lowered and dots for its primes; other words as they are.
-fn name(word: &str) -> String {
-    let stem = word.trim_end_matches('\'');
-    let dots = ["", "\u{307}", "\u{308}"][(word.len() - stem.len()).min(2)];
-    match (stem.chars().next(), stem.get(1..)) {
-        (Some(letter), Some(digits)) if letter.is_ascii_alphabetic() && digits.bytes().all(|b| b.is_ascii_digit()) => {
-            let lowered = digits.bytes().filter_map(|b| char::from_u32(u32::from(b - b'0') + '₀' as u32));
-            format!("{letter}{dots}{}", lowered.collect::<String>())
-        }
-        _ => word.to_owned(),
-    }
 }
 
 /// The whole part.

@@ -1,32 +1,9 @@
 //! A table drawn as a heat map: rows and columns of cells, each with its figure in it.
 
 use super::look::{Canvas, EDGE, extent, line, rectangle, write};
-use super::{LINE, PlotError, WIDTH, finish, text_width, wrap};
+use super::{Cell, HeatMap, LINE, PlotError, WIDTH, finish, text_width, wrap};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
-
-/// One cell.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Cell {
-    /// A number on a logarithmic scale, such as an error.
-    Value(f64),
-    /// No number: where and why it stopped, in few words.
-    Stopped(String),
-}
-
-/// A table of numbers on a logarithmic scale.
-pub struct HeatMap {
-    /// What the numbers are.
-    pub title: String,
-    /// A heading for each column.
-    pub columns: Vec<String>,
-    /// A heading for each row, and its cells.
-    pub rows: Vec<(String, Vec<Cell>)>,
-    /// The numbers that have the lightest and the darkest colour.
-    pub range: (f64, f64),
-    /// What to know.
-    pub note: String,
-}
 
 const HEIGHT: f64 = 22.0;
 /// From light to dark; equal steps in lightness, so that it can be read without colour.

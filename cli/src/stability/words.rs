@@ -1,7 +1,7 @@
 //! What the studies of a singular surface say in words. Every figure in a sentence is one of their findings.
 
-use super::{Findings, Passed, Row};
 use crate::plot::pretty;
+use tripos::stability::{Findings, Passed, Row};
 use tripos_derive::algebra::print::text;
 use tripos_derive::scene::Solve;
 use tripos_derive::{Formulation, Model};

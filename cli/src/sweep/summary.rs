@@ -1,8 +1,8 @@
 //! What became of the points of a sweep, counted.
 
-use super::row::Row;
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use tripos::sweep::Row;
 
 /// Counts of rows by how they ended.
 #[derive(Default)]

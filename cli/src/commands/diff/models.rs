@@ -1,8 +1,8 @@
 //! `tripos diff OLD NEW`: what a model edit changed in the equations of motion.
 
 use super::entries;
-use crate::catalogue::short_name;
 use crate::failure::{Failure, print, print_json, status};
+use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos_derive::Model;

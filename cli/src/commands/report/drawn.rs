@@ -8,12 +8,12 @@ use crate::page::Figure;
 use crate::plot::{Panel, draw};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use tripos::Mechanism;
 use tripos_codegen::scene_files::name_beside;
-use tripos_derive::Model;
 use tripos_derive::scene::Scene;
 
 /// The folder of a scene's tables, as seen from the page: that of its name. A scene beside the model gives way to one in `scenes/`.
-pub fn folder_of(model: &Model, scene: &Scene) -> PathBuf {
+pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
     let (model, path) = (&model.source.path, &scene.source.path);
     let stem = path.file_stem().unwrap_or_default();
     let is_beside = !name_beside(model, path).starts_with("scenes/");

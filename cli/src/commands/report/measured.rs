@@ -3,19 +3,20 @@
 //! Invariant: every point of such a figure is in a table beside the page, in a folder named after the scene.
 
 use crate::chart::words::{TARGETS, caption, fastest, lead};
-use crate::chart::{Plan, figure, files, session};
+use crate::chart::{figure, files};
 use crate::failure::Failure;
 use crate::output::folder as make;
 use crate::page::{Advice, Choice, Figure};
-use crate::stability::{Findings, Run, Study, conditioning, ladder, words};
-use indicatif::ProgressBar;
+use crate::stability::{tables, words};
 use std::path::{Path, PathBuf};
-use tripos_derive::Model;
+use tripos::Mechanism;
+use tripos::chart::{Plan, session};
+use tripos::stability::{Findings, Run, Study, conditioning, ladder};
 use tripos_derive::scene::{FigureKind, Scene};
 
 /// What is measured of a scene, as far as its figures ask for it.
 pub struct Measured<'a> {
-    model: &'a Model,
+    model: &'a Mechanism,
     scene: &'a Scene,
     /// The folder of the page, and in it that of the scene.
     out: &'a Path,
@@ -29,7 +30,7 @@ pub struct Measured<'a> {
 
 impl<'a> Measured<'a> {
     /// Nothing is measured yet.
-    pub fn new(model: &'a Model, scene: &'a Scene, out: &'a Path, folder: PathBuf) -> Self {
+    pub fn new(model: &'a Mechanism, scene: &'a Scene, out: &'a Path, folder: PathBuf) -> Self {
         Self { model, scene, out, folder, findings: Findings::default(), advice: None, not_drawn: Vec::new() }
     }
 
@@ -64,7 +65,7 @@ impl<'a> Measured<'a> {
     }
 
     fn work_precision(&mut self) -> Result<Option<Figure>, Failure> {
-        let session = session::chart(self.model, self.scene, false, &Plan::new(true), &ProgressBar::hidden())?;
+        let session = session::chart(self.model, self.scene, false, &Plan::new(true), &())?;
         let (folder, link) = self.table("work_precision.csv")?;
         files::write(&folder, &session.list, &session.watch.integrals)?;
         let choice = |target: f64| {
@@ -104,16 +105,15 @@ impl<'a> Measured<'a> {
     /// Writes what was found. It is written anew after each study: the tables have the numbers of all.
     fn tables(&self, names: &[&str]) -> Result<Vec<String>, Failure> {
         let (folder, _) = self.table("")?;
-        self.findings.tables(&folder)?;
+        tables(&self.findings, &folder)?;
         names.iter().map(|name| Ok(self.table(name)?.1)).collect()
     }
 
     /// Runs a study of stability and gives its figure; without one the scene has no such place.
     fn study(&mut self, kind: FigureKind, run: Run) -> Result<Option<String>, Failure> {
         let before = self.findings.figures.len();
-        let bar = ProgressBar::hidden();
-        run(&Study { model: self.model, scene: self.scene, quick: true, bar: &bar }, &mut self.findings)?;
-        let svg = self.findings.figures.get(before).map(|(_, svg)| svg.clone());
+        run(&Study { model: self.model, scene: self.scene, quick: true, progress: &() }, &mut self.findings)?;
+        let svg = self.findings.figures.get(before).map(|(_, figure)| figure::drawn(figure)).transpose()?;
         if svg.is_none() {
             let why = "the motion does not come near a place where the kinematic equations divide by zero";
             self.not_drawn.push(format!("The figure `{}` cannot be drawn: {why}", kind.name()));

@@ -1,14 +1,14 @@
 //! A scene's own equations in the report: what they are, their run, and what runs of whole equations show beside it.
 
-use crate::chart::compared::Compared;
 use crate::failure::Failure;
-use crate::invariants::{Course, Watch};
 use crate::page::Needs;
-use crate::problem::Problem;
-use crate::reduced::Reduced;
-use crate::run::{Run, run_problem, whole_energies};
+use tripos::Mechanism;
+use tripos::chart::compared::Compared;
+use tripos::invariants::{Course, Watch};
+use tripos::problem::Problem;
+use tripos::reduced::Reduced;
+use tripos::run::{Run, run_problem, whole_energies};
 use tripos_codegen::scene::costs;
-use tripos_derive::Model;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
@@ -29,13 +29,13 @@ impl Own {
     ///
     /// # Errors
     /// [`Failure`] if the scene has no equations of its own, or they cannot be run.
-    pub fn new(model: &Model, scene: &Scene, watch: &Watch) -> Result<Self, Failure> {
+    pub fn new(model: &Mechanism, scene: &Scene, watch: &Watch) -> Result<Self, Failure> {
         let mut reduced = Reduced::new(model, scene)?;
         // They are solved: nothing is left to a numeric solve.
         reduced.scene.integration.solve = Some(Solve::Eliminated);
-        let code = reduced.code()?;
+        let code = reduced.code(model)?;
         let watch = (!scene.states_outputs).then_some(watch);
-        let mut run = run_problem(&Problem::reduced(&reduced, scene, &code)?, watch)?;
+        let mut run = run_problem(&Problem::reduced(model, &reduced, scene, &code)?, watch)?;
         whole_energies(model, scene, &reduced, &mut run)?;
         let course = watch.map(|watch| watch.along(scene, &code, &run)).transpose()?;
         let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;

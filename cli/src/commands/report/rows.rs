@@ -1,10 +1,10 @@
 //! What the page says of a scene and of each of its runs, in words and numbers.
 
 use super::own::Own;
-use crate::invariants::Course;
 use crate::page::{Nearest, RunRow};
-use crate::run::{Run, how, state_names};
-use tripos_derive::Model;
+use tripos::Mechanism;
+use tripos::invariants::Course;
+use tripos::run::{Run, how, state_names};
 use tripos_derive::scene::Scene;
 
 /// The course of a run along which nothing was watched.
@@ -23,7 +23,7 @@ pub fn title(scene: &Scene) -> String {
 }
 
 /// (what, value) of what is given: parameters, start, span, tolerances, domain.
-pub fn facts(model: &Model, scene: &Scene) -> Vec<(String, String)> {
+pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(String, String)> {
     let pairs = |names: Vec<String>, values: &[f64]| {
         let list = names.iter().zip(values).map(|(name, x)| format!("{name} = {x}"));
         list.collect::<Vec<_>>().join(", ")

@@ -1,8 +1,9 @@
 //! One run of a scene by one formulation.
 
-use crate::catalogue::{By, Code, Ready, code, tape};
-use crate::failure::Failure;
+use crate::code::{By, Code, Ready, by_or_first, code, tape};
+use crate::error::Error;
 use crate::invariants::Watch;
+use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
 use crate::shown::Shown;
@@ -12,7 +13,9 @@ use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::scene::{AbsoluteTolerance as Tolerance, Crossing, Project, QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::work_precision::larger;
-use tripos_sim::{AbsoluteTolerance, Direction, Dynamics, Effect, Event, Method, Options, Output, SimError, Solution};
+use tripos_sim::{
+    AbsoluteTolerance, Direction, Dynamics, Effect, Event, EventRecord, Method, Options, Output, SimError, Solution,
+};
 
 /// What came out of a run.
 pub struct Run {
@@ -47,12 +50,32 @@ pub struct Run {
 }
 
 impl Run {
+    /// The values of what is shown under this name, at each sample.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if nothing of this name is shown.
+    pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
+        let at = self.names.iter().position(|shown| shown == name).ok_or_else(|| {
+            let known = self.names.iter().map(String::as_str);
+            Error::request(format!("the run shows no `{name}`"), tripos_derive::diagnostic::nearest(name, known))
+        })?;
+        Ok(self.states.iter().map(|values| values[at]).collect())
+    }
+
+    /// The events and the conditions of the domain that the run met, in order, with their instants and states.
+    #[must_use]
+    pub fn events(&self) -> &[EventRecord] {
+        &self.solution.events
+    }
+
     /// Why the run must not be trusted to the end that was asked for, a reason a line; nothing if it can be.
+    #[must_use]
     pub fn objections(&self) -> Vec<String> {
         self.failure().into_iter().chain(self.warnings.iter().cloned()).collect()
     }
 
     /// Why the run could not go on, or what it does not give; nothing if it gives all that was asked for.
+    #[must_use]
     pub fn failure(&self) -> Option<String> {
         if self.solution.stop.is_failure() { Some(self.ending.clone()) } else { self.missing.clone() }
     }
@@ -61,7 +84,7 @@ impl Run {
     ///
     /// # Errors
     /// As [`Problem::near_divisors`].
-    pub fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Failure> {
+    pub fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
         self.missing = None;
         let Solution { t, y, t_end, y_end, .. } = &self.solution;
         // The last sample is the end, unless only some instants were asked for.
@@ -79,16 +102,37 @@ impl Run {
 }
 
 /// The names of the states: coordinates, then generalized speeds.
+#[must_use]
 pub fn state_names(model: &Model) -> Vec<String> {
     let coordinates = model.coordinates.iter().map(|c| c.name.clone());
     coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
 }
 
+/// Runs a scene as it asks to be run: by the equations of this name, else by its own reduced ones. A numeric solve is one of whole
+/// equations.
+///
+/// # Errors
+/// [`Error`] if there are no such equations, or they cannot be run.
+pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Run, Error> {
+    let by = by.filter(|by| *by != "reduced");
+    let numeric = scene.integration.solve == Some(Solve::Numeric);
+    if by.is_none() && !numeric {
+        return run_reduced(mechanism, scene);
+    }
+    let mut done = run(mechanism, scene, &by_or_first(mechanism, by)?)?;
+    if by.is_none() {
+        let what =
+            "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown";
+        done.warnings.insert(0, what.to_owned());
+    }
+    Ok(done)
+}
+
 /// Runs a scene by one set of equations, and shows what it asks for.
 ///
 /// # Errors
-/// [`Failure`] if the formulation is not to be had, or the scene asks for what it cannot give.
-pub fn run(model: &Model, scene: &Scene, by: &By) -> Result<Run, Failure> {
+/// [`Error`] if the formulation is not to be had, or the scene asks for what it cannot give.
+pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
     let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let mut run = run_problem(&problem, proved(model)?.as_ref())?;
@@ -101,17 +145,17 @@ pub fn run(model: &Model, scene: &Scene, by: &By) -> Result<Run, Failure> {
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_reduced(model: &Model, scene: &Scene) -> Result<Run, Failure> {
+pub fn run_reduced(model: &Mechanism, scene: &Scene) -> Result<Run, Error> {
     let reduced = Reduced::new(model, scene)?;
-    let code = reduced.code()?;
-    let singular = Problem::reduced(&reduced, scene, &code)?.singular_start()?;
+    let code = reduced.code(model)?;
+    let singular = Problem::reduced(model, &reduced, scene, &code)?.singular_start()?;
     let (Some(singular), false) = (singular, reduced.constants().next().is_none()) else {
         return run_own(model, scene, &reduced, &code);
     };
     let plain = Reduced::without_momenta(model, scene)?;
-    let code = plain.code()?;
-    if Problem::reduced(&plain, scene, &code)?.singular_start()?.is_some() {
-        return Err(Failure::Stopped(format!("the run cannot start: {singular}")));
+    let code = plain.code(model)?;
+    if Problem::reduced(model, &plain, scene, &code)?.singular_start()?.is_some() {
+        return Err(Error::Stopped(format!("the run cannot start: {singular}")));
     }
     let mut run = run_own(model, scene, &plain, &code)?;
     run.warnings.insert(0, format!("no momentum is held, since {singular}"));
@@ -119,8 +163,8 @@ pub fn run_reduced(model: &Model, scene: &Scene) -> Result<Run, Failure> {
 }
 
 /// Runs a scene by these of its own equations.
-fn run_own(model: &Model, scene: &Scene, reduced: &Reduced, code: &Code) -> Result<Run, Failure> {
-    let problem = Problem::reduced(reduced, scene, code)?;
+fn run_own(model: &Mechanism, scene: &Scene, reduced: &Reduced, code: &Code) -> Result<Run, Error> {
+    let problem = Problem::reduced(model, reduced, scene, code)?;
     // Integrals of the whole are functions of all states, which a scene may not show.
     let watch = if scene.states_outputs { None } else { proved(model)? };
     let mut run = run_problem(&problem, watch.as_ref())?;
@@ -134,8 +178,8 @@ fn run_own(model: &Model, scene: &Scene, reduced: &Reduced, code: &Code) -> Resu
 /// The energies of reduced equations are others: what moves by the momenta that are held counts as potential.
 ///
 /// # Errors
-/// [`Failure`] if Kane's equations cannot be had.
-pub fn whole_energies(model: &Model, scene: &Scene, reduced: &Reduced, run: &mut Run) -> Result<(), Failure> {
+/// [`Error`] if Kane's equations cannot be had.
+pub fn whole_energies(model: &Mechanism, scene: &Scene, reduced: &Reduced, run: &mut Run) -> Result<(), Error> {
     if scene.states_outputs {
         run.energies.clear();
         run.energy_drift = run.energy_drift.filter(|_| reduced.reduction.has_energy);
@@ -166,8 +210,8 @@ fn shown(problem: &Problem<'_>) -> Vec<String> {
 /// What is conserved; nothing of a large model, of which the proof may take longer than the run: there energy alone is watched.
 ///
 /// # Errors
-/// [`Failure`] if the model cannot be derived.
-pub fn proved(model: &Model) -> Result<Option<Watch>, Failure> {
+/// [`Error`] if the model cannot be derived.
+pub fn proved(model: &Mechanism) -> Result<Option<Watch>, Error> {
     let small = model.coordinates.len() <= MOST_PROVED;
     small.then(|| Watch::of_model(model)).transpose()
 }
@@ -179,7 +223,7 @@ const MOST_PROVED: usize = 8;
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_code(model: &Model, scene: &Scene, by: &By, code: &Code, watch: Option<&Watch>) -> Result<Run, Failure> {
+pub fn run_code(model: &Mechanism, scene: &Scene, by: &By, code: &Code, watch: Option<&Watch>) -> Result<Run, Error> {
     run_problem(&Problem::new(model, scene, by, code, None)?, watch)
 }
 
@@ -187,9 +231,9 @@ pub fn run_code(model: &Model, scene: &Scene, by: &By, code: &Code, watch: Optio
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Failure> {
+pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Error> {
     let scene = problem.scene;
-    let balance = Balance::new(problem.model, scene, problem.by)?;
+    let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;
     let y0 = problem.start()?;
     let mut events = events(problem, &balance);
     let solution = problem.solve(&y0, &options(scene)?, &mut events)?;
@@ -198,23 +242,24 @@ pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, 
 }
 
 /// A scene that the simulator refuses.
-pub fn refused(scene: &Scene, error: &SimError) -> Failure {
-    Failure::Request(error.to_string(), format!("check {}", scene.source.path.display()))
+#[must_use]
+pub fn refused(scene: &Scene, error: &SimError) -> Error {
+    Error::request(error.to_string(), format!("check {}", scene.source.path.display()))
 }
 
 /// How a scene is integrated, and at which instants it is sampled.
 ///
 /// # Errors
-/// [`Failure::Request`] if there is no such method.
-pub fn options(scene: &Scene) -> Result<Options, Failure> {
+/// [`Error::Request`] if there is no such method.
+pub fn options(scene: &Scene) -> Result<Options, Error> {
     Ok(Options { output: output(scene), ..options_of_ends(scene)? })
 }
 
 /// How a scene is integrated where only the ends of its runs are kept: the same steps.
 ///
 /// # Errors
-/// [`Failure::Request`] if there is no such method.
-pub fn options_of_ends(scene: &Scene) -> Result<Options, Failure> {
+/// [`Error::Request`] if there is no such method.
+pub fn options_of_ends(scene: &Scene) -> Result<Options, Error> {
     let how = &scene.integration;
     Ok(Options {
         // Quadrature takes no steps: any method will do.
@@ -232,10 +277,13 @@ pub fn options_of_ends(scene: &Scene) -> Result<Options, Failure> {
 }
 
 /// The method of this name.
-pub fn method(name: &str) -> Result<Method, Failure> {
+///
+/// # Errors
+/// [`Error::Request`] if there is none.
+pub fn method(name: &str) -> Result<Method, Error> {
     Method::ALL.iter().copied().find(|m| m.name() == name).ok_or_else(|| {
         let names = Method::ALL.iter().map(|m| m.name());
-        Failure::Request(format!("there is no method `{name}`"), tripos_derive::diagnostic::nearest(name, names))
+        Error::request(format!("there is no method `{name}`"), tripos_derive::diagnostic::nearest(name, names))
     })
 }
 
@@ -272,7 +320,7 @@ fn output(scene: &Scene) -> Output {
     }
 }
 
-fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> Result<Run, Failure> {
+fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> Result<Run, Error> {
     let scene = problem.scene;
     let (system, p) = (problem.system(), scene.parameters.as_slice());
     let dynamics = problem.dynamics().map_err(|error| refused(scene, &error))?;
@@ -325,19 +373,19 @@ struct Watched {
 }
 
 impl Balance {
-    /// For what is watched in a scene.
+    /// For what is watched in a scene of this model: the mechanism's own, or a reduced one, which has no reactions any more.
     ///
     /// # Errors
-    /// [`Failure::Request`] if a reaction is watched that cannot be had, or what has no value during a run.
-    pub fn new(model: &Model, scene: &Scene, by: &By) -> Result<Self, Failure> {
+    /// [`Error::Request`] if a reaction is watched that cannot be had, or what has no value during a run.
+    pub fn new(mechanism: &Mechanism, model: &Model, scene: &Scene, by: &By) -> Result<Self, Error> {
         let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
         let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
         let (mut balance, mut list) = (None, Vec::new());
         for (name, e) in watched {
             let reaction = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol));
             if let (Some(reaction), None) = (reaction, &balance) {
-                balance = Some(code(model, &Formulation::NewtonEuler.into(), None, Ready::AsDerived).map_err(|error| {
-                    Failure::Request(
+                balance = Some(code(mechanism, &Formulation::NewtonEuler.into(), None, Ready::AsDerived).map_err(|error| {
+                    Error::request(
                         format!(
                             "`{name}` needs the reaction `{}`, which only newton-euler gives, also in a run by {}:\n{error}",
                             reaction.name, by.name
@@ -357,6 +405,7 @@ impl Balance {
 
 /// The domain's conditions and the scene's events as functions of the integrated state; the scene must have those that
 /// `balance` was made for.
+#[must_use]
 pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'a>> {
     let Problem { model, scene, .. } = *problem;
     let mut watched = balance.watched.iter();

@@ -1,20 +1,20 @@
 //! Passages near a singular surface: every formulation, solve and method, in the coordinate and in its distance.
 
-use super::{Findings, Passed, Row, Study, words};
-use crate::catalogue::{By, Ready, code, tape};
+use super::{Findings, Passed, Row, Study};
 use crate::chart::case::{Case, Way, own, whole};
 use crate::chart::compared::Compared;
-use crate::chart::figure::failed;
-use crate::failure::Failure;
-use crate::follow::{self, uninterrupted};
-use crate::plot::{Cell, HeatMap, draw_heat};
+use crate::code::{By, Ready, code, tape};
+use crate::error::Error;
+use crate::figure::{Cell, Figure, HeatMap};
+use crate::follow::uninterrupted;
+use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::reference::Reference;
 use crate::run::refused;
+use tripos_derive::Formulation;
 use tripos_derive::algebra::print::text;
 use tripos_derive::mechanics::{Distance, distances};
 use tripos_derive::scene::Scene;
-use tripos_derive::{Formulation, Model};
 use tripos_sim::work_precision::{error, larger, options};
 use tripos_sim::{Method, Options, Output};
 
@@ -41,7 +41,10 @@ pub struct Passage {
 }
 
 /// The first place of a scene at which a divisor of the kinematic equations is least.
-pub fn passage(model: &Model, scene: &Scene) -> Result<Option<Passage>, Failure> {
+///
+/// # Errors
+/// [`Error`] if the scene cannot be run at all.
+pub fn passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>, Error> {
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(None) };
     let by = By::from(Formulation::Kane);
     let mut scene = scene.clone();
@@ -71,11 +74,14 @@ struct Rung {
 }
 
 /// Runs the ladder, if the kinematic equations are singular anywhere near the motion.
-pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+///
+/// # Errors
+/// [`Error`] if the scene cannot be run at all.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let model = study.model;
     let mut rungs = Vec::new();
     for (_, scene) in study.scene.rungs() {
-        study.bar.set_message("reference of a passage");
+        study.progress.set_message("reference of a passage");
         let Some(passage) = passage(model, &scene)? else { continue };
         let reference = Reference::new(model, &scene, &[passage.t, scene.span.1])?;
         rungs.push(Rung { scene, reference, least: passage.least });
@@ -85,10 +91,10 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     let limit = if study.quick { 20_000 } else { 200_000 };
     let length = study.scene.span.1 - study.scene.span.0;
     let mut rows: Vec<(String, Vec<Cell>)> = Vec::new();
-    let mut row = |findings: &mut Findings, case: &Case, variable: Variable, way: Way| -> Result<(), Failure> {
+    let mut row = |findings: &mut Findings, case: &Case, variable: Variable, way: Way| -> Result<(), Error> {
         let name = [case.by.name.as_str(), way.solve(case.solve), way.name()].join(" ").replace(" - ", " ");
         let name = variable.distance.map_or_else(|| name.clone(), |v| format!("{name}, {}", v.name(model)));
-        study.bar.set_message(name.clone());
+        study.progress.set_message(&name);
         let cells =
             rungs.iter().map(|rung| cell(study, findings, rung, case, variable, way, &way.options(length, limit)));
         rows.push((name, cells.collect::<Result<Vec<_>, _>>()?));
@@ -110,7 +116,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     // A scene's own equations are in the distance where they have one.
     let own = own(model, study.scene);
     if let Err(failure) = &own {
-        findings.statements.push(format!("the scene's own equations were not run: {}", failure.first_line()));
+        findings.say("passages", format!("the scene's own equations were not run: {}", failure.first_line()));
     }
     if let Ok(case) = own {
         let measured = case.reduction.as_ref().is_some_and(|reduction| !reduction.divisors.is_empty());
@@ -131,10 +137,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
              up after {limit} steps. The references are double-double runs by two formulations."
         ),
     };
-    findings.figures.push(("ladder.svg", draw_heat(&map).map_err(|error| failed(&error))?));
+    findings.figures.push(("ladder.svg", Figure::HeatMap(map)));
     summary(findings, &rungs);
-    findings.statements.extend(words::own(&findings.passages));
-    findings.statements.extend(words::coordinate(model, &findings.passages));
     Ok(())
 }
 
@@ -155,7 +159,7 @@ fn cell(
     variable: Variable,
     way: Way,
     options: &Options,
-) -> Result<Cell, Failure> {
+) -> Result<Cell, Error> {
     let mut scene = rung.scene.clone();
     scene.integration.distance = variable.distance;
     let prepared = case.prepare(study.model, &scene);
@@ -199,7 +203,7 @@ fn cell(
                 (stop, solution.t_end)
             }
             // Quadrature does not give every motion.
-            Err(_) if way == Way::Quadrature && !follow::asked() => (Some("no-quadrature".to_owned()), t),
+            Err(_) if way == Way::Quadrature && !study.model.follow.asked() => (Some("no-quadrature".to_owned()), t),
             Err(failure) => return Err(failure),
         };
         if let Some(stop) = stop {
@@ -231,11 +235,14 @@ fn summary(findings: &mut Findings, rungs: &[Rung]) {
     let arrived: Vec<(f64, String)> = ends.filter_map(|r| Some((r.value?, describe(r)))).collect();
     let by_error = |a: &&(f64, String), b: &&(f64, String)| a.0.total_cmp(&b.0);
     if let (Some(best), Some(worst)) = (arrived.iter().min_by(by_error), arrived.iter().max_by(by_error)) {
-        findings.statements.push(format!(
-            "narrowest passage, {:.0e}: best {:.1e} ({}), worst that arrived {:.1e} ({})",
-            narrow.least, best.0, best.1, worst.0, worst.1
-        ));
+        findings.say(
+            "passages",
+            format!(
+                "narrowest passage, {:.0e}: best {:.1e} ({}), worst that arrived {:.1e} ({})",
+                narrow.least, best.0, best.1, worst.0, worst.1
+            ),
+        );
     }
     let known = rungs.iter().map(|r| r.reference.uncertainty).fold(0.0, larger);
-    findings.statements.push(format!("the references are known to {:.0e}: {}", known, narrow.reference.how));
+    findings.say("passages", format!("the references are known to {:.0e}: {}", known, narrow.reference.how));
 }

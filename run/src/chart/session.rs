@@ -3,14 +3,14 @@
 use super::case::cases;
 use super::compared::Compared;
 use super::{Measurement, Plan, Truth, measure};
-use crate::catalogue::{By, Ready, code};
-use crate::failure::Failure;
+use crate::code::{By, Ready, code};
+use crate::error::Error;
+use crate::follow::Progress;
 use crate::invariants::Watch;
+use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::reference::Reference;
 use crate::run::{Balance, events, options, refused};
-use indicatif::ProgressBar;
-use tripos_derive::Model;
 use tripos_derive::scene::Scene;
 use tripos_sim::{Method, Options, Output};
 
@@ -35,8 +35,14 @@ pub struct Session {
 /// Charts a scene to its end, or to shortly before the motion leaves the domain of its equations.
 ///
 /// # Errors
-/// [`Failure`] if the scene cannot be run at all.
-pub fn chart(model: &Model, scene: &Scene, printed: bool, plan: &Plan, bar: &ProgressBar) -> Result<Session, Failure> {
+/// [`Error`] if the scene cannot be run at all.
+pub fn chart(
+    model: &Mechanism,
+    scene: &Scene,
+    printed: bool,
+    plan: &Plan,
+    bar: &dyn Progress,
+) -> Result<Session, Error> {
     let mut scene = scene.clone();
     bar.set_message("reference");
     let (mut cases, mut left_out) = cases(model, &scene, printed)?;
@@ -53,7 +59,7 @@ pub fn chart(model: &Model, scene: &Scene, printed: bool, plan: &Plan, bar: &Pro
         let (from, to) = scene.span;
         if t - from == 0.0 {
             let help = "choose another start: `tripos simulate` says which condition does not hold".to_owned();
-            return Err(Failure::Request("the start is outside the domain of the model's equations".to_owned(), help));
+            return Err(Error::request("the start is outside the domain of the model's equations".to_owned(), help));
         }
         scene.span.1 = from + (t - from) * 0.99;
         cut = Some(format!(
@@ -69,10 +75,10 @@ pub fn chart(model: &Model, scene: &Scene, printed: bool, plan: &Plan, bar: &Pro
 }
 
 /// When the motion leaves the domain of its equations, or meets a terminal event, before the end of its span.
-fn leaves(model: &Model, scene: &Scene, by: &By) -> Result<Option<f64>, Failure> {
+fn leaves(model: &Mechanism, scene: &Scene, by: &By) -> Result<Option<f64>, Error> {
     let code = code(model, by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
-    let balance = Balance::new(model, scene, by)?;
+    let balance = Balance::new(model, model, scene, by)?;
     let mut events = events(&problem, &balance);
     let how = Options { method: Method::Ode45, output: Output::Ends, rtol: 1e-9, step: None, ..options(scene)? };
     let solution = problem.integrate(&problem.start()?, &how, &mut events).map_err(|error| refused(scene, &error))?;

@@ -4,14 +4,15 @@
 //! Invariant: an output has a value for each state or the state has none for it, which is then not a number; no other number
 //! ever stands in its place. Reduced equations bring their outputs with them ([`tripos_traits::System::outputs`]).
 
-use crate::catalogue::{Code, Ready, code, tape};
-use crate::failure::Failure;
+use crate::code::{Code, Ready, code, tape};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::run::{Run, refused, state_names};
+use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::scene::{ENERGIES, Scene, Solve};
-use tripos_derive::{Formulation, Model};
 use tripos_sim::{Dynamics, Eliminated, RightHandSide};
 
 /// What is shown of a state.
@@ -38,8 +39,8 @@ impl Shown {
     /// Of a scene of this model.
     ///
     /// # Errors
-    /// [`Failure`] if an output needs a reaction that the model does not determine.
-    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Failure> {
+    /// [`Error`] if an output needs a reaction that the model does not determine.
+    pub fn new(model: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let mut names = state_names(model);
         let others: Vec<_> = scene.outputs.iter().filter(|o| !names.contains(&o.name)).collect();
         if others.is_empty() {
@@ -70,8 +71,8 @@ impl Shown {
     /// What an integrated state of whole equations shows.
     ///
     /// # Errors
-    /// [`Failure::Request`] if the parameters are not those of the equations.
-    pub fn of(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+    /// [`Error::Request`] if the parameters are not those of the equations.
+    pub fn of(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let state = problem.state(t, y);
         match &self.outputs {
             None => Ok(state),
@@ -86,7 +87,7 @@ impl Shown {
     ///
     /// # Errors
     /// As [`Shown::of`].
-    pub fn apply(&self, problem: &Problem<'_>, run: &mut Run) -> Result<(), Failure> {
+    pub fn apply(&self, problem: &Problem<'_>, run: &mut Run) -> Result<(), Error> {
         if self.outputs.is_none() {
             return Ok(());
         }
@@ -99,7 +100,7 @@ impl Shown {
 }
 
 impl Outputs {
-    fn of(&self, problem: &Problem<'_>, state: &[f64], t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+    fn of(&self, problem: &Problem<'_>, state: &[f64], t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
         let (variables, v) = y.split_at(system.coordinates());
         let (q, u) = state.split_at(system.coordinates());
@@ -114,7 +115,7 @@ impl Outputs {
     }
 
     /// u̇ as the run finds it; not numbers where nothing asks for it, or where it has no value.
-    fn accelerations(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+    fn accelerations(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
         let n = system.coordinates();
         let mut u_dot = vec![f64::NAN; y.len() - n];
@@ -134,7 +135,7 @@ impl Outputs {
     }
 
     /// Every reaction; not numbers where nothing asks for them, or where they have no value.
-    fn reactions(&self, problem: &Problem<'_>, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Failure> {
+    fn reactions(&self, problem: &Problem<'_>, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Error> {
         let count = problem.model.reactions.len();
         let Some(balance) = &self.balance else { return Ok(vec![f64::NAN; count]) };
         let mut dynamics = Dynamics::new(balance.system(), &problem.scene.parameters)

@@ -1,7 +1,7 @@
 //! Where equations have next to no value: what they divide by there, in words.
 
-use crate::catalogue::tape;
-use crate::failure::Failure;
+use crate::code::tape;
+use crate::error::Error;
 use rustc_hash::FxHashMap;
 use tripos_derive::Model;
 use tripos_derive::algebra::evaluate::value_of;
@@ -16,8 +16,8 @@ const NEAR: f64 = 1e-6;
 /// if nothing is.
 ///
 /// # Errors
-/// [`Failure::Request`] if a divisor mentions what has no value during a run.
-pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<String, Failure> {
+/// [`Error::Request`] if a divisor mentions what has no value during a run.
+pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<String, Error> {
     let inputs = [model.p(), model.q()].concat();
     // A reduced system may divide by what its steps define: that is no place that a reader could find.
     let is_place = |e: &&Expr| {

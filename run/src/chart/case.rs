@@ -1,12 +1,12 @@
 //! What is charted: equations, how their accelerations are found, and the ways to run them.
 
-use crate::catalogue::{By, Code, Ready, code};
-use crate::failure::Failure;
+use crate::code::{By, Code, Ready, code};
+use crate::error::Error;
 use crate::follow::uninterrupted;
+use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
 use crate::run::refused;
-use tripos_derive::Model;
 use tripos_derive::reduce::Reduction;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_sim::work_precision::options;
@@ -31,6 +31,7 @@ pub struct Case {
 impl Case {
     /// Whether a method can run it: without a Jacobian there is no implicit method, and Taylor coefficients are known of
     /// eliminated accelerations only.
+    #[must_use]
     pub fn has(&self, method: Method) -> bool {
         let system = self.code.system();
         let series = self.solve == Solve::Eliminated && system.has_taylor();
@@ -38,6 +39,7 @@ impl Case {
     }
 
     /// The methods that can run it, at each of these tolerances, and quadrature where it gives the motion.
+    #[must_use]
     pub fn ways(&self, tolerances: &[f64]) -> Vec<Way> {
         let mut list = Vec::new();
         for method in Method::ALL.into_iter().filter(|method| self.has(*method)) {
@@ -53,12 +55,14 @@ impl Case {
     }
 
     /// Whether the motion can be asked for by quadrature.
+    #[must_use]
     pub fn has_quadrature(&self) -> bool {
         self.reduction.is_some() && self.code.system().has_potential_slope()
     }
 
     /// With the start of a scene: one of the model and the outputs that the case was made for.
-    pub fn prepare<'a>(&'a self, model: &'a Model, scene: &'a Scene) -> Prepared<'a> {
+    #[must_use]
+    pub fn prepare<'a>(&'a self, model: &'a Mechanism, scene: &'a Scene) -> Prepared<'a> {
         let reduced = self.reduction.as_ref().map(|reduction| {
             let mut reduced = Reduced::with(reduction.clone(), model, scene);
             // Nothing else is there to be solved.
@@ -72,7 +76,7 @@ impl Case {
 /// A case with the start of a scene.
 pub struct Prepared<'a> {
     case: &'a Case,
-    model: &'a Model,
+    model: &'a Mechanism,
     scene: &'a Scene,
     reduced: Option<Reduced>,
 }
@@ -82,10 +86,10 @@ impl Prepared<'_> {
     ///
     /// # Errors
     /// As [`Problem::new`].
-    pub fn problem(&self) -> Result<Problem<'_>, Failure> {
+    pub fn problem(&self) -> Result<Problem<'_>, Error> {
         let Self { case, model, scene, reduced } = self;
         match reduced {
-            Some(reduced) => Problem::reduced(reduced, scene, &case.code),
+            Some(reduced) => Problem::reduced(model, reduced, scene, &case.code),
             None => Problem::new(model, scene, &case.by, &case.code, Some(case.solve)),
         }
     }
@@ -104,6 +108,7 @@ pub enum Way {
 
 impl Way {
     /// The name of the method.
+    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Steps(method, _) | Self::Absolute(method, _) => method.name(),
@@ -112,6 +117,7 @@ impl Way {
     }
 
     /// The tolerance of the steps.
+    #[must_use]
     pub fn tolerance(self) -> Option<f64> {
         match self {
             Self::Steps(_, tolerance) | Self::Absolute(_, tolerance) => Some(tolerance),
@@ -120,6 +126,7 @@ impl Way {
     }
 
     /// How accelerations are found; quadrature asks for none.
+    #[must_use]
     pub fn solve(self, solve: Solve) -> &'static str {
         match self {
             Self::Steps(..) | Self::Absolute(..) => solve.name(),
@@ -128,6 +135,7 @@ impl Way {
     }
 
     /// Tolerances and limits for a span of this length, s.
+    #[must_use]
     pub fn options(self, length: f64, step_limit: u64) -> Options {
         match self {
             Self::Steps(method, tolerance) => options(method, tolerance, length, step_limit),
@@ -142,14 +150,14 @@ impl Way {
     /// One run over a span, from the integrated state `y0`.
     ///
     /// # Errors
-    /// [`Failure::Request`] if the question makes no sense, or quadrature does not give the motion.
+    /// [`Error::Request`] if the question makes no sense, or quadrature does not give the motion.
     pub fn run(
         self,
         problem: &Problem<'_>,
         span: (f64, f64),
         y0: &[f64],
         options: &Options,
-    ) -> Result<Solution, Failure> {
+    ) -> Result<Solution, Error> {
         match self {
             Self::Steps(..) | Self::Absolute(..) => {
                 let run = problem.integrate_over(span, y0, options, &mut []);
@@ -158,7 +166,7 @@ impl Way {
             Self::Quadrature => {
                 let p = &problem.scene.parameters;
                 quadrature::solve(problem.system(), p, span, y0, options, &mut []).map_err(|error| {
-                    Failure::Request(format!("no motion by quadrature: {error}"), "integrate step by step".to_owned())
+                    Error::request(format!("no motion by quadrature: {error}"), "integrate step by step".to_owned())
                 })
             }
         }
@@ -169,8 +177,8 @@ impl Way {
 /// stand; last the scene's own equations. Beside them why something cannot be had.
 ///
 /// # Errors
-/// [`Failure`] if nothing can be run.
-pub fn cases(model: &Model, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Failure> {
+/// [`Error`] if nothing can be run.
+pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = whole(model, scene, printed)?;
     match own(model, scene) {
         Ok(case) => list.push(case),
@@ -183,12 +191,12 @@ pub fn cases(model: &Model, scene: &Scene, printed: bool) -> Result<(Vec<Case>, 
 ///
 /// # Errors
 /// As [`cases`].
-pub fn whole(model: &Model, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Failure> {
+pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = (Vec::new(), Vec::new());
     let mut why = None;
     let mut names: Vec<By> = tripos_derive::Formulation::ALL.map(By::from).to_vec();
     if printed {
-        names.extend(crate::catalogue::printed(model)?);
+        names.extend(crate::code::printed(model)?);
     }
     for by in names {
         match code(model, &by, scene.integration.distance, Ready::Solved) {
@@ -212,9 +220,9 @@ pub fn whole(model: &Model, scene: &Scene, printed: bool) -> Result<(Vec<Case>, 
 /// A scene's own equations.
 ///
 /// # Errors
-/// [`Failure`] if they cannot be had, which is no reason not to chart the others.
-pub fn own(model: &Model, scene: &Scene) -> Result<Case, Failure> {
+/// [`Error`] if they cannot be had, which is no reason not to chart the others.
+pub fn own(model: &Mechanism, scene: &Scene) -> Result<Case, Error> {
     let reduced = Reduced::new(model, scene)?;
-    let code = reduced.code()?;
+    let code = reduced.code(model)?;
     Ok(Case { by: reduced.by, code, solve: Solve::Eliminated, reduction: Some(reduced.reduction) })
 }

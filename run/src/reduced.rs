@@ -1,7 +1,8 @@
 //! A scene's own equations, ready to be run: the least system that gives what the scene asks for.
 
-use crate::catalogue::{By, Code, compiled_scene, interpreted_scene};
-use crate::failure::Failure;
+use crate::code::{By, Code, compiled_scene, interpreted_scene};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
 use crate::problem::wide;
 use crate::wide::values;
 use tripos_derive::Model;
@@ -23,8 +24,8 @@ impl Reduced {
     /// Of a scene of this model.
     ///
     /// # Errors
-    /// [`Failure`] if the model cannot be derived, or the scene asks for what it does not determine.
-    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Failure> {
+    /// [`Error`] if the model cannot be derived, or the scene asks for what it does not determine.
+    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
         let reduction = reduce(model, scene).map_err(|error| model.diagnose(&error))?;
         Ok(Self::with(reduction, model, scene))
     }
@@ -33,7 +34,7 @@ impl Reduced {
     ///
     /// # Errors
     /// As [`Reduced::new`].
-    pub fn without_momenta(model: &Model, scene: &Scene) -> Result<Self, Failure> {
+    pub fn without_momenta(model: &Model, scene: &Scene) -> Result<Self, Error> {
         let reduction = reduce_without_momenta(model, scene).map_err(|error| model.diagnose(&error))?;
         Ok(Self::with(reduction, model, scene))
     }
@@ -41,6 +42,7 @@ impl Reduced {
     /// The same equations from the start of another scene: one with other numbers.
     ///
     /// What the reduction was made from must be the same: model, outputs, events and parameters.
+    #[must_use]
     pub fn with(reduction: Reduction, model: &Model, scene: &Scene) -> Self {
         let start = Start::of(&reduction, model, scene);
         let number = |x: &DoubleDouble| x.to_f64();
@@ -73,9 +75,9 @@ impl Reduced {
     /// The equations, ready to run: compiled in if they were generated from what this scene says.
     ///
     /// # Errors
-    /// [`Failure`] if they cannot be interpreted.
-    pub fn code(&self) -> Result<Code, Failure> {
-        match compiled_scene(&self.reduction) {
+    /// [`Error`] if they cannot be interpreted.
+    pub fn code(&self, mechanism: &Mechanism) -> Result<Code, Error> {
+        match compiled_scene(mechanism, &self.reduction) {
             Some(code) => Ok(code),
             None => interpreted_scene(&self.reduction),
         }

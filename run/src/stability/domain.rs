@@ -1,8 +1,8 @@
 //! The domain: what stops a run that has left the world its equations describe.
 
 use super::{Findings, Row, Study};
-use crate::catalogue::{By, Ready, code};
-use crate::failure::Failure;
+use crate::code::{By, Ready, code};
+use crate::error::Error;
 use crate::follow::uninterrupted;
 use crate::problem::Problem;
 use crate::run::{Balance, events, options, refused};
@@ -10,7 +10,10 @@ use tripos_derive::Formulation;
 use tripos_sim::{AbsoluteTolerance, Method, Options, Output};
 
 /// Runs with and without the domain, if the model has one and the motion leaves it.
-pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+///
+/// # Errors
+/// [`Error`] if the scene cannot be run at all.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let model = study.model;
     if model.domain.is_empty() && study.scene.events.is_empty() {
         return Ok(());
@@ -20,12 +23,12 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         let by = By::from(formulation);
         let code = match code(model, &by, study.scene.integration.distance, Ready::Solved) {
             Ok(code) => code,
-            Err(Failure::Unsupported(_)) => continue,
+            Err(Error::Unsupported(_)) => continue,
             Err(failure) => return Err(failure),
         };
         for method in [Method::Ode45, Method::Dop853] {
             let problem = Problem::new(model, study.scene, &by, &code, None)?;
-            let balance = Balance::new(model, study.scene, &by)?;
+            let balance = Balance::new(model, model, study.scene, &by)?;
             let tight = Options {
                 method,
                 rtol: 1e-12,
@@ -65,7 +68,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
             findings.rows.push(unseen);
             if !said {
                 said = true;
-                findings.statements.push(format!(
+                findings.say("domain", format!(
                     "the motion leaves its domain at t = {:.12} s ({}); without the domain the run goes on to t = {} s, ends with `{}`, and its energy has changed by {drift:.1e} J",
                     run.t_end,
                     run.stop.code(),

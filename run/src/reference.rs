@@ -3,14 +3,14 @@
 //! Compiled equations run in twice the precision of a double, eliminated, by DOP853 at tolerances that no double
 //! reaches: by two formulations and at two tolerances. What they differ by is how far the reference can be trusted.
 
-use crate::catalogue::{By, Ready, code, compiled_code};
-use crate::failure::Failure;
-use crate::follow::followed;
+use crate::code::{By, Ready, code, compiled_code};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::run::refused;
+use tripos_derive::Formulation;
 use tripos_derive::mechanics::Distance;
 use tripos_derive::scene::{Scene, Solve};
-use tripos_derive::{Formulation, Model};
 use tripos_sim::work_precision::{error, larger};
 use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, Output, RightHandSide, Solution, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar};
@@ -38,8 +38,8 @@ impl Reference {
     /// Of a scene without its events, at these instants in the order of the run.
     ///
     /// # Errors
-    /// [`Failure`] if no formulation gets there.
-    pub fn new(model: &Model, scene: &Scene, times: &[f64]) -> Result<Self, Failure> {
+    /// [`Error`] if no formulation gets there.
+    pub fn new(model: &Mechanism, scene: &Scene, times: &[f64]) -> Result<Self, Error> {
         let mut runs: Vec<(String, Vec<Vec<DoubleDouble>>)> = Vec::new();
         let mut extended = true;
         for (at, formulation) in certifiers(model)?.into_iter().enumerate() {
@@ -49,7 +49,7 @@ impl Reference {
         }
         let [(first, states), (second, check)] = runs.as_slice() else {
             let help = "give a model that Kane's method or Lagrange's equations can be derived for".to_owned();
-            return Err(Failure::Request("nothing is there to certify a reference with".to_owned(), help));
+            return Err(Error::request("nothing is there to certify a reference with".to_owned(), help));
         };
         let difference = states.iter().zip(check).map(|(a, b)| error(a, b)).fold(0.0, larger);
         // A run in doubles is not known better than to its own rounding, however well two of them agree.
@@ -68,12 +68,12 @@ impl Reference {
 }
 
 /// Two formulations, or one twice.
-fn certifiers(model: &Model) -> Result<Vec<Formulation>, Failure> {
+fn certifiers(model: &Mechanism) -> Result<Vec<Formulation>, Error> {
     let mut list = Vec::new();
     for formulation in [Formulation::Lagrange, Formulation::Kane] {
         match code(model, &By::from(formulation), None, Ready::Solved) {
             Ok(code) if code.system().has_accelerations() => list.push(formulation),
-            Ok(_) | Err(Failure::Unsupported(_)) => {}
+            Ok(_) | Err(Error::Unsupported(_)) => {}
             Err(failure) => return Err(failure),
         }
     }
@@ -82,7 +82,7 @@ fn certifiers(model: &Model) -> Result<Vec<Formulation>, Failure> {
 }
 
 /// The scene in the distance from its singular surface, where the library has one compiled.
-fn near(model: &Model, scene: &Scene) -> Option<Distance> {
+fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
     tripos_derive::mechanics::distances(model).first().copied().or(scene.integration.distance).filter(|distance| {
         // 32 digits leave enough of a distance that no code was generated for.
         let is_compiled = |distance| compiled_code(model, &By::from(Formulation::Lagrange), distance).is_some();
@@ -92,12 +92,12 @@ fn near(model: &Model, scene: &Scene) -> Option<Distance> {
 
 /// One run: its description, its states, and whether it was made in extended precision.
 fn run(
-    model: &Model,
+    model: &Mechanism,
     scene: &Scene,
     formulation: Formulation,
     times: &[f64],
     attempt: usize,
-) -> Result<(String, Vec<Vec<DoubleDouble>>, bool), Failure> {
+) -> Result<(String, Vec<Vec<DoubleDouble>>, bool), Error> {
     let by = By::from(formulation);
     let mut scene = scene.clone();
     scene.integration.distance = near(model, &scene);
@@ -109,7 +109,13 @@ fn run(
             let mut rhs = Eliminated::new(system, &p).expect("checked to be eliminated, with the model's parameters");
             let rtol = tolerance(EXTENDED);
             let walk = |t0: f64, t1: f64, y: &[DoubleDouble]| {
-                integrate(Lent(&mut rhs as &mut dyn RightHandSide<DoubleDouble>), (t0, t1), y, &options(rtol), &mut [])
+                integrate(
+                    Lent(&mut rhs as &mut dyn RightHandSide<DoubleDouble>),
+                    (t0, t1),
+                    y,
+                    &model.follow.options(&options(rtol)),
+                    &mut [],
+                )
             };
             let states = along(&scene, times, y0, walk)?;
             let states = times.iter().zip(&states).map(|(t, y)| problem.extended_state(&p, *t, y)).collect();
@@ -129,7 +135,7 @@ fn run(
 fn options(rtol: f64) -> Options {
     let method = Method::Dop853;
     let atol = AbsoluteTolerance::Uniform(rtol);
-    followed(&Options { method, rtol, atol, step_limit: MOST_STEPS, output: Output::Ends, ..Options::default() })
+    Options { method, rtol, atol, step_limit: MOST_STEPS, output: Output::Ends, ..Options::default() }
 }
 
 /// From instant to instant: each is the end of a run, where the solution is as good as the tolerance.
@@ -138,14 +144,14 @@ fn along<S: Real>(
     times: &[f64],
     start: Vec<S>,
     mut walk: impl FnMut(f64, f64, &[S]) -> Result<Solution<S>, tripos_sim::SimError>,
-) -> Result<Vec<Vec<S>>, Failure> {
+) -> Result<Vec<Vec<S>>, Error> {
     let (mut t, mut y) = (scene.span.0, start);
     let mut states = Vec::new();
     for &next in times {
         if next - t != 0.0 {
             let solution = walk(t, next, &y).map_err(|error| refused(scene, &error))?;
             if solution.stop.is_failure() {
-                return Err(Failure::Stopped(format!("the reference run {solution}")));
+                return Err(Error::Stopped(format!("the reference run {solution}")));
             }
             (t, y) = (next, solution.y_end);
         }

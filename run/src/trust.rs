@@ -2,7 +2,7 @@
 //!
 //! Every objection comes with its figure. None is raised by a clock: the same run gives the same objections.
 
-use crate::failure::Failure;
+use crate::error::Error;
 use crate::invariants::{Drift, Watch};
 use crate::problem::Problem;
 use crate::run::{method, refused};
@@ -29,13 +29,13 @@ const LAST_PART: f64 = 0.01;
 /// Objections to a run, each with its figure.
 ///
 /// # Errors
-/// [`Failure::Request`] if the parameters are not those of the equations.
+/// [`Error::Request`] if the parameters are not those of the equations.
 pub fn objections(
     problem: &Problem<'_>,
     solution: &Solution,
     watch: Option<&Watch>,
     energy_drift: f64,
-) -> Result<Vec<String>, Failure> {
+) -> Result<Vec<String>, Error> {
     let mut list: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
     if solution.stop == Stop::Interrupted {
         // Nobody waits for a judgement.
@@ -132,7 +132,7 @@ fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
 }
 
 /// A numeric solve loses as many digits as its matrix is ill-conditioned.
-fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Failure> {
+fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
     if problem.solve == Solve::Eliminated {
         return Ok(None);
     }
@@ -166,7 +166,7 @@ const STIFF_SAMPLES: usize = 20;
 const ITERATIONS: usize = 40;
 
 /// An explicit method whose steps are as long as stability lets them, while the motion would let them be longer.
-fn stiffness(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Failure> {
+fn stiffness(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
     let scene = problem.scene;
     let is_implicit = method(&scene.integration.method)?.needs_jacobian();
     let known = Eliminated::new(problem.system(), &scene.parameters);
@@ -215,7 +215,7 @@ fn fastest_decay(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
 /// The instant after which no digit is left, if the run goes beyond it.
 ///
 /// Without eliminated accelerations the growth is followed by differences of those that are solved for.
-fn horizon(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Failure> {
+fn horizon(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
     let scene = problem.scene;
     // A run that took no step says why.
     let Some(start) = solution.y.first().filter(|_| solution.steps > 0) else { return Ok(None) };

@@ -1,12 +1,11 @@
 //! Long runs: whether what is conserved drifts for ever or stays bounded, by method; and tolerances finer than rounding.
 
 use super::{Findings, Row, Study};
-use crate::catalogue::{By, Ready, code};
-use crate::chart::figure::failed;
-use crate::failure::Failure;
+use crate::code::{By, Ready, code};
+use crate::error::Error;
+use crate::figure::{Figure, Panel, Scale, Series};
 use crate::follow::uninterrupted;
 use crate::invariants::Watch;
-use crate::plot::{Panel, Scale, Series, draw};
 use crate::problem::{Problem, instants};
 use crate::run::refused;
 use tripos_derive::Formulation;
@@ -20,7 +19,10 @@ const SPANS: [f64; 2] = [20.0, 200.0];
 const FIXED: f64 = 400.0;
 
 /// Runs every method over many spans, if energy is conserved and the motion stays in its domain.
-pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+///
+/// # Errors
+/// [`Error`] if the scene cannot be run at all.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
     let left = findings.rows.iter().any(|r| r.check == "domain" && r.quantity == "left at");
     let watch = Watch::of_model(model)?;
@@ -106,17 +108,12 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         series,
         note: Some(format!("Fixed steps of {:.1e} s; adaptive ones at rtol 1e-6.", (to - from).abs() / FIXED)),
     };
-    findings.figures.push(("long_run.svg", draw(&[panel], 1).map_err(|error| failed(&error))?));
+    findings.figures.push(("long_run.svg", Figure::Panels(vec![panel], 1)));
     Ok(())
 }
 
 /// A tolerance below the rounding of the variables makes a run longer and no better: it must be said.
-fn below_rounding(
-    study: &Study<'_>,
-    problem: &Problem<'_>,
-    y0: &[f64],
-    findings: &mut Findings,
-) -> Result<(), Failure> {
+fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings: &mut Findings) -> Result<(), Error> {
     for (tolerance, case) in [(1e-12, "1e-12"), (1e-18, "1e-18")] {
         let options = Options {
             method: Method::Dop853,
@@ -140,9 +137,7 @@ fn below_rounding(
             remark: if said.is_empty() { run.stop.code() } else { format!("{}: {}", run.stop.code(), said.join("; ")) },
         });
         if let Some(warning) = said.first() {
-            findings
-                .statements
-                .push(format!("absolute tolerance {case}: {} steps; {warning}", run.steps + run.rejected));
+            findings.say("drift", format!("absolute tolerance {case}: {} steps; {warning}", run.steps + run.rejected));
         }
     }
     Ok(())

@@ -3,8 +3,9 @@
 //! The terms of proofs and verdicts live in one store, apart from those of the equations that are shown and run: what a
 //! report prints can never change what is derived.
 
-use crate::catalogue::{By, Code, Ready, code_of, compiled_code};
-use crate::failure::Failure;
+use crate::code::{By, Code, Ready, code_of, compiled_code};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
 use tripos_codegen::workspace::report_beside;
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::diff::{Difference, diff, printed_equations};
@@ -26,7 +27,7 @@ pub struct Study {
 }
 
 /// A printed system and its code, or why it cannot run.
-pub type Printed = (By, Result<Code, Failure>);
+pub type Printed = (By, Result<Code, Error>);
 
 /// A published derivation, judged.
 pub struct Published {
@@ -46,8 +47,8 @@ impl Study {
     /// A report with errors is given back beside a study without it.
     ///
     /// # Errors
-    /// [`Failure`] if the model cannot be derived.
-    pub fn new(model: &Model) -> Result<(Self, Option<Diagnostics>), Failure> {
+    /// [`Error`] if the model cannot be derived.
+    pub fn new(model: &Model) -> Result<(Self, Option<Diagnostics>), Error> {
         let mut with_report = model.clone();
         let (report, broken) = match report_beside(&model.source.path, &mut with_report) {
             Ok(report) => (report, None),
@@ -67,7 +68,8 @@ impl Study {
     }
 
     /// The printed systems of the report ready to be run, or why one cannot be.
-    pub fn printed(&self, model: &Model) -> Vec<Printed> {
+    #[must_use]
+    pub fn printed(&self, model: &Mechanism) -> Vec<Printed> {
         let Some(published) = &self.published else { return Vec::new() };
         let mut list = Vec::new();
         // The store is copied once, and only if something has to be interpreted.
@@ -105,6 +107,7 @@ impl Published {
 
     /// The id of the first printed system that is proved to give the same motion as this one: itself, if there is none
     /// before it.
+    #[must_use]
     pub fn first_alike<'a>(&'a self, id: &'a str) -> &'a str {
         let agreements = &self.difference.agreements;
         agreements.iter().find(|a| a.right == id && a.verdict.is_equal()).map_or(id, |a| &a.left)

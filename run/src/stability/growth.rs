@@ -1,11 +1,10 @@
 //! Growth of small errors: the horizon after which no digit is left, predicted and confirmed.
 
 use super::{Findings, Row, Study};
-use crate::catalogue::{By, Ready, code};
-use crate::chart::figure::failed;
-use crate::failure::Failure;
-use crate::follow::{followed, uninterrupted};
-use crate::plot::{Panel, Scale, Series, draw};
+use crate::code::{By, Ready, code};
+use crate::error::Error;
+use crate::figure::{Figure, Panel, Scale, Series};
+use crate::follow::uninterrupted;
 use crate::problem::{Problem, instants};
 use crate::reference::Reference;
 use crate::run::refused;
@@ -20,7 +19,10 @@ const INSTANTS: u32 = 40;
 const TOLERANCES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 
 /// Predicts the growth of an error from the linearized equations, and confirms it by runs at three tolerances.
-pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+///
+/// # Errors
+/// [`Error`] if the scene cannot be run at all.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
     let by = By::from(Formulation::Kane);
     let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
@@ -28,8 +30,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     let Some(mut rhs) = Eliminated::new(problem.system(), &scene.parameters) else { return Ok(()) };
     let y0 = problem.start()?;
     let follow = Options { method: Method::Dop853, rtol: 1e-8, step_limit: 200_000, ..Options::default() };
-    let found =
-        growth(&mut rhs, scene.span, &y0, &vec![1.0; y0.len()], &followed(&follow)).map_err(|e| refused(scene, &e))?;
+    let found = growth(&mut rhs, scene.span, &y0, &vec![1.0; y0.len()], &model.follow.options(&follow))
+        .map_err(|e| refused(scene, &e))?;
     let (from, to) = scene.span;
     let times = instants(scene.span, INSTANTS)[1..].to_vec();
     let reference = Reference::new(model, scene, &times)?;
@@ -80,7 +82,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         if let Some(t) = predicted {
             let confirmed =
                 lost.map_or("a digit is left to the end".to_owned(), |t| format!("the error is 1 at t = {t:.3} s"));
-            findings.statements.push(format!(
+            findings.say("growth", format!(
                 "at a tolerance of {tolerance:.0e} the growth of errors leaves no digit after t = {t:.3} s; measured: {confirmed}"
             ));
         }
@@ -91,7 +93,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     } else {
         "over the scene".to_owned()
     };
-    findings.statements.push(format!("a small error at the start grows at most {:.0e} times {part}", most.exp()));
+    findings.say("growth", format!("a small error at the start grows at most {:.0e} times {part}", most.exp()));
     let panel = Panel {
         title: "Growth of errors".to_owned(),
         x_label: "t [s]".to_owned(),
@@ -101,6 +103,6 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
         series,
         note: Some(format!("Errors of DOP853 against a reference known to {:.0e}.", reference.uncertainty)),
     };
-    findings.figures.push(("growth.svg", draw(&[panel], 1).map_err(|error| failed(&error))?));
+    findings.figures.push(("growth.svg", Figure::Panels(vec![panel], 1)));
     Ok(())
 }

@@ -2,12 +2,11 @@
 
 use super::ladder::passage;
 use super::{Findings, Row, Study};
-use crate::catalogue::{Code, Ready, code, compiled_code, tape};
 use crate::chart::case::{Case, whole};
-use crate::chart::figure::failed;
-use crate::failure::Failure;
+use crate::code::{Code, Ready, code, compiled_code, tape};
+use crate::error::Error;
+use crate::figure::{Figure, Panel, Scale, Series};
 use crate::follow::uninterrupted;
-use crate::plot::{Panel, Scale, Series, draw};
 use crate::problem::Problem;
 use crate::run::refused;
 use tripos_derive::Formulation;
@@ -47,7 +46,7 @@ fn look(
     scene: &Scene,
     place: &Place,
     exact: &[DoubleDouble],
-) -> Result<(f64, f64, f64), Failure> {
+) -> Result<(f64, f64, f64), Error> {
     let (system, p) = (case.code.system(), scene.parameters.as_slice());
     let mut v = vec![0.0; system.speeds()];
     system.motion_variables(p, &place.q, &place.u, &mut v);
@@ -75,7 +74,7 @@ fn look(
 }
 
 /// States along the first passage of the narrowest rung, some in each decade of the divisor.
-fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
+fn places(study: &Study<'_>) -> Result<Vec<Place>, Error> {
     let model = study.model;
     let mut narrow: Option<(f64, f64, Scene)> = None;
     for (_, mut scene) in study.scene.rungs() {
@@ -88,7 +87,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
     }
     let Some((least, _, mut scene)) = narrow else { return Ok(Vec::new()) };
     scene.integration.distance = None;
-    let by = crate::catalogue::By::from(Formulation::Kane);
+    let by = crate::code::By::from(Formulation::Kane);
     let code = code(model, &by, None, Ready::Solved)?;
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let options = Options {
@@ -117,7 +116,10 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Failure> {
 }
 
 /// Looks along a passage, if there is one and the equations are compiled.
-pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> {
+///
+/// # Errors
+/// [`Error`] if the scene cannot be run at all.
+pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let lagrange = compiled_code(study.model, &Formulation::Lagrange.into(), None);
     let Some(lagrange) = lagrange.as_ref().and_then(Code::extended) else { return Ok(()) };
     let places = places(study)?;
@@ -172,11 +174,11 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Failure> 
     };
     let worst = |s: &Series| s.points.iter().map(|p| p.1).fold(0.0, larger);
     let list: Vec<String> = errors.iter().map(|s| format!("{} {:.0e}", s.label, worst(s))).collect();
-    findings.statements.push(format!("largest error of the accelerations on the way in: {}", list.join("; ")));
+    findings.say("conditioning", format!("largest error of the accelerations on the way in: {}", list.join("; ")));
     let panels = [
         panel("Errors of the accelerations", "largest |e| / largest |u'|", errors),
         panel("Condition numbers of the matrices", "cond A", conditions),
     ];
-    findings.figures.push(("conditioning.svg", draw(&panels, 2).map_err(|error| failed(&error))?));
+    findings.figures.push(("conditioning.svg", Figure::Panels(panels.into(), 2)));
     Ok(())
 }

@@ -36,11 +36,13 @@ struct Shown {
 
 impl Compared {
     /// Of a scene of this model.
+    #[must_use]
     pub fn new(model: &Model, scene: &Scene) -> Self {
         Self { outputs: scene.states_outputs.then(|| Outputs::new(model, scene)) }
     }
 
     /// What a state of the whole model shows: one value for each output, not a number for those that are left out.
+    #[must_use]
     pub fn of_state(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
         match &self.outputs {
             Some(outputs) => outputs.values(state),
@@ -49,6 +51,7 @@ impl Compared {
     }
 
     /// What is compared of values for each output: those that are not left out.
+    #[must_use]
     pub fn kept(&self, values: Vec<DoubleDouble>) -> Vec<DoubleDouble> {
         match &self.outputs {
             Some(outputs) => {
@@ -59,17 +62,20 @@ impl Compared {
     }
 
     /// The same of an integrated state, whichever equations it is of.
+    #[must_use]
     pub fn of_run(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let shown = problem.precise_state(t, y);
         self.kept(if problem.by.is_reduced() { shown } else { self.of_state(&shown) })
     }
 
     /// Whether there is anything to compare.
+    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.outputs.as_ref().is_some_and(|outputs| outputs.list.iter().all(|o| !o.is_known))
     }
 
     /// In what runs are compared, as a sentence; nothing if it is all states.
+    #[must_use]
     pub fn said(&self) -> Option<String> {
         let list = &self.outputs.as_ref()?.list;
         let names = |known: bool| {

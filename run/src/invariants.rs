@@ -3,8 +3,8 @@
 //!
 //! Invariant: nothing here can stop a run or a page. A value that does not exist is not a number, and extremes pass it over.
 
-use crate::catalogue::{Code, tape};
-use crate::failure::Failure;
+use crate::code::{Code, tape};
+use crate::error::Error;
 use crate::problem::Problem;
 use crate::run::{Run, refused};
 use tripos_derive::Model;
@@ -58,8 +58,8 @@ impl Watch {
     /// The first integrals of a model, whose terms are in `arena`, and the divisors of its kinematic equations.
     ///
     /// # Errors
-    /// [`Failure::Request`] if one of them mentions what has no value during a run.
-    pub fn new(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Self, Failure> {
+    /// [`Error::Request`] if one of them mentions what has no value during a run.
+    pub fn new(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Self, Error> {
         let divisors = &model.kinematic_equations.divisors;
         let outputs: Vec<_> = integrals.iter().map(|i| i.expression).chain(divisors.iter().copied()).collect();
         let inputs = [model.p(), model.q(), model.u()].concat();
@@ -78,14 +78,15 @@ impl Watch {
     /// Of a model alone: its first integrals are proved first.
     ///
     /// # Errors
-    /// [`Failure`] if the model cannot be derived.
-    pub fn of_model(model: &Model) -> Result<Self, Failure> {
+    /// [`Error`] if the model cannot be derived.
+    pub fn of_model(model: &Model) -> Result<Self, Error> {
         let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
         let proof = prove(model, &mut derivations);
         Self::new(model, &derivations.kinematics.arena, &proof.integrals)
     }
 
     /// The largest change of each first integral over the samples of a solution.
+    #[must_use]
     pub fn changes(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<f64> {
         let n = self.integrals.len();
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; n + self.divisors.len()]);
@@ -103,6 +104,7 @@ impl Watch {
     }
 
     /// The change of one first integral at each sample of a solution.
+    #[must_use]
     pub fn course(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; self.integrals.len() + self.divisors.len()]);
         let mut value = |(t, y): (&f64, &Vec<f64>)| {
@@ -168,8 +170,8 @@ impl Watch {
     /// Everything watched, along a run by these equations.
     ///
     /// # Errors
-    /// [`Failure::Request`] if the parameters are not those of the equations.
-    pub fn along(&self, scene: &Scene, code: &Code, run: &Run) -> Result<Course, Failure> {
+    /// [`Error::Request`] if the parameters are not those of the equations.
+    pub fn along(&self, scene: &Scene, code: &Code, run: &Run) -> Result<Course, Error> {
         let mut list = vec![Vec::with_capacity(run.states.len()); self.integrals.len() + self.divisors.len()];
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; list.len()]);
         for state in &run.states {
@@ -197,24 +199,28 @@ impl Watch {
 
 impl Course {
     /// (least value, its time) of what was watched; nothing if no value is a number.
+    #[must_use]
     pub fn least(&self, values: &[f64]) -> Option<(f64, f64)> {
         let pairs = values.iter().copied().zip(self.t.iter().copied()).filter(|(x, _)| !x.is_nan());
         pairs.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// |det A| in units of its value at the start, sample by sample.
+    #[must_use]
     pub fn relative_determinant(&self) -> Vec<f64> {
         let start = self.determinant.first().copied().unwrap_or(f64::NAN);
         self.determinant.iter().map(|det| (det / start).abs()).collect()
     }
 
     /// How far each sample of a first integral is from the first one.
+    #[must_use]
     pub fn changes(&self, integral: usize) -> Vec<f64> {
         let values = &self.integrals[integral];
         values.iter().map(|x| (x - values[0]).abs()).collect()
     }
 
     /// The largest change of each first integral; not a number if a sample has no value.
+    #[must_use]
     pub fn largest_changes(&self) -> Vec<f64> {
         (0..self.integrals.len()).map(|at| self.changes(at).into_iter().fold(0.0, larger)).collect()
     }

@@ -4,7 +4,7 @@
 //! its block: so a sweep cut into shards gives the same rows.
 
 use super::block::Sweep;
-use crate::catalogue::Code;
+use crate::code::Code;
 use crate::problem::Problem;
 use crate::run::options_of_ends;
 use tripos_derive::scene::{Scene, Solve};

@@ -3,9 +3,9 @@
 //! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
 //! that people see hold the coordinate.
 
-use crate::catalogue::{By, Code, compiled_code};
-use crate::failure::Failure;
-use crate::follow::followed;
+use crate::code::{By, Code, compiled_code};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
 use crate::near::near_divisors;
 use crate::reduced::Reduced;
 use crate::run::refused;
@@ -21,7 +21,9 @@ use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 /// A scene, the equations that run it, and how.
 pub struct Problem<'a> {
-    /// The model.
+    /// The mechanism that the scene is of.
+    pub mechanism: &'a Mechanism,
+    /// The model of the equations: the mechanism's, or the reduced one.
     pub model: &'a Model,
     /// The scene, in the variables of the equations.
     pub scene: &'a Scene,
@@ -47,11 +49,13 @@ struct Origin {
 }
 
 /// A number of a scene in twice the precision of a double.
+#[must_use]
 pub fn wide(number: &Extended) -> DoubleDouble {
     DoubleDouble::sum(number.high, number.low)
 }
 
 /// `count` + 1 instants, evenly from the first to the last, which is exact whatever the division rounds to.
+#[must_use]
 pub fn instants((from, to): (f64, f64), count: u32) -> Vec<f64> {
     (0..=count).map(|i| if i == count { to } else { from + (to - from) * (f64::from(i) / f64::from(count)) }).collect()
 }
@@ -61,64 +65,79 @@ impl<'a> Problem<'a> {
     /// equations: eliminated accelerations where there are such.
     ///
     /// # Errors
-    /// [`Failure::Request`] if accelerations are to be eliminated that are not; [`Failure::Input`] if something that moves has no
+    /// [`Error::Request`] if accelerations are to be eliminated that are not; [`Error::Input`] if something that moves has no
     /// mass at these parameters.
     pub fn new(
-        model: &'a Model,
+        mechanism: &'a Mechanism,
         scene: &'a Scene,
         by: &'a By,
         code: &'a Code,
         solve: Option<Solve>,
-    ) -> Result<Self, Failure> {
-        Self::among(&InertiaCheck::new(model), model, scene, by, code, solve)
+    ) -> Result<Self, Error> {
+        Self::among(&InertiaCheck::new(mechanism), mechanism, scene, by, code, solve)
     }
 
-    /// The same for one of many scenes of a model.
+    /// By these equations for one of many scenes of a mechanism, with one check of its inertia for all.
     ///
     /// # Errors
     /// As [`Problem::new`].
     pub fn among(
         inertia: &InertiaCheck<'_>,
-        model: &'a Model,
+        mechanism: &'a Mechanism,
         scene: &'a Scene,
         by: &'a By,
         code: &'a Code,
         solve: Option<Solve>,
-    ) -> Result<Self, Failure> {
-        // Eliminated equations may have divided by a mass that is 0; a reduction has asked already.
-        if !by.is_reduced() {
-            inertia.at(&scene.exact.rational).map_err(|error| Failure::Input(model.diagnose(&error)))?;
-        }
+    ) -> Result<Self, Error> {
+        // Eliminated equations may have divided by a mass that is 0.
+        inertia.at(&scene.exact.rational).map_err(|error| Error::Input(mechanism.diagnose(&error)))?;
+        Self::with(mechanism, &mechanism.model, scene, (by, code), solve)
+    }
+
+    /// By a scene's own equations, whose reduction has looked at the inertia.
+    ///
+    /// # Errors
+    /// As [`Problem::new`].
+    pub fn reduced(
+        mechanism: &'a Mechanism,
+        reduced: &'a Reduced,
+        shown: &'a Scene,
+        code: &'a Code,
+    ) -> Result<Self, Error> {
+        let Reduced { reduction, scene, by } = reduced;
+        Ok(Self { shown, ..Self::with(mechanism, &reduction.model, scene, (by, code), None)? })
+    }
+
+    fn with(
+        mechanism: &'a Mechanism,
+        model: &'a Model,
+        scene: &'a Scene,
+        (by, code): (&'a By, &'a Code),
+        solve: Option<Solve>,
+    ) -> Result<Self, Error> {
         let eliminated = code.system().has_accelerations();
         let wanted = solve.or(scene.integration.solve);
         if wanted == Some(Solve::Eliminated) && !eliminated {
             let what = format!("the accelerations of {} are not eliminated", by.name);
             let help = "printed equations are solved as they stand: use solve = \"numeric\"".to_owned();
-            return Err(Failure::Request(what, help));
+            return Err(Error::request(what, help));
         }
         let natural = if eliminated { Solve::Eliminated } else { Solve::Numeric };
         let origin = scene.integration.distance.map(|distance| Origin {
             at: distance.coordinate,
             value: DoubleDouble::pi() * DoubleDouble::ratio(i64::from(distance.quarter_turns), 2),
         });
-        Ok(Self { model, scene, shown: scene, by, code, solve: wanted.unwrap_or(natural), origin })
-    }
-
-    /// By a scene's own equations.
-    ///
-    /// # Errors
-    /// As [`Problem::new`].
-    pub fn reduced(reduced: &'a Reduced, shown: &'a Scene, code: &'a Code) -> Result<Self, Failure> {
-        let Reduced { reduction, scene, by } = reduced;
-        Ok(Self { shown, ..Self::new(&reduction.model, scene, by, code, None)? })
+        Ok(Self { mechanism, model, scene, shown: scene, by, code, solve: wanted.unwrap_or(natural), origin })
     }
 
     /// The equations in doubles.
+    #[must_use]
     pub fn system(&self) -> &'a dyn System<f64> {
         self.code.system()
     }
 
     /// The coordinates of an integrated state, or of its first part.
+    #[must_use]
     pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
         let mut q = y[..self.system().coordinates()].to_vec();
         if let Some(Origin { at, value }) = self.origin {
@@ -128,6 +147,7 @@ impl<'a> Problem<'a> {
     }
 
     /// What is shown of an integrated state: coordinates, then generalized speeds, or the outputs of a reduced scene.
+    #[must_use]
     pub fn state(&self, t: f64, y: &[f64]) -> Vec<f64> {
         let system = self.system();
         if self.by.is_reduced() {
@@ -145,8 +165,8 @@ impl<'a> Problem<'a> {
     /// The integrated state at the start.
     ///
     /// # Errors
-    /// [`Failure::Stopped`] if the generalized speeds do not determine the motion variables there.
-    pub fn start(&self) -> Result<Vec<f64>, Failure> {
+    /// [`Error::Stopped`] if the generalized speeds do not determine the motion variables there.
+    pub fn start(&self) -> Result<Vec<f64>, Error> {
         let (system, scene) = (self.system(), self.scene);
         let mut q = scene.q.clone();
         if let Some(Origin { at, value }) = self.origin {
@@ -157,7 +177,7 @@ impl<'a> Problem<'a> {
         system.motion_variables(&scene.parameters, &q, &scene.u, &mut v);
         if let Some(at) = v.iter().position(|x| !x.is_finite()) {
             let name = &self.variables()[system.coordinates() + at];
-            return Err(Failure::Stopped(format!(
+            return Err(Error::Stopped(format!(
                 "the run cannot start: the speeds do not determine `{name}` there{}",
                 self.near_divisors(&q)?
             )));
@@ -166,6 +186,7 @@ impl<'a> Problem<'a> {
     }
 
     /// What the components of the integrated state are called.
+    #[must_use]
     pub fn variables(&self) -> Vec<String> {
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
         let is_rate = self.by.formulation() == Some(Formulation::Lagrange);
@@ -178,16 +199,16 @@ impl<'a> Problem<'a> {
     /// What the equations divide by that is next to zero at an integrated state: [`near_divisors`].
     ///
     /// # Errors
-    /// [`Failure::Request`] if a divisor mentions what has no value during a run.
-    pub fn near_divisors(&self, y: &[f64]) -> Result<String, Failure> {
+    /// [`Error::Request`] if a divisor mentions what has no value during a run.
+    pub fn near_divisors(&self, y: &[f64]) -> Result<String, Error> {
         near_divisors(self.model, &self.scene.parameters, &self.coordinates(y))
     }
 
     /// Why the equations have no value at the start, if they have none.
     ///
     /// # Errors
-    /// [`Failure`] if the start does not determine the motion variables.
-    pub fn singular_start(&self) -> Result<Option<String>, Failure> {
+    /// [`Error`] if the start does not determine the motion variables.
+    pub fn singular_start(&self) -> Result<Option<String>, Error> {
         let Some(mut rhs) = Eliminated::new(self.system(), &self.scene.parameters) else { return Ok(None) };
         let y0 = self.start()?;
         let mut rates = vec![0.0; y0.len()];
@@ -216,7 +237,7 @@ impl<'a> Problem<'a> {
             Motion::Rates(rates) => {
                 // Lagrange's equations have the definitions of the speeds.
                 let lagrange = Formulation::Lagrange.into();
-                let lagrange = compiled_code(self.model, &lagrange, self.scene.integration.distance);
+                let lagrange = compiled_code(self.mechanism, &lagrange, self.scene.integration.distance);
                 let lagrange = lagrange.as_ref().and_then(Code::extended)?;
                 let mut u = v.clone();
                 lagrange.generalized_speeds(&p, &q, &numbers(rates), &mut u);
@@ -228,6 +249,7 @@ impl<'a> Problem<'a> {
     }
 
     /// The same as [`Problem::state`] in twice the precision of a double.
+    #[must_use]
     pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let Some(system) = self.code.extended() else { return Vec::new() };
         let (q, v) = y.split_at(system.coordinates());
@@ -270,7 +292,7 @@ impl<'a> Problem<'a> {
             Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
             _ => Box::new(self.dynamics()?),
         };
-        integrate(Lent(rhs.as_mut()), span, y0, &followed(options), events)
+        integrate(Lent(rhs.as_mut()), span, y0, &self.mechanism.follow.options(options), events)
     }
 
     /// The same as [`Problem::state`] without rounding a distance away.
@@ -290,22 +312,21 @@ impl<'a> Problem<'a> {
     /// The run that the scene asks for: by steps, by projected steps or by quadrature.
     ///
     /// # Errors
-    /// [`Failure::Request`] if the question makes no sense, or these equations cannot be run so.
-    pub fn solve(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, Failure> {
+    /// [`Error::Request`] if the question makes no sense, or these equations cannot be run so.
+    pub fn solve(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, Error> {
         let (how, system, p) = (&self.scene.integration, self.system(), self.scene.parameters.as_slice());
         if how.method == QUADRATURE {
             if self.by.is_reduced() && system.speeds() == 0 {
                 let what = "no motion by quadrature: nothing is left to integrate".to_owned();
-                return Err(Failure::Request(what, "any stepping method gives it: all of it is algebra".to_owned()));
+                return Err(Error::request(what, "any stepping method gives it: all of it is algebra".to_owned()));
             }
-            return quadrature::solve(system, p, self.scene.span, y0, &followed(options), events).map_err(|error| {
-                match error {
+            return quadrature::solve(system, p, self.scene.span, y0, &self.mechanism.follow.options(options), events)
+                .map_err(|error| match error {
                     NoQuadrature::Question(error) => refused(self.scene, &error),
                     error => {
-                        Failure::Request(format!("no motion by quadrature: {error}"), self.no_quadrature().to_owned())
+                        Error::request(format!("no motion by quadrature: {error}"), self.no_quadrature().to_owned())
                     }
-                }
-            });
+                });
         }
         let Some(Project::Energy) = how.project else {
             return self.integrate(y0, options, events).map_err(|error| refused(self.scene, &error));
@@ -317,7 +338,7 @@ impl<'a> Problem<'a> {
             } else {
                 "projection needs a scene's own equations: leave --by out"
             };
-            return Err(Failure::Request(what, help.to_owned()));
+            return Err(Error::request(what, help.to_owned()));
         }
         let n = system.coordinates();
         let function = |_t: f64, y: &[f64], values: &mut [f64], gradient: &mut [f64]| {
@@ -325,10 +346,17 @@ impl<'a> Problem<'a> {
         };
         let mut invariants = Invariants { count: 1, function: Box::new(function) };
         let mut rhs = Eliminated::new(system, p).ok_or_else(|| {
-            Failure::Request("accelerations are not eliminated".to_owned(), "leave `solve` out".to_owned())
+            Error::request("accelerations are not eliminated".to_owned(), "leave `solve` out".to_owned())
         })?;
         let rhs = Lent(&mut rhs as &mut dyn RightHandSide<f64>);
-        let run = integrate_projected(rhs, self.scene.span, y0, &followed(options), events, &mut invariants);
+        let run = integrate_projected(
+            rhs,
+            self.scene.span,
+            y0,
+            &self.mechanism.follow.options(options),
+            events,
+            &mut invariants,
+        );
         run.map_err(|error| refused(self.scene, &error))
     }
 

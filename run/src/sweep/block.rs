@@ -2,18 +2,17 @@
 
 use super::lanes::{self, Request};
 use super::row::{Ended, Row};
-use crate::How;
-use crate::catalogue::{By, Code, Ready, code};
-use crate::failure::{Failure, warn};
-use crate::follow;
+use crate::code::{By, Code, Ready, code};
+use crate::error::Error;
 use crate::invariants::Watch;
+use crate::mechanism::Mechanism;
+use crate::overrides::Overrides;
 use crate::problem::Problem;
 use crate::run::{Balance, events, options_of_ends, proved, refused};
 use crate::shown::Shown;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
-use tripos_derive::Model;
 use tripos_derive::mechanics::InertiaCheck;
 use tripos_derive::scene::{Family, Grid, QUADRATURE, Scene, Solve};
 use tripos_sim::{Options, SimError, Solution, Warning};
@@ -21,16 +20,22 @@ use tripos_traits::InLanes;
 
 /// What all points of a sweep share.
 pub struct Sweep<'a> {
-    pub model: &'a Model,
+    /// The mechanism.
+    pub model: &'a Mechanism,
     /// The scene as its file says it, with the options of the command line.
     pub scene: &'a Scene,
+    /// The values that vary.
     pub grid: &'a Grid,
+    /// Which equations.
     pub by: &'a By,
-    pub how: &'a How,
+    /// What is changed of each point's scene.
+    pub how: &'a Overrides,
     /// What is conserved, if that is known.
     pub watch: Option<Watch>,
     /// How accelerations are found.
     pub solve: Solve,
+    /// What is to be said of every run.
+    pub warnings: Vec<String>,
     /// Whether what moves has mass at a point's parameters.
     inertia: InertiaCheck<'a>,
     /// What the table shows of the end of each run.
@@ -47,27 +52,33 @@ impl<'a> Sweep<'a> {
     /// Of a scene that `how` has changed, over a grid that was read for it.
     ///
     /// # Errors
-    /// [`Failure`] if no point could be run by these equations with this method.
-    pub fn new(model: &'a Model, scene: &'a Scene, grid: &'a Grid, by: &'a By, how: &'a How) -> Result<Self, Failure> {
+    /// [`Error`] if no point could be run by these equations with this method.
+    pub fn new(
+        model: &'a Mechanism,
+        scene: &'a Scene,
+        grid: &'a Grid,
+        by: &'a By,
+        how: &'a Overrides,
+    ) -> Result<Self, Error> {
         let how_own = scene.integration.method == QUADRATURE || scene.integration.project.is_some();
         if how_own {
             let what = "a sweep runs whole equations, which know neither quadrature nor projection".to_owned();
             let help = "give --method with a stepper, and leave `project` out of the scene".to_owned();
-            return Err(Failure::Request(what, help));
+            return Err(Error::request(what, help));
         }
         let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
-        let balance = Balance::new(model, scene, by)?;
+        let balance = Balance::new(model, model, scene, by)?;
         let inertia = InertiaCheck::new(model);
-        let solve = {
+        let (solve, warnings) = {
             let problem = Problem::among(&inertia, model, scene, by, &code, None)?;
-            try_one_step(&problem)?;
-            problem.solve
+            let warnings = try_one_step(&problem)?;
+            (problem.solve, warnings)
         };
         let (name, watch) = (code.name(), proved(model)?);
         let shown = Shown::new(model, scene)?;
         let names = shown.names.clone();
         let (originals, stop) = (Mutex::new((code, balance, shown)), AtomicBool::new(false));
-        Ok(Self { model, scene, grid, by, how, watch, solve, inertia, names, code: name, originals, stop })
+        Ok(Self { model, scene, grid, by, how, watch, solve, warnings, inertia, names, code: name, originals, stop })
     }
 
     /// Where nothing but gravity works, total energy is constant.
@@ -91,8 +102,8 @@ impl<'a> Sweep<'a> {
     /// What a thread needs of its own.
     ///
     /// # Errors
-    /// [`Failure`] if the scene's text cannot be read again.
-    pub fn worker(&'a self) -> Result<Worker<'a>, Failure> {
+    /// [`Error`] if the scene's text cannot be read again.
+    pub fn worker(&'a self) -> Result<Worker<'a>, Error> {
         let family = Family::new(self.scene, self.model, self.grid)?;
         let (code, balance, shown) = self.originals.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let lanes = lanes::equations(self, &code);
@@ -100,20 +111,19 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// Refuses a method that no point could be run by; warns of what would be said of every run.
-fn try_one_step(problem: &Problem<'_>) -> Result<(), Failure> {
+/// Refuses a method that no point could be run by; gives what would be said of every run.
+fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
     // The file's own start may be one that cannot be run: the points are others.
-    let Ok(y0) = problem.start() else { return Ok(()) };
+    let Ok(y0) = problem.start() else { return Ok(Vec::new()) };
     let options = Options { step_limit: 1, ..options_of_ends(problem.scene)? };
     match problem.integrate(&y0, &options, &mut []) {
         Err(error @ (SimError::NoStep { .. } | SimError::NoJacobian { .. } | SimError::NoSeries { .. })) => {
             Err(refused(problem.scene, &error))
         }
-        Err(_) => Ok(()),
+        Err(_) => Ok(Vec::new()),
         Ok(solution) => {
             let raised = solution.warnings.iter().filter(|w| matches!(w, Warning::RtolRaised { .. }));
-            raised.for_each(|warning| warn(&warning.to_string()));
-            Ok(())
+            Ok(raised.map(ToString::to_string).collect())
         }
     }
 }
@@ -136,7 +146,7 @@ impl Worker<'_> {
     pub fn run_block(&mut self, points: Range<u64>, done: &(impl Fn() + ?Sized)) -> Vec<Row> {
         let read = |point: u64| {
             let (values, scene) = self.family.point(point);
-            let scene = scene.map_err(Failure::from).and_then(|mut scene| {
+            let scene = scene.map_err(Error::from).and_then(|mut scene| {
                 self.sweep.how.change(&mut scene)?;
                 Ok(scene)
             });
@@ -150,7 +160,7 @@ impl Worker<'_> {
                 break;
             }
             let outcome = scene.and_then(|scene| self.run(&scene, solution));
-            if follow::asked() {
+            if self.sweep.model.follow.asked() {
                 // Its run may have been cut short.
                 break;
             }
@@ -173,13 +183,13 @@ impl Worker<'_> {
         solutions
     }
 
-    fn problem<'s>(&'s self, scene: &'s Scene) -> Result<Problem<'s>, Failure> {
+    fn problem<'s>(&'s self, scene: &'s Scene) -> Result<Problem<'s>, Error> {
         let Sweep { inertia, model, by, solve, .. } = self.sweep;
         Problem::among(inertia, model, scene, by, &self.code, Some(*solve))
     }
 
     /// One run, of the scene at a point, unless it was run already.
-    fn run(&self, scene: &Scene, solution: Option<Solution>) -> Result<Ended, Failure> {
+    fn run(&self, scene: &Scene, solution: Option<Solution>) -> Result<Ended, Error> {
         let problem = self.problem(scene)?;
         let solution = match solution {
             Some(solution) => solution,
@@ -193,7 +203,7 @@ impl Worker<'_> {
         self.ended(&problem, &solution)
     }
 
-    fn ended(&self, problem: &Problem<'_>, solution: &Solution) -> Result<Ended, Failure> {
+    fn ended(&self, problem: &Problem<'_>, solution: &Solution) -> Result<Ended, Error> {
         let changes = match &self.sweep.watch {
             Some(watch) => watch.changes(problem, solution),
             None if self.sweep.conserves_energy() => {
@@ -220,14 +230,14 @@ impl Worker<'_> {
 }
 
 /// Why a point has no run, in one line.
-fn reason(failure: &Failure) -> String {
+fn reason(failure: &Error) -> String {
     match failure {
-        Failure::Input(diagnostics) => {
+        Error::Input(diagnostics) => {
             let messages: Vec<&str> = diagnostics.list.iter().map(|d| d.message.as_str()).collect();
             messages.join("; ")
         }
-        Failure::Request(what, _) => what.clone(),
-        Failure::Stopped(why) => why.clone(),
+        Error::Request { what, .. } => what.clone(),
+        Error::Stopped(why) => why.clone(),
         other => other.to_string(),
     }
 }

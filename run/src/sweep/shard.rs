@@ -1,6 +1,6 @@
 //! Parts of a sweep that are run apart, on one machine or many.
 
-use crate::failure::Failure;
+use crate::error::Error;
 use std::ops::Range;
 
 /// One of the parts that a sweep is cut into: a contiguous range of points.
@@ -16,23 +16,24 @@ impl Shard {
     /// From `i/n`.
     ///
     /// # Errors
-    /// [`Failure::Request`] unless i and n are whole numbers with 1 ≤ i ≤ n.
-    pub fn read(text: &str) -> Result<Self, Failure> {
+    /// [`Error::Request`] unless i and n are whole numbers with 1 ≤ i ≤ n.
+    pub fn read(text: &str) -> Result<Self, Error> {
         let number = |text: &str| text.trim().parse::<u64>().ok();
         let numbers = text.split_once('/').and_then(|(part, of)| Some((number(part)?, number(of)?)));
         let Some((part, of)) = numbers else {
             let help = "write the number of the part and how many there are, such as --shard 3/8".to_owned();
-            return Err(Failure::Request(format!("--shard is `{text}`"), help));
+            return Err(Error::request(format!("--shard is `{text}`"), help));
         };
         if part == 0 || part > of {
             let help = format!("parts are counted from 1 to {of}");
             let help = if of == 0 { "there must be one part at least, as in --shard 1/1".to_owned() } else { help };
-            return Err(Failure::Request(format!("there is no part {part} of {of}"), help));
+            return Err(Error::request(format!("there is no part {part} of {of}"), help));
         }
         Ok(Self { part, of })
     }
 
     /// Its points of this many. The parts follow one another, and differ by one point at most.
+    #[must_use]
     pub fn points(self, count: u64) -> Range<u64> {
         let start = |part: u64| {
             let start = u128::from(part) * u128::from(count) / u128::from(self.of);

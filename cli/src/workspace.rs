@@ -1,0 +1,89 @@
+//! Models by what arguments say, and the workspace that a command is called in.
+
+use crate::failure::Failure;
+use crate::follow::follow;
+use std::path::{Path, PathBuf};
+use tripos::Mechanism;
+use tripos::code::compiled;
+use tripos_codegen::scene_files::is_same;
+use tripos_derive::Model;
+use tripos_models::MODELS;
+
+/// The model file that an argument means: a file, or a folder with `model.toml` in it.
+pub fn model_file(argument: &Path) -> PathBuf {
+    if argument.is_dir() { argument.join("model.toml") } else { argument.to_owned() }
+}
+
+/// Reads the model that an argument means.
+pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
+    if std::fs::symlink_metadata(argument).is_err_and(|error| error.kind() == std::io::ErrorKind::NotFound) {
+        let what = format!("there is no model at `{}`: no such file or folder", argument.display());
+        let help = "give a model file, or a folder that holds `model.toml`".to_owned();
+        return Err(Failure::Request(what, help));
+    }
+    let path = model_file(argument);
+    Ok(Mechanism::read(&path)?.with(MODELS).followed(follow()))
+}
+
+/// The short name of a model: its folder, or the file's own name if it is not called `model.toml`.
+pub fn short_name(model: &Model) -> String {
+    let path = &model.source.path;
+    let stem = path.file_stem().map_or("model".into(), |s| s.to_string_lossy().into_owned());
+    if stem != "model" {
+        return stem;
+    }
+    let full = path.canonicalize().unwrap_or_else(|_| path.clone());
+    full.parent().and_then(Path::file_name).map_or(stem, |folder| folder.to_string_lossy().into_owned())
+}
+
+/// What is to be said of a model of the workspace that was edited since its equations were compiled.
+pub fn edited(model: &Mechanism) -> Option<String> {
+    let of_place = MODELS.iter().find(|m| is_workspace_model(model, m.name))?;
+    (compiled(model).is_none()).then(|| {
+        let name = of_place.name;
+        format!(
+            "the equations of `{name}` that were compiled are of another text, so this one is interpreted: \
+             `tripos regenerate {name}` writes its equations, and the next build compiles them"
+        )
+    })
+}
+
+/// Whether the model file is the one that a compiled model was derived from, by place.
+fn is_workspace_model(model: &Model, name: &str) -> bool {
+    let path = &model.source.path;
+    let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_owned));
+    let root = folder.and_then(|folder| workspace_around(&folder));
+    root.is_some_and(|root| is_same(&root.join("models").join(name).join("model.toml"), path))
+}
+
+/// The workspace that a folder lies in: the nearest folder, from this one upwards, that holds `models` and `generated/src`.
+pub fn workspace_around(folder: &Path) -> Option<PathBuf> {
+    let is_root = |folder: &&Path| folder.join("models").is_dir() && folder.join("generated/src").is_dir();
+    folder.ancestors().find(is_root).map(Path::to_owned)
+}
+
+/// The workspace that the command was called in.
+///
+/// # Errors
+/// [`Failure::Request`] if it was called elsewhere: no command looks for a workspace that it was not called in.
+pub fn workspace_here() -> Result<PathBuf, Failure> {
+    let here = current_folder()?;
+    workspace_around(&here).ok_or_else(|| {
+        let what = format!(
+            "no workspace: neither `{}` nor a folder above it holds `models` and `generated/src`",
+            here.display()
+        );
+        let help = "go to a checkout that has both; `tripos emit MODEL --out DIR` writes the code of a model anywhere";
+        Failure::Request(what, help.to_owned())
+    })
+}
+
+/// The folder that the command was called in.
+///
+/// # Errors
+/// [`Failure::Request`] if it is gone.
+pub fn current_folder() -> Result<PathBuf, Failure> {
+    let gone =
+        |error| Failure::Request(format!("there is no current folder: {error}"), "go to one that exists".to_owned());
+    std::env::current_dir().map_err(gone)
+}

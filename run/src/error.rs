@@ -1,0 +1,73 @@
+//! Why something cannot be had.
+
+use std::fmt;
+use tripos_derive::diagnostic::Diagnostics;
+
+/// Why a model or a scene does not give what was asked of it.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum Error {
+    /// A file with errors, each with its place.
+    Input(Diagnostics),
+    /// Several files with errors.
+    Inputs(Vec<Diagnostics>),
+    /// A formulation that this model does not have.
+    Unsupported(Diagnostics),
+    /// A request that makes no sense here.
+    Request {
+        /// What is wrong.
+        what: String,
+        /// What to do.
+        help: String,
+    },
+    /// A state or a run that has no answer, and why.
+    Stopped(String),
+    /// Whoever follows asked to end.
+    Interrupted,
+}
+
+impl Error {
+    /// A request that makes no sense, and what to do instead.
+    pub fn request(what: impl Into<String>, help: impl Into<String>) -> Self {
+        Self::Request { what: what.into(), help: help.into() }
+    }
+
+    /// What is wrong, in a line.
+    #[must_use]
+    pub fn first_line(&self) -> String {
+        let first = |list: &[Diagnostics]| {
+            list.iter().find_map(|file| file.list.first()).map(|d| d.message.clone()).unwrap_or_default()
+        };
+        let text = match self {
+            Self::Input(file) | Self::Unsupported(file) => first(std::slice::from_ref(file)),
+            Self::Inputs(files) => first(files),
+            Self::Request { what, .. } => what.clone(),
+            Self::Stopped(why) => why.clone(),
+            Self::Interrupted => "interrupted".to_owned(),
+        };
+        text.lines().next().unwrap_or_default().to_owned()
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(file) | Self::Unsupported(file) => write!(f, "{file}"),
+            Self::Inputs(files) => {
+                let texts: Vec<String> = files.iter().map(ToString::to_string).collect();
+                f.write_str(&texts.join("\n\n"))
+            }
+            Self::Request { what, help } => write!(f, "error: {what}\nhelp: {help}"),
+            Self::Stopped(why) => write!(f, "error: {why}"),
+            Self::Interrupted => f.write_str("interrupted"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl From<Diagnostics> for Error {
+    fn from(diagnostics: Diagnostics) -> Self {
+        Self::Input(diagnostics)
+    }
+}
