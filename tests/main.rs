@@ -10,6 +10,7 @@ mod operation_counts;
 mod peers;
 mod reductions;
 mod reference_cases;
+mod rolling_wheel;
 mod stability;
 mod stability_of_methods;
 mod support;

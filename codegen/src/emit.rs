@@ -9,9 +9,9 @@ use crate::workspace::{ModuleFiles, module_files};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
-use tripos_derive::Formulation;
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::mechanics::DeriveError;
+use tripos_derive::{Formulation, Model};
 
 /// The command that writes such modules, as their headers name it.
 const COMMAND: &str = "emit";
@@ -33,12 +33,20 @@ pub struct Emission {
 /// # Errors
 /// [`Diagnostics`] of the model file or the report; a formulation that is named and cannot be had is one.
 pub fn emit(path: &Path, module: &str, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
+    emit_model(&Model::read(path)?, module, formulations)
+}
+
+/// As [`emit`], of a model that is read already, or was changed since.
+///
+/// # Errors
+/// As [`emit`].
+pub fn emit_model(model: &Model, module: &str, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     // Each once, in the order in which they are always listed.
     let ordered: Vec<_> = Formulation::ALL.into_iter().filter(|f| formulations.contains(f)).collect();
     let named = (!ordered.is_empty()).then_some(ordered.as_slice());
-    let ModuleFiles { files, left_out, .. } = module_files(path, module, &origin(path), named)?;
+    let ModuleFiles { files, left_out, .. } = module_files(model, module, &origin(&model.source.path), named)?;
     match left_out.first() {
-        Some((_, error)) if named.is_some() => Err(tripos_derive::Model::read(path)?.diagnose(error)),
+        Some((_, error)) if named.is_some() => Err(model.diagnose(error)),
         _ => Ok(Emission { files: files.into_iter().collect(), left_out }),
     }
 }

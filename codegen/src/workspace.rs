@@ -91,7 +91,7 @@ pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, D
 
 fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     let origin = Origin { folder: format!("models/{folder}/"), model: "model.toml".to_owned(), command: "regenerate" };
-    module_files(path, folder, &origin, None)
+    module_files(&Model::read(path)?, folder, &origin, None)
 }
 
 /// What one model gives.
@@ -106,12 +106,12 @@ pub(crate) struct ModuleFiles {
 
 /// The files of a module of this name: of these formulations alone, or of all and of the report beside the model.
 pub(crate) fn module_files(
-    path: &Path,
+    model: &Model,
     module: &str,
     origin: &Origin,
     formulations: Option<&[Formulation]>,
 ) -> Result<ModuleFiles, Diagnostics> {
-    let model = Model::read(path)?;
+    let path = model.source.path.as_path();
     // The report's symbols go to a store of their own: derived equations do not change with a report.
     let mut with_report = model.clone();
     if syn::parse_str::<syn::Ident>(module).is_err() {
@@ -124,13 +124,13 @@ pub(crate) fn module_files(
     let (mut files, mut entries, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     for &f in formulations.unwrap_or(&Formulation::ALL) {
         // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
-        match derive(&model, f) {
+        match derive(model, f) {
             Ok(derivation) => {
-                let near = distances(&model).into_iter().map(|d| in_distance(&model, derivation.clone(), d));
+                let near = distances(model).into_iter().map(|d| in_distance(model, derivation.clone(), d));
                 for Derivation { mut arena, equations } in std::iter::once(derivation.clone()).chain(near) {
                     let solved =
                         Solved::new(&mut arena, &equations).map_err(|_| undetermined(&model.source, f.title()))?;
-                    let text = formulation::file(&model, &origin.of_model(), &arena, &equations, Some(&solved));
+                    let text = formulation::file(model, &origin.of_model(), &arena, &equations, Some(&solved));
                     files.push((format!("{}.rs", module_name(&equations.name)), text));
                     entries.push(Entry { name: equations.name, solved: true });
                 }
@@ -157,7 +157,7 @@ pub(crate) fn module_files(
     let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
     if origin.has_scenes() {
         for scene in scene_files(path) {
-            match scene_file(&model, &scene, origin, &scenes) {
+            match scene_file(model, &scene, origin, &scenes) {
                 Ok(file) => scenes.extend(file),
                 Err(diagnostics) => broken_scenes.push((name_beside(path, &scene), diagnostics)),
             }
@@ -168,10 +168,8 @@ pub(crate) fn module_files(
         files.push(("scenes/mod.rs".to_owned(), scene::list(&model.title, &origin.of_model(), &modules)));
         files.extend(scenes.into_iter().map(|file| (format!("scenes/{}.rs", file.module), file.text)));
     }
-    files.push((
-        "mod.rs".to_owned(),
-        module::file(&model, module, &origin.of_model(), &report_hash, &entries, &modules),
-    ));
+    files
+        .push(("mod.rs".to_owned(), module::file(model, module, &origin.of_model(), &report_hash, &entries, &modules)));
     Ok(ModuleFiles { files, left_out, broken_scenes })
 }
 

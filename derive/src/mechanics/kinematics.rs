@@ -163,10 +163,16 @@ impl Kinematics {
         Ok(())
     }
 
-    /// A reaction of an ideal constraint does no work in any permitted motion.
+    /// A reaction of an ideal constraint does no work in any permitted motion: along each q̇, or along each speed where motion constraints
+    /// leave fewer of them.
     fn check_reactions(&mut self, model: &Model) -> Result<(), DeriveError> {
         let velocities = self.in_rates.clone();
-        let mut along_rates = Gradient::new(&model.q_dot());
+        let mut to_permitted = (!model.motion_constraints.is_empty()).then(|| rates_to_speeds(model));
+        let permitted: Vec<String> = match to_permitted {
+            Some(_) => model.speeds.iter().map(|s| s.name.clone()).collect(),
+            None => model.coordinates.iter().map(|c| format!("{}'", c.name)).collect(),
+        };
+        let mut along = Gradient::new(&if to_permitted.is_some() { model.u() } else { model.q_dot() });
         for reaction in &model.reactions {
             let direction = Vector::in_frame(reaction.frame, reaction.direction);
             let square = self.frames.dot(&mut self.arena, &direction, &direction);
@@ -190,11 +196,12 @@ impl Kinematics {
                 }
             };
             let power = self.frames.dot(&mut self.arena, &direction, &velocity);
-            for (at, slope) in along_rates.apply(&mut self.arena, power).iter() {
+            let power = to_permitted.as_mut().map_or(power, |put| put.apply(&mut self.arena, power));
+            for (at, slope) in along.apply(&mut self.arena, power).iter() {
                 if zero_test(&self.arena, *slope) != ZeroTest::Zero {
                     return Err(DeriveError::ReactionWorks {
                         reaction: reaction.name.clone(),
-                        coordinate: model.coordinates[*at].name.clone(),
+                        motion: permitted[*at].clone(),
                         rate: crate::algebra::print::text(&self.arena, *slope),
                     });
                 }

@@ -10,8 +10,13 @@ use crate::model::Model;
 /// E(q) q̈ = A(q, q̇).
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`]; a coordinate that moves no mass is found by the rank of the matrix.
+/// [`DeriveError::NoZeroOfPotential`]; [`DeriveError::MotionConstraint`] where multipliers would be needed; a coordinate that moves no
+/// mass is found by the rank of the matrix.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, DeriveError> {
+    // Without multipliers these would be the equations of another mechanism, that moves as it likes.
+    if let Some(constraint) = model.motion_constraints.first() {
+        return Err(DeriveError::MotionConstraint { constraint: constraint.name.clone() });
+    }
     let velocities = kinematics.in_rates.clone();
     // Velocities are homogeneous in q̇, so T = ½ Σ E_ij q̇_i q̇_j.
     let matrix = kinematics.kinetic_form(model, &velocities, &model.q_dot());

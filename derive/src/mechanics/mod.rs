@@ -134,9 +134,9 @@ pub enum DeriveError {
     ReactionWorks {
         /// The reaction.
         reaction: String,
-        /// A coordinate whose motion it works along.
-        coordinate: String,
-        /// The power for each unit of that coordinate's rate.
+        /// The rate of a coordinate, or the speed, that it works along.
+        motion: String,
+        /// The power for each unit of that.
         rate: String,
     },
     /// The direction of a reaction has another length than 1, so its value would not be the force.
@@ -178,6 +178,11 @@ pub enum DeriveError {
     },
     /// The reactions named are not independent: they cannot be told apart.
     ReactionsDependent,
+    /// Lagrange's equations of coordinates that a motion constraint ties together need a multiplier.
+    MotionConstraint {
+        /// The constraint.
+        constraint: String,
+    },
     /// A torque on a frame without a body: no moment balance holds it.
     TorqueOnNothing {
         /// The torque.
@@ -194,7 +199,13 @@ impl DeriveError {
     /// Whether the model is right and only this formulation cannot be had.
     #[must_use]
     pub fn is_unsupported(&self) -> bool {
-        matches!(self, Self::ReactionCount { .. } | Self::ReactionsDependent | Self::TorqueOnNothing { .. })
+        matches!(
+            self,
+            Self::ReactionCount { .. }
+                | Self::ReactionsDependent
+                | Self::MotionConstraint { .. }
+                | Self::TorqueOnNothing { .. }
+        )
     }
 
     /// The name in the model file that it is about, and what to do.
@@ -229,6 +240,7 @@ impl DeriveError {
                 None,
                 "let each constraint be enforced by one reaction along its own direction, or use kane or lagrange",
             ),
+            Self::MotionConstraint { constraint } => (Some(constraint), "use kane, which needs no multiplier"),
             Self::TorqueOnNothing { torque } => (Some(torque), "let it act on a rigid body, or use kane or lagrange"),
             Self::ReductionNotProved { .. } => (None, "run the scene by one of the model's formulations"),
         }
@@ -243,11 +255,9 @@ impl fmt::Display for DeriveError {
             Self::InertiaNotConstant { body, frame, body_frame } => {
                 write!(f, "the inertia of `{body}` is constant in `{frame}` but not in its own frame `{body_frame}`")
             }
-            Self::ReactionWorks { reaction, coordinate, rate } => {
-                write!(
-                    f,
-                    "the reaction `{reaction}` works along `{coordinate}`: power {rate} for each unit of {coordinate}'"
-                )
+            Self::ReactionWorks { reaction, motion, rate } => {
+                let along = motion.trim_end_matches('\'');
+                write!(f, "the reaction `{reaction}` works along `{along}`: power {rate} for each unit of {motion}")
             }
             Self::DirectionNotUnit { reaction, square } => {
                 write!(f, "the direction of `{reaction}` is no unit vector: the square of its length is {square}")
@@ -292,6 +302,9 @@ impl fmt::Display for DeriveError {
             }
             Self::ReactionsDependent => {
                 write!(f, "newton-euler is not possible: its equations do not determine the reactions one by one")
+            }
+            Self::MotionConstraint { constraint } => {
+                write!(f, "lagrange is not possible: the motion constraint `{constraint}` needs a multiplier")
             }
             Self::TorqueOnNothing { torque } => {
                 write!(f, "newton-euler is not possible: the torque `{torque}` acts on a frame without a body")

@@ -4,6 +4,7 @@ mod constraint;
 mod elements;
 mod loading;
 mod loads;
+mod motion_constraints;
 mod names;
 mod physics;
 mod read_model;
@@ -208,6 +209,17 @@ pub struct Constraint {
     pub enforced_by: Option<usize>,
 }
 
+/// A motion constraint A(q) q̇ + a(q) = 0: what it permits cannot be said by coordinates alone, unless it can be integrated.
+#[derive(Clone, Debug)]
+pub struct MotionConstraint {
+    /// Its name.
+    pub name: String,
+    /// A(q) q̇ + a(q), which is zero.
+    pub equation: Expr,
+    /// Its unit, in SI: that of a generalized speed.
+    pub unit: Unit,
+}
+
 /// A condition of the domain in which the model holds.
 #[derive(Clone, Debug)]
 pub struct Condition {
@@ -222,7 +234,7 @@ pub struct Condition {
 /// The solved kinematic equations q̇ = W u + w.
 #[derive(Clone, Debug, Default)]
 pub struct KinematicEquations {
-    /// q̇ of each generalized coordinate, in q and u.
+    /// q̇ of each generalized coordinate, in q and u: q̇ = W(q) u + w(q), W with a row for each coordinate and a column for each speed.
     pub rates: Vec<Expr>,
     /// What was divided by: where one of these is zero the speeds do not determine q̇.
     pub divisors: Vec<Expr>,
@@ -245,8 +257,10 @@ pub struct Model {
     pub coordinates: Vec<Coordinate>,
     /// Number of configuration variables: generalized coordinates and constrained variables.
     pub configuration_variables: usize,
-    /// Generalized speeds, in the order of the file.
+    /// Generalized speeds u, in the order of the file: n for n coordinates, less one for each motion constraint.
     pub speeds: Vec<Speed>,
+    /// Motion constraints.
+    pub motion_constraints: Vec<MotionConstraint>,
     /// Frames, the inertial one first.
     pub frames: Vec<Frame>,
     /// Points, the origin first.
@@ -315,10 +329,11 @@ impl Model {
     pub fn count(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
         format!(
-            "{}, {}, {}, 0 nonholonomic constraints, {}",
+            "{}, {}, {}, {}, {}",
             plural(self.configuration_variables, "configuration variable"),
             plural(self.constraints.len(), "holonomic constraint"),
             plural(self.coordinates.len(), "generalized coordinate"),
+            plural(self.motion_constraints.len(), "nonholonomic constraint"),
             plural(self.speeds.len(), "generalized speed"),
         )
     }

@@ -118,6 +118,7 @@ impl<'a> Loading<'a> {
             coordinates,
             configuration_variables,
             speeds: speeds.into_iter().map(|(speed, _)| speed).collect(),
+            motion_constraints: Vec::new(),
             frames: elements.frames,
             points: elements.points,
             bodies: elements.bodies,

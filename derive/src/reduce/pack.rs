@@ -349,6 +349,7 @@ fn model(ground: Ground, flow: &Flow, constants: &[Quantity], equations: &Equati
         torques: Vec::new(),
         reactions: Vec::new(),
         constraints: Vec::new(),
+        motion_constraints: Vec::new(),
         domain,
         kinematic_equations,
         ..whole

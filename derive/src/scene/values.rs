@@ -180,8 +180,8 @@ impl<'a> Values<'a, '_> {
     /// Every coordinate, and every speed or every q′: as (q, u).
     pub fn state(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
         let before = self.reader.errors.len();
-        let n = self.model.coordinates.len();
-        let (mut q, mut rates, mut u) = (vec![None; n], vec![None; n], vec![None; n]);
+        let (n, p) = (self.model.coordinates.len(), self.model.speeds.len());
+        let (mut q, mut rates, mut u) = (vec![None; n], vec![None; n], vec![None; p]);
         let mut constrained = Vec::new();
         for (name, value) in self.reader.entries(table) {
             let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) else { continue };
@@ -224,6 +224,9 @@ impl<'a> Values<'a, '_> {
             |list: Vec<Option<(Number, Located)>>| list.into_iter().flatten().map(|(x, _)| x).collect::<Vec<Number>>();
         let (rates, exact_u) = (given(rates), given(u));
         let by_rates = !rates.is_empty();
+        if by_rates {
+            self.check_motion(table, &p, &q, &doubles(&rates));
+        }
         let u = if by_rates { self.speeds_from_rates(&p, &q, &doubles(&rates)) } else { doubles(&exact_u) };
         if let Some(at) = u.iter().position(|x| !x.is_finite()) {
             let message = format!("the speed `{}` is not finite at this state", self.model.speeds[at].name);
@@ -285,6 +288,26 @@ impl<'a> Values<'a, '_> {
                 );
                 let help = format!("leave `{}` out, or state {value}", constraint.fixes);
                 self.reader.error(span.clone(), message, help);
+            }
+        }
+    }
+
+    /// Rates that a motion constraint does not permit are reported: the speeds that are left say nothing of them.
+    fn check_motion(&mut self, table: &'a DeTable<'a>, parameters: &[f64], q: &[f64], rates: &[f64]) {
+        let model = &self.model;
+        let symbols = [model.p(), model.q(), model.q_dot()].concat();
+        let equations: Vec<Expr> = model.motion_constraints.iter().map(|c| c.equation).collect();
+        let values = match Tape::new(&model.arena, &symbols, &equations) {
+            Ok(tape) => tape.evaluate(&[parameters, q, rates].concat()),
+            Err(unknown) => unreachable!("constraints tie coordinates and rates, not {}", unknown.0),
+        };
+        let size = rates.iter().fold(1.0, |most: f64, rate| most.max(rate.abs()));
+        let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
+        for (constraint, residual) in model.motion_constraints.iter().zip(values) {
+            if residual.is_nan() || residual.abs() > RESIDUAL * size {
+                let message =
+                    format!("the start breaks the motion constraint `{}`: it is {residual:e}, not 0", constraint.name);
+                self.reader.error(place.clone(), message, "state the speeds, which satisfy it by themselves");
             }
         }
     }

@@ -1,0 +1,169 @@
+//! A disc that rolls: fewer speeds than coordinates, through derivation, code generation and a run.
+//!
+//! Truth: K03 of the reference cases (SymPy's `KanesMethod` and an engine of high precision), and its closed form
+//! u̇₁ = (6 u₂ u₃ r − u₃² r tan q₂ + 4 g sin q₂)/(5 r), u̇₂ = −2 u₁ u₃/3, u̇₃ = u₁ (u₃ tan q₂ − 2 u₂).
+
+use tripos::{Mechanism, Overrides, Scene};
+use tripos_derive::diagnostic::Source;
+use tripos_derive::mechanics::{Derivation, derive, derive_all};
+use tripos_derive::prove::prove;
+use tripos_derive::{Formulation, Model};
+use tripos_sim::{AbsoluteTolerance, Method, Options, Output, integrate};
+
+const DISC: &str = r#"
+name = "Rolling disc"
+[parameters]
+r = { unit = "m", value = 0.31, positive = true }
+m = { unit = "kg", value = 2.4, positive = true }
+g = { unit = "m/s^2", value = 9.81, positive = true }
+[coordinates]
+q1 = { unit = "rad" }
+q2 = { unit = "rad" }
+q3 = { unit = "rad" }
+x = { unit = "m" }
+y = { unit = "m" }
+[speeds]
+u1 = "q2'"
+u2 = "q3' + q1'*sin(q2)"
+u3 = "q1'*cos(q2)"
+slip_x = "x' - r*q3'*cos(q1)"
+slip_y = "y' - r*q3'*sin(q1)"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+Y = { from = "N", axis = 3, angle = "q1" }
+L = { from = "Y", axis = 1, angle = "q2" }
+R = { from = "L", axis = 2, angle = "q3" }
+[points]
+C = { from = "O", frame = "N", position = ["x", "y", 0] }
+D = { from = "C", frame = "L", position = [0, 0, "r"] }
+[bodies.disc]
+frame = "R"
+centre = "D"
+mass = "m"
+inertia = { frame = "L", diagonal = ["m*r^2/4", "m*r^2/2", "m*r^2/4"] }
+[gravity]
+frame = "N"
+acceleration = [0, 0, "-g"]
+"#;
+
+/// Both components of the velocity of the disc's point on the ground are zero.
+fn rolling() -> Model {
+    let model = tripos_derive::model::load(&Source::from_text("disc.toml", DISC)).unwrap_or_else(|e| panic!("{e}"));
+    model.holding(&["slip_x", "slip_y"]).unwrap()
+}
+
+/// (q₁ q₂ q₃), (u₁ u₂ u₃), u̇, q̇ with x′ and y′, T, V.
+const STATES: [([f64; 3], [f64; 3], [f64; 3], [f64; 5], f64, f64); 3] = [
+    (
+        [0.958, -0.087, 0.438],
+        [1.409, -1.711, -2.532],
+        [3.110_810_698_252_991_7, 2.378_392, 5.132_763_623_300_128],
+        [-2.541_612_667_655_314_4, 1.409, -1.931_841_464_371_985_5, -0.344_444_896_145_077_1, -0.489_902_044_532_145_1],
+        0.977_410_660_65,
+        7.271_035_714_914_143,
+    ),
+    (
+        [0.205, -0.756, -0.236],
+        [2.338, 2.233, -2.288],
+        [-22.511_038_494_776_15, 3.566_229_333_333_333_3, -5.397_789_014_596_046],
+        [-3.144_645_917_269_301, 2.338, 0.075_720_707_697_196_47, 0.022_981_909_094_224_56, 0.004_778_417_317_688_425],
+        1.801_410_779_34,
+        5.310_387_483_784_206,
+    ),
+    (
+        [-0.836, -0.555, 0.656],
+        [-2.852, -1.649, -2.357],
+        [-7.987_250_732_436_587, -4.481_442_666_666_666, -13.573_677_442_192_484],
+        [-2.773_266_006_606_239, -2.852, -3.110_353_941_862_722, -0.646_440_958_032_567_1, 0.715_412_102_031_938_3],
+        1.803_033_245_25,
+        6.203_117_349_371_003,
+    ),
+];
+
+#[test]
+fn kane_needs_three_speeds_for_five_coordinates() {
+    let model = rolling();
+    assert_eq!((model.coordinates.len(), model.speeds.len(), model.motion_constraints.len()), (5, 3, 2));
+    assert!(model.count().contains("5 generalized coordinates, 2 nonholonomic constraints, 3 generalized speeds"));
+    let Derivation { arena, equations } = derive(&model, Formulation::Kane).unwrap();
+    let inputs = [model.p(), model.q(), model.u()].concat();
+    let n = equations.matrix.len();
+    let matrix = equations.matrix.concat();
+    let values = [matrix, equations.forcing, equations.coordinate_rates].concat();
+    let values = [values, vec![equations.kinetic_energy, equations.potential_energy]].concat();
+    let tape = tripos_derive::algebra::evaluate::Tape::new(&arena, &inputs, &values).unwrap();
+    for (q, u, u_dot, q_dot, kinetic, potential) in STATES {
+        let found = tape.evaluate(&[&[0.31, 2.4, 9.81], q.as_slice(), &[0.3, -0.2], &u].concat());
+        for (row, right) in found[..n * n].chunks(n).zip(&found[n * n..]) {
+            let left: f64 = row.iter().zip(&u_dot).map(|(a, x)| a * x).sum();
+            close("M u' = f", left, *right, 1e-12);
+        }
+        for (expected, rate) in q_dot.iter().zip(&found[n * n + n..]) {
+            close("q'", *rate, *expected, 1e-12);
+        }
+        close("T", found[n * n + n + 5], kinetic, 1e-12);
+        close("V", found[n * n + n + 6], potential, 1e-12);
+    }
+}
+
+/// Lagrange's equations without multipliers would be those of a disc that slides.
+#[test]
+fn what_needs_a_multiplier_is_refused_and_nothing_is_claimed_of_it() {
+    let model = rolling();
+    let refused = derive(&model, Formulation::Lagrange).err().unwrap();
+    assert!(refused.is_unsupported() && refused.to_string().contains("`slip_x` needs a multiplier"), "{refused}");
+    let mut derivations = derive_all(&model).unwrap();
+    let proof = prove(&model, &mut derivations);
+    assert!(
+        proof.integrals.is_empty() && proof.is_equivalent(),
+        "a sliding disc keeps four momenta, a rolling one none"
+    );
+    assert!(rolling().holding(&["slip_z"]).is_err() && rolling().holding(&["u1", "u2", "u3"]).is_err());
+}
+
+const ROLL: &str = "model = \"disc.toml\"\nspan = [0, 3]\n[start]\nq1 = 0.1\nq2 = 0.2\nq3 = 0\nx = 1\ny = -1\nu1 = 0.3\nu2 = 4\n\
+                    u3 = -1.2\n[integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-12\n";
+
+/// Goal: a run of the library is the rolling motion. Method: against the closed form, by every way to accelerations.
+#[test]
+fn a_run_is_the_rolling_motion() {
+    let start = [0.1, 0.2, 0.0, 1.0, -1.0, 0.3, 4.0, -1.2];
+    let how = Options {
+        method: Method::Dop853,
+        rtol: 1e-13,
+        atol: AbsoluteTolerance::Uniform(1e-13),
+        output: Output::Ends,
+        ..Options::default()
+    };
+    // The closed form, with the kinematic equations by hand.
+    let by_hand = |_t: f64, y: &[f64], out: &mut [f64]| {
+        let (r, g) = (0.31, 9.81);
+        let ([q1, q2], [u1, u2, u3]) = ([y[0], y[1]], [y[5], y[6], y[7]]);
+        let yaw = u3 / q2.cos();
+        let spin = u2 - yaw * q2.sin();
+        out[..5].copy_from_slice(&[yaw, u1, spin, r * spin * q1.cos(), r * spin * q1.sin()]);
+        out[5] = (6.0 * u2 * u3 * r - u3 * u3 * r * q2.tan() + 4.0 * g * q2.sin()) / (5.0 * r);
+        out[6] = -2.0 * u1 * u3 / 3.0;
+        out[7] = u1 * (u3 * q2.tan() - 2.0 * u2);
+        Ok(())
+    };
+    let truth = integrate(by_hand, (0.0, 3.0), &start, &how, &mut []).unwrap().y_end;
+    let scene = Scene::parse(Mechanism::new(rolling()), ROLL).unwrap_or_else(|e| panic!("{e}"));
+    let ways = [(None, None), (Some("kane"), None), (Some("kane"), Some("numeric"))];
+    for (by, solve) in ways.map(|(by, solve)| (by.map(str::to_owned), solve.map(str::to_owned))) {
+        let run = scene.simulate(&Overrides { by: by.clone(), solve: solve.clone(), ..Overrides::default() });
+        let run = run.unwrap_or_else(|e| panic!("{by:?}: {e}"));
+        assert!(run.failure().is_none(), "{:?}", run.objections());
+        for (name, expected) in ["q1", "q2", "q3", "x", "y", "u1", "u2", "u3"].iter().zip(&truth) {
+            let found = *run.column(name).unwrap().last().unwrap();
+            close(&format!("{name} by {by:?}, {solve:?}"), found, *expected, 1e-9);
+        }
+        assert!(run.energy_drift.unwrap() < 1e-9, "{:?}", run.energy_drift);
+    }
+}
+
+fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance * expected.abs().max(1.0), "{what}: {found}, expected {expected}");
+}
