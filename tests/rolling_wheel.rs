@@ -10,43 +10,7 @@ use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{AbsoluteTolerance, Method, Options, Output, integrate};
 
-const DISC: &str = r#"
-name = "Rolling disc"
-[parameters]
-r = { unit = "m", value = 0.31, positive = true }
-m = { unit = "kg", value = 2.4, positive = true }
-g = { unit = "m/s^2", value = 9.81, positive = true }
-[coordinates]
-q1 = { unit = "rad" }
-q2 = { unit = "rad" }
-q3 = { unit = "rad" }
-x = { unit = "m" }
-y = { unit = "m" }
-[speeds]
-u1 = "q2'"
-u2 = "q3' + q1'*sin(q2)"
-u3 = "q1'*cos(q2)"
-slip_x = "x' - r*q3'*cos(q1)"
-slip_y = "y' - r*q3'*sin(q1)"
-[inertial]
-frame = "N"
-origin = "O"
-[frames]
-Y = { from = "N", axis = 3, angle = "q1" }
-L = { from = "Y", axis = 1, angle = "q2" }
-R = { from = "L", axis = 2, angle = "q3" }
-[points]
-C = { from = "O", frame = "N", position = ["x", "y", 0] }
-D = { from = "C", frame = "L", position = [0, 0, "r"] }
-[bodies.disc]
-frame = "R"
-centre = "D"
-mass = "m"
-inertia = { frame = "L", diagonal = ["m*r^2/4", "m*r^2/2", "m*r^2/4"] }
-[gravity]
-frame = "N"
-acceleration = [0, 0, "-g"]
-"#;
+const DISC: &str = include_str!("data/rolling_disc.toml");
 
 /// Both components of the velocity of the disc's point on the ground are zero.
 fn rolling() -> Model {
@@ -54,32 +18,61 @@ fn rolling() -> Model {
     model.holding(&["slip_x", "slip_y"]).unwrap()
 }
 
-/// (q₁ q₂ q₃), (u₁ u₂ u₃), u̇, q̇ with x′ and y′, T, V.
-const STATES: [([f64; 3], [f64; 3], [f64; 3], [f64; 5], f64, f64); 3] = [
-    (
-        [0.958, -0.087, 0.438],
-        [1.409, -1.711, -2.532],
-        [3.110_810_698_252_991_7, 2.378_392, 5.132_763_623_300_128],
-        [-2.541_612_667_655_314_4, 1.409, -1.931_841_464_371_985_5, -0.344_444_896_145_077_1, -0.489_902_044_532_145_1],
-        0.977_410_660_65,
-        7.271_035_714_914_143,
-    ),
-    (
-        [0.205, -0.756, -0.236],
-        [2.338, 2.233, -2.288],
-        [-22.511_038_494_776_15, 3.566_229_333_333_333_3, -5.397_789_014_596_046],
-        [-3.144_645_917_269_301, 2.338, 0.075_720_707_697_196_47, 0.022_981_909_094_224_56, 0.004_778_417_317_688_425],
-        1.801_410_779_34,
-        5.310_387_483_784_206,
-    ),
-    (
-        [-0.836, -0.555, 0.656],
-        [-2.852, -1.649, -2.357],
-        [-7.987_250_732_436_587, -4.481_442_666_666_666, -13.573_677_442_192_484],
-        [-2.773_266_006_606_239, -2.852, -3.110_353_941_862_722, -0.646_440_958_032_567_1, 0.715_412_102_031_938_3],
-        1.803_033_245_25,
-        6.203_117_349_371_003,
-    ),
+/// A state, and what is known of it.
+struct Known {
+    /// q₁ q₂ q₃; where the disc is does not matter.
+    q: [f64; 3],
+    u: [f64; 3],
+    u_dot: [f64; 3],
+    /// With x′ and y′.
+    q_dot: [f64; 5],
+    kinetic: f64,
+    potential: f64,
+}
+
+const STATES: [Known; 3] = [
+    Known {
+        q: [0.958, -0.087, 0.438],
+        u: [1.409, -1.711, -2.532],
+        u_dot: [3.110_810_698_252_991_7, 2.378_392, 5.132_763_623_300_128],
+        q_dot: [
+            -2.541_612_667_655_314_4,
+            1.409,
+            -1.931_841_464_371_985_5,
+            -0.344_444_896_145_077_1,
+            -0.489_902_044_532_145_1,
+        ],
+        kinetic: 0.977_410_660_65,
+        potential: 7.271_035_714_914_143,
+    },
+    Known {
+        q: [0.205, -0.756, -0.236],
+        u: [2.338, 2.233, -2.288],
+        u_dot: [-22.511_038_494_776_15, 3.566_229_333_333_333_3, -5.397_789_014_596_046],
+        q_dot: [
+            -3.144_645_917_269_301,
+            2.338,
+            0.075_720_707_697_196_47,
+            0.022_981_909_094_224_56,
+            0.004_778_417_317_688_425,
+        ],
+        kinetic: 1.801_410_779_34,
+        potential: 5.310_387_483_784_206,
+    },
+    Known {
+        q: [-0.836, -0.555, 0.656],
+        u: [-2.852, -1.649, -2.357],
+        u_dot: [-7.987_250_732_436_587, -4.481_442_666_666_666, -13.573_677_442_192_484],
+        q_dot: [
+            -2.773_266_006_606_239,
+            -2.852,
+            -3.110_353_941_862_722,
+            -0.646_440_958_032_567_1,
+            0.715_412_102_031_938_3,
+        ],
+        kinetic: 1.803_033_245_25,
+        potential: 6.203_117_349_371_003,
+    },
 ];
 
 #[test]
@@ -94,7 +87,7 @@ fn kane_needs_three_speeds_for_five_coordinates() {
     let values = [matrix, equations.forcing, equations.coordinate_rates].concat();
     let values = [values, vec![equations.kinetic_energy, equations.potential_energy]].concat();
     let tape = tripos_derive::algebra::evaluate::Tape::new(&arena, &inputs, &values).unwrap();
-    for (q, u, u_dot, q_dot, kinetic, potential) in STATES {
+    for Known { q, u, u_dot, q_dot, kinetic, potential } in STATES {
         let found = tape.evaluate(&[&[0.31, 2.4, 9.81], q.as_slice(), &[0.3, -0.2], &u].concat());
         for (row, right) in found[..n * n].chunks(n).zip(&found[n * n..]) {
             let left: f64 = row.iter().zip(&u_dot).map(|(a, x)| a * x).sum();

@@ -6,13 +6,13 @@
 
 use std::borrow::Cow;
 
-/// Whether a character has no place in a line of text: control characters, marks that turn the direction of writing (which let a
-/// text read as another than it is), and line and paragraph separators.
+/// Whether a character has no place in a line of text: control characters, marks that turn the direction of writing and characters that
+/// nobody sees (which let a text read as another than it is), and line and paragraph separators.
 #[must_use]
 pub fn is_forbidden(c: char) -> bool {
     c.is_control()
         || matches!(c,
-            '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
+            '\u{00ad}' | '\u{200b}' | '\u{2060}'..='\u{2064}' | '\u{e0000}'..='\u{e007f}' | '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
 }
 
 /// Whether a character only parts words.

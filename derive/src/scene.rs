@@ -234,7 +234,9 @@ impl Scene {
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
         let starts = model.coordinates.iter().zip(&self.q).filter(|(c, _)| c.unit.is_plain());
-        let turned = starts.filter(|(_, q)| q.abs() > std::f64::consts::TAU && q.fract() == 0.0);
+        // People write degrees with few decimals; multiples of π have many.
+        let is_short = |q: f64| (q - (100.0 * q).round() / 100.0).abs() <= f64::EPSILON * q.abs();
+        let turned = starts.filter(|(_, q)| q.abs() > std::f64::consts::TAU && is_short(**q));
         let hint = |(c, q): (&crate::model::Coordinate, &f64)| {
             format!("`{}` starts at {q} rad: if degrees are meant, write \"{q}*deg\"", c.name)
         };

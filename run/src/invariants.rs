@@ -24,6 +24,7 @@ pub struct Watch {
     /// What the kinematic equations divide by, as text.
     pub divisors: Vec<String>,
     tape: Tape,
+    divided: Tape,
 }
 
 /// Units in the last place of a first integral that its evaluation may be off by.
@@ -72,7 +73,30 @@ impl Watch {
             integrals: integrals.iter().map(|i| (i.name.clone(), unit(i))).collect(),
             divisors: divisors.iter().map(|e| text(arena, *e)).collect(),
             tape: tape(arena, &inputs, &outputs, "what is conserved")?,
+            divided: Self::divided(model, arena, integrals)?,
         })
+    }
+
+    /// What each integral divides by that depends on parameters alone, as one product.
+    fn divided(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Tape, Error> {
+        let mut arena = arena.clone();
+        let parameters = model.p();
+        let products: Vec<_> = integrals
+            .iter()
+            .map(|integral| {
+                let state = [model.q(), model.u()].concat();
+                let mut divisors = integral.divisors(&arena);
+                divisors.retain(|e| !state.iter().any(|s| arena.mentions(*e, *s)));
+                arena.product(&divisors)
+            })
+            .collect();
+        tape(&arena, &parameters, &products, "what a first integral divides by")
+    }
+
+    /// Which integrals there are at these parameters: not one that divides by a parameter that is 0.
+    #[must_use]
+    pub fn exist(&self, parameters: &[f64]) -> Vec<bool> {
+        self.divided.evaluate(parameters).into_iter().map(|divisor| divisor != 0.0).collect()
     }
 
     /// Of a model alone: its first integrals are proved first.

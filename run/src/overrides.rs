@@ -48,9 +48,15 @@ impl Overrides {
             }
             scene.integration.step = Some(step);
         }
-        if self.step.is_some() && scene.integration.method == QUADRATURE {
-            let help = "leave the step out, or give a stepping method";
-            return Err(Error::request("quadrature takes no steps".to_owned(), help.to_owned()));
+        if scene.integration.method == QUADRATURE {
+            if scene.integration.step.is_some() {
+                let help = "leave the step out, or give a stepping method";
+                return Err(Error::request("quadrature takes no steps", help));
+            }
+            if scene.integration.project.is_some() {
+                let help = "leave the projection out, or give a stepping method";
+                return Err(Error::request("quadrature keeps the energy by itself: there is nothing to project", help));
+            }
         }
         let tolerances = [("rtol", self.rtol), ("atol", self.atol)];
         for (option, value) in tolerances {

@@ -92,7 +92,11 @@ impl Run {
         let samples = t.iter().zip(y).zip(&self.states).chain(end);
         let without = samples.filter_map(|(at, values)| Some((at, values.iter().position(|x| !x.is_finite())?)));
         let mut without = without.peekable();
-        let Some(&((t, y), which)) = without.peek() else { return Ok(()) };
+        let Some(&((t, y), which)) = without.peek() else {
+            let lost = self.energy_drift.is_some_and(f64::is_nan);
+            self.missing = lost.then(|| "the energy has no value that doubles can hold".to_owned());
+            return Ok(());
+        };
         let more = without.count() - 1;
         let more = if more == 0 { String::new() } else { format!(" and at {more} of the samples after it") };
         let near = problem.near_divisors(y)?;
@@ -332,7 +336,9 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
     let energy_drift = dynamics.energy_drift(&solution);
     let warnings = trust::objections(problem, &solution, watch, energy_drift)?;
     let drifts = watch.map_or_else(Vec::new, |watch| {
-        watch.integrals.iter().map(|(name, _)| name.clone()).zip(watch.changes(problem, &solution)).collect()
+        let changes = watch.integrals.iter().map(|(name, _)| name.clone()).zip(watch.changes(problem, &solution));
+        let existing = changes.zip(watch.exist(&problem.shown.parameters)).filter(|(_, exists)| *exists);
+        existing.map(|(change, _)| change).collect()
     });
     let names = problem.variables();
     let at = if solution.stop.is_failure() { problem.near_divisors(&solution.y_end)? } else { String::new() };

@@ -36,7 +36,7 @@ pub fn objections(
     watch: Option<&Watch>,
     energy_drift: f64,
 ) -> Result<Vec<String>, Error> {
-    let mut list: Vec<String> = solution.warnings.iter().map(ToString::to_string).collect();
+    let mut list: Vec<String> = solution.warnings.iter().map(|w| w.described(&problem.variables())).collect();
     if solution.stop == Stop::Interrupted {
         // Nobody waits for a judgement.
         return Ok(list);
@@ -111,7 +111,8 @@ type Worst<'a> = (&'a str, &'a str, Drift);
 
 fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Vec<Worst<'a>> {
     let worst = watch.worst(problem, solution, MOST_SAMPLES, &|at, x| allowance(problem.scene, at, x));
-    let named = watch.integrals.iter().zip(worst);
+    let named = watch.integrals.iter().zip(worst).zip(watch.exist(&problem.shown.parameters));
+    let named = named.filter(|(_, exists)| *exists).map(|(named, _)| named);
     named.map(|((name, unit), drift)| (name.split(';').next().unwrap_or_default(), unit.as_str(), drift)).collect()
 }
 

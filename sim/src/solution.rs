@@ -70,17 +70,27 @@ pub enum Warning {
     },
 }
 
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Warning {
+    /// The warning, with these names for the components of the state.
+    #[must_use]
+    pub fn described(&self, names: &[String]) -> String {
+        let who = |at: usize| names.get(at).map_or_else(|| format!("component {at}"), |name| format!("`{name}`"));
+        let mut out = String::new();
+        self.say(&mut out, &who).expect("memory takes everything");
+        out
+    }
+
+    fn say(&self, f: &mut impl fmt::Write, who: &dyn Fn(usize) -> String) -> fmt::Result {
         match self {
             Self::RtolRaised { from, to } => {
                 write!(f, "relative tolerance {from:e} is below rounding; raised to {to:e}")
             }
             Self::ToleranceBelowRounding { component, t, size, spacing, allowed, attempts } => write!(
                 f,
-                "component {component} is {size:.1e} at t = {t:.6} s, where numbers are {spacing:.1e} apart, yet its error \
+                "{} is {size:.1e} at t = {t:.6} s, where numbers are {spacing:.1e} apart, yet its error \
                  was to stay below {allowed:.1e}: rounding decided {attempts} steps; raise the absolute tolerance, or \
-                 give a relative one"
+                 give a relative one",
+                who(*component)
             ),
             Self::NotSmooth { t, retries, attempts } => write!(
                 f,
@@ -93,6 +103,12 @@ impl fmt::Display for Warning {
                  are less exact than its ends"
             ),
         }
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.say(f, &|at| format!("component {at}"))
     }
 }
 

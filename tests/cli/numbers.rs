@@ -213,13 +213,92 @@ fn slips_of_the_pen_are_answered_with_what_to_write() {
     let (_folder, path) = scene_of("pendulum", degrees);
     let (status, _, err) = tripos(&["simulate", &path]);
     assert!(status == 2 && err.contains("`90*deg`"), "{err}");
-    let (_folder, path) = scene_of("pendulum", "span = [0, 1]\n[start]\ntheta = 90\nomega = 0\n");
-    let (status, _, err) = tripos(&["simulate", &path]);
-    assert!(status == 0 && err.contains("`theta` starts at 90 rad: if degrees are meant, write \"90*deg\""), "{err}");
+    for degrees in ["90", "-90.5", "7.25"] {
+        let text = format!("span = [0, 1]\n[start]\ntheta = {degrees}\nomega = 0\n");
+        let (_folder, path) = scene_of("pendulum", &text);
+        let (status, _, err) = tripos(&["simulate", &path]);
+        let hint = format!("`theta` starts at {degrees} rad: if degrees are meant, write \"{degrees}*deg\"");
+        assert!(status == 0 && err.contains(&hint), "{err}");
+    }
+    let (_folder, path) = scene_of("pendulum", "span = [0, 1]\n[start]\ntheta = \"7*pi/3\"\nomega = 0\n");
+    assert!(!tripos(&["simulate", &path]).2.contains("degrees"));
     let (_folder, path) = scene_of(
         "pendulum",
         "span = [0, 1]\n[start]\ntheta = \"10*deg\"\nomega = 0\n[integration]\nmethod = \"quadrature\"\n",
     );
     let (status, _, err) = tripos(&["simulate", &path, "--step", "0.1"]);
     assert!(status == 2 && err.contains("quadrature takes no steps"), "{err}");
+}
+
+/// Goal: arithmetic with constants is exact, or refused. Method: a spring whose stiffness hides in a constant; x = 0.5 cos(2 t) where it is 4.
+#[test]
+fn constants_are_exact_or_refused() {
+    let model = |force: &str| {
+        format!(
+            "name = \"b\"\n[parameters]\nm = {{ unit = \"kg\", value = 1 }}\nk = {{ unit = \"N/m\", value = 4 }}\n[coordinates]\nx = {{ unit = \"m\" }}\n\
+             [speeds]\nv = \"x'\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n[points]\nP = {{ from = \"O\", frame = \"N\", position = [\"x\", 0, 0] }}\n\
+             [particles]\nb = {{ point = \"P\", mass = \"m\" }}\n[forces.f]\non = \"b\"\nframe = \"N\"\nvector = [\"{force}\", 0, 0]\n"
+        )
+    };
+    let scene = "model = \"model.toml\"\nspan = [0, 2]\n[start]\nx = 0.5\nv = 0\n[integration]\nmethod = \"dop853\"\nrtol = 1e-10\natol = 1e-12\n";
+    let run = |force: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("model.toml"), model(force)).unwrap();
+        std::fs::write(folder.path().join("s.toml"), scene).unwrap();
+        tripos(&["simulate", folder.path().join("s.toml").to_str().unwrap(), "--json"])
+    };
+    for force in
+        ["-k*x*cos(pi*10^20)", "-k*x*sin(pi*10^20 + pi/2)", "-k*x*2*sin(10^20*pi + 5*pi/6)", "-k*x*sin(10^-9)*10^9"]
+    {
+        let (status, out, err) = run(force);
+        assert_eq!(status, 0, "{force}: {err}");
+        let run: Value = serde_json::from_str(&out).unwrap();
+        let x = run["state"]["x"].as_f64().unwrap();
+        assert!((x - 0.5 * 4_f64.cos()).abs() < 1e-8, "{force}: {x}");
+    }
+    for force in ["-k*x*sin(10^30)", "-k*x*(exp(10^-20)-1)*10^20", "-k*x*(sqrt(1+10^-30)-1)*2*10^30"] {
+        let (status, _, err) = run(force);
+        assert!(
+            status == 2
+                && err.contains("double precision does not know the constant `")
+                && err.contains("model.toml:19:12"),
+            "{force}: {err}"
+        );
+    }
+}
+
+#[test]
+fn settings_that_a_method_ignores_are_refused() {
+    for (more, what) in [("step = 0.1", "`step` means nothing"), ("project = \"energy\"", "`project` means nothing")] {
+        let text =
+            format!("span = [0, 5]\n[start]\ntheta = 1\nomega = 0\n[integration]\nmethod = \"quadrature\"\n{more}\n");
+        let (_folder, path) = scene_of("pendulum", &text);
+        let (status, _, err) = tripos(&["simulate", &path]);
+        assert!(status == 2 && err.contains(what), "{err}");
+    }
+    let (_folder, path) = scene_of("pendulum", "span = [0, 5]\n[start]\ntheta = 1\nomega = 0\n");
+    for more in [["--step", "0.1"], ["--project", "energy"]] {
+        let (status, _, err) = tripos(&[&["simulate", &path, "--method", "quadrature"][..], &more].concat());
+        assert!(status == 2 && err.contains("quadrature"), "{err}");
+    }
+}
+
+/// A momentum that divides by a parameter that is 0 is none: it is no reason to distrust a run.
+#[test]
+fn an_integral_that_is_not_there_raises_no_alarm() {
+    let model = "name = \"two beads\"\n[parameters]\nm = { unit = \"kg\", value = 1 }\nM = { unit = \"kg\", value = 2 }\nk = { unit = \"N/m\", value = 4 }\n\
+                 a = { unit = \"1\", value = 0 }\nb = { unit = \"1\", value = 3 }\n[coordinates]\nx = { unit = \"m\" }\ny = { unit = \"m\" }\n\
+                 [speeds]\nu = \"x'\"\nw = \"y'\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n[points]\nP = { from = \"O\", frame = \"N\", position = [\"x\", 0, 0] }\n\
+                 Q = { from = \"O\", frame = \"N\", position = [\"y\", 0, 0] }\n[particles]\np = { point = \"P\", mass = \"m\" }\nq = { point = \"Q\", mass = \"M\" }\n\
+                 [forces.f]\non = \"p\"\nframe = \"N\"\nvector = [\"-k*a*(a*x-b*y)\", 0, 0]\n[forces.g]\non = \"q\"\nframe = \"N\"\nvector = [\"k*b*(a*x-b*y)\", 0, 0]\n";
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("model.toml"), model).unwrap();
+    let text = "model = \"model.toml\"\nspan = [0, 2]\n[start]\nx = 1\ny = 0.2\nu = 0.1\nw = 0\n[integration]\nmethod = \"dop853\"\nrtol = 1e-9\natol = 1e-12\n";
+    let path = folder.path().join("s.toml");
+    std::fs::write(&path, text).unwrap();
+    let (status, out, err) = tripos(&["simulate", path.to_str().unwrap(), "--by", "kane", "--json"]);
+    assert!(status == 0 && err.is_empty(), "{err}");
+    let run: Value = serde_json::from_str(&out).unwrap();
+    assert!((run["state"]["y"].as_f64().unwrap() - 0.2 * (18_f64.sqrt() * 2.0).cos()).abs() < 1e-6, "{out}");
+    assert!(run["drift"].as_object().unwrap().values().all(Value::is_number), "{}", run["drift"]);
 }

@@ -398,3 +398,22 @@ fn an_interrupted_sweep_leaves_no_file_that_looks_whole() {
     assert_eq!((status(&output), text_of(&out).lines().count()), (0, 4), "{}", stderr(&output));
     assert!(!part.exists());
 }
+
+#[test]
+fn no_two_columns_have_one_name() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["steps", "stop", "index", "over:g"] {
+        let text = format!(
+            "span = [0, 1]\noutputs = [{{ name = \"{name}\", value = \"theta\" }}]\n[start]\ntheta = 1\nomega = 0\n"
+        );
+        let path = scene(folder.path(), "models/pendulum", &text);
+        let out = folder.path().join("out.csv");
+        let output = tripos(&["sweep", &path, "--over", "g=1,2", "--out", out.to_str().unwrap()]);
+        assert!(
+            status(&output) == 2 && stderr(&output).contains(&format!("would be called `{name}`")),
+            "{}",
+            stderr(&output)
+        );
+        assert!(!out.exists());
+    }
+}

@@ -35,6 +35,10 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     for warning in &sweep.warnings {
         warn(warning);
     }
+    if let Some(name) = Columns::new(&sweep).twice() {
+        let what = format!("two columns of the table would be called `{name}`");
+        return Err(Failure::Request(what, "give the scene's output another name".to_owned()));
+    }
     let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
     let mut table = Rows::create(&request.out, existing)?;
     follow::listen();

@@ -32,6 +32,12 @@ impl Columns {
         Self { names: names.concat(), states: counts[0], changes: counts[1] }
     }
 
+    /// A name that two columns have: that of an output, which a scene may choose, and one of the table's own.
+    pub fn twice(&self) -> Option<&str> {
+        let is_twice = |(at, name): &(usize, &String)| self.names[..*at].contains(name);
+        self.names.iter().enumerate().find(is_twice).map(|(_, name)| name.as_str())
+    }
+
     /// The first line.
     pub fn header(&self) -> Vec<u8> {
         lines([self.names.clone()].into_iter())

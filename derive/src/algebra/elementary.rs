@@ -4,6 +4,7 @@
 //! is left alone.
 
 use super::{Arena, Expr, Function, Node, Rational};
+use num_rational::BigRational;
 
 /// f(argument) in canonical form.
 pub fn apply(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
@@ -70,8 +71,23 @@ pub fn split_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
     }
 }
 
+/// Multiples of π beyond this are taken less whole turns, which a double of them would not know any more.
+const MANY_TURNS: f64 = 1e6;
+
+/// The same multiple of π less whole turns, from 0 to 2.
+fn less_whole_turns(turns: &Rational) -> Rational {
+    let halves = turns.to_big() / BigRational::from_integer(2.into());
+    turns.add(&Rational::from_big(halves.floor()).mul(&Rational::integer(-2)))
+}
+
 fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
-    let (turns, rest) = split_pi(arena, argument);
+    let (mut turns, rest) = split_pi(arena, argument);
+    let mut argument = argument;
+    if turns.to_f64().abs() > MANY_TURNS {
+        turns = less_whole_turns(&turns);
+        let pi = arena.pi();
+        argument = arena.linear_combination(&[(rest, Rational::ONE), (pi, turns.clone())]);
+    }
     // Quarter turns: sin(x + k π/2) runs through sin, cos, −sin, −cos.
     let quarters = turns.mul(&Rational::integer(2));
     let Some(k) = quarters.to_i64() else {

@@ -30,6 +30,11 @@ impl Interval {
         Self { lo: x, hi: x }
     }
 
+    /// Whether all its numbers agree to this relative precision; 0 agrees with nothing but itself.
+    pub fn is_known_to(self, precision: f64) -> bool {
+        self.hi - self.lo <= precision * self.lo.abs().min(self.hi.abs())
+    }
+
     /// Whether 0 is outside.
     pub fn excludes_zero(self) -> bool {
         self.lo > 0.0 || self.hi < 0.0
@@ -78,9 +83,8 @@ impl Interval {
 
     /// f about the middle, for a function that is at most 1 and changes by at most as much as its argument.
     fn wave(self, f: impl Fn(f64) -> f64) -> Option<Self> {
-        let middle = f64::midpoint(self.lo, self.hi);
-        let radius = self.hi - self.lo + LIBRARY;
-        let value = f(middle);
+        let value = f(f64::midpoint(self.lo, self.hi));
+        let radius = self.hi - self.lo + LIBRARY * value.abs();
         Self::new(value - radius, value + radius)
     }
 

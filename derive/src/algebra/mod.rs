@@ -13,7 +13,7 @@ pub mod elimination;
 pub mod evaluate;
 pub(crate) mod field;
 mod fraction;
-mod interval;
+pub(crate) mod interval;
 pub mod linear;
 pub mod modular;
 pub mod normal;

@@ -44,8 +44,9 @@ impl Model {
     fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Expr)) {
         let Self { arena, forces, torques, domain, kinematic_equations, .. } = self;
         let loads = forces.iter_mut().map(|f| &mut f.vector).chain(torques.iter_mut().map(|t| &mut t.vector));
-        loads.flatten().for_each(|e| rewrite(arena, e));
-        domain.iter_mut().for_each(|condition| rewrite(arena, &mut condition.positive));
-        kinematic_equations.rates.iter_mut().for_each(|e| rewrite(arena, e));
+        let conditions = domain.iter_mut().map(|condition| &mut condition.positive);
+        for e in loads.flatten().chain(conditions).chain(&mut kinematic_equations.rates) {
+            rewrite(arena, e);
+        }
     }
 }

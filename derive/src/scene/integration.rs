@@ -120,8 +120,17 @@ impl<'a> Values<'a, '_> {
         }
         let project = self.choice(section, "project", &Project::ALL.map(Project::name));
         let solve = self.choice(section, "solve", &Solve::ALL.map(Solve::name));
+        let method = self.choice(section, "method", &METHODS).unwrap_or("ode45");
+        if method == QUADRATURE {
+            for (key, what) in [("step", "takes no steps"), ("project", "keeps the energy by itself")] {
+                if let Some(value) = section.and_then(|s| self.reader.get(s, key)) {
+                    let help = format!("leave `{key}` out, or give a stepping method");
+                    self.reader.error(value.span(), format!("quadrature {what}: `{key}` means nothing"), help);
+                }
+            }
+        }
         Integration {
-            method: self.choice(section, "method", &METHODS).unwrap_or("ode45").to_owned(),
+            method: method.to_owned(),
             solve: solve.and_then(|name| Solve::ALL.into_iter().find(|s| s.name() == name)),
             rtol,
             atol,

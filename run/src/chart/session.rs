@@ -13,6 +13,7 @@ use crate::reference::Reference;
 use crate::run::{Balance, events, options, refused};
 use tripos_derive::scene::Scene;
 use tripos_sim::{Method, Options, Output};
+use tripos_traits::Real;
 
 /// Measurements and what they were held against.
 pub struct Session {
@@ -68,6 +69,12 @@ pub fn chart(
         ));
     }
     let reference = Reference::new(model, &scene, &[scene.span.1])?;
+    let right = compared.kept(compared.of_state(reference.end()));
+    if right.iter().any(|x| !x.to_f64().is_finite()) {
+        let what =
+            format!("what the scene wants to see has no value at t = {} s: there is nothing to compare", scene.span.1);
+        return Err(Error::Stopped(what));
+    }
     let watch = Watch::of_model(model)?;
     let truth = Truth { reference: &reference, compared: &compared, watch: &watch };
     let list = measure(model, &scene, &cases, plan, &truth, (bar, &mut left_out))?;

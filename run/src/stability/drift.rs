@@ -124,7 +124,7 @@ fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings
             ..Options::default()
         };
         let run = uninterrupted(problem.integrate(y0, &options, &mut []).map_err(|e| refused(study.scene, &e))?)?;
-        let said: Vec<String> = run.warnings.iter().map(ToString::to_string).collect();
+        let said: Vec<String> = run.warnings.iter().map(|w| w.described(&problem.variables())).collect();
         findings.rows.push(Row {
             check: "tolerance below rounding",
             formulation: problem.by.name.clone(),

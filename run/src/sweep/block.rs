@@ -216,10 +216,16 @@ impl Worker<'_> {
         let failed = solution.stop.is_failure().then(|| solution.stop.described(&problem.variables()));
         let without = shown.iter().position(|x| !x.is_finite());
         let missing = || without.map(|at| format!("`{}` has no value at the end", self.shown.names[at]));
+        let exist = |at: usize| {
+            let watch = self.sweep.watch.as_ref();
+            watch.is_none_or(|watch| watch.exist(&problem.scene.parameters)[at])
+        };
+        let lost = changes.iter().enumerate().any(|(at, change)| change.is_nan() && exist(at));
+        let unkept = || lost.then(|| "what is constant in this motion has no value that doubles can hold".to_owned());
         Ok(Ended {
             t_end: solution.t_end,
             stop: solution.stop.code(),
-            failure: failed.or_else(missing),
+            failure: failed.or_else(missing).or_else(unkept),
             shown,
             steps: solution.steps,
             rejected: solution.rejected,

@@ -10,19 +10,27 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos_codegen::scene_files::name_beside;
+use tripos_derive::plain::is_forbidden;
 use tripos_derive::scene::Scene;
 
 /// The folder of a scene's tables, as seen from the page: that of its name. A scene beside the model gives way to one in `scenes/`.
 pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
     let (model, path) = (&model.source.path, &scene.source.path);
-    let stem = path.file_stem().unwrap_or_default();
+    let stem = folder_name(&path.file_stem().unwrap_or_default().to_string_lossy());
     let is_beside = !name_beside(model, path).starts_with("scenes/");
     let rival = model.with_file_name("scenes").join(path.file_name().unwrap_or_default());
-    let mut name = stem.to_owned();
+    let mut name = stem;
     if is_beside && rival.is_file() {
-        name.push(" beside the model");
+        name.push_str(" beside the model");
     }
     name.into()
+}
+
+/// A name that is one folder in that of the page, whatever a file is called: neither a way out of it, nor the page itself, nor anything that
+/// steers a terminal.
+fn folder_name(stem: &str) -> String {
+    let plain: String = stem.chars().map(|c| if is_forbidden(c) || c == '/' || c == '\\' { '_' } else { c }).collect();
+    if plain.trim_matches('.').is_empty() || plain == "index.html" { format!("scene {plain}") } else { plain }
 }
 
 /// Draws figures of one scene and writes their tables.
@@ -73,4 +81,30 @@ pub fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure
     let svg = draw(panels, columns)
         .map_err(|error| Failure::Stopped(format!("the figure `{caption}` cannot be drawn: {error}")))?;
     Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::folder_name;
+
+    #[test]
+    fn no_name_leaves_the_folder_of_the_page() {
+        for (stem, folder) in [
+            ("fall", "fall"),
+            ("..", "scene .."),
+            (".", "scene ."),
+            ("", "scene "),
+            ("...", "scene ..."),
+            ("index.html", "scene index.html"),
+            ("a/../b", "a_.._b"),
+            ("e\u{1b}[31m", "e_[31m"),
+        ] {
+            assert_eq!(folder_name(stem), folder);
+            let path = std::path::Path::new(folder);
+            assert!(
+                path.components().all(|c| matches!(c, std::path::Component::Normal(_)))
+                    && path.components().count() == 1
+            );
+        }
+    }
 }
