@@ -302,3 +302,21 @@ fn an_integral_that_is_not_there_raises_no_alarm() {
     assert!((run["state"]["y"].as_f64().unwrap() - 0.2 * (18_f64.sqrt() * 2.0).cos()).abs() < 1e-6, "{out}");
     assert!(run["drift"].as_object().unwrap().values().all(Value::is_number), "{}", run["drift"]);
 }
+
+/// Goal: what no double holds is no result. Method: an energy beyond their range, and a chart of an output that has no value.
+#[test]
+fn what_overflows_or_has_no_value_is_a_failure() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("t.csv");
+    let scene = root().join("models/pendulum/scenes/swing.toml");
+    let (scene, out) = (scene.to_str().unwrap(), table.to_str().unwrap());
+    let (status, _, err) = tripos(&["sweep", scene, "--over", "l=1,1e200", "--out", out]);
+    let rows = std::fs::read_to_string(&table).unwrap();
+    assert!(status == 3 && rows.contains("has no value that doubles can hold"), "{err}{rows}");
+
+    let text = "span = [0, 5]\noutputs = [\"sqrt(theta)\"]\n[start]\ntheta = 1\nomega = 0\n";
+    let (_folder, path) = scene_of("pendulum", text);
+    let charts = folder.path().join("charts");
+    let (status, _, err) = tripos(&["chart", &path, "--quick", "--out", charts.to_str().unwrap()]);
+    assert!(status == 3 && err.contains("has no value at t = 5 s: there is nothing to compare"), "{err}");
+}
