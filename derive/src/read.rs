@@ -1,5 +1,7 @@
 //! Typed access to a TOML file, collecting every error with its place.
 
+use crate::algebra::print::text;
+use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
 use crate::plain::{called, is_blank, is_forbidden, one_line};
 use rustc_hash::FxHashMap;
@@ -142,6 +144,13 @@ impl<'a> Reader<'a> {
     /// Notes an error.
     pub fn error(&mut self, span: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
         self.errors.push(Diagnostic::new(span, message, help));
+    }
+
+    /// Notes a constant of which the arithmetic of doubles finds no digits.
+    pub fn lost(&mut self, arena: &Arena, formula: &Located, constant: Expr) {
+        let message = format!("double precision does not know the constant `{}`", shown(&text(arena, constant)));
+        let help = "write its value: where it is computed its digits cancel or are rounded away";
+        self.error(formula.span.clone(), message, help);
     }
 
     /// Notes an error that one cause may raise at many places: shown once, with its first two places.

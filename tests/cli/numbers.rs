@@ -268,6 +268,29 @@ fn constants_are_exact_or_refused() {
 }
 
 #[test]
+fn constants_of_scenes_are_known_or_refused_too() {
+    let run = |start: &str, output: &str| {
+        let text = format!("span = [0, 1e-6]\noutputs = [\"{output}\"]\n[start]\ntheta = \"{start}\"\nomega = 0\n");
+        let (_folder, path) = scene_of("pendulum", &text);
+        tripos(&["simulate", &path, "--json"])
+    };
+    for (start, output) in [("sin(10^30)", "theta"), ("(exp(10^-40) - 1)*10^40", "theta"), ("1", "theta*sin(10^30)")] {
+        let (status, _, err) = run(start, output);
+        assert!(
+            status == 2 && err.contains("double precision does not know the constant `"),
+            "{start}, {output}: {err}"
+        );
+    }
+    // Without functions everything is exact, whatever cancels.
+    for start in ["(1 + 10^-40 - 1)*10^40", "cos(pi*10^20)", "10^17*(pi/2 - pi*(1/2 - 10^-17))/pi", "acos(1/2)*3/pi"] {
+        let (status, out, err) = run(start, "theta");
+        assert_eq!(status, 0, "{start}: {err}");
+        let run: Value = serde_json::from_str(&out).unwrap();
+        assert!((run["state"]["theta"].as_f64().unwrap() - 1.0).abs() < 1e-9, "{start}: {out}");
+    }
+}
+
+#[test]
 fn settings_that_a_method_ignores_are_refused() {
     for (more, what) in [("step = 0.1", "`step` means nothing"), ("project = \"energy\"", "`project` means nothing")] {
         let text =

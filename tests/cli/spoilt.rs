@@ -5,8 +5,8 @@
 #[path = "../support/spoilt.rs"]
 mod files;
 
+use crate::support::copy;
 use files::{Random, corpus, count, is_model, spoilt};
-use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -26,18 +26,6 @@ fn status_of(mut child: Child, what: &str) -> Option<i32> {
             panic!("{what} did not end");
         }
         std::thread::sleep(Duration::from_millis(2));
-    }
-}
-
-fn copy(from: &Path, to: &Path) {
-    std::fs::create_dir_all(to).unwrap();
-    for entry in std::fs::read_dir(from).unwrap() {
-        let (path, name) = entry.map(|entry| (entry.path(), entry.file_name())).unwrap();
-        if path.is_dir() {
-            copy(&path, &to.join(name));
-        } else {
-            std::fs::copy(&path, to.join(name)).unwrap();
-        }
     }
 }
 

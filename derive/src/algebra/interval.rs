@@ -2,8 +2,9 @@
 //!
 //! Where the interval of a difference excludes 0, the two sides differ there, and that is a proof.
 
+use super::evaluate::Tape;
 use super::{Arena, Expr, Function, Node, Rational};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// [lo, hi], lo ≤ hi, both finite.
 #[derive(Clone, Copy, Debug)]
@@ -114,6 +115,38 @@ impl Interval {
             _ => None,
         }
     }
+}
+
+/// Digits of a constant below which it is not known.
+const KNOWN: f64 = 1e-8;
+
+/// A part without symbols of which the arithmetic of doubles finds no eight digits, such as exp(10^-20) − 1 or sin(10^30).
+pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
+    let mut constant: FxHashSet<Expr> = FxHashSet::default();
+    // Operands have smaller handles than what is built from them.
+    for part in arena.reachable(&[e]) {
+        let is_constant = match arena.node(part) {
+            Node::Number(_) | Node::Pi => true,
+            Node::Symbol(_) => false,
+            Node::Sum(_, terms) => terms.iter().all(|(term, _)| constant.contains(term)),
+            Node::Product(factors) => factors.iter().all(|(base, _)| constant.contains(base)),
+            Node::Apply(_, argument) => constant.contains(argument),
+        };
+        if !is_constant {
+            continue;
+        }
+        constant.insert(part);
+        let is_known = match enclose(arena, part, &FxHashMap::default()) {
+            _ if matches!(arena.node(part), Node::Number(_) | Node::Pi) => true,
+            Some(found) => found.is_known_to(KNOWN),
+            // At the edge of a function's domain; a value beyond the range of doubles is an error of its own.
+            None => Tape::new(arena, &[], &[part]).is_ok_and(|tape| !tape.evaluate(&[])[0].is_finite()),
+        };
+        if !is_known {
+            return Some(part);
+        }
+    }
+    None
 }
 
 /// The interval of `e` where each symbol has the given value; `None` where a divisor or a root's argument is not

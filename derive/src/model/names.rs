@@ -1,6 +1,6 @@
 //! What each name of a model file stands for, and what may be used where.
 
-use crate::algebra::interval::enclose;
+use crate::algebra::interval::lost_constant;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::parse::{is_reserved, parse};
 use crate::algebra::{Arena, Expr, Node, Rational};
@@ -260,45 +260,13 @@ fn in_range(reader: &mut Reader<'_>, arena: &Arena, formula: &Located, e: Expr) 
             return None;
         }
     }
-    if let Some(lost) = lost_constant(arena, e) {
-        let text = shown(&crate::algebra::print::text(arena, lost));
-        let message = format!("double precision does not know the constant `{text}`");
-        reader.error(
-            formula.span.clone(),
-            message,
-            "write its value: where it is computed its digits cancel or are rounded away",
-        );
-        return None;
-    }
-    Some(e)
-}
-
-/// Digits of a constant below which it is not known.
-const KNOWN: f64 = 1e-8;
-
-/// A part without symbols of which the arithmetic of doubles finds no eight digits, such as exp(10^-20) − 1 or sin(10^30).
-fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
-    let mut constant: FxHashSet<Expr> = FxHashSet::default();
-    // Operands have smaller handles than what is built from them.
-    for part in arena.reachable(&[e]) {
-        let is_constant = match arena.node(part) {
-            Node::Number(_) | Node::Pi => true,
-            Node::Symbol(_) => false,
-            Node::Sum(_, terms) => terms.iter().all(|(term, _)| constant.contains(term)),
-            Node::Product(factors) => factors.iter().all(|(base, _)| constant.contains(base)),
-            Node::Apply(_, argument) => constant.contains(argument),
-        };
-        if !is_constant {
-            continue;
+    match lost_constant(arena, e) {
+        Some(lost) => {
+            reader.lost(arena, formula, lost);
+            None
         }
-        constant.insert(part);
-        let is_known = matches!(arena.node(part), Node::Number(_) | Node::Pi)
-            || enclose(arena, part, &FxHashMap::default()).is_none_or(|found| found.is_known_to(KNOWN));
-        if !is_known {
-            return Some(part);
-        }
+        None => Some(e),
     }
-    None
 }
 
 /// A number of any size as a power of ten.

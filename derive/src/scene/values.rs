@@ -5,6 +5,7 @@
 use super::extended::{Extended, exact_value};
 use super::{Exact, Motion};
 use crate::algebra::evaluate::Tape;
+use crate::algebra::interval::lost_constant;
 use crate::algebra::parse::parse;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
@@ -393,6 +394,12 @@ impl<'a> Values<'a, '_> {
                 return None;
             }
         };
+        // Without functions a value is exact.
+        let lost = lost_constant(&model.arena, expression);
+        if let Some(lost) = lost.filter(|lost| exact_value(&model.arena, *lost, &[]).is_none()) {
+            self.reader.lost(&model.arena, formula, lost);
+            return None;
+        }
         let symbols: Vec<Expr> = known.iter().map(|(_, e)| *e).collect();
         let tape = Tape::new(&model.arena, &symbols, &[expression]).ok()?;
         let varies = symbols.iter().any(|symbol| model.arena.mentions(expression, *symbol));
@@ -428,8 +435,12 @@ impl<'a> Values<'a, '_> {
             let names = known.iter().map(|(n, _)| n.as_str()).chain(others.iter().copied());
             Err((format!("unknown name `{name}`"), Some(nearest(name, names))))
         });
-        match result {
-            Ok(e) => Some(e),
+        match result.map(|e| (e, lost_constant(&model.arena, e))) {
+            Ok((e, None)) => Some(e),
+            Ok((_, Some(lost))) => {
+                self.reader.lost(&model.arena, formula, lost);
+                None
+            }
             Err(error) => {
                 self.reader.error(formula.part(error.span), error.message, error.help.unwrap_or_default());
                 None
