@@ -2,7 +2,7 @@
 
 use crate::plot::{Panel, Scale, Series};
 use tripos::code::By;
-use tripos::invariants::{Course, Watch};
+use tripos::invariants::{Conserved, Course, Watch};
 use tripos::run::Run;
 use tripos_derive::scene::{Scene, SceneOutput};
 use tripos_derive::{Formulation, Model};
@@ -115,7 +115,7 @@ pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
 
 /// |I(t) − I(t₀)| of every first integral, a panel each, on logarithmic axes.
 pub fn integrals(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
-    let panel = |(at, (name, unit)): (usize, &(String, String))| {
+    let panel = |(at, integral): (usize, &Conserved)| {
         let (least, most) = shown(curves, at);
         let symbol = format!("I{}", at + 1);
         // The first sample is the one that the others are compared with.
@@ -125,9 +125,9 @@ pub fn integrals(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
             series
         };
         Panel {
-            title: format!("{symbol} : {}", name.split(';').next().unwrap_or_default()),
+            title: format!("{symbol} : {}", integral.name()),
             x_label: "t [s]".to_owned(),
-            y_label: format!("| {symbol} − {symbol} (t₀) | [{unit}]"),
+            y_label: format!("| {symbol} − {symbol} (t₀) | [{}]", integral.unit),
             scale: Scale::Logarithmic,
             x_scale: Scale::Linear,
             series: curves.iter().map(series).collect(),

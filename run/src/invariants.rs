@@ -7,20 +7,67 @@ use crate::code::{Code, tape};
 use crate::error::Error;
 use crate::problem::Problem;
 use crate::run::{Run, refused};
+use std::fmt;
 use tripos_derive::Model;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::print::text;
 use tripos_derive::mechanics::derive_all;
-use tripos_derive::prove::{Integral, prove};
+use tripos_derive::prove::{Integral, IntegralKind, prove};
 use tripos_derive::scene::Scene;
 use tripos_sim::work_precision::larger;
 use tripos_sim::{Dynamics, Solution};
 
+/// A first integral that is watched.
+#[derive(Clone, Debug)]
+pub struct Conserved {
+    /// What it is.
+    pub kind: IntegralKind,
+    /// That in few words, such as `momentum p_q3`.
+    pub title: String,
+    /// All that it is, in full: of one function, or of it and its negative.
+    pub names: Vec<String>,
+    /// Its unit.
+    pub unit: String,
+}
+
+impl Conserved {
+    fn new(model: &Model, arena: &Arena, integral: &Integral) -> Self {
+        let unit = match model.unit_of(arena, integral.expression).map(|unit| unit.to_string()) {
+            Some(unit) if unit == "kg*m^2/s^2" => "J".to_owned(),
+            Some(unit) => unit,
+            None => "SI".to_owned(),
+        };
+        let kind = integral.kinds[0];
+        Self { kind, title: kind.title(model), names: integral.names(model, arena), unit }
+    }
+
+    /// What it is first of all, in full.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.names[0]
+    }
+}
+
+impl fmt::Display for Conserved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.names.join("; "))
+    }
+}
+
+/// How much a first integral changed along a run.
+#[derive(Clone, Debug)]
+pub struct Drift {
+    /// The integral.
+    pub integral: Conserved,
+    /// Its largest change over the samples, in its unit.
+    pub change: f64,
+}
+
 /// Functions of the state that are watched, as tapes.
 pub struct Watch {
-    /// What each first integral is, and its unit.
-    pub integrals: Vec<(String, String)>,
+    /// The first integrals.
+    pub integrals: Vec<Conserved>,
     /// What the kinematic equations divide by, as text.
     pub divisors: Vec<String>,
     tape: Tape,
@@ -30,9 +77,9 @@ pub struct Watch {
 /// Units in the last place of a first integral that its evaluation may be off by.
 const ROUNDINGS: f64 = 64.0;
 
-/// How far a first integral is from its start.
+/// How far a first integral is from its start, at one instant.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Drift {
+pub struct Excursion {
     /// When, s.
     pub t: f64,
     /// By how much.
@@ -64,13 +111,8 @@ impl Watch {
         let divisors = &model.kinematic_equations.divisors;
         let outputs: Vec<_> = integrals.iter().map(|i| i.expression).chain(divisors.iter().copied()).collect();
         let inputs = [model.p(), model.q(), model.u()].concat();
-        let unit = |integral: &Integral| match model.unit_of(arena, integral.expression).map(|unit| unit.to_string()) {
-            Some(unit) if unit == "kg*m^2/s^2" => "J".to_owned(),
-            Some(unit) => unit,
-            None => "SI".to_owned(),
-        };
         Ok(Self {
-            integrals: integrals.iter().map(|i| (i.name.clone(), unit(i))).collect(),
+            integrals: integrals.iter().map(|i| Conserved::new(model, arena, i)).collect(),
             divisors: divisors.iter().map(|e| text(arena, *e)).collect(),
             tape: tape(arena, &inputs, &outputs, "what is conserved")?,
             divided: Self::divided(model, arena, integrals)?,
@@ -107,6 +149,15 @@ impl Watch {
         let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
         let proof = prove(model, &mut derivations);
         Self::new(model, &derivations.kinematics.arena, &proof.integrals)
+    }
+
+    /// How much each first integral that exists changes along a run.
+    #[must_use]
+    pub fn drifts(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<Drift> {
+        let exist = self.exist(&problem.shown.parameters);
+        let changes = self.integrals.iter().zip(self.changes(problem, solution)).zip(exist);
+        let drift = |(integral, change): (&Conserved, f64)| Drift { integral: integral.clone(), change };
+        changes.filter(|(_, exists)| *exists).map(|(found, _)| drift(found)).collect()
     }
 
     /// The largest change of each first integral over the samples of a solution.
@@ -149,9 +200,9 @@ impl Watch {
         solution: &Solution,
         samples: usize,
         allowance: &dyn Fn(usize, f64) -> f64,
-    ) -> Vec<Drift> {
+    ) -> Vec<Excursion> {
         let n = self.integrals.len();
-        let mut worst = vec![Drift::default(); n];
+        let mut worst = vec![Excursion::default(); n];
         let p = &problem.shown.parameters;
         let mut scratch = Vec::new();
         let mut value = |state: &[f64]| {
@@ -184,7 +235,7 @@ impl Watch {
                 // Where an integral has no value nothing is known to be kept.
                 let ratio = if ratio.is_nan() { f64::INFINITY } else { ratio };
                 if ratio > worst.ratio {
-                    *worst = Drift { t: *t, change, ratio };
+                    *worst = Excursion { t: *t, change, ratio };
                 }
             }
         }

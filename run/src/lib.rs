@@ -9,7 +9,7 @@
 //! let run = scene.simulate(&Overrides { rtol: Some(1e-9), ..Overrides::default() })?;
 //! println!("theta ends at {} rad", run.column("theta")?.last().unwrap());
 //! run.events().iter().for_each(|event| println!("{} at t = {} s", event.name, event.t));
-//! run.drifts.iter().for_each(|(integral, change)| println!("{integral} changes by {change:e}"));
+//! run.drifts.iter().for_each(|drift| println!("{} changes by {:e}", drift.integral, drift.change));
 //! run.objections().iter().for_each(|warning| println!("do not trust it: {warning}"));
 //! # Ok::<(), tripos::Error>(())
 //! ```

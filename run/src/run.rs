@@ -2,7 +2,7 @@
 
 use crate::code::{By, Code, Ready, by_or_first, code, tape};
 use crate::error::Error;
-use crate::invariants::Watch;
+use crate::invariants::{Drift, Watch};
 use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
@@ -43,8 +43,8 @@ pub struct Run {
     pub end: Vec<f64>,
     /// Largest change of total energy over the samples, J, if it is known.
     pub energy_drift: Option<f64>,
-    /// Each first integral that was watched, and its largest change over the samples.
-    pub drifts: Vec<(String, f64)>,
+    /// How much each first integral that was watched changed.
+    pub drifts: Vec<Drift>,
     /// What a reader must know before trusting the numbers.
     pub warnings: Vec<String>,
 }
@@ -335,11 +335,7 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
     let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
     let energy_drift = dynamics.energy_drift(&solution);
     let warnings = trust::objections(problem, &solution, watch, energy_drift)?;
-    let drifts = watch.map_or_else(Vec::new, |watch| {
-        let changes = watch.integrals.iter().map(|(name, _)| name.clone()).zip(watch.changes(problem, &solution));
-        let existing = changes.zip(watch.exist(&problem.shown.parameters)).filter(|(_, exists)| *exists);
-        existing.map(|(change, _)| change).collect()
-    });
+    let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
     let names = problem.variables();
     let at = if solution.stop.is_failure() { problem.near_divisors(&solution.y_end)? } else { String::new() };
     let mut run = Run {

@@ -3,7 +3,7 @@
 //! Every objection comes with its figure. None is raised by a clock: the same run gives the same objections.
 
 use crate::error::Error;
-use crate::invariants::{Drift, Watch};
+use crate::invariants::{Conserved, Excursion, Watch};
 use crate::problem::Problem;
 use crate::run::{method, refused};
 use tripos_derive::scene::{AbsoluteTolerance, QUADRATURE, Scene, Solve};
@@ -44,7 +44,7 @@ pub fn objections(
     match watch.filter(|watch| !watch.integrals.is_empty()) {
         Some(watch) => {
             let worst = worst(problem, solution, watch);
-            list.extend(worst.iter().filter(|(.., drift)| is_lost(problem.scene, drift.ratio)).map(said));
+            list.extend(worst.iter().filter(|(_, furthest)| is_lost(problem.scene, furthest.ratio)).map(said));
         }
         None => list.extend(energy(problem, solution, energy_drift)),
     }
@@ -106,17 +106,17 @@ fn times(ratio: f64) -> String {
     if ratio < 1e6 { format!("{ratio:.0}") } else { format!("{ratio:.0e}") }
 }
 
-/// A first integral's name and unit, and where it is furthest from its start.
-type Worst<'a> = (&'a str, &'a str, Drift);
+/// A first integral, and where it is furthest from its start.
+type Worst<'a> = (&'a Conserved, Excursion);
 
 fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Vec<Worst<'a>> {
     let worst = watch.worst(problem, solution, MOST_SAMPLES, &|at, x| allowance(problem.scene, at, x));
-    let named = watch.integrals.iter().zip(worst).zip(watch.exist(&problem.shown.parameters));
-    let named = named.filter(|(_, exists)| *exists).map(|(named, _)| named);
-    named.map(|((name, unit), drift)| (name.split(';').next().unwrap_or_default(), unit.as_str(), drift)).collect()
+    let list = watch.integrals.iter().zip(worst).zip(watch.exist(&problem.shown.parameters));
+    list.filter(|(_, exists)| *exists).map(|(found, _)| found).collect()
 }
 
-fn said((name, unit, Drift { t, change, ratio }): &Worst<'_>) -> String {
+fn said((integral, Excursion { t, change, ratio }): &Worst<'_>) -> String {
+    let (name, unit) = (integral.name(), &integral.unit);
     if change.is_nan() {
         return format!("{name}, constant in this motion, has no value at t = {t:.4} s: do not trust this run");
     }

@@ -6,12 +6,13 @@ use crate::output::table;
 use std::fmt::Write;
 use std::path::Path;
 use tripos::chart::Measurement;
+use tripos::invariants::Conserved;
 
 /// `work_precision.csv`, `times.csv` (the bars of the chart) and `drifts.csv`.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
-pub fn write(out: &Path, list: &[Measurement], integrals: &[(String, String)]) -> Result<(), Failure> {
+pub fn write(out: &Path, list: &[Measurement], integrals: &[Conserved]) -> Result<(), Failure> {
     let key =
         |m: &Measurement| vec![m.formulation.clone(), m.solve.to_owned(), m.method.to_owned(), tolerance(m.tolerance)];
     let header = ["formulation", "solve", "method", "tolerance", "seconds", "error", "steps", "evaluations", "stop"];
@@ -30,7 +31,7 @@ pub fn write(out: &Path, list: &[Measurement], integrals: &[(String, String)]) -
     let header = ["formulation", "solve", "method", "tolerance", "integral", "drift"];
     let rows = list.iter().flat_map(|m| {
         let each = integrals.iter().zip(&m.drifts);
-        each.map(move |((name, _), drift)| [key(m), vec![name.clone(), format!("{drift:e}")]].concat())
+        each.map(move |(integral, drift)| [key(m), vec![integral.to_string(), format!("{drift:e}")]].concat())
     });
     table(&out.join("drifts.csv"), &header, rows)
 }

@@ -74,7 +74,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
         for rate in &system.rates {
             consequences.push(json!({
                 "system": system.system,
-                "integral": rate.integral,
+                "integral": rate.integral.name(model, arena),
                 "rate": whole_text(arena, rate.rate),
                 "conserved": rate.verdict.is_equal(),
             }));
@@ -138,10 +138,11 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
             }
         }
         for rate in &system.rates {
+            let integral = rate.integral.name(model, arena);
             if rate.verdict.is_equal() {
-                let _ = writeln!(out, "  conserves {}", rate.integral);
+                let _ = writeln!(out, "  conserves {integral}");
             } else {
-                let _ = writeln!(out, "  BREAKS {}\n    d/dt = {}", rate.integral, shortened(&text(arena, rate.rate)));
+                let _ = writeln!(out, "  BREAKS {integral}\n    d/dt = {}", shortened(&text(arena, rate.rate)));
             }
         }
     }

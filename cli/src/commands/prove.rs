@@ -76,7 +76,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
         .iter()
         .map(|integral| {
             json!({
-                "name": integral.name,
+                "name": integral.name(model, arena),
                 "expression": whole_text(arena, integral.expression),
                 "except_where": integral.divisors(arena).iter().map(|e| format!("{} = 0", whole_text(arena, *e))).collect::<Vec<_>>(),
                 "verdict": if integral.verdict.is_equal() { "proved" } else { word(&integral.verdict) },
@@ -132,7 +132,7 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
             Verdict::Different(_) => "NOT conserved".to_owned(),
             Verdict::Undecided(why) => format!("undecided: {why}"),
         };
-        let _ = writeln!(out, "  {}: {verdict}\n    {}", integral.name, text(arena, integral.expression));
+        let _ = writeln!(out, "  {}: {verdict}\n    {}", integral.name(model, arena), text(arena, integral.expression));
         let divisors: Vec<String> =
             integral.divisors(arena).iter().map(|e| format!("{} = 0", text(arena, *e))).collect();
         if !divisors.is_empty() {

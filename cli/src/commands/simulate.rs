@@ -9,6 +9,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
+use tripos::invariants::Drift;
 use tripos::run::{Run, how, simulate as simulate_scene};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{Scene, load, model_path};
@@ -62,7 +63,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
     let solution = &run.solution;
     let mut drift = Map::new();
     drift.insert("energy".to_owned(), json!(run.energy_drift));
-    drift.extend(run.drifts.iter().filter(|(name, _)| !name.starts_with("energy")).map(|(n, x)| (n.clone(), json!(x))));
+    drift.extend(momenta(run).map(|drift| (drift.integral.to_string(), json!(drift.change))));
     let events: Vec<Value> = solution
         .events
         .iter()
@@ -86,6 +87,11 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "events": events,
         "warnings": run.warnings,
     })
+}
+
+/// The drifts of all that is conserved but the energy, which is stated apart.
+fn momenta(run: &Run) -> impl Iterator<Item = &Drift> {
+    run.drifts.iter().filter(|drift| !drift.integral.kind.is_energy())
 }
 
 /// What projection did, so that it hides no drift.
@@ -134,8 +140,8 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
             report.singular + report.not_converged
         );
     }
-    for (name, change) in run.drifts.iter().filter(|(name, _)| !name.starts_with("energy")) {
-        let _ = writeln!(out, "largest change of {}: {change:e}", name.split(';').next().unwrap_or_default());
+    for drift in momenta(run) {
+        let _ = writeln!(out, "largest change of {}: {:e}", drift.integral.name(), drift.change);
     }
     out
 }

@@ -115,7 +115,7 @@ fn details(page: &Page, system: &Consequences, singularity: Option<&Singularity>
         let name = format!(
             "{} <span class=\"quiet\">{}</span>",
             inline(&integral_symbol(at)),
-            integral_name(page.model, &rate.integral)
+            integral_name(page.model, arena, &rate.integral)
         );
         let content = match &rate.verdict {
             Verdict::Equal(_) => "kept".to_owned(),

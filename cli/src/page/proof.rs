@@ -7,7 +7,7 @@ use std::fmt::Write;
 use tripos::study::Study;
 use tripos_derive::algebra::compare::{Verdict, Witness};
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::prove::{Integral, Pair, Singularity, There};
+use tripos_derive::prove::{Integral, IntegralKind, Pair, Singularity, There};
 use tripos_derive::{Formulation, Model};
 
 /// The section.
@@ -101,7 +101,7 @@ fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) 
     format!(
         "<h4>{}: {}, {verdict}</h4>\n<div class=\"formula\">{}</div>\n{places}",
         inline(&integral_symbol(at)),
-        integral_name(model, &integral.name),
+        integral_name(model, arena, integral),
         wrapped(&[integral_symbol(at), formula(arena, integral.expression)])
     )
 }
@@ -111,17 +111,23 @@ pub fn integral_symbol(at: usize) -> String {
     format!("<msub><mi>I</mi><mn>{}</mn></msub>", at + 1)
 }
 
-/// The name of a first integral, with a momentum's definition typeset.
-pub fn integral_name(model: &Model, name: &str) -> String {
-    let coordinate = model.coordinates.iter().find(|c| name.contains(&format!("p_{0} = ∂L/∂{0}'", c.name)));
-    let Some(coordinate) = coordinate else { return escape(name) };
-    let definition = format!(
+/// All that a first integral is, with the definition of a coordinate's momentum typeset.
+pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> String {
+    let names = integral.kinds.iter().zip(integral.names(model, arena)).map(|(kind, words)| match kind {
+        IntegralKind::Coordinate(at) => format!("momentum {}", inline(&momentum(&model.coordinates[*at].name))),
+        _ => escape(&words),
+    });
+    names.collect::<Vec<_>>().join("; ")
+}
+
+/// p_q = ∂L/∂q̇ for a coordinate.
+fn momentum(coordinate: &str) -> String {
+    format!(
         "<mrow><msub><mi>p</mi><mrow>{}</mrow></msub><mo>=</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>L</mi></mrow><mrow>\
          <mo form=\"prefix\">∂</mo>{}</mrow></mfrac></mrow>",
-        symbol(&coordinate.name),
-        symbol(&format!("{}'", coordinate.name)),
-    );
-    escape(name).replace(&escape(&format!("p_{0} = ∂L/∂{0}'", coordinate.name)), &inline(&definition))
+        symbol(coordinate),
+        symbol(&format!("{coordinate}'")),
+    )
 }
 
 fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {

@@ -129,7 +129,11 @@ fn changes(page: &Page, scene: &SceneSection) -> String {
         format!("<tr{class}><th scope=\"row\">{}</th>{cells}</tr>\n", singular::name(run))
     };
     let named = |(at, integral): (usize, &tripos_derive::prove::Integral)| {
-        format!("{}: {}", inline(&integral_symbol(at)), integral_name(page.model, &integral.name))
+        format!(
+            "{}: {}",
+            inline(&integral_symbol(at)),
+            integral_name(page.model, &page.study.derivations.kinematics.arena, integral)
+        )
     };
     let names: Vec<String> = integrals.iter().enumerate().map(named).collect();
     let marked = scene.runs.iter().any(|run| (0..integrals.len()).any(|at| breaks(page, run, at)));

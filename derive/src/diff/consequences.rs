@@ -8,13 +8,13 @@ use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::linear::determinant;
 use crate::mechanics::{Derivations, Formulation, Kinematics};
 use crate::model::Model;
-use crate::prove::Proof;
+use crate::prove::{Integral, Proof};
 
 /// The rate of a first integral of the true motion along printed equations.
 #[derive(Clone, Debug)]
 pub struct Rate {
-    /// The integral's name.
-    pub integral: String,
+    /// The integral.
+    pub integral: Integral,
     /// d/dt in q and u, simplified; 0 where it is conserved.
     pub rate: Expr,
     /// Whether the rate is zero.
@@ -86,7 +86,7 @@ pub fn draw(
         for integral in &proof.integrals {
             let rate = solved.rate(model, arena, simplifier, integral.expression);
             let verdict = comparer.is_zero(arena, rate);
-            rates.push(Rate { integral: integral.name.clone(), rate, verdict });
+            rates.push(Rate { integral: integral.clone(), rate, verdict });
         }
         let accelerations = match &truth {
             Some(truth) => same_motion(derivations, comparer, &solved, truth),

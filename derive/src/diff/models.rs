@@ -101,8 +101,7 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
         let old = Some(transfer.term(&mut kinematics.arena, *old));
         changes.push(Change { name: name.clone(), old, new: None, difference: None, verdict: None });
     }
-    let names = |proof: &Proof| proof.integrals.iter().map(|i| i.name.clone()).collect::<Vec<_>>();
-    let (known, found) = (names(old.proof), names(new.proof));
+    let (known, found) = (integrals(old), integrals(new));
     ModelDifference {
         changes,
         compared: after.len(),
@@ -111,6 +110,11 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
         integrals_lost: known.iter().filter(|name| !found.contains(name)).cloned().collect(),
         integrals_gained: found.into_iter().filter(|name| !known.contains(name)).collect(),
     }
+}
+
+/// What a model conserves, in words.
+fn integrals(of: &Derived<'_>) -> Vec<String> {
+    of.proof.integrals.iter().map(|i| i.name(of.model, &of.derivations.kinematics.arena)).collect()
 }
 
 /// The formulations that one model has and another has not.

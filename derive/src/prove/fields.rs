@@ -3,6 +3,7 @@
 //! Noether: along the equations of motion d/dt (ξ · ∂T/∂q̇) = ξ⁽¹⁾T − ξV + ξ·Q with ξ⁽¹⁾T = ξ·∂T/∂q + ξ̇·∂T/∂q̇. The
 //! momentum is conserved iff the right-hand side is zero identically; forces that work along ξ are in it.
 
+use super::kind::IntegralKind;
 use crate::algebra::calculus::Differential;
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
@@ -15,11 +16,11 @@ use crate::mechanics::{Derivations, Kinematics, generalized_forces};
 use crate::model::Model;
 use std::collections::BTreeSet;
 
-/// ξ(q), one component for each coordinate, and what its momentum is called.
+/// ξ(q), one component for each coordinate, and what its momentum is.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// The name of the momentum.
-    pub name: String,
+    /// What the momentum is.
+    pub kind: IntegralKind,
     /// Components in q.
     pub xi: Vec<Expr>,
 }
@@ -78,11 +79,10 @@ impl Lagrangian {
     }
 
     /// The fields ∂/∂q_i whose momenta are conserved: those of cyclic coordinates; all units are returned.
-    pub fn units(&self, model: &Model) -> Vec<Field> {
+    pub fn units(&self) -> Vec<Field> {
         let n = self.q.len();
         let unit = |i: usize| (0..n).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect();
-        let fields = model.coordinates.iter().enumerate();
-        fields.map(|(i, c)| Field { name: format!("momentum p_{} = ∂L/∂{}'", c.name, c.name), xi: unit(i) }).collect()
+        (0..n).map(|i| Field { kind: IntegralKind::Coordinate(i), xi: unit(i) }).collect()
     }
 
     /// All fields ξ = A q + b with constant A and b whose momenta are conserved: a basis of the null space of
@@ -119,10 +119,7 @@ impl Lagrangian {
                 xi[*i].push(arena.mul(*factor, *c));
             }
             let xi: Vec<Expr> = xi.iter().map(|terms| arena.sum(terms)).collect();
-            let text = |e: Expr| crate::algebra::print::text(arena, e);
-            let parts = model.coordinates.iter().zip(&xi).filter(|(_, e)| **e != Expr::ZERO);
-            let parts: Vec<String> = parts.map(|(c, e)| format!("{}' = {}", c.name, text(*e))).collect();
-            fields.push(Field { name: format!("momentum of the symmetry {}", parts.join(", ")), xi });
+            fields.push(Field { kind: IntegralKind::Symmetry, xi });
         }
         Some(fields)
     }

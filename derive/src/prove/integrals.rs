@@ -5,6 +5,7 @@
 
 use super::all;
 use super::fields::{Field, Lagrangian};
+use super::kind::IntegralKind;
 use super::motions;
 use crate::algebra::calculus::Differential;
 use crate::algebra::compare::{Comparer, Verdict};
@@ -24,8 +25,8 @@ use crate::model::Model;
 /// A quantity that is constant along every motion.
 #[derive(Clone, Debug)]
 pub struct Integral {
-    /// What it is.
-    pub name: String,
+    /// What it is: one kind, or several that are the same function or its negative.
+    pub kinds: Vec<IntegralKind>,
     /// Its value in q and u.
     pub expression: Expr,
     /// The symmetry q′ = ξ(q) whose momentum it is; none for the energy.
@@ -35,6 +36,25 @@ pub struct Integral {
 }
 
 impl Integral {
+    /// What it is in words, once for each of its kinds; its terms are in `arena`.
+    #[must_use]
+    pub fn names(&self, model: &Model, arena: &Arena) -> Vec<String> {
+        let xi = self.field.as_deref().unwrap_or_default();
+        self.kinds.iter().map(|kind| kind.words(model, arena, xi)).collect()
+    }
+
+    /// All that it is, in words.
+    #[must_use]
+    pub fn name(&self, model: &Model, arena: &Arena) -> String {
+        self.names(model, arena).join("; ")
+    }
+
+    /// Whether it is an energy, and not a momentum.
+    #[must_use]
+    pub fn is_energy(&self) -> bool {
+        self.kinds.iter().any(|kind| kind.is_energy())
+    }
+
     /// What it divides by and is not proved to be zero nowhere: where one of these is 0, it says nothing. A parameter that is
     /// not stated to be positive is one.
     #[must_use]
@@ -80,7 +100,7 @@ impl Basis {
         let kane = derivations.get(Formulation::Kane)?.clone();
         let lagrange = derivations.get(Formulation::Lagrange)?.clone();
         let lagrangian = Lagrangian::new(model, derivations, lagrange.kinetic_energy, lagrange.potential_energy);
-        let mut fields = lagrangian.units(model);
+        let mut fields = lagrangian.units();
         fields.extend(motions::fields(model, &mut derivations.kinematics));
         Some(Self { lagrangian, rates: lagrange.variables, kane, fields })
     }
@@ -144,7 +164,7 @@ impl Search<'_> {
     fn energy(&mut self) {
         let (model, Basis { lagrangian, rates, kane, .. }) = (self.model, self.basis);
         let arena = &mut *self.arena;
-        let (mut name, mut potential) = ("energy T + V", kane.potential_energy);
+        let (mut kind, mut potential) = (IntegralKind::Energy, kane.potential_energy);
         let power: Vec<Expr> = lagrangian.forces.iter().zip(rates).map(|(f, v)| arena.mul(*f, *v)).collect();
         let power = arena.sum(&power);
         if zero_test(arena, power) != ZeroTest::Zero {
@@ -153,7 +173,7 @@ impl Search<'_> {
                 return;
             };
             potential = arena.add(potential, of_forces);
-            name = "energy T + V, the potential of the applied forces included";
+            kind = IntegralKind::EnergyOfForces;
         }
         let energy = arena.add(kane.kinetic_energy, potential);
         // q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
@@ -168,7 +188,7 @@ impl Search<'_> {
                 arena.sub(s.symbol, offset)
             })
             .collect();
-        self.keep((name, None), energy, &multipliers);
+        self.keep((kind, None), energy, &multipliers);
     }
 
     fn momentum(&mut self, field: &Field) {
@@ -188,17 +208,17 @@ impl Search<'_> {
             let terms: Vec<Expr> = coefficients.iter().zip(&field.xi).map(|(j, x)| arena.mul(*j, *x)).collect();
             multipliers.push(arena.sum(&terms));
         }
-        self.keep((&field.name, Some(&field.xi)), momentum, &multipliers);
+        self.keep((field.kind, Some(&field.xi)), momentum, &multipliers);
     }
 
-    /// Keeps an integral unless it is a function of those found; a second name of a known one is noted.
-    fn keep(&mut self, (name, field): (&str, Option<&[Expr]>), value: Expr, multipliers: &[Expr]) {
+    /// Keeps an integral unless it is a function of those found; what else a known one is, is noted.
+    fn keep(&mut self, (kind, field): (IntegralKind, Option<&[Expr]>), value: Expr, multipliers: &[Expr]) {
         let arena = &mut *self.arena;
         for known in &mut self.found {
             let (difference, sum) = (arena.sub(value, known.expression), arena.add(value, known.expression));
             if [difference, sum].iter().any(|e| zero_test(arena, *e) == ZeroTest::Zero) {
-                if !name.starts_with("momentum of the symmetry") {
-                    known.name = format!("{}; {name}", known.name);
+                if kind != IntegralKind::Symmetry {
+                    known.kinds.push(kind);
                 }
                 return;
             }
@@ -215,15 +235,10 @@ impl Search<'_> {
             return;
         }
         // The energy of a free body is a function of its momenta, and is listed all the same.
-        if !name.starts_with("energy") {
+        if !kind.is_energy() {
             self.gradients = gradients;
         }
-        self.found.push(Integral {
-            name: name.to_owned(),
-            expression: value,
-            field: field.map(<[Expr]>::to_vec),
-            verdict,
-        });
+        self.found.push(Integral { kinds: vec![kind], expression: value, field: field.map(<[Expr]>::to_vec), verdict });
     }
 
     /// dI/dt − λᵀ (M u̇ − f) = 0, coefficient by coefficient of u̇.
@@ -317,7 +332,7 @@ mod tests {
         assert_eq!(shown, [["1", "0", "0", "R*cos(q1)*sin(q2)", "R*sin(q1)*sin(q2)"]]);
         let mut search = |basis: &Basis| basis.search(&model, (arena, simplifier), &mut Comparer::default()).0;
         let all = search(&basis);
-        basis.fields.retain(|f| f.name.starts_with("momentum p_"));
+        basis.fields.retain(|f| matches!(f.kind, IntegralKind::Coordinate(_)));
         let found = search(&basis);
         assert_eq!(found.len(), all.len());
         assert!(found.iter().all(|i| i.verdict.is_equal()));

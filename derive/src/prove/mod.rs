@@ -7,12 +7,14 @@
 mod equivalence;
 mod fields;
 mod integrals;
+mod kind;
 mod motions;
 mod singular;
 
 pub use equivalence::{Pair, ReactionEquation};
 pub(crate) use integrals::Basis;
 pub use integrals::Integral;
+pub use kind::{IntegralKind, Pivot};
 pub use singular::{Place, Singularity, There, singularity, zeros};
 
 use crate::algebra::Expr;

@@ -5,6 +5,7 @@
 //! system for ξ with more rows than unknowns; the motion is permitted iff it is consistent.
 
 use super::fields::Field;
+use super::kind::{IntegralKind, Pivot};
 use crate::algebra::blocks::solve_blocks;
 use crate::algebra::calculus::Differential;
 use crate::algebra::modular::{ZeroTest, zero_test};
@@ -15,7 +16,7 @@ use crate::model::Model;
 
 /// What ω and v should be: for each body the two vectors, or rest.
 struct Motion {
-    name: String,
+    kind: IntegralKind,
     of_body: Vec<Option<(Vector, Vector)>>,
 }
 
@@ -39,55 +40,46 @@ fn axis(i: usize) -> Vector {
     Vector::in_frame(0, components)
 }
 
-/// A1 for the first axis of frame A.
-fn axis_name(model: &Model, i: usize) -> String {
-    format!("{}{}", model.frames[0].name.to_lowercase(), i + 1)
-}
-
 fn of_the_whole(model: &Model, kinematics: &mut Kinematics) -> Vec<Motion> {
     let mut list = Vec::new();
     for i in 0..3 {
         let of_body = vec![Some((Vector::default(), axis(i))); model.bodies.len()];
-        list.push(Motion { name: format!("linear momentum along {}", axis_name(model, i)), of_body });
+        list.push(Motion { kind: IntegralKind::Linear(i), of_body });
     }
     let centre = mass_centre(model, kinematics);
-    let origin = &model.points[0].name;
-    for (place, about) in [("the mass centre", centre), (origin.as_str(), Vector::default())] {
-        for i in 0..3 {
+    for (through, about) in [(Pivot::MassCentre, centre), (Pivot::Origin, Vector::default())] {
+        for at in 0..3 {
             let back = about.neg(&mut kinematics.arena);
             let mut of_body = Vec::new();
             for body in &model.bodies {
                 let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);
-                let velocity = kinematics.frames.cross(&mut kinematics.arena, &axis(i), &arm);
-                of_body.push(Some((axis(i), velocity)));
+                let velocity = kinematics.frames.cross(&mut kinematics.arena, &axis(at), &arm);
+                of_body.push(Some((axis(at), velocity)));
             }
-            let name = format!("angular momentum about {} through {place}", axis_name(model, i));
-            list.push(Motion { name, of_body });
+            list.push(Motion { kind: IntegralKind::Angular { axis: at, through }, of_body });
         }
     }
     list
 }
 
 fn of_one_body(model: &Model, body: usize) -> Vec<Motion> {
-    let name = &model.bodies[body].name;
     let only = |moved: (Vector, Vector)| {
         (0..model.bodies.len()).map(|b| (b == body).then(|| moved.clone())).collect::<Vec<_>>()
     };
     let mut list = Vec::new();
     for i in 0..3 {
-        let title = format!("linear momentum of {name} along {}", axis_name(model, i));
-        list.push(Motion { name: title, of_body: only((Vector::default(), axis(i))) });
-        let title = format!("angular momentum of {name} about {} through its mass centre", axis_name(model, i));
-        list.push(Motion { name: title, of_body: only((axis(i), Vector::default())) });
+        let kind = IntegralKind::LinearOfBody { body, axis: i };
+        list.push(Motion { kind, of_body: only((Vector::default(), axis(i))) });
+        let kind = IntegralKind::AngularOfBody { body, axis: i };
+        list.push(Motion { kind, of_body: only((axis(i), Vector::default())) });
     }
     if let Some((_, inertia)) = &model.bodies[body].rigid {
         for i in 0..3 {
             let mut own = [Expr::ZERO; 3];
             own[i] = Expr::ONE;
             let own = Vector::in_frame(inertia.frame, own);
-            let frame = model.frames[inertia.frame].name.to_lowercase();
-            let title = format!("angular momentum of {name} about {frame}{}", i + 1);
-            list.push(Motion { name: title, of_body: only((own, Vector::default())) });
+            let kind = IntegralKind::Spin { body, axis: i };
+            list.push(Motion { kind, of_body: only((own, Vector::default())) });
         }
     }
     list
@@ -181,6 +173,6 @@ impl Rows {
             let residual = arena.linear_combination(&terms);
             zero_test(arena, residual) == ZeroTest::Zero
         });
-        (consistent && xi.iter().any(|e| *e != Expr::ZERO)).then(|| Field { name: motion.name.clone(), xi })
+        (consistent && xi.iter().any(|e| *e != Expr::ZERO)).then_some(Field { kind: motion.kind, xi })
     }
 }

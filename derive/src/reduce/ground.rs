@@ -12,7 +12,7 @@ use crate::mechanics::{
     Derivations, DeriveError, Equations, Formulation, derive_all, motion_rates, rates_to_speeds, visit,
 };
 use crate::model::{Model, Unit};
-use crate::prove::{Basis, Integral};
+use crate::prove::{Basis, Integral, IntegralKind};
 use crate::reduce::pivots::solve_rows;
 use crate::scene::Scene;
 
@@ -25,7 +25,9 @@ const MOST_TRIED: usize = 5;
 #[derive(Clone)]
 pub struct Momentum {
     /// What it is.
-    pub name: String,
+    pub kinds: Vec<IntegralKind>,
+    /// The first of these, in words.
+    pub about: String,
     /// Its value in q and u.
     pub value: Expr,
     /// Its coefficients of the speeds.
@@ -133,7 +135,7 @@ impl Ground {
         let Some(search) = &self.search else { return };
         let terms = (&mut self.arena, &mut self.simplifier);
         let (integrals, _) = search.basis.search(&self.model, terms, &mut Comparer::default());
-        self.energy = integrals.iter().find(|i| i.field.is_none()).map(|i| i.expression);
+        self.energy = integrals.iter().find(|i| i.is_energy()).map(|i| i.expression);
         let terms = &mut (&mut self.arena, &mut self.simplifier);
         self.momenta = integrals.iter().filter_map(|i| search.momentum(&self.model, terms, i)).collect();
     }
@@ -346,7 +348,8 @@ impl Search {
             let short = simplifier.simplify(arena, sum);
             direction.push(if zero_test(arena, short) == ZeroTest::Zero { Expr::ZERO } else { short });
         }
-        let (name, value) = (integral.name.clone(), integral.expression);
+        let (kinds, value) = (integral.kinds.clone(), integral.expression);
+        let about = kinds[0].words(model, arena, &field);
         // A component that is a number has no unit of its own.
         let plain = field.iter().position(|x| arena.as_number(*x).is_some_and(|k| !k.is_zero()));
         let unit = plain.map_or_else(|| model.unit_of(arena, value).unwrap_or_default(), |at| self.units[at].clone());
@@ -357,7 +360,7 @@ impl Search {
         });
         let position = axis.map(|axis| simplifier.simplify(arena, self.centre[axis]));
         let position_unit = axis.map(|axis| self.centre_units[axis].clone()).unwrap_or_default();
-        Some(Momentum { name, value, row, rest, field, direction, unit, position, position_unit })
+        Some(Momentum { kinds, about, value, row, rest, field, direction, unit, position, position_unit })
     }
 }
 

@@ -11,7 +11,8 @@ use crate::algebra::calculus::Differential;
 use crate::algebra::elimination::{Definition, fresh_symbol};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
-use crate::model::Unit;
+use crate::model::{Model, Unit};
+use crate::prove::IntegralKind;
 
 /// A momentum that is held fixed.
 #[derive(Clone)]
@@ -80,8 +81,8 @@ impl Ground {
 
     fn hold(&mut self, at: usize) -> Held {
         let momentum = &self.momenta[at];
-        let wanted = symbol_of(&momentum.name, at);
-        let (of_state, about) = (momentum.value, momentum.name.split(';').next().unwrap_or_default().to_owned());
+        let wanted = symbol_of(&self.model, &momentum.kinds, at);
+        let (of_state, about) = (momentum.value, momentum.about.clone());
         let unit = momentum.unit.clone();
         Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
     }
@@ -178,17 +179,9 @@ fn directions(
     z
 }
 
-/// `p_q3` for the momentum of a coordinate, `momentum2` for others.
-fn symbol_of(name: &str, at: usize) -> String {
-    let named = name.split(';').map(str::trim);
-    let of_coordinate = named.clone().find_map(|n| n.strip_prefix("momentum p_")?.split(' ').next());
-    let axis = |n: &str| n.split(' ').nth(3).map(str::to_owned);
-    let along = |prefix: &str, letter: &str| {
-        named.clone().find_map(|n| Some(format!("{letter}_{}", axis(n.strip_prefix(prefix).map(|_| n)?)?)))
-    };
-    of_coordinate
-        .map(|q| format!("p_{q}"))
-        .or_else(|| along("linear momentum along", "P"))
-        .or_else(|| along("angular momentum about", "H"))
-        .unwrap_or_else(|| format!("momentum{}", at + 1))
+/// `p_q3` where it is the momentum of a coordinate, else its customary symbol; `momentum2` where it has none.
+fn symbol_of(model: &Model, kinds: &[IntegralKind], at: usize) -> String {
+    let of_coordinate = kinds.iter().find(|kind| matches!(kind, IntegralKind::Coordinate(_)));
+    let found = of_coordinate.into_iter().chain(kinds).find_map(|kind| kind.symbol(model));
+    found.unwrap_or_else(|| format!("momentum{}", at + 1))
 }

@@ -26,7 +26,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
     let left = findings.rows.iter().any(|r| r.check == "domain" && r.quantity == "left at");
     let watch = Watch::of_model(model)?;
-    let Some(energy) = watch.integrals.iter().position(|(name, _)| name.starts_with("energy")) else { return Ok(()) };
+    let Some(energy) = watch.integrals.iter().position(|integral| integral.kind.is_energy()) else { return Ok(()) };
     let by = By::from(Formulation::Kane);
     let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, &by, &code, None)?;
@@ -40,7 +40,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let limit = if study.quick { 200_000 } else { 2_000_000 };
     let long = (from, from + length);
     let samples = instants(long, 500);
-    let unit = &watch.integrals[energy].1;
+    let unit = &watch.integrals[energy].unit;
     let mut series = Vec::new();
     for method in Method::ALL {
         let system = code.system();

@@ -89,11 +89,7 @@ impl<'a> Sweep<'a> {
     /// What is constant in each motion: the names of the first integrals that were proved; of a large model energy alone.
     pub fn conserved(&self) -> Vec<&str> {
         match &self.watch {
-            // "momentum p_q4 = ∂L/∂q4'; linear momentum along a1" is known well enough by its first words.
-            Some(watch) => {
-                let names = watch.integrals.iter();
-                names.map(|(name, _)| name.split([';', '=']).next().unwrap_or_default().trim()).collect()
-            }
+            Some(watch) => watch.integrals.iter().map(|integral| integral.title.as_str()).collect(),
             None if self.conserves_energy() => vec!["energy T + V"],
             None => Vec::new(),
         }

@@ -1,0 +1,125 @@
+//! What a first integral is, as data. Its words are made from it, never the other way.
+
+use crate::algebra::print::text;
+use crate::algebra::{Arena, Expr};
+use crate::model::Model;
+
+/// What is conserved. Coordinates, bodies and axes are positions from 0; axes are of the inertial frame unless another is named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum IntegralKind {
+    /// T + V, where no applied force works.
+    Energy,
+    /// T + V with the potential of the applied forces.
+    EnergyOfForces,
+    /// The generalized momentum ∂L/∂q̇ of a coordinate.
+    Coordinate(usize),
+    /// The linear momentum of the whole along an axis.
+    Linear(usize),
+    /// The angular momentum of the whole about an axis through a point.
+    Angular {
+        /// The axis.
+        axis: usize,
+        /// The point.
+        through: Pivot,
+    },
+    /// The linear momentum of one body along an axis.
+    LinearOfBody {
+        /// The body.
+        body: usize,
+        /// The axis.
+        axis: usize,
+    },
+    /// The angular momentum of one body about an axis through its own mass centre.
+    AngularOfBody {
+        /// The body.
+        body: usize,
+        /// The axis.
+        axis: usize,
+    },
+    /// The angular momentum of one rigid body about an axis of the frame that its inertia is stated in.
+    Spin {
+        /// The body.
+        body: usize,
+        /// The axis, of that frame.
+        axis: usize,
+    },
+    /// The momentum of a symmetry q′ = ξ(q) that is none of these.
+    Symmetry,
+}
+
+/// What an axis passes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pivot {
+    /// The mass centre of the whole.
+    MassCentre,
+    /// The origin of the inertial frame.
+    Origin,
+}
+
+impl IntegralKind {
+    /// Whether it is an energy, and not a momentum.
+    #[must_use]
+    pub const fn is_energy(self) -> bool {
+        matches!(self, Self::Energy | Self::EnergyOfForces)
+    }
+
+    /// What it is, in full: a momentum with its definition, a symmetry with its components ξ, whose terms are in `arena`.
+    #[must_use]
+    pub fn words(self, model: &Model, arena: &Arena, xi: &[Expr]) -> String {
+        let title = self.title(model);
+        match self {
+            Self::Coordinate(at) => format!("{title} = ∂L/∂{}'", model.coordinates[at].name),
+            Self::Symmetry => {
+                let moved = model.coordinates.iter().zip(xi).filter(|(_, e)| **e != Expr::ZERO);
+                let rates: Vec<String> = moved.map(|(c, e)| format!("{}' = {}", c.name, text(arena, *e))).collect();
+                format!("{title} {}", rates.join(", "))
+            }
+            _ => title,
+        }
+    }
+
+    /// What it is, in few words.
+    #[must_use]
+    pub fn title(self, model: &Model) -> String {
+        let body = |at: usize| &model.bodies[at].name;
+        match self {
+            Self::Energy => "energy T + V".to_owned(),
+            Self::EnergyOfForces => "energy T + V, the potential of the applied forces included".to_owned(),
+            Self::Coordinate(at) => format!("momentum p_{}", model.coordinates[at].name),
+            Self::Linear(axis) => format!("linear momentum along {}", axis_name(model, 0, axis)),
+            Self::Angular { axis, through } => {
+                let through = match through {
+                    Pivot::MassCentre => "the mass centre",
+                    Pivot::Origin => &model.points[0].name,
+                };
+                format!("angular momentum about {} through {through}", axis_name(model, 0, axis))
+            }
+            Self::LinearOfBody { body: of, axis } => {
+                format!("linear momentum of {} along {}", body(of), axis_name(model, 0, axis))
+            }
+            Self::AngularOfBody { body: of, axis } => {
+                format!("angular momentum of {} about {} through its mass centre", body(of), axis_name(model, 0, axis))
+            }
+            Self::Spin { body: of, axis } => {
+                let frame = model.bodies[of].rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+                format!("angular momentum of {} about {}", body(of), axis_name(model, frame, axis))
+            }
+            Self::Symmetry => "momentum of the symmetry".to_owned(),
+        }
+    }
+
+    /// A short symbol for its value, such as `p_q3`, `P_n1` or `H_n3`; none if it has no customary one.
+    pub(crate) fn symbol(self, model: &Model) -> Option<String> {
+        match self {
+            Self::Coordinate(at) => Some(format!("p_{}", model.coordinates[at].name)),
+            Self::Linear(axis) => Some(format!("P_{}", axis_name(model, 0, axis))),
+            Self::Angular { axis, .. } => Some(format!("H_{}", axis_name(model, 0, axis))),
+            _ => None,
+        }
+    }
+}
+
+/// `a1` for the first axis of frame A.
+fn axis_name(model: &Model, frame: usize, axis: usize) -> String {
+    format!("{}{}", model.frames[frame].name.to_lowercase(), axis + 1)
+}
