@@ -343,40 +343,6 @@ fn diff_judges_a_report_and_exits_with_1_where_it_is_wrong() {
     assert!(consequences.iter().any(|c| c["system"] == "kane-final" && c["conserved"] == false));
 }
 
-#[test]
-fn diff_of_two_models_says_what_an_edit_changed() {
-    let folder = tempfile::tempdir().unwrap();
-    let model = std::fs::read_to_string(root().join("models/disk/model.toml")).unwrap();
-    let edited = write(folder.path(), "edited.toml", &model.replace("\"M*R^2/2\"", "\"M*R^2/3\""));
-    let output = tripos(&["diff", "models/disk", &edited, "--json"]);
-    assert_eq!(status(&output), 1);
-    let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    let change = value["equations"].as_array().unwrap().iter().find(|e| e["id"] == "kane M[u3, u3']").unwrap().clone();
-    assert_eq!(change["difference"], "-M*R^2/6");
-    let output = tripos(&["diff", "models/disk", "models/disk/model.toml"]);
-    assert_eq!(status(&output), 0);
-}
-
-#[test]
-fn diff_of_two_models_says_which_formulation_was_lost_and_why() {
-    let folder = tempfile::tempdir().unwrap();
-    let model = std::fs::read_to_string(root().join("models/chaotic_pendulum/model.toml")).unwrap();
-    let (from, to) = (model.find("[reactions.pin3]").unwrap(), model.find("[reactions.pin_torque1]").unwrap());
-    let edited = write(folder.path(), "edited.toml", &format!("{}{}", &model[..from], &model[to..]));
-    let output = tripos(&["diff", "models/chaotic_pendulum", &edited]);
-    assert_eq!(status(&output), 1);
-    let text = stdout(&output);
-    let lost =
-        "\nno longer derived: newton-euler\n  newton-euler has 12 equations for 11 unknowns, 2 speeds and 9 reactions";
-    assert!(text.contains(lost) && !text.contains("removed"), "{text}");
-    assert!(text.contains("\n0 of "), "what both have is the same: {text}");
-    let value = |output: &Output| serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap();
-    let lost = value(&tripos(&["diff", "models/chaotic_pendulum", &edited, "--json"]));
-    assert_eq!(lost["formulations"]["lost"][0]["formulation"], "newton-euler");
-    let gained = tripos(&["diff", &edited, "models/chaotic_pendulum", "--json"]);
-    assert_eq!((status(&gained), &value(&gained)["formulations"]["gained"][0]), (1, &"newton-euler".into()));
-}
-
 /// The printed Newton–Euler system and the program that solves it give one motion, which is not the derived one.
 #[test]
 fn printed_equations_run_as_printed() {

@@ -2,6 +2,7 @@
 
 mod charts;
 mod command_line;
+mod differences;
 mod edited_model;
 mod emit;
 mod files;

@@ -4,17 +4,22 @@
 //! made. Nothing is repaired or guessed; the only freedom is the factor that each row of a linear system may carry.
 
 mod consequences;
+mod declared;
 mod entries;
 mod initial;
 mod models;
 pub mod motion;
 mod printed;
 pub mod rows;
+mod scenes;
 mod systems;
+mod transfer;
 
 pub use consequences::{Agreement, Consequences, Rate};
+pub use declared::{Declaration, Edit, Property, Section};
 pub use models::{Change, Derived, ModelDifference, diff_models};
 pub use printed::printed_equations;
+pub use scenes::{Setting, diff_scenes};
 
 use crate::algebra::Expr;
 use crate::algebra::compare::{Comparer, Verdict, Witness};

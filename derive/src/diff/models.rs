@@ -1,11 +1,12 @@
-//! Two models compared: what an edit changed in the equations of motion, entry by entry.
+//! Two models compared: what an edit changed in the equations of motion, entry by entry, and in what is declared.
 
+use super::declared::{Declaration, declarations};
+use super::transfer::Transfer;
+use crate::algebra::Expr;
 use crate::algebra::compare::{Comparer, Verdict};
-use crate::algebra::{Arena, Expr, Node, Rational};
 use crate::mechanics::{Derivations, Formulation};
 use crate::model::Model;
 use crate::prove::Proof;
-use rustc_hash::FxHashMap;
 
 /// Something that both models could have, compared.
 #[derive(Clone, Debug)]
@@ -27,7 +28,7 @@ pub struct Change {
 pub struct ModelDifference {
     /// Everything that is not the same, in the order of the equations.
     pub changes: Vec<Change>,
-    /// How many entries were compared.
+    /// How many entries were compared, those that only one model has among them.
     pub compared: usize,
     /// Formulations that only the old model has, and why the new one has not; their entries are not compared.
     pub formulations_lost: Vec<(Formulation, String)>,
@@ -37,13 +38,21 @@ pub struct ModelDifference {
     pub integrals_lost: Vec<String>,
     /// Names of first integrals that only the new model has.
     pub integrals_gained: Vec<String>,
+    /// What is declared otherwise: defaults, units, the domain, elements of the mechanism.
+    pub declarations: Vec<Declaration>,
 }
 
 impl ModelDifference {
     /// Whether the equations of motion are the same.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
+    pub fn has_same_equations(&self) -> bool {
         self.changes.is_empty() && self.formulations_lost.is_empty() && self.formulations_gained.is_empty()
+    }
+
+    /// Whether nothing that any number depends on differs.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.has_same_equations() && self.declarations.is_empty()
     }
 }
 
@@ -67,24 +76,43 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
         found.and_then(|(_, equations)| equations.as_ref().err()).map_or_else(String::new, ToString::to_string)
     };
     let formulations_lost = lost.into_iter().map(|formulation| (formulation, why(formulation))).collect();
-    let from = &old.derivations.kinematics.arena;
-    let kinematics = &mut new.derivations.kinematics;
-    let mut transfer = Transfer { from, done: FxHashMap::default() };
     let mut comparer = Comparer::default();
-    let mut changes = Vec::new();
+    let changes = changes(old.derivations, &before, new.derivations, &after, &mut comparer);
+    let from = (old.model, &old.derivations.kinematics.arena);
+    let declarations = declarations(from, (new.model, &mut new.derivations.kinematics.arena), &mut comparer);
+    let gone = before.iter().filter(|(name, _)| !after.iter().any(|(n, _)| n == name)).count();
+    let compared = after.len() + gone;
+    let (known, found) = (integrals(old), integrals(new));
+    ModelDifference {
+        changes,
+        compared,
+        formulations_lost,
+        formulations_gained: gained,
+        integrals_lost: known.iter().filter(|name| !found.contains(name)).cloned().collect(),
+        integrals_gained: found.into_iter().filter(|name| !known.contains(name)).collect(),
+        declarations,
+    }
+}
+
+/// What differs between entries of the same name, and entries that only one model has.
+fn changes(
+    old: &Derivations,
+    before: &[(String, Expr)],
+    new: &mut Derivations,
+    after: &[(String, Expr)],
+    comparer: &mut Comparer,
+) -> Vec<Change> {
+    let kinematics = &mut new.kinematics;
+    let mut transfer = Transfer::new(&old.kinematics.arena);
+    let mut list = Vec::new();
     let find = |list: &[(String, Expr)], name: &str| list.iter().find(|(n, _)| n == name).map(|(_, e)| *e);
-    for (name, new) in &after {
+    let alone = |name: &String, old, new| Change { name: name.clone(), old, new, difference: None, verdict: None };
+    for (name, new) in after {
         let arena = &mut kinematics.arena;
-        let Some(old) = find(&before, name) else {
+        let Some(old) = find(before, name) else {
             // An entry that is zero says nothing new.
             if *new != Expr::ZERO {
-                changes.push(Change {
-                    name: name.clone(),
-                    old: None,
-                    new: Some(*new),
-                    difference: None,
-                    verdict: None,
-                });
+                list.push(alone(name, None, Some(*new)));
             }
             continue;
         };
@@ -92,24 +120,14 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
         let verdict = comparer.compare(arena, old, *new);
         if !verdict.is_equal() {
             let difference = arena.sub(*new, old);
-            let difference = kinematics.simplifier.simplify(arena, difference);
-            let (old, new) = (Some(old), Some(*new));
-            changes.push(Change { name: name.clone(), old, new, difference: Some(difference), verdict: Some(verdict) });
+            let difference = Some(kinematics.simplifier.simplify(arena, difference));
+            list.push(Change { difference, verdict: Some(verdict), ..alone(name, Some(old), Some(*new)) });
         }
     }
-    for (name, old) in before.iter().filter(|(name, e)| find(&after, name).is_none() && *e != Expr::ZERO) {
-        let old = Some(transfer.term(&mut kinematics.arena, *old));
-        changes.push(Change { name: name.clone(), old, new: None, difference: None, verdict: None });
+    for (name, old) in before.iter().filter(|(name, e)| find(after, name).is_none() && *e != Expr::ZERO) {
+        list.push(alone(name, Some(transfer.term(&mut kinematics.arena, *old)), None));
     }
-    let (known, found) = (integrals(old), integrals(new));
-    ModelDifference {
-        changes,
-        compared: after.len(),
-        formulations_lost,
-        formulations_gained: gained,
-        integrals_lost: known.iter().filter(|name| !found.contains(name)).cloned().collect(),
-        integrals_gained: found.into_iter().filter(|name| !known.contains(name)).collect(),
-    }
+    list
 }
 
 /// What a model conserves, in words.
@@ -147,41 +165,4 @@ fn entries(of: &Derived<'_>, left_out: &[Formulation]) -> Vec<(String, Expr)> {
         list.extend(forcing.map(|(label, entry)| (format!("{name} f[{label}]"), *entry)));
     }
     list
-}
-
-/// Writes terms of one arena in another.
-struct Transfer<'a> {
-    from: &'a Arena,
-    done: FxHashMap<Expr, Expr>,
-}
-
-impl Transfer<'_> {
-    fn term(&mut self, arena: &mut Arena, e: Expr) -> Expr {
-        for part in self.from.reachable(&[e]) {
-            if !self.done.contains_key(&part) {
-                let new = self.one(arena, part);
-                self.done.insert(part, new);
-            }
-        }
-        self.done[&e]
-    }
-
-    fn one(&self, arena: &mut Arena, e: Expr) -> Expr {
-        match self.from.node(e) {
-            Node::Number(value) => arena.number(value.clone()),
-            Node::Symbol(_) => arena.symbol(self.from.symbol_name(e).unwrap_or_default()),
-            Node::Pi => arena.pi(),
-            Node::Sum(constant, terms) => {
-                let constant = arena.number(constant.clone());
-                let mut list: Vec<_> = terms.iter().map(|(term, k)| (self.done[term], k.clone())).collect();
-                list.push((constant, Rational::ONE));
-                arena.linear_combination(&list)
-            }
-            Node::Product(factors) => {
-                let list: Vec<_> = factors.iter().map(|(base, n)| (self.done[base], *n)).collect();
-                arena.try_product(&list).expect("what could be built in one arena can be built in another")
-            }
-            Node::Apply(f, argument) => arena.apply(*f, self.done[argument]),
-        }
-    }
 }

@@ -1,19 +1,29 @@
-//! `tripos diff OLD NEW`: what a model edit changed in the equations of motion.
+//! `tripos diff OLD NEW`: what an edit changed in the equations of motion, in what the model declares, and in its scenes.
+//!
+//! A person reads a screenful: an entry is its difference, in a line; `--json` has all entries, old, new and difference.
 
-use super::entries;
+use super::{entries, shortened};
 use crate::failure::{Failure, print, print_json, status};
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::Path;
+use tripos_codegen::scene_files::{name_beside, scene_files};
 use tripos_derive::Model;
 use tripos_derive::algebra::compare::Verdict;
 use tripos_derive::algebra::print::{text, whole_text};
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::diff::{Change, Derived, ModelDifference, diff_models};
+use tripos_derive::diagnostic::{Diagnostics, Source};
+use tripos_derive::diff::{
+    Change, Declaration, Derived, Edit, ModelDifference, Property, Section, Setting, diff_models, diff_scenes,
+};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
 
-/// Compares two models; exit status 1 if their equations differ.
+/// Lines of one kind that are shown before the rest is counted.
+const SHOWN: usize = 16;
+
+/// Compares two models; exit status 1 if anything differs that a number depends on.
 pub fn diff(old: &Model, new: &Model, as_json: bool) -> Result<u8, Failure> {
     let mut before = derive_all(old).map_err(|error| old.diagnose(&error))?;
     let mut after = derive_all(new).map_err(|error| new.diagnose(&error))?;
@@ -22,13 +32,49 @@ pub fn diff(old: &Model, new: &Model, as_json: bool) -> Result<u8, Failure> {
         &mut Derived { model: old, derivations: &mut before, proof: &old_proof },
         &mut Derived { model: new, derivations: &mut after, proof: &new_proof },
     );
+    let scenes = scenes(&old.source.path, &new.source.path)?;
     let arena = &after.kinematics.arena;
     if as_json {
-        print_json(&json_of(old, new, arena, &difference))?;
+        print_json(&json_of(old, new, arena, &difference, &scenes))?;
     } else {
-        print(&text_of(old, new, arena, &difference))?;
+        print(&text_of(old, new, arena, &difference, &scenes))?;
     }
-    Ok(if difference.is_empty() { 0 } else { status::NO })
+    Ok(if difference.is_empty() && scenes.is_empty() { 0 } else { status::NO })
+}
+
+/// How a scene differs, under its name beside the model.
+struct SceneChange {
+    name: String,
+    kind: SceneEdit,
+}
+
+enum SceneEdit {
+    Added,
+    Removed,
+    Changed(Vec<Setting>),
+}
+
+/// What differs between the scenes of two models, where both have any: a model file alone is no model without scenes.
+fn scenes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
+    let (before, after) = (scene_files(old), scene_files(new));
+    let mut list = Vec::new();
+    if before.is_empty() || after.is_empty() {
+        return Ok(list);
+    }
+    let find = |name: &str| before.iter().find(|path| name_beside(old, path) == name);
+    let names: Vec<String> = after.iter().map(|path| name_beside(new, path)).collect();
+    for (path, name) in after.iter().zip(&names) {
+        let kind = match find(name) {
+            None => SceneEdit::Added,
+            Some(former) => SceneEdit::Changed(diff_scenes(&Source::read(former)?, &Source::read(path)?)?),
+        };
+        if !matches!(&kind, SceneEdit::Changed(settings) if settings.is_empty()) {
+            list.push(SceneChange { name: name.clone(), kind });
+        }
+    }
+    let gone = before.iter().map(|path| name_beside(old, path)).filter(|name| !names.contains(name));
+    list.extend(gone.map(|name| SceneChange { name, kind: SceneEdit::Removed }));
+    Ok(list)
 }
 
 fn word(change: &Change) -> &'static str {
@@ -40,62 +86,159 @@ fn word(change: &Change) -> &'static str {
     }
 }
 
-fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference) -> Value {
+fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> Value {
     let shown = |e: Option<Expr>| e.map(|e| whole_text(arena, e));
-    let equations: Vec<Value> = difference
-        .changes
-        .iter()
-        .map(|c| {
-            json!({
-                "id": c.name,
-                "verdict": word(c),
-                "old": shown(c.old),
-                "new": shown(c.new),
-                "difference": shown(c.difference),
-            })
+    let equation = |c: &Change| {
+        json!({
+            "id": c.name,
+            "verdict": word(c),
+            "old": shown(c.old),
+            "new": shown(c.new),
+            "difference": shown(c.difference),
         })
-        .collect();
+    };
     let lost = difference.formulations_lost.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why }));
     let lost: Vec<Value> = lost.collect();
     let gained: Vec<&str> = difference.formulations_gained.iter().map(|f| f.name()).collect();
     json!({
         "old": short_name(old),
         "new": short_name(new),
-        "equations": equations,
+        "same": difference.is_empty() && scenes.is_empty(),
+        "same_equations": difference.has_same_equations(),
+        "equations": difference.changes.iter().map(equation).collect::<Vec<_>>(),
+        "declarations": difference.declarations.iter().map(declaration_json).collect::<Vec<_>>(),
+        "scenes": scenes.iter().map(scene_json).collect::<Vec<_>>(),
         "formulations": { "lost": lost, "gained": gained },
         "integrals": { "lost": difference.integrals_lost, "gained": difference.integrals_gained },
         "summary": { "compared": difference.compared, "changed": difference.changes.len() },
     })
 }
 
-fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference) -> String {
+fn declaration_json(declaration: &Declaration) -> Value {
+    let (what, name) = (declaration.section.noun(), &declaration.name);
+    match &declaration.edit {
+        Edit::Added => json!({ "what": what, "name": name, "edit": "added" }),
+        Edit::Removed => json!({ "what": what, "name": name, "edit": "removed" }),
+        Edit::Changed { property, old, new } => {
+            let property = property.name();
+            json!({ "what": what, "name": name, "edit": "changed", "property": property, "old": old, "new": new })
+        }
+    }
+}
+
+fn scene_json(scene: &SceneChange) -> Value {
+    let name = &scene.name;
+    match &scene.kind {
+        SceneEdit::Added => json!({ "scene": name, "edit": "added" }),
+        SceneEdit::Removed => json!({ "scene": name, "edit": "removed" }),
+        SceneEdit::Changed(settings) => {
+            let of = |s: &Setting| json!({ "key": s.key, "old": s.old, "new": s.new });
+            json!({ "scene": name, "edit": "changed", "settings": settings.iter().map(of).collect::<Vec<_>>() })
+        }
+    }
+}
+
+fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> String {
     let mut out = format!("{} -> {}\n", old.source.path.display(), new.source.path.display());
-    if difference.is_empty() {
-        let _ =
-            writeln!(out, "the equations of motion are the same: {} compared by meaning", entries(difference.compared));
-        return out;
+    let (count, compared) = (difference.changes.len(), entries(difference.compared));
+    if difference.has_same_equations() {
+        let _ = writeln!(out, "equations of motion: the same, {compared} compared by meaning");
+    } else {
+        let _ = writeln!(out, "equations of motion: {count} of {compared} changed");
     }
     for (formulation, why) in &difference.formulations_lost {
-        let _ = writeln!(out, "\nno longer derived: {}\n  {why}", formulation.name());
+        let _ = writeln!(out, "  no longer derived: {}: {why}", formulation.name());
     }
     for formulation in &difference.formulations_gained {
-        let _ = writeln!(out, "\nnow derived: {}", formulation.name());
+        let _ = writeln!(out, "  now derived: {}", formulation.name());
     }
-    for change in &difference.changes {
-        let _ = writeln!(out, "\n{}: {}", change.name, word(change));
-        for (sign, value) in [("-", change.old), ("+", change.new), ("new - old =", change.difference)] {
-            if let Some(value) = value {
-                let _ = writeln!(out, "  {sign} {}", text(arena, value));
-            }
-        }
-    }
-    for (what, list) in
+    list(&mut out, &difference.changes.iter().map(|change| change_line(arena, change)).collect::<Vec<_>>());
+    for (what, names) in
         [("no longer found conserved", &difference.integrals_lost), ("now conserved", &difference.integrals_gained)]
     {
-        for name in list {
-            let _ = writeln!(out, "\n{what}: {name}");
+        if !names.is_empty() {
+            let _ = writeln!(out, "{what}:");
+            list(&mut out, names);
         }
     }
-    let _ = writeln!(out, "\n{} of {} changed", difference.changes.len(), entries(difference.compared));
+    for line in declaration_lines(&difference.declarations) {
+        let _ = writeln!(out, "{}", shortened(&line));
+    }
+    if !scenes.is_empty() {
+        out.push_str("scenes differ:\n");
+        list(&mut out, &scenes.iter().map(scene_line).collect::<Vec<_>>());
+    }
+    if difference.declarations.is_empty() && scenes.is_empty() {
+        out.push_str("defaults, units, domain, elements and scenes: the same\n");
+    }
     out
+}
+
+/// Lines under a heading; of many only the first, and how many more there are.
+fn list(out: &mut String, lines: &[String]) {
+    for line in lines.iter().take(SHOWN) {
+        let _ = writeln!(out, "  {}", shortened(line));
+    }
+    if let Some(more @ 1..) = lines.len().checked_sub(SHOWN) {
+        let _ = writeln!(out, "  … and {more} more: --json has all");
+    }
+}
+
+/// What a changed entry became: its difference, or both values where that is shorter to read.
+fn change_line(arena: &Arena, change: &Change) -> String {
+    let (name, text) = (&change.name, |e| text(arena, e));
+    match (change.old, change.new, change.difference) {
+        (Some(old), Some(new), Some(difference)) => {
+            let (values, difference) = (format!("{} -> {}", text(old), text(new)), text(difference));
+            let is_undecided = if word(change) == "undecided" { " (undecided)" } else { "" };
+            if values.len() < difference.len() {
+                format!("{name}{is_undecided}: {values}")
+            } else {
+                format!("{name}{is_undecided}: new - old = {difference}")
+            }
+        }
+        (_, Some(new), _) => format!("{name}: added, {}", text(new)),
+        (Some(old), ..) => format!("{name}: removed, {}", text(old)),
+        (None, None, _) => format!("{name}: {}", word(change)),
+    }
+}
+
+/// What is declared otherwise, a line for each kind: `defaults differ: R 1 -> 2, g 9.81 -> 1.62`.
+fn declaration_lines(declarations: &[Declaration]) -> Vec<String> {
+    let named = |d: &Declaration| format!("{} {}", d.section.noun(), d.name);
+    let changed = |wanted: Property, of: fn(Section) -> bool| {
+        let change = move |d: &Declaration| match &d.edit {
+            Edit::Changed { property, old, new } if *property == wanted && of(d.section) => {
+                Some(format!("{} {old} -> {new}", d.name))
+            }
+            _ => None,
+        };
+        declarations.iter().filter_map(change).collect::<Vec<_>>()
+    };
+    let alone = |edit: &Edit| declarations.iter().filter(|d| d.edit == *edit).map(named).collect::<Vec<_>>();
+    let is_condition = |section| section == Section::Domain;
+    let groups = [
+        ("added", alone(&Edit::Added)),
+        ("removed", alone(&Edit::Removed)),
+        ("defaults differ", changed(Property::Default, |_| true)),
+        ("units differ", changed(Property::Unit, |_| true)),
+        ("stated to be positive differs", changed(Property::Positive, |_| true)),
+        ("domain differs", changed(Property::Definition, is_condition)),
+        ("defined otherwise", changed(Property::Definition, |section| section != Section::Domain)),
+    ];
+    let stated = groups.into_iter().filter(|(_, list)| !list.is_empty());
+    stated.map(|(heading, list)| format!("{heading}: {}", list.join("; "))).collect()
+}
+
+fn scene_line(scene: &SceneChange) -> String {
+    let name = &scene.name;
+    let value = |v: &Option<String>| v.clone().unwrap_or_else(|| "not stated".to_owned());
+    match &scene.kind {
+        SceneEdit::Added => format!("{name}: added"),
+        SceneEdit::Removed => format!("{name}: removed"),
+        SceneEdit::Changed(settings) => {
+            let of = |s: &Setting| format!("{} {} -> {}", s.key, value(&s.old), value(&s.new));
+            format!("{name}: {}", settings.iter().map(of).collect::<Vec<_>>().join("; "))
+        }
+    }
 }

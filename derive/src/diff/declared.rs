@@ -1,0 +1,292 @@
+//! What two models declare, compared: defaults, units and signs of parameters, the domain, and every element of the mechanism.
+//!
+//! Invariant: terms are compared by meaning, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order of a
+//! file are not compared: no number depends on them.
+
+use super::transfer::Transfer;
+use crate::algebra::compare::Comparer;
+use crate::algebra::print::text;
+use crate::algebra::{Arena, Expr};
+use crate::model::{Model, Parameter, Place, ReactionKind};
+
+/// A section of model files that declares something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the sections of a model file, by their names there")]
+pub enum Section {
+    Parameters,
+    Coordinates,
+    Speeds,
+    Frames,
+    Points,
+    Bodies,
+    Gravity,
+    Forces,
+    Torques,
+    Reactions,
+    Constraints,
+    Domain,
+}
+
+impl Section {
+    /// What an entry of the section is called.
+    #[must_use]
+    pub const fn noun(self) -> &'static str {
+        match self {
+            Self::Parameters => "parameter",
+            Self::Coordinates => "coordinate",
+            Self::Speeds => "speed",
+            Self::Frames => "frame",
+            Self::Points => "point",
+            Self::Bodies => "body",
+            Self::Gravity => "gravity",
+            Self::Forces => "force",
+            Self::Torques => "torque",
+            Self::Reactions => "reaction",
+            Self::Constraints => "constraint",
+            Self::Domain => "condition",
+        }
+    }
+}
+
+/// A property of what is declared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Property {
+    /// The default value of a parameter.
+    Default,
+    /// The unit of a parameter or coordinate.
+    Unit,
+    /// Whether a parameter is stated to be positive.
+    Positive,
+    /// Everything that makes an element what it is: where it is, what it acts on, its components, a condition.
+    Definition,
+}
+
+impl Property {
+    /// The name in JSON.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Default => "default",
+            Self::Unit => "unit",
+            Self::Positive => "positive",
+            Self::Definition => "definition",
+        }
+    }
+}
+
+/// How a declaration differs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Edit {
+    /// Only the new model has it.
+    Added,
+    /// Only the old model has it.
+    Removed,
+    /// Both have it, and this is not the same.
+    Changed {
+        /// What is not the same.
+        property: Property,
+        /// As the old model has it, for people.
+        old: String,
+        /// As the new model has it.
+        new: String,
+    },
+}
+
+/// A declaration that is not the same in two models.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Declaration {
+    /// The section of the file that it stands in.
+    pub section: Section,
+    /// Its name.
+    pub name: String,
+    /// What differs.
+    pub edit: Edit,
+}
+
+/// One declared thing: what is compared as text, what by meaning, and how a person would say both.
+struct Element {
+    section: Section,
+    name: String,
+    properties: Vec<(Property, String)>,
+    /// Names that it refers to, in a fixed order: parents, axes, points it acts at.
+    place: String,
+    terms: Vec<Expr>,
+    /// The definition as the file has it, if it is one formula.
+    written: Option<String>,
+}
+
+impl Element {
+    fn new(section: Section, name: &str, place: String, terms: Vec<Expr>) -> Self {
+        Self { section, name: name.to_owned(), properties: Vec::new(), place, terms, written: None }
+    }
+
+    fn with(self, properties: Vec<(Property, String)>) -> Self {
+        Self { properties, ..self }
+    }
+
+    /// The definition in a line.
+    fn definition(&self, arena: &Arena) -> String {
+        if let Some(written) = &self.written {
+            return written.clone();
+        }
+        let terms: Vec<String> = self.terms.iter().map(|e| text(arena, *e)).collect();
+        match (self.place.as_str(), terms.as_slice()) {
+            ("", [one]) => one.clone(),
+            (place, []) => place.to_owned(),
+            (place, terms) => format!("{place} ({})", terms.join(", ")).trim_start().to_owned(),
+        }
+    }
+}
+
+/// Every declaration that differs, in the order of the new model's file, then what it no longer has.
+pub fn declarations(
+    (old, before): (&Model, &Arena),
+    (new, arena): (&Model, &mut Arena),
+    comparer: &mut Comparer,
+) -> Vec<Declaration> {
+    let mut transfer = Transfer::new(before);
+    let (old, new) = (elements(old), elements(new));
+    let mut list = Vec::new();
+    let same = |a: &Element, b: &Element| a.section == b.section && a.name == b.name;
+    let declaration = |of: &Element, edit| Declaration { section: of.section, name: of.name.clone(), edit };
+    for element in &new {
+        let Some(former) = old.iter().find(|e| same(e, element)) else {
+            list.push(declaration(element, Edit::Added));
+            continue;
+        };
+        for ((property, old), (_, new)) in former.properties.iter().zip(&element.properties) {
+            if old != new {
+                let edit = Edit::Changed { property: *property, old: old.clone(), new: new.clone() };
+                list.push(declaration(element, edit));
+            }
+        }
+        let terms: Vec<Expr> = former.terms.iter().map(|e| transfer.term(arena, *e)).collect();
+        let is_same = former.place == element.place
+            && terms.len() == element.terms.len()
+            && terms.iter().zip(&element.terms).all(|(a, b)| comparer.compare(arena, *a, *b).is_equal());
+        if !is_same {
+            let (old, new) = (former.definition(before), element.definition(arena));
+            list.push(declaration(element, Edit::Changed { property: Property::Definition, old, new }));
+        }
+    }
+    let removed = old.iter().filter(|former| !new.iter().any(|e| same(e, former)));
+    list.extend(removed.map(|former| declaration(former, Edit::Removed)));
+    list
+}
+
+/// Everything that a model declares, in the order of the sections.
+fn elements(model: &Model) -> Vec<Element> {
+    let mut list = variables(model);
+    list.extend(geometry(model));
+    list.extend(bodies(model));
+    list.extend(loads(model));
+    list.extend(conditions(model));
+    list
+}
+
+fn variables(model: &Model) -> Vec<Element> {
+    let bare = |section, name: &str| Element::new(section, name, String::new(), Vec::new());
+    let parameters = model.parameters.iter().map(|p| {
+        let positive = if p.positive { "yes" } else { "not stated" };
+        bare(Section::Parameters, &p.name).with(vec![
+            (Property::Default, default_of(p)),
+            (Property::Unit, p.unit.to_string()),
+            (Property::Positive, positive.to_owned()),
+        ])
+    });
+    let coordinates = model
+        .coordinates
+        .iter()
+        .map(|c| bare(Section::Coordinates, &c.name).with(vec![(Property::Unit, c.unit.to_string())]));
+    let speeds = model.speeds.iter().map(|s| Element::new(Section::Speeds, &s.name, String::new(), vec![s.definition]));
+    parameters.chain(coordinates).chain(speeds).collect()
+}
+
+/// A default as a person writes it: as a decimal or as a fraction, whichever is shorter.
+fn default_of(parameter: &Parameter) -> String {
+    let Some(value) = &parameter.value else { return "none".to_owned() };
+    let (decimal, fraction) = (value.to_f64().to_string(), value.to_string());
+    if fraction.len() < decimal.len() { fraction } else { decimal }
+}
+
+fn geometry(model: &Model) -> Vec<Element> {
+    let frames = model.frames.iter().map(|frame| match frame.rotation {
+        None => Element::new(Section::Frames, &frame.name, "inertial".to_owned(), Vec::new()),
+        Some((parent, axis, angle)) => {
+            let place = format!("from {} about axis {}", model.frames[parent].name, axis + 1);
+            Element::new(Section::Frames, &frame.name, place, vec![angle])
+        }
+    });
+    let points = model.points.iter().map(|point| match point.position {
+        None => Element::new(Section::Points, &point.name, "origin".to_owned(), Vec::new()),
+        Some((parent, frame, components)) => {
+            let place = format!("from {} in {}", model.points[parent].name, model.frames[frame].name);
+            Element::new(Section::Points, &point.name, place, components.to_vec())
+        }
+    });
+    frames.chain(points).collect()
+}
+
+fn bodies(model: &Model) -> Vec<Element> {
+    let one = |body: &crate::model::Body| {
+        let centre = &model.points[body.centre].name;
+        let mut terms = vec![body.mass];
+        let place = match &body.rigid {
+            None => format!("particle at {centre}"),
+            Some((frame, inertia)) => {
+                terms.extend(inertia.tensor.iter().flatten());
+                let (frame, of) = (&model.frames[*frame].name, &model.frames[inertia.frame].name);
+                format!("in {frame} about {centre}, inertia in {of}")
+            }
+        };
+        Element::new(Section::Bodies, &body.name, place, terms)
+    };
+    model.bodies.iter().map(one).collect()
+}
+
+fn loads(model: &Model) -> Vec<Element> {
+    let frame = |index: usize| &model.frames[index].name;
+    let body = |index: usize| &model.bodies[index].name;
+    let place = |at: Place| format!("{} at {}", body(at.body), model.points[at.point].name);
+    let pair = |on: String, against: Option<String>, of: usize| {
+        let against = against.map_or_else(String::new, |other| format!(" against {other}"));
+        format!("on {on}{against} in {}", frame(of))
+    };
+    let mut list = Vec::new();
+    if let Some(gravity) = &model.gravity {
+        let mut terms = gravity.acceleration.to_vec();
+        terms.extend(gravity.zero_at.iter().flat_map(|(q, value)| [*q, *value]));
+        list.push(Element::new(Section::Gravity, "gravity", format!("in {}", frame(gravity.frame)), terms));
+    }
+    list.extend(model.forces.iter().map(|f| {
+        let place = pair(place(f.on), f.against.map(place), f.frame);
+        Element::new(Section::Forces, &f.name, place, f.vector.to_vec())
+    }));
+    let turned = |(of, _): (usize, Option<usize>)| frame(of).clone();
+    list.extend(model.torques.iter().map(|t| {
+        let place = pair(turned(t.on), t.against.map(turned), t.frame);
+        Element::new(Section::Torques, &t.name, place, t.vector.to_vec())
+    }));
+    list.extend(model.reactions.iter().map(|r| {
+        let place = match r.kind {
+            ReactionKind::Force { on, against } => pair(place(on), against.map(place), r.frame),
+            ReactionKind::Torque { on, against } => {
+                format!("torque {}", pair(body(on).clone(), against.map(|b| body(b).clone()), r.frame))
+            }
+        };
+        Element::new(Section::Reactions, &r.name, place, r.direction.to_vec())
+    }));
+    list
+}
+
+fn conditions(model: &Model) -> Vec<Element> {
+    let constraints = model.constraints.iter().map(|c| {
+        let by = c.enforced_by.map_or_else(String::new, |r| format!(", enforced by {}", model.reactions[r].name));
+        Element::new(Section::Constraints, &c.name, format!("fixes {}{by}", c.fixes), vec![c.value])
+    });
+    let domain = model.domain.iter().map(|c| Element {
+        written: Some(c.text.clone()),
+        ..Element::new(Section::Domain, &c.name, String::new(), vec![c.positive])
+    });
+    constraints.chain(domain).collect()
+}

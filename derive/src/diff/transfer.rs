@@ -1,0 +1,47 @@
+//! Terms of one arena written in another, symbol by name.
+
+use crate::algebra::{Arena, Expr, Node, Rational};
+use rustc_hash::FxHashMap;
+
+/// Writes terms of one arena in another; what two terms share is written once.
+pub struct Transfer<'a> {
+    from: &'a Arena,
+    done: FxHashMap<Expr, Expr>,
+}
+
+impl<'a> Transfer<'a> {
+    /// Writes terms of `from`.
+    pub fn new(from: &'a Arena) -> Self {
+        Self { from, done: FxHashMap::default() }
+    }
+
+    /// The term `e` of the first arena as one of `arena`, always the same one.
+    pub fn term(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        for part in self.from.reachable(&[e]) {
+            if !self.done.contains_key(&part) {
+                let new = self.one(arena, part);
+                self.done.insert(part, new);
+            }
+        }
+        self.done[&e]
+    }
+
+    fn one(&self, arena: &mut Arena, e: Expr) -> Expr {
+        match self.from.node(e) {
+            Node::Number(value) => arena.number(value.clone()),
+            Node::Symbol(_) => arena.symbol(self.from.symbol_name(e).unwrap_or_default()),
+            Node::Pi => arena.pi(),
+            Node::Sum(constant, terms) => {
+                let constant = arena.number(constant.clone());
+                let mut list: Vec<_> = terms.iter().map(|(term, k)| (self.done[term], k.clone())).collect();
+                list.push((constant, Rational::ONE));
+                arena.linear_combination(&list)
+            }
+            Node::Product(factors) => {
+                let list: Vec<_> = factors.iter().map(|(base, n)| (self.done[base], *n)).collect();
+                arena.try_product(&list).expect("what could be built in one arena can be built in another")
+            }
+            Node::Apply(f, argument) => arena.apply(*f, self.done[argument]),
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! `tripos diff OLD NEW`: equations, declarations and scenes told apart, in a screenful.
+
+use crate::support::{copy, root, tripos_in};
+use expect_test::expect;
+use serde_json::Value;
+use std::path::Path;
+
+/// A library model in a folder `old` and, edited, in a folder `new`, with their scenes.
+fn edited(name: &str, edit: impl Fn(String) -> String) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for side in ["old", "new"] {
+        copy(&root().join("models").join(name), &folder.path().join(side));
+    }
+    let path = folder.path().join("new/model.toml");
+    std::fs::write(&path, edit(std::fs::read_to_string(&path).unwrap())).unwrap();
+    folder
+}
+
+/// Status and text of the comparison of `old` with `new`.
+fn diff(folder: &Path) -> (i32, String) {
+    let (status, text, _) = tripos_in(folder, &["diff", "old", "new"]);
+    (status, text)
+}
+
+/// The comparison as JSON, which has the same status.
+fn diff_json(folder: &Path) -> Value {
+    let (status, text, _) = tripos_in(folder, &["diff", "old", "new", "--json"]);
+    let value: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(status == 0, value["same"].as_bool().unwrap());
+    value
+}
+
+/// Remarks, titles, order and other ways to write the same are no difference.
+#[test]
+fn what_no_number_depends_on_is_no_difference() {
+    let folder = edited("disk", |text| {
+        let text =
+            text.replace("about = \"heading\"", "about = \"the heading\"").replace("abs(q2) < pi/2", "pi/2 > abs(q2)");
+        text.replace("Thin disk", "Disk")
+            .replace("\"M*R^2/2\"", "\"0.5*M*R^2\"")
+            .replace("value = 9.81", "value = \"981/100\"")
+    });
+    let (status, text) = diff(folder.path());
+    expect![[r"
+        old/model.toml -> new/model.toml
+        equations of motion: the same, 114 entries compared by meaning
+        defaults, units, domain, elements and scenes: the same
+    "]]
+    .assert_eq(&text);
+    assert_eq!(status, 0);
+    assert_eq!(diff_json(folder.path())["declarations"], serde_json::json!([]));
+}
+
+#[test]
+fn defaults_signs_and_domain_differ_where_the_equations_are_the_same() {
+    let folder = edited("disk", |text| {
+        let text = text.replace("R = { unit = \"m\", value = 1, positive = true", "R = { unit = \"m\", value = 2");
+        let text = text.replace("abs(q2) < pi/2", "abs(q2) < pi/3").replace("contact = \"N > 0\"\n", "");
+        format!("{text}low = \"q4 < R\"\n")
+    });
+    let (status, text) = diff(folder.path());
+    expect![[r"
+        old/model.toml -> new/model.toml
+        equations of motion: the same, 114 entries compared by meaning
+        added: condition low
+        removed: condition contact
+        defaults differ: R 1 -> 2
+        stated to be positive differs: R yes -> not stated
+        domain differs: upright abs(q2) < pi/2 -> abs(q2) < pi/3
+    "]]
+    .assert_eq(&text);
+    assert_eq!(status, 1);
+    let value = diff_json(folder.path());
+    assert_eq!((&value["same_equations"], &value["declarations"][0]["new"]), (&true.into(), &"2".into()));
+}
+
+#[test]
+fn scenes_are_compared_key_by_key() {
+    let folder = edited("pendulum", |text| text);
+    let scenes = folder.path().join("new/scenes");
+    let swing = std::fs::read_to_string(scenes.join("swing.toml")).unwrap();
+    std::fs::write(scenes.join("swing.toml"), swing.replace("rtol = 1e-9", "rtol = 1e-8")).unwrap();
+    std::fs::rename(scenes.join("over.toml"), scenes.join("around.toml")).unwrap();
+    let (status, text) = diff(folder.path());
+    expect![[r"
+        old/model.toml -> new/model.toml
+        equations of motion: the same, 20 entries compared by meaning
+        scenes differ:
+          scenes/around.toml: added
+          scenes/swing.toml: integration.rtol 1e-9 -> 1e-8
+          scenes/over.toml: removed
+    "]]
+    .assert_eq(&text);
+    assert_eq!(status, 1);
+}
+
+/// A model file alone, as an older version is taken out of a repository, is no model whose scenes were removed.
+#[test]
+fn a_file_without_scenes_is_compared_by_its_model_alone() {
+    let folder = edited("pendulum", |text| text);
+    std::fs::remove_dir_all(folder.path().join("old/scenes")).unwrap();
+    assert_eq!(diff(folder.path()).0, 0);
+}
+
+#[test]
+fn a_changed_inertia_is_a_changed_entry() {
+    let folder = edited("disk", |text| text.replace("\"M*R^2/2\"", "\"M*R^2/3\""));
+    let value = diff_json(folder.path());
+    let change = value["equations"].as_array().unwrap().iter().find(|e| e["id"] == "kane M[u3, u3']").unwrap().clone();
+    assert_eq!(change["difference"], "-M*R^2/6");
+    assert_eq!(value["declarations"][0]["name"], "disk");
+}
+
+/// An added force is a screenful: at most 40 lines, in them every entry that it works in, and what it takes away.
+#[test]
+fn an_added_force_is_told_in_a_screenful() {
+    let folder = edited("disk", |text| {
+        let drag =
+            "[forces.drag]\non = \"disk\"\nat = \"Cstar\"\nframe = \"A\"\nvector = [\"-c*q4'\", \"-c*q5'\", 0]\n";
+        text.replace("[coordinates]", "c = { unit = \"N*s/m\" }\n\n[coordinates]") + drag
+    });
+    let (status, text) = diff(folder.path());
+    expect![[r"
+        old/model.toml -> new/model.toml
+        equations of motion: 11 of 114 entries changed
+          kane f[u1]: new - old = R*c*cos(q2)*(u5*cos(q1) - u4*sin(q1))
+          kane f[u2]: new - old = R*c*tan(q2)*(u4*cos(q1) + u5*sin(q1))
+          kane f[u4]: new - old = -c*u4
+          kane f[u5]: new - old = -c*u5
+          lagrange f[q1]: new - old = R*c*sin(q2)*(q4'*cos(q1) + q5'*sin(q1))
+          lagrange f[q2]: new - old = R*c*cos(q2)*(q4'*sin(q1) - q5'*cos(q1))
+          lagrange f[q4]: new - old = -c*q4'
+          lagrange f[q5]: new - old = -c*q5'
+          newton-euler f[disk force b1]: new - old = -c*(u4*cos(q1) + u5*sin(q1))
+          newton-euler f[disk force b2]: new - old = c*sin(q2)*(u4*sin(q1) - u5*cos(q1))
+          newton-euler f[disk force b3]: new - old = c*cos(q2)*(u5*cos(q1) - u4*sin(q1))
+        no longer found conserved:
+          energy T + V
+          momentum p_q4 = ∂L/∂q4'; linear momentum along a1
+          momentum p_q5 = ∂L/∂q5'; linear momentum along a2
+          angular momentum about a3 through O
+        added: parameter c; force drag
+    "]]
+    .assert_eq(&text);
+    assert_eq!(status, 1);
+    assert!(text.lines().count() <= 40, "{text}");
+}
+
+#[test]
+fn a_formulation_that_was_lost_is_named_with_its_reason() {
+    let folder = edited("chaotic_pendulum", |text| {
+        let (from, to) = (text.find("[reactions.pin3]").unwrap(), text.find("[reactions.pin_torque1]").unwrap());
+        format!("{}{}", &text[..from], &text[to..])
+    });
+    let (status, text) = diff(folder.path());
+    assert_eq!(status, 1);
+    let lost =
+        "  no longer derived: newton-euler: newton-euler has 12 equations for 11 unknowns, 2 speeds and 9 reactions";
+    assert!(text.contains(lost), "{text}");
+    assert!(text.contains("equations of motion: 0 of ") && text.contains("removed: reaction pin3"), "{text}");
+    assert_eq!(diff_json(folder.path())["formulations"]["lost"][0]["formulation"], "newton-euler");
+    let (status, text, _) = tripos_in(folder.path(), &["diff", "new", "old"]);
+    assert!(status == 1 && text.contains("  now derived: newton-euler\n"), "{text}");
+}
