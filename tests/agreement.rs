@@ -167,10 +167,10 @@ fn generated_accelerations_derivatives_and_jacobians_agree() {
         for compiled in model.systems.iter().filter(|s| derived(s.name)) {
             let place = format!("{} {}", model.name, compiled.name);
             let (double, extended) = (compiled.double, compiled.extended);
-            let (n, m) = (double.coordinates(), double.speeds());
+            let (n, m) = (double.lengths().coordinates, double.lengths().variables);
             let mut random = Random(7);
             for _ in 0..20 {
-                let p: Vec<f64> = (0..double.parameters()).map(|_| random.between(0.5, 2.0)).collect();
+                let p: Vec<f64> = (0..double.lengths().parameters).map(|_| random.between(0.5, 2.0)).collect();
                 let q: Vec<f64> = (0..n).map(|_| random.between(0.2, 1.2)).collect();
                 let v: Vec<f64> = (0..m).map(|_| random.between(-2.0, 2.0)).collect();
                 let mut found = vec![0.0; m];
@@ -190,7 +190,7 @@ fn generated_accelerations_derivatives_and_jacobians_agree() {
 }
 
 fn compare_jacobian(extended: &dyn System<DoubleDouble>, double: &dyn System<f64>, p: &[f64], y: &[f64], place: &str) {
-    let (n, size) = (double.coordinates(), y.len());
+    let (n, size) = (double.lengths().coordinates, y.len());
     let lift = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let p_wide = lift(p);
     let derivative = |y: &[DoubleDouble]| {

@@ -52,7 +52,7 @@ fn derived(model: &str) -> Vec<&'static str> {
 /// d/dt of (q, v) at a state of a compiled system.
 fn derivative(model: &str, name: &str, p: &[Dd], y: &[Dd]) -> Vec<Dd> {
     let system = compiled(model, name).extended;
-    let (q, v) = y.split_at(system.coordinates());
+    let (q, v) = y.split_at(system.lengths().coordinates);
     let mut rates = vec![Dd::int(0); y.len()];
     let (q_dot, v_dot) = rates.split_at_mut(q.len());
     system.derivative(p, q, v, q_dot, v_dot);

@@ -8,7 +8,7 @@ use tripos_traits::{CompiledSystem, InLanes, Lanes, Lengths, Rates};
 /// The derivative at these states, one in each lane.
 fn rates<const N: usize>(
     equations: &(dyn Rates<Lanes<N>> + Sync),
-    Lengths { parameters, coordinates, speeds }: Lengths,
+    Lengths { parameters, coordinates, variables: speeds, .. }: Lengths,
     states: &[Vec<f64>],
 ) -> Vec<Vec<f64>> {
     let of = |i: usize| Lanes::<N>(std::array::from_fn(|l| states[l][i]));

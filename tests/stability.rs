@@ -144,7 +144,7 @@ fn solve_error(name: &str, delta: f64, eliminated: bool) -> (f64, f64, f64) {
     extended.generalized_speed_rates(&lift(&p), &lift(&q), &lift(&v), &lift(&v_dot), &mut u_dot);
     let largest = exact.iter().map(|a| a.abs().to_f64()).fold(0.0, f64::max);
     let off = u_dot.iter().zip(&exact).map(|(a, b)| (*a - *b).abs().to_f64());
-    let n = system.unknowns();
+    let n = system.lengths().unknowns();
     let mut matrix = vec![0.0; n * n];
     system.mass_matrix(&p, &q, &v, &mut matrix);
     let conditions = [linear::plain_reciprocal_condition(&matrix, n), linear::reciprocal_condition(&matrix, n)];

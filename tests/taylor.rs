@@ -30,8 +30,8 @@ const MODELS: [&str; 9] = [
 /// A state and parameters without a pattern, the parameters from 0.6 to 1.4, angles and rates within ±0.7.
 fn numbers(system: &dyn System<Dd>) -> (Vec<Dd>, Vec<Dd>) {
     let wave = |i: usize, shift: f64| (1.7 * i as f64 + shift).sin();
-    let p = (0..system.parameters()).map(|i| Dd::from_f64(1.0 + 0.4 * wave(i, 0.3))).collect();
-    let n = system.coordinates() + system.speeds();
+    let p = (0..system.lengths().parameters).map(|i| Dd::from_f64(1.0 + 0.4 * wave(i, 0.3))).collect();
+    let n = system.lengths().state();
     (p, (0..n).map(|i| Dd::from_f64(0.7 * wave(i, 1.1))).collect())
 }
 
@@ -44,7 +44,7 @@ fn coefficients<S: Real>(system: &dyn System<S>, p: &[S], start: &[S], order: us
 
 /// |d/dt of the polynomial − f(the polynomial)| at the time t, the largest of the components.
 fn defect(system: &dyn System<Dd>, p: &[Dd], x: &[Dd], order: usize, t: Dd) -> f64 {
-    let (n, speeds) = (system.coordinates(), system.speeds());
+    let (n, speeds) = (system.lengths().coordinates, system.lengths().variables);
     let states = n + speeds;
     let (mut y, mut slope, mut f) = (vec![Dd::int(0); states], vec![Dd::int(0); states], vec![Dd::int(0); states]);
     for k in (0..=order).rev() {

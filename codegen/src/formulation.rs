@@ -58,7 +58,7 @@ pub fn file(model: &Model, origin: &str, arena: &Arena, equations: &Equations, s
     let recurrences = solved.and_then(|solved| solved.recurrences.as_ref());
     functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
     let functions = functions.into_iter().map(|f| f.tokens);
-    let state = model.coordinates.len() + equations.variables.len();
+    let state = model.coordinates.len() + model.speeds.len();
     let parts: Vec<Part> = [Part::LinearSystem, Part::WholeState(state)]
         .into_iter()
         .chain(solved.map(|_| Part::Eliminated))
@@ -71,7 +71,7 @@ pub fn file(model: &Model, origin: &str, arena: &Arena, equations: &Equations, s
         quote! {
             use super::Parameters;
             #series
-            use tripos_traits::{Scalar, System};
+            use tripos_traits::{Lengths, Scalar, System};
             #(#functions)*
             #system
         },

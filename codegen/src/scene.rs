@@ -126,7 +126,7 @@ fn equations_of(reduction: &Reduction, named: &Named<'_>, key: &str) -> Result<S
         &header,
         quote! {
             #series
-            use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+            use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
 
             #parameters
 

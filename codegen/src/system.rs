@@ -111,9 +111,9 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     let name = format_ident!("{}", type_name(&e.name));
     let about = format!(" {} of this model as a [`System`].", prose(&e.title));
     let symmetric = e.symmetric;
-    let [parameters, n, m, reactions] =
-        [model.parameters.len(), model.coordinates.len(), e.variables.len(), e.unknowns.len() - e.variables.len()]
-            .map(Literal::usize_unsuffixed);
+    let reactions = e.unknowns.len() - e.variables.len();
+    let lengths = [model.parameters.len(), model.coordinates.len(), e.variables.len(), model.speeds.len(), reactions];
+    let [parameters, coordinates, variables, speeds, reactions] = lengths.map(Literal::usize_unsuffixed);
     let conversions = conversions(e);
     let methods = parts.iter().map(|part| part.methods());
     let (state, q) = (state(), array("q"));
@@ -123,10 +123,15 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
         pub struct #name;
 
         impl<S: Scalar> System<S> for #name {
-            fn parameters(&self) -> usize { #parameters }
-            fn coordinates(&self) -> usize { #n }
-            fn speeds(&self) -> usize { #m }
-            fn reactions(&self) -> usize { #reactions }
+            fn lengths(&self) -> Lengths {
+                Lengths {
+                    parameters: #parameters,
+                    coordinates: #coordinates,
+                    variables: #variables,
+                    speeds: #speeds,
+                    reactions: #reactions,
+                }
+            }
             fn symmetric(&self) -> bool { #symmetric }
             fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
                 out.copy_from_slice(&coordinate_rates(#state));

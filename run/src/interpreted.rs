@@ -11,7 +11,7 @@ use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::mechanics::{Derivation, energy_gradient};
 use tripos_derive::reduce::Reduction;
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Why equations cannot be interpreted.
 #[derive(Clone, Debug)]
@@ -37,7 +37,7 @@ impl From<Singular> for NotInterpreted {
 /// One formulation, interpreted. Its working space makes it a thread's own; another thread takes a copy.
 #[derive(Clone)]
 pub struct Interpreted {
-    sizes: [usize; 4],
+    lengths: Lengths,
     /// Parameters, coordinates and motion variables: what most tapes read.
     state: Vec<Expr>,
     symmetric: bool,
@@ -87,7 +87,13 @@ impl Interpreted {
             slope: None,
             series: None,
             state: state.clone(),
-            sizes: [p.len(), q.len(), e.variables.len(), e.unknowns.len() - e.variables.len()],
+            lengths: Lengths {
+                parameters: p.len(),
+                coordinates: q.len(),
+                variables: e.variables.len(),
+                speeds: model.speeds.len(),
+                reactions: e.unknowns.len() - e.variables.len(),
+            },
             symmetric: e.symmetric,
             coordinate_rates: tape(&state, &e.coordinate_rates)?,
             mass_matrix: tape(&state, &e.matrix.concat())?,
@@ -109,7 +115,7 @@ impl Interpreted {
     pub fn solved(mut self, derivation: &Derivation) -> Result<Self, NotInterpreted> {
         let Derivation { mut arena, equations: e } = derivation.clone();
         let Solved { accelerations, jacobian, recurrences } = Solved::new(&mut arena, &e)?;
-        let parameters = &self.state[..self.sizes[0]];
+        let parameters = &self.state[..self.lengths.parameters];
         self.series = recurrences.map(|list| Series::new(&arena, parameters, &list)).transpose()?;
         let rates = &e.unknowns[..e.variables.len()];
         let both = [&e.coordinate_rates, rates].concat();
@@ -128,7 +134,7 @@ impl Interpreted {
     /// [`UnknownSymbol`] if an output has a symbol that nothing defines: what a reduction gives never does.
     pub fn showing(mut self, reduction: &Reduction) -> Result<Self, UnknownSymbol> {
         let values: Vec<Expr> = reduction.outputs.iter().map(|o| o.value).collect();
-        let (p, state) = self.state.split_at(self.sizes[0]);
+        let (p, state) = self.state.split_at(self.lengths.parameters);
         let inputs = [p, &[reduction.time], state].concat();
         let steps = needed(reduction.terms(), &reduction.derivation.equations.definitions, &values);
         self.outputs = Some(Tape::stepwise(reduction.terms(), &inputs, &steps, &values)?);
@@ -162,17 +168,8 @@ impl Interpreted {
 }
 
 impl System<f64> for Interpreted {
-    fn parameters(&self) -> usize {
-        self.sizes[0]
-    }
-    fn coordinates(&self) -> usize {
-        self.sizes[1]
-    }
-    fn speeds(&self) -> usize {
-        self.sizes[2]
-    }
-    fn reactions(&self) -> usize {
-        self.sizes[3]
+    fn lengths(&self) -> Lengths {
+        self.lengths
     }
     fn symmetric(&self) -> bool {
         self.symmetric
@@ -187,7 +184,7 @@ impl System<f64> for Interpreted {
         self.run(&self.forcing, &[p, q, v], out);
     }
     fn output_count(&self) -> usize {
-        self.outputs.as_ref().map_or(self.sizes[1] + self.sizes[2], Tape::outputs)
+        self.outputs.as_ref().map_or(self.lengths.coordinates + self.lengths.speeds, Tape::outputs)
     }
     fn outputs(&self, p: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         match &self.outputs {
@@ -253,7 +250,7 @@ impl System<f64> for Interpreted {
     fn taylor(&self, p: &[f64], order: usize, x: &mut [f64], _work: &mut [f64]) {
         match &self.series {
             Some(series) => series.evaluate(p, order, x),
-            None => x[self.sizes[1] + self.sizes[2]..].fill(f64::NAN),
+            None => x[self.lengths.state()..].fill(f64::NAN),
         }
     }
     fn generalized_speeds(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {

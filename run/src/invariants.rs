@@ -263,7 +263,7 @@ impl Watch {
             let mut dynamics =
                 Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused(scene, &error))?;
             for y in &run.solution.y {
-                let (q, v) = y.split_at(code.system().coordinates().min(y.len()));
+                let (q, v) = y.split_at(code.system().lengths().coordinates.min(y.len()));
                 determinant.push(dynamics.determinant(q, v));
                 condition.push(dynamics.reciprocal_condition(q, v));
             }

@@ -139,7 +139,7 @@ impl<'a> Problem<'a> {
     /// The coordinates of an integrated state, or of its first part.
     #[must_use]
     pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
-        let mut q = y[..self.system().coordinates()].to_vec();
+        let mut q = y[..self.system().lengths().coordinates].to_vec();
         if let Some(Origin { at, value }) = self.origin {
             q[at] += value.to_f64();
         }
@@ -151,13 +151,13 @@ impl<'a> Problem<'a> {
     pub fn state(&self, t: f64, y: &[f64]) -> Vec<f64> {
         let system = self.system();
         if self.by.is_reduced() {
-            let (q, v) = y.split_at(system.coordinates());
+            let (q, v) = y.split_at(system.lengths().coordinates);
             let mut out = vec![f64::NAN; system.output_count()];
             system.outputs(&self.scene.parameters, t - self.scene.span.0, q, v, &mut out);
             return out;
         }
-        let (q, v) = y.split_at(system.coordinates());
-        let mut u = vec![0.0; v.len()];
+        let (q, v) = y.split_at(system.lengths().coordinates);
+        let mut u = vec![0.0; system.lengths().speeds];
         system.generalized_speeds(&self.scene.parameters, q, v, &mut u);
         [self.coordinates(y), u].concat()
     }
@@ -173,10 +173,10 @@ impl<'a> Problem<'a> {
             // From the file's own number: the double nearest to it has lost what the distance keeps.
             q[at] = (wide(&scene.exact.q[at]) - value).to_f64();
         }
-        let mut v = vec![0.0; system.speeds()];
+        let mut v = vec![0.0; system.lengths().variables];
         system.motion_variables(&scene.parameters, &q, &scene.u, &mut v);
         if let Some(at) = v.iter().position(|x| !x.is_finite()) {
-            let name = &self.variables()[system.coordinates() + at];
+            let name = &self.variables()[system.lengths().coordinates + at];
             return Err(Error::Stopped(format!(
                 "the run cannot start: the speeds do not determine `{name}` there{}",
                 self.near_divisors(&q)?
@@ -231,7 +231,7 @@ impl<'a> Problem<'a> {
         if let Some(Origin { at, value }) = self.origin {
             q[at] = q[at] - value;
         }
-        let mut v = vec![DoubleDouble::int(0); system.speeds()];
+        let mut v = vec![DoubleDouble::int(0); system.lengths().variables];
         match &exact.motion {
             Motion::Rates(rates) if self.by.formulation() == Some(Formulation::Lagrange) => v = numbers(rates),
             Motion::Rates(rates) => {
@@ -239,7 +239,7 @@ impl<'a> Problem<'a> {
                 let lagrange = Formulation::Lagrange.into();
                 let lagrange = compiled_code(self.mechanism, &lagrange, self.scene.integration.distance);
                 let lagrange = lagrange.as_ref().and_then(Code::extended)?;
-                let mut u = v.clone();
+                let mut u = vec![DoubleDouble::int(0); system.lengths().speeds];
                 lagrange.generalized_speeds(&p, &q, &numbers(rates), &mut u);
                 system.motion_variables(&p, &q, &u, &mut v);
             }
@@ -252,14 +252,14 @@ impl<'a> Problem<'a> {
     #[must_use]
     pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let Some(system) = self.code.extended() else { return Vec::new() };
-        let (q, v) = y.split_at(system.coordinates());
+        let (q, v) = y.split_at(system.lengths().coordinates);
         if self.by.is_reduced() {
             let mut out = vec![DoubleDouble::int(0); system.output_count()];
             let elapsed = DoubleDouble::from_f64(t) - DoubleDouble::from_f64(self.scene.span.0);
             system.outputs(p, elapsed, q, v, &mut out);
             return out;
         }
-        let mut u = vec![DoubleDouble::int(0); v.len()];
+        let mut u = vec![DoubleDouble::int(0); system.lengths().speeds];
         system.generalized_speeds(p, q, v, &mut u);
         let mut q = q.to_vec();
         if let Some(Origin { at, value }) = self.origin {
@@ -316,7 +316,7 @@ impl<'a> Problem<'a> {
     pub fn solve(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, Error> {
         let (how, system, p) = (&self.scene.integration, self.system(), self.scene.parameters.as_slice());
         if how.method == QUADRATURE {
-            if self.by.is_reduced() && system.speeds() == 0 {
+            if self.by.is_reduced() && system.lengths().variables == 0 {
                 let what = "no motion by quadrature: nothing is left to integrate".to_owned();
                 return Err(Error::request(what, "any stepping method gives it: all of it is algebra".to_owned()));
             }
@@ -340,7 +340,7 @@ impl<'a> Problem<'a> {
             };
             return Err(Error::request(what, help.to_owned()));
         }
-        let n = system.coordinates();
+        let n = system.lengths().coordinates;
         let function = |_t: f64, y: &[f64], values: &mut [f64], gradient: &mut [f64]| {
             values[0] = system.energy_gradient(p, &y[..n], &y[n..], gradient);
         };
@@ -365,7 +365,7 @@ impl<'a> Problem<'a> {
         let system = self.system();
         if !self.by.is_reduced() {
             "it needs a scene's own equations (no --by) with one degree of freedom left, as `tripos scene` shows"
-        } else if system.speeds() != 1 {
+        } else if system.lengths().variables != 1 {
             "it needs one degree of freedom; `tripos scene` shows how many are left: give a stepping method"
         } else if !system.has_potential_slope() {
             "no conserved energy with a potential in closed form was found for what is left: give a stepping method"

@@ -16,6 +16,7 @@ use tripos_sim::work_precision::larger;
 use tripos_sim::{
     AbsoluteTolerance, Direction, Dynamics, Effect, Event, EventRecord, Method, Options, Output, SimError, Solution,
 };
+use tripos_traits::Lengths;
 
 /// What came out of a run.
 pub struct Run {
@@ -442,15 +443,15 @@ fn watch<'a>(
 ) -> impl FnMut(f64, &[f64]) -> f64 + 'a {
     let system = problem.system();
     let p = problem.scene.parameters.clone();
-    let (n, m) = (system.coordinates(), system.speeds());
+    let Lengths { coordinates, speeds, .. } = system.lengths();
     let reactions = problem.model.reactions.len();
     let mut dynamics = match &balance.code {
         Some(code) if watched.needs_reactions => Dynamics::new(code.system(), &p).ok(),
         _ => None,
     };
-    let (mut q_dot, mut u, mut scratch) = (vec![0.0; n], vec![0.0; m], Vec::new());
+    let (mut q_dot, mut u, mut scratch) = (vec![0.0; coordinates], vec![0.0; speeds], Vec::new());
     move |_t: f64, y: &[f64]| {
-        let (variables, v) = y.split_at(n);
+        let (variables, v) = y.split_at(coordinates);
         system.coordinate_rates(&p, variables, v, &mut q_dot);
         system.generalized_speeds(&p, variables, v, &mut u);
         let q = problem.coordinates(y);
@@ -458,7 +459,7 @@ fn watch<'a>(
         match &mut dynamics {
             // The state has no reaction where the balance is singular: not a number, said by the integrator.
             Some(balance) => match balance.unknowns(&q, &u) {
-                Ok(x) => values.extend_from_slice(&x[m..]),
+                Ok(x) => values.extend_from_slice(&x[speeds..]),
                 Err(_) => return f64::NAN,
             },
             None => values.resize(values.len() + reactions, f64::NAN),

@@ -14,6 +14,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::scene::{ENERGIES, Scene, Solve};
 use tripos_sim::{Dynamics, Eliminated, RightHandSide};
+use tripos_traits::Lengths;
 
 /// What is shown of a state.
 #[derive(Clone)]
@@ -102,8 +103,8 @@ impl Shown {
 impl Outputs {
     fn of(&self, problem: &Problem<'_>, state: &[f64], t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
-        let (variables, v) = y.split_at(system.coordinates());
-        let (q, u) = state.split_at(system.coordinates());
+        let (variables, v) = y.split_at(system.lengths().coordinates);
+        let (q, u) = state.split_at(system.lengths().coordinates);
         let mut q_dot = vec![0.0; q.len()];
         system.coordinate_rates(p, variables, v, &mut q_dot);
         let u_dot = self.accelerations(problem, t, y)?;
@@ -117,8 +118,8 @@ impl Outputs {
     /// u̇ as the run finds it; not numbers where nothing asks for it, or where it has no value.
     fn accelerations(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
-        let n = system.coordinates();
-        let mut u_dot = vec![f64::NAN; y.len() - n];
+        let Lengths { coordinates: n, speeds, .. } = system.lengths();
+        let mut u_dot = vec![f64::NAN; speeds];
         if !self.needs_accelerations {
             return Ok(u_dot);
         }

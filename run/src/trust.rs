@@ -64,7 +64,7 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
         return None;
     }
     let (system, p) = (problem.system(), scene.parameters.as_slice());
-    let n = system.coordinates();
+    let n = system.lengths().coordinates;
     let potential = |y: &Vec<f64>| system.potential_energy(p, &y[..n]).abs();
     // What kinetic energy can honestly reach: a run that blows up must not raise its own allowance.
     let start = solution.y.first().unwrap_or(&solution.y_end);

@@ -27,11 +27,11 @@ impl<'a> Dynamics<'a> {
     /// [`SimError::Length`] or [`SimError::NotFinite`] if they are not the system's number of
     /// finite values.
     pub fn new(system: &'a dyn System<f64>, parameters: &[f64]) -> Result<Self, SimError> {
-        check_length("parameters", system.parameters(), parameters)?;
+        check_length("parameters", system.lengths().parameters, parameters)?;
         if let Some(i) = parameters.iter().position(|p| !p.is_finite()) {
             return Err(SimError::NotFinite { what: format!("parameter {i}") });
         }
-        let order = system.unknowns();
+        let order = system.lengths().unknowns();
         Ok(Self {
             system,
             parameters: parameters.to_vec(),
@@ -63,7 +63,7 @@ impl<'a> Dynamics<'a> {
     /// Length of the state: coordinates and motion variables.
     #[must_use]
     pub fn state_length(&self) -> usize {
-        self.system.coordinates() + self.system.speeds()
+        self.system.lengths().state()
     }
 
     /// The state y = [q; v].
@@ -71,15 +71,15 @@ impl<'a> Dynamics<'a> {
     /// # Errors
     /// [`SimError::Length`] if a length is not the system's.
     pub fn state(&self, q: &[f64], v: &[f64]) -> Result<Vec<f64>, SimError> {
-        check_length("coordinates", self.system.coordinates(), q)?;
-        check_length("motion variables", self.system.speeds(), v)?;
+        check_length("coordinates", self.system.lengths().coordinates, q)?;
+        check_length("motion variables", self.system.lengths().variables, v)?;
         Ok([q, v].concat())
     }
 
     /// (q, v) of a state; a state of the wrong length gives what there is.
     #[must_use]
     pub fn split<'y>(&self, y: &'y [f64]) -> (&'y [f64], &'y [f64]) {
-        y.split_at(self.system.coordinates().min(y.len()))
+        y.split_at(self.system.lengths().coordinates.min(y.len()))
     }
 
     /// The unknowns x of A x = b at (q, v): v̇, then the reactions.
@@ -105,7 +105,7 @@ impl<'a> Dynamics<'a> {
             return 0.0;
         }
         self.system.mass_matrix(&self.parameters, q, v, &mut self.matrix);
-        linear::reciprocal_condition(&self.matrix, self.system.unknowns())
+        linear::reciprocal_condition(&self.matrix, self.system.lengths().unknowns())
     }
 
     /// det A(q, v); not a number if A is not finite or a length is not the system's.
@@ -114,7 +114,7 @@ impl<'a> Dynamics<'a> {
             return f64::NAN;
         }
         self.system.mass_matrix(&self.parameters, q, v, &mut self.matrix);
-        linear::determinant(&self.matrix, self.system.unknowns())
+        linear::determinant(&self.matrix, self.system.lengths().unknowns())
     }
 
     /// T + V at (q, v), in J; not a number if a length is not the system's.
@@ -144,7 +144,7 @@ impl<'a> Dynamics<'a> {
     }
 
     fn check_lengths(&self, q: &[f64], v: &[f64]) -> Result<(), Failure> {
-        if q.len() == self.system.coordinates() && v.len() == self.system.speeds() {
+        if q.len() == self.system.lengths().coordinates && v.len() == self.system.lengths().variables {
             Ok(())
         } else {
             Err(wrong_length())
@@ -157,7 +157,7 @@ impl<'a> Dynamics<'a> {
             Shape::Symmetric => "mass matrix",
             Shape::General => "matrix of accelerations and reactions",
         };
-        let order = self.system.unknowns();
+        let order = self.system.lengths().unknowns();
         let label = if self.label.is_empty() { String::new() } else { format!("{}: ", self.label) };
         let odd = |values: &[f64]| values.iter().position(|x| !x.is_finite());
         let (code, fact) = match (why, odd(&self.matrix), odd(&self.unknowns)) {
@@ -180,7 +180,7 @@ impl<'a> Dynamics<'a> {
 /// the eliminated accelerations, where there are such.
 impl RightHandSide<f64> for Dynamics<'_> {
     fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
-        let (n, speeds) = (self.system.coordinates(), self.system.speeds());
+        let (n, speeds) = (self.system.lengths().coordinates, self.system.lengths().variables);
         let (q, v) = self.split(y);
         self.check_lengths(q, v)?;
         if dydt.len() != y.len() {

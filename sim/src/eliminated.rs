@@ -19,7 +19,7 @@ impl<'a, S: Real> Eliminated<'a, S> {
     /// `parameters` in the order of the model file; `None` for equations that were not solved for.
     #[must_use]
     pub fn new(system: &'a dyn System<S>, parameters: &[S]) -> Option<Self> {
-        let fits = parameters.len() == system.parameters();
+        let fits = parameters.len() == system.lengths().parameters;
         (system.has_accelerations() && fits).then(|| Self { system, parameters: parameters.to_vec(), work: Vec::new() })
     }
 }
@@ -27,14 +27,14 @@ impl<'a, S: Real> Eliminated<'a, S> {
 impl<S: Real> RightHandSide<S> for Eliminated<'_, S> {
     #[inline]
     fn rhs(&mut self, _t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
-        let n = self.system.coordinates();
+        let n = self.system.lengths().coordinates;
         let ((q, v), (q_dot, v_dot)) = (y.split_at(n), dydt.split_at_mut(n));
         self.system.derivative(&self.parameters, q, v, q_dot, v_dot);
         Ok(())
     }
 
     fn jacobian(&mut self, _t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
-        let (q, v) = y.split_at(self.system.coordinates());
+        let (q, v) = y.split_at(self.system.lengths().coordinates);
         self.system.jacobian(&self.parameters, q, v, out);
         Some(Ok(()))
     }

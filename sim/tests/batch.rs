@@ -14,7 +14,8 @@ macro_rules! equations {
         struct $name;
         impl<S: Scalar> Rates<S> for $name {
             fn lengths(&self) -> Lengths {
-                Lengths { parameters: $parameters, coordinates: $coordinates, speeds: $speeds }
+                let (coordinates, speeds) = ($coordinates, $speeds);
+                Lengths { parameters: $parameters, coordinates, variables: speeds, speeds, reactions: 0 }
             }
             fn rates(&self, $p: &[S], $q: &[S], $v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
                 let (of_q, of_v) = $rates;

@@ -2,7 +2,7 @@
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
 use tripos_sim::{AbsoluteTolerance, Direction, Dynamics, Event, Options, RightHandSide, SimError, integrate};
-use tripos_traits::System;
+use tripos_traits::{Lengths, System};
 
 /// What a small system must say; speeds are the coordinate rates.
 trait Small {
@@ -19,17 +19,9 @@ trait Small {
 struct Of<S>(S);
 
 impl<S: Small> System<f64> for Of<S> {
-    fn parameters(&self) -> usize {
-        S::PARAMETERS
-    }
-    fn coordinates(&self) -> usize {
-        S::COORDINATES
-    }
-    fn speeds(&self) -> usize {
-        S::COORDINATES
-    }
-    fn reactions(&self) -> usize {
-        S::REACTIONS
+    fn lengths(&self) -> Lengths {
+        let n = S::COORDINATES;
+        Lengths { parameters: S::PARAMETERS, coordinates: n, variables: n, speeds: n, reactions: S::REACTIONS }
     }
     fn symmetric(&self) -> bool {
         S::SYMMETRIC

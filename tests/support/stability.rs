@@ -59,7 +59,7 @@ impl Equations {
 
     /// (q, u) of a state of the equations.
     pub fn seen(&self, p: &[DoubleDouble], y: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let (q, v) = y.split_at(self.system.extended.coordinates());
+        let (q, v) = y.split_at(self.system.extended.lengths().coordinates);
         let mut u = vec![DoubleDouble::int(0); v.len()];
         self.system.extended.generalized_speeds(p, q, v, &mut u);
         let mut q = q.to_vec();

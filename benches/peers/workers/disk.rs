@@ -60,7 +60,7 @@ pub struct Known<E> {
 impl<E: System<f64>> RightHandSide for Known<E> {
     #[inline]
     fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
-        let n = self.equations.coordinates();
+        let n = self.equations.lengths().coordinates;
         let ((q, v), (q_dot, v_dot)) = (y.split_at(n), dydt.split_at_mut(n));
         self.equations.derivative(&self.parameters, q, v, q_dot, v_dot);
         Ok(())

@@ -64,7 +64,7 @@ impl<E: System<f64> + Copy> Worker<E> {
     /// One run, and its outputs.
     fn once(&mut self, start: &[DoubleDouble], tolerance: f64) -> Option<(Solution, Vec<f64>)> {
         let (parameters, y0) = self.beginning.at(start);
-        let (equations, n, span) = (self.rhs.equations, self.rhs.equations.coordinates(), (0.0, SPAN));
+        let (equations, n, span) = (self.rhs.equations, self.rhs.equations.lengths().coordinates, (0.0, SPAN));
         self.rhs.parameters.clone_from(&parameters);
         let with = |method| options(method, tolerance);
         let solution = match self.how {

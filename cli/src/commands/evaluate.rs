@@ -59,9 +59,9 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
     let code = code_of(model, by, derivation, Ready::AsDerived)?;
     let system = code.system();
     let State { parameters: p, q, u } = state;
-    let mut v = vec![0.0; system.speeds()];
+    let mut v = vec![0.0; system.lengths().variables];
     system.motion_variables(p, q, u, &mut v);
-    let n = system.unknowns();
+    let n = system.lengths().unknowns();
     let (mut matrix, mut forcing) = (vec![0.0; n * n], vec![0.0; n]);
     system.mass_matrix(p, q, &v, &mut matrix);
     system.forcing(p, q, &v, &mut forcing);
@@ -80,7 +80,7 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
         let lost = (-rcond.log10()).floor();
         warn(&format!("equilibrated rcond is {rcond:.1e}: about {lost} of 16 digits of the accelerations are lost"));
     }
-    let (v_dot, reactions) = x.split_at(system.speeds());
+    let (v_dot, reactions) = x.split_at(system.lengths().variables);
     let mut u_dot = vec![0.0; model.speeds.len()];
     system.generalized_speed_rates(p, q, &v, v_dot, &mut u_dot);
     if let Some(at) = u_dot.iter().position(|a| !a.is_finite()) {

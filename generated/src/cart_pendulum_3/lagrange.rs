@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q0, q1, q2, q3.
 ///
@@ -2441,17 +2441,14 @@ pub fn taylor<S: Scalar>(
 pub struct Lagrange;
 
 impl<S: Scalar> System<S> for Lagrange {
-    fn parameters(&self) -> usize {
-        9
-    }
-    fn coordinates(&self) -> usize {
-        4
-    }
-    fn speeds(&self) -> usize {
-        4
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 9,
+            coordinates: 4,
+            variables: 4,
+            speeds: 4,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows cart force n1, cart force n2, bob1 force n1, bob1 force n2, bob2 force n1, bob2 force n2, bob3 force n1, bob3 force n2.
 ///
@@ -2508,17 +2508,14 @@ pub fn taylor<S: Scalar>(
 pub struct NewtonEuler;
 
 impl<S: Scalar> System<S> for NewtonEuler {
-    fn parameters(&self) -> usize {
-        9
-    }
-    fn coordinates(&self) -> usize {
-        4
-    }
-    fn speeds(&self) -> usize {
-        4
-    }
-    fn reactions(&self) -> usize {
-        4
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 9,
+            coordinates: 4,
+            variables: 4,
+            speeds: 4,
+            reactions: 4,
+        }
     }
     fn symmetric(&self) -> bool {
         false

@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rod force a1, rod force a2, rod force a3, rod moment a1, rod moment a2, rod moment a3, plate force b1, plate force b2, plate force b3, plate moment b1, plate moment b2, plate moment b3.
 ///
@@ -640,17 +640,14 @@ pub fn taylor<S: Scalar>(
 pub struct NewtonEuler;
 
 impl<S: Scalar> System<S> for NewtonEuler {
-    fn parameters(&self) -> usize {
-        9
-    }
-    fn coordinates(&self) -> usize {
-        2
-    }
-    fn speeds(&self) -> usize {
-        2
-    }
-    fn reactions(&self) -> usize {
-        10
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 9,
+            coordinates: 2,
+            variables: 2,
+            speeds: 2,
+            reactions: 10,
+        }
     }
     fn symmetric(&self) -> bool {
         false

@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3, q4, q5.
 ///
@@ -1238,17 +1238,14 @@ pub fn taylor<S: Scalar>(
 pub struct LagrangeQ290deg;
 
 impl<S: Scalar> System<S> for LagrangeQ290deg {
-    fn parameters(&self) -> usize {
-        3
-    }
-    fn coordinates(&self) -> usize {
-        5
-    }
-    fn speeds(&self) -> usize {
-        5
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 5,
+            variables: 5,
+            speeds: 5,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

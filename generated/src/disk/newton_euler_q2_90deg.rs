@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows disk force b1, disk force b2, disk force b3, disk moment b1, disk moment b2, disk moment b3.
 ///
@@ -1202,17 +1202,14 @@ pub fn taylor<S: Scalar>(
 pub struct NewtonEulerQ290deg;
 
 impl<S: Scalar> System<S> for NewtonEulerQ290deg {
-    fn parameters(&self) -> usize {
-        3
-    }
-    fn coordinates(&self) -> usize {
-        5
-    }
-    fn speeds(&self) -> usize {
-        5
-    }
-    fn reactions(&self) -> usize {
-        1
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 5,
+            variables: 5,
+            speeds: 5,
+            reactions: 1,
+        }
     }
     fn symmetric(&self) -> bool {
         false

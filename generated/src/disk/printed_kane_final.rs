@@ -6,7 +6,7 @@
 //! The kinematic equations are singular where cos(q2) = 0.
 
 use super::Parameters;
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); rows row 1, row 2, row 3, row 4, row 5.
 ///
@@ -177,17 +177,14 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
 pub struct PrintedKaneFinal;
 
 impl<S: Scalar> System<S> for PrintedKaneFinal {
-    fn parameters(&self) -> usize {
-        3
-    }
-    fn coordinates(&self) -> usize {
-        5
-    }
-    fn speeds(&self) -> usize {
-        5
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 5,
+            variables: 5,
+            speeds: 5,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         false

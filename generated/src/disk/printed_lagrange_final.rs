@@ -6,7 +6,7 @@
 //! The kinematic equations are singular where cos(q2) = 0.
 
 use super::Parameters;
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); rows row 1, row 2, row 3, row 4, row 5.
 ///
@@ -254,17 +254,14 @@ pub fn motion_variables<S: Scalar>(
 pub struct PrintedLagrangeFinal;
 
 impl<S: Scalar> System<S> for PrintedLagrangeFinal {
-    fn parameters(&self) -> usize {
-        3
-    }
-    fn coordinates(&self) -> usize {
-        5
-    }
-    fn speeds(&self) -> usize {
-        5
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 5,
+            variables: 5,
+            speeds: 5,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         false

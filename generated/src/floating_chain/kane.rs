@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3, u4, u5.
 ///
@@ -2855,17 +2855,14 @@ pub fn taylor<S: Scalar>(
 pub struct Kane;
 
 impl<S: Scalar> System<S> for Kane {
-    fn parameters(&self) -> usize {
-        2
-    }
-    fn coordinates(&self) -> usize {
-        5
-    }
-    fn speeds(&self) -> usize {
-        5
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 2,
+            coordinates: 5,
+            variables: 5,
+            speeds: 5,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rod1 force a1, rod1 force a2, rod1 moment a3, rod2 force b1, rod2 force b2, rod2 moment b3, rod3 force c1, rod3 force c2, rod3 moment c3.
 ///
@@ -2934,17 +2934,14 @@ pub fn taylor<S: Scalar>(
 pub struct NewtonEuler;
 
 impl<S: Scalar> System<S> for NewtonEuler {
-    fn parameters(&self) -> usize {
-        2
-    }
-    fn coordinates(&self) -> usize {
-        5
-    }
-    fn speeds(&self) -> usize {
-        5
-    }
-    fn reactions(&self) -> usize {
-        4
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 2,
+            coordinates: 5,
+            variables: 5,
+            speeds: 5,
+            reactions: 4,
+        }
     }
     fn symmetric(&self) -> bool {
         false

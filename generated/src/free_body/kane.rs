@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows v1, v2, v3, w1, w2, w3.
 ///
@@ -609,17 +609,14 @@ pub fn taylor<S: Scalar>(
 pub struct Kane;
 
 impl<S: Scalar> System<S> for Kane {
-    fn parameters(&self) -> usize {
-        3
-    }
-    fn coordinates(&self) -> usize {
-        6
-    }
-    fn speeds(&self) -> usize {
-        6
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 6,
+            variables: 6,
+            speeds: 6,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

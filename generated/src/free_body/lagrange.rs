@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows x, y, z, psi, theta, phi.
 ///
@@ -885,17 +885,14 @@ pub fn taylor<S: Scalar>(
 pub struct Lagrange;
 
 impl<S: Scalar> System<S> for Lagrange {
-    fn parameters(&self) -> usize {
-        3
-    }
-    fn coordinates(&self) -> usize {
-        6
-    }
-    fn speeds(&self) -> usize {
-        6
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 6,
+            variables: 6,
+            speeds: 6,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

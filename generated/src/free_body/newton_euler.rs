@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows body force b1, body force b2, body force b3, body moment b1, body moment b2, body moment b3.
 ///
@@ -628,17 +628,14 @@ pub fn taylor<S: Scalar>(
 pub struct NewtonEuler;
 
 impl<S: Scalar> System<S> for NewtonEuler {
-    fn parameters(&self) -> usize {
-        3
-    }
-    fn coordinates(&self) -> usize {
-        6
-    }
-    fn speeds(&self) -> usize {
-        6
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 6,
+            variables: 6,
+            speeds: 6,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         false

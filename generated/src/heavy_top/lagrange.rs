@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3.
 ///
@@ -698,17 +698,14 @@ pub fn taylor<S: Scalar>(
 pub struct Lagrange;
 
 impl<S: Scalar> System<S> for Lagrange {
-    fn parameters(&self) -> usize {
-        5
-    }
-    fn coordinates(&self) -> usize {
-        3
-    }
-    fn speeds(&self) -> usize {
-        3
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 5,
+            coordinates: 3,
+            variables: 3,
+            speeds: 3,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

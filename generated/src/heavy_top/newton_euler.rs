@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows top force b1, top force b2, top force b3, top moment b1, top moment b2, top moment b3.
 ///
@@ -539,17 +539,14 @@ pub fn taylor<S: Scalar>(
 pub struct NewtonEuler;
 
 impl<S: Scalar> System<S> for NewtonEuler {
-    fn parameters(&self) -> usize {
-        5
-    }
-    fn coordinates(&self) -> usize {
-        3
-    }
-    fn speeds(&self) -> usize {
-        3
-    }
-    fn reactions(&self) -> usize {
-        3
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 5,
+            coordinates: 3,
+            variables: 3,
+            speeds: 3,
+            reactions: 3,
+        }
     }
     fn symmetric(&self) -> bool {
         false

@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows omega.
 ///
@@ -236,17 +236,14 @@ pub fn taylor<S: Scalar>(
 pub struct Kane;
 
 impl<S: Scalar> System<S> for Kane {
-    fn parameters(&self) -> usize {
-        3
-    }
-    fn coordinates(&self) -> usize {
-        1
-    }
-    fn speeds(&self) -> usize {
-        1
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 1,
+            variables: 1,
+            speeds: 1,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

@@ -8,7 +8,7 @@
 
 use super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Scalar, System};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows bob force n1, bob force n2, bob force n3.
 ///
@@ -258,17 +258,14 @@ pub fn taylor<S: Scalar>(
 pub struct NewtonEuler;
 
 impl<S: Scalar> System<S> for NewtonEuler {
-    fn parameters(&self) -> usize {
-        3
-    }
-    fn coordinates(&self) -> usize {
-        1
-    }
-    fn speeds(&self) -> usize {
-        1
-    }
-    fn reactions(&self) -> usize {
-        2
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 1,
+            variables: 1,
+            speeds: 1,
+            reactions: 2,
+        }
     }
     fn symmetric(&self) -> bool {
         false

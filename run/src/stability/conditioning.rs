@@ -30,7 +30,7 @@ struct Place {
 fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Place) -> Vec<DoubleDouble> {
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let (p, q, u) = (wide(&study.scene.parameters), wide(&place.q), wide(&place.u));
-    let zeros = vec![DoubleDouble::int(0); system.speeds()];
+    let zeros = vec![DoubleDouble::int(0); system.lengths().variables];
     let (mut v, mut v_dot, mut u_dot) = (zeros.clone(), zeros.clone(), vec![DoubleDouble::int(0); u.len()]);
     system.motion_variables(&p, &q, &u, &mut v);
     system.accelerations(&p, &q, &v, &mut v_dot);
@@ -48,9 +48,9 @@ fn look(
     exact: &[DoubleDouble],
 ) -> Result<(f64, f64, f64), Error> {
     let (system, p) = (case.code.system(), scene.parameters.as_slice());
-    let mut v = vec![0.0; system.speeds()];
+    let mut v = vec![0.0; system.lengths().variables];
     system.motion_variables(p, &place.q, &place.u, &mut v);
-    let mut v_dot = vec![0.0; system.speeds()];
+    let mut v_dot = vec![0.0; system.lengths().variables];
     let mut dynamics = Dynamics::new(system, p).map_err(|error| refused(scene, &error))?;
     match case.solve {
         Solve::Eliminated => system.accelerations(p, &place.q, &v, &mut v_dot),
@@ -67,7 +67,7 @@ fn look(
     extended.generalized_speed_rates(&wide(p), &wide(&place.q), &exact_v, &wide(&v_dot), &mut u_dot);
     let largest = exact.iter().map(|a| a.abs().to_f64()).fold(0.0, larger);
     let error = u_dot.iter().zip(exact).map(|(a, b)| (*a - *b).abs().to_f64()).fold(0.0, larger) / largest;
-    let n = system.unknowns();
+    let n = system.lengths().unknowns();
     let mut matrix = vec![0.0; n * n];
     system.mass_matrix(p, &place.q, &v, &mut matrix);
     Ok((error, 1.0 / linear::plain_reciprocal_condition(&matrix, n), 1.0 / linear::reciprocal_condition(&matrix, n)))
@@ -101,7 +101,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Error> {
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(Vec::new()) };
     let inputs = [model.p(), model.q()].concat();
     let tape = tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;
-    let n = problem.system().coordinates();
+    let n = problem.system().lengths().coordinates;
     let mut list: Vec<Place> = Vec::new();
     let mut next = 0.7;
     for (t, y) in run.t.iter().zip(&run.y) {

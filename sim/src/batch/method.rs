@@ -80,7 +80,7 @@ pub(super) struct Method<'a, const N: usize> {
 
 impl<'a, const N: usize> Method<'a, N> {
     pub(super) fn new(equations: &'a (dyn Rates<Lanes<N>> + Sync)) -> Self {
-        let Lengths { parameters, coordinates, speeds } = equations.lengths();
+        let Lengths { parameters, coordinates, variables: speeds, .. } = equations.lengths();
         let zero = Lanes([0.0; N]);
         let zeros = || vec![zero; coordinates + speeds];
         Self {

@@ -20,7 +20,7 @@ mod rule;
 mod solve;
 mod track;
 
-use tripos_traits::System;
+use tripos_traits::{Lengths, System};
 
 use crate::error::SimError;
 use course::{Course, note_far};
@@ -32,13 +32,10 @@ use track::Scratch;
 /// The motion from one start of equations with one speed.
 ///
 /// ```
-/// # use tripos_traits::System;
+/// # use tripos_traits::{Lengths, System};
 /// # struct Oscillator;
 /// # impl System<f64> for Oscillator {
-/// #     fn parameters(&self) -> usize { 0 }
-/// #     fn coordinates(&self) -> usize { 1 }
-/// #     fn speeds(&self) -> usize { 1 }
-/// #     fn reactions(&self) -> usize { 0 }
+/// #     fn lengths(&self) -> Lengths { Lengths { coordinates: 1, variables: 1, speeds: 1, ..Lengths::default() } }
 /// #     fn symmetric(&self) -> bool { true }
 /// #     fn coordinate_rates(&self, _: &[f64], _: &[f64], v: &[f64], out: &mut [f64]) { out[0] = v[0]; }
 /// #     fn mass_matrix(&self, _: &[f64], _: &[f64], _: &[f64], out: &mut [f64]) { out[0] = 1.0; }
@@ -214,13 +211,11 @@ impl<'a> OneDegree<'a> {
 
 /// Refuses equations of another kind.
 fn check(system: &dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<(), NoQuadrature> {
-    let speeds = system.speeds();
+    let Lengths { parameters, coordinates, variables: speeds, .. } = system.lengths();
     if speeds != 1 || q.is_empty() {
         return Err(NoQuadrature::NotOneDegree { speeds });
     }
-    for (what, expected, found) in
-        [("parameters", system.parameters(), p.len()), ("coordinates", system.coordinates(), q.len())]
-    {
+    for (what, expected, found) in [("parameters", parameters, p.len()), ("coordinates", coordinates, q.len())] {
         if expected != found {
             return Err(SimError::Length { what, expected, found }.into());
         }

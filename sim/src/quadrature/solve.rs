@@ -30,7 +30,9 @@ pub fn solve(
     options::check_span(span, y0)?;
     options::check_output(span, &options.output)?;
     let Some((v, q)) = y0.split_last() else {
-        return Err(SimError::Length { what: "initial state", expected: system.coordinates() + 1, found: 0 }.into());
+        return Err(
+            SimError::Length { what: "initial state", expected: system.lengths().coordinates + 1, found: 0 }.into()
+        );
     };
     let mut motion = OneDegree::new(system, p, q, *v)?;
     let (t0, t1) = span;

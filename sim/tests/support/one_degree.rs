@@ -1,6 +1,6 @@
 //! Systems of one degree of freedom, written by hand.
 
-use tripos_traits::System;
+use tripos_traits::{Lengths, System};
 
 /// q₀′ = v, T = ½ v², V by its divided difference; further coordinates by their rates.
 pub struct OneSpeed<R, V, D> {
@@ -18,17 +18,8 @@ where
     V: Fn(f64) -> f64,
     D: Fn(f64, f64) -> f64,
 {
-    fn parameters(&self) -> usize {
-        0
-    }
-    fn coordinates(&self) -> usize {
-        self.coordinates
-    }
-    fn speeds(&self) -> usize {
-        1
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths { coordinates: self.coordinates, variables: 1, speeds: 1, ..Lengths::default() }
     }
     fn symmetric(&self) -> bool {
         true

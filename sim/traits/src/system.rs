@@ -2,26 +2,44 @@
 
 use crate::{DoubleDouble, Lanes, Scalar};
 
+/// How long the arguments and results of a [`System`] are: nothing else knows how many of anything there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Lengths {
+    /// Parameters: of `p`.
+    pub parameters: usize,
+    /// Generalized coordinates, n: of `q` and of their rates.
+    pub coordinates: usize,
+    /// Motion variables, which the formulation integrates beside the coordinates: of `v` and of v̇.
+    pub variables: usize,
+    /// Generalized speeds of the model, p ≤ n: of `u` and of u̇.
+    pub speeds: usize,
+    /// Reactions among the unknowns, after v̇.
+    pub reactions: usize,
+}
+
+impl Lengths {
+    /// The order of the linear system: v̇ and the reactions.
+    #[must_use]
+    pub const fn unknowns(self) -> usize {
+        self.variables + self.reactions
+    }
+
+    /// The length of the state (q, v).
+    #[must_use]
+    pub const fn state(self) -> usize {
+        self.coordinates + self.variables
+    }
+}
+
 /// Equations of motion  A(q, v) x = b(q, v),  q̇ = k(q, v).
 ///
-/// `q` holds the n generalized coordinates and `v` the n motion variables that the formulation
-/// integrates: the generalized speeds u for Kane and Newton–Euler, the coordinate rates q̇ for
-/// Lagrange. The unknowns x are v̇, followed by `reactions` reaction forces and torques. `p` holds
-/// the parameters in the order of the model file. All slices have exactly the stated lengths;
-/// implementations may panic on others.
+/// `q` holds the n generalized coordinates and `v` the motion variables that the formulation integrates: the p ≤ n
+/// generalized speeds u for Kane and Newton–Euler, the n coordinate rates q̇ for Lagrange. The unknowns x are v̇, followed by
+/// reaction forces and torques. `p` holds the parameters in the order of the model file. All slices have exactly the lengths
+/// that [`System::lengths`] states; implementations may panic on others.
 pub trait System<S: Scalar = f64> {
-    /// Number of parameters, the length of `p`.
-    fn parameters(&self) -> usize;
-    /// Number of generalized coordinates, the length of `q`.
-    fn coordinates(&self) -> usize;
-    /// Number of motion variables, the length of `v`.
-    fn speeds(&self) -> usize;
-    /// Number of reactions among the unknowns, after v̇.
-    fn reactions(&self) -> usize;
-    /// Number of unknowns: the order of the linear system.
-    fn unknowns(&self) -> usize {
-        self.speeds() + self.reactions()
-    }
+    /// How long the arguments and results are.
+    fn lengths(&self) -> Lengths;
     /// Whether `mass_matrix` is symmetric and, away from singular configurations, positive definite.
     fn symmetric(&self) -> bool;
 
@@ -30,17 +48,17 @@ pub trait System<S: Scalar = f64> {
     fn has_accelerations(&self) -> bool {
         false
     }
-    /// v̇ by exact elimination at derivation time: the first `speeds` unknowns of A x = b; `out` has as many entries.
+    /// v̇ by exact elimination at derivation time: the first unknowns of A x = b; `out` has as many entries as `v`.
     fn accelerations(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
         out.fill(S::from_f64(f64::NAN));
     }
-    /// q̇ and v̇ together, which share terms; `q_dot` has `coordinates` entries and `v_dot` `speeds`.
+    /// q̇ and v̇ together, which share terms; `q_dot` is as long as `q`, `v_dot` as `v`.
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
         self.coordinate_rates(p, q, v, q_dot);
         self.accelerations(p, q, v, v_dot);
     }
     /// The Jacobian ∂(q̇, v̇)/∂(q, v) of [`System::derivative`], row by row; `out` has
-    /// (`coordinates` + `speeds`)² entries.
+    /// [`Lengths::state`]² entries.
     fn jacobian(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
         out.fill(S::from_f64(f64::NAN));
     }
@@ -56,23 +74,23 @@ pub trait System<S: Scalar = f64> {
     }
     /// Taylor coefficients of the motion in time: (1/k!) dᵏ(q, v)/dtᵏ for k = 0 … `order`, row by row.
     ///
-    /// `x` has (`order` + 1)(`coordinates` + `speeds`) entries and comes with the state (q, v) in its first row; `work` has
+    /// `x` has (`order` + 1) [`Lengths::state`] entries and comes with the state (q, v) in its first row; `work` has
     /// [`System::taylor_work`] entries with any contents.
     fn taylor(&self, _p: &[S], _order: usize, x: &mut [S], _work: &mut [S]) {
-        let state = self.coordinates() + self.speeds();
+        let state = self.lengths().state();
         x[state..].fill(S::from_f64(f64::NAN));
     }
 
-    /// q̇ = k(q, v); `out` has `coordinates` entries.
+    /// q̇ = k(q, v); `out` is as long as `q`.
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
-    /// A(q, v), row by row; `out` has `unknowns`² entries. The identity where accelerations are all there is.
+    /// A(q, v), row by row; `out` has [`Lengths::unknowns`]² entries. The identity where accelerations are all there is.
     fn mass_matrix(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
-        let n = self.unknowns();
+        let n = self.lengths().unknowns();
         for (at, entry) in out.iter_mut().enumerate() {
             *entry = S::int(i64::from(at % (n + 1) == 0));
         }
     }
-    /// b(q, v); `out` has `unknowns` entries. The accelerations where they are all there is.
+    /// b(q, v); `out` has [`Lengths::unknowns`] entries. The accelerations where they are all there is.
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         self.accelerations(p, q, v, out);
     }
@@ -84,7 +102,7 @@ pub trait System<S: Scalar = f64> {
     ///
     /// Stated by every implementation: values that nobody asked for must not appear under the names of others.
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]);
-    /// The coordinates, then the generalized speeds of the model; `out` has `coordinates` + `speeds` entries.
+    /// The coordinates, then the generalized speeds of the model; `out` has as many entries as q and u.
     fn whole_state(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         let (of_q, of_u) = out.split_at_mut(q.len());
         of_q.copy_from_slice(q);
@@ -95,13 +113,13 @@ pub trait System<S: Scalar = f64> {
     fn has_energy_gradient(&self) -> bool {
         false
     }
-    /// T + V, and ∂(T + V)/∂(q, v) in `out`, which has `coordinates` + `speeds` entries; not numbers without it.
+    /// T + V, and ∂(T + V)/∂(q, v) in `out`, which has [`Lengths::state`] entries; not numbers without it.
     fn energy_gradient(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) -> S {
         out.fill(S::from_f64(f64::NAN));
         S::from_f64(f64::NAN)
     }
 
-    /// Generalized speeds u of the model file, from v; `out` has `speeds` entries.
+    /// Generalized speeds u of the model file, from v; `out` has [`Lengths::speeds`] entries.
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
     /// u̇ from v̇, so that formulations compare key by key.
     fn generalized_speed_rates(&self, p: &[S], q: &[S], v: &[S], v_dot: &[S], out: &mut [S]);
@@ -169,21 +187,10 @@ pub struct CompiledSystem {
 /// What batches are integrated with. A program that runs a model in lanes need not compile all of [`System`] for them, which
 /// takes an optimizing compiler far longer than for single numbers.
 pub trait Rates<S: Scalar> {
-    /// How many parameters, coordinates and speeds there are.
+    /// How long the arguments and results are.
     fn lengths(&self) -> Lengths;
     /// As [`System::derivative`].
     fn rates(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]);
-}
-
-/// How long the arguments of [`Rates::rates`] are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Lengths {
-    /// Of `p`.
-    pub parameters: usize,
-    /// Of `q` and `q_dot`.
-    pub coordinates: usize,
-    /// Of `v` and `v_dot`.
-    pub speeds: usize,
 }
 
 /// The derivative of a [`System`] whose [`System::has_accelerations`] holds.
@@ -195,7 +202,7 @@ pub struct Derivative<E>(
 
 impl<S: Scalar, E: System<S>> Rates<S> for Derivative<E> {
     fn lengths(&self) -> Lengths {
-        Lengths { parameters: self.0.parameters(), coordinates: self.0.coordinates(), speeds: self.0.speeds() }
+        self.0.lengths()
     }
     fn rates(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
         self.0.derivative(p, q, v, q_dot, v_dot);

@@ -9,7 +9,7 @@
 //! Singular nowhere.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2567,17 +2567,14 @@ pub fn taylor<S: Scalar>(
 pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
-    fn parameters(&self) -> usize {
-        9
-    }
-    fn coordinates(&self) -> usize {
-        4
-    }
-    fn speeds(&self) -> usize {
-        4
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 9,
+            coordinates: 4,
+            variables: 4,
+            speeds: 4,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

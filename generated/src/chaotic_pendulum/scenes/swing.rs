@@ -13,7 +13,7 @@
 //! Singular nowhere.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -689,17 +689,14 @@ pub fn taylor<S: Scalar>(
 pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
-    fn parameters(&self) -> usize {
-        13
-    }
-    fn coordinates(&self) -> usize {
-        2
-    }
-    fn speeds(&self) -> usize {
-        2
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 13,
+            coordinates: 2,
+            variables: 2,
+            speeds: 2,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

@@ -17,7 +17,7 @@
 //! Singular where m*l^2*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))/12 = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -6561,17 +6561,14 @@ pub fn taylor<S: Scalar>(
 pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
-    fn parameters(&self) -> usize {
-        12
-    }
-    fn coordinates(&self) -> usize {
-        3
-    }
-    fn speeds(&self) -> usize {
-        2
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 12,
+            coordinates: 3,
+            variables: 2,
+            speeds: 2,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

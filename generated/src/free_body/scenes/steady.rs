@@ -20,7 +20,7 @@
 //! Singular where sin(theta) = 0 and where I1*sin(theta) = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -742,17 +742,14 @@ pub fn taylor<S: Scalar>(
 pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
-    fn parameters(&self) -> usize {
-        13
-    }
-    fn coordinates(&self) -> usize {
-        3
-    }
-    fn speeds(&self) -> usize {
-        1
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 13,
+            coordinates: 3,
+            variables: 1,
+            speeds: 1,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true

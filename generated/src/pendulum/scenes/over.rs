@@ -8,7 +8,7 @@
 //! Singular nowhere.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Scalar, System};
+use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
 
 /// The parameters, in the order of the model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -289,17 +289,14 @@ pub fn taylor<S: Scalar>(
 pub struct Reduced;
 
 impl<S: Scalar> System<S> for Reduced {
-    fn parameters(&self) -> usize {
-        1
-    }
-    fn coordinates(&self) -> usize {
-        1
-    }
-    fn speeds(&self) -> usize {
-        1
-    }
-    fn reactions(&self) -> usize {
-        0
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 1,
+            coordinates: 1,
+            variables: 1,
+            speeds: 1,
+            reactions: 0,
+        }
     }
     fn symmetric(&self) -> bool {
         true
