@@ -3,7 +3,9 @@
 //! An error is everywhere the largest over all components of |e| / (1 + |reference|). Absent on purpose: models, and how
 //! a reference was found.
 
+#[cfg(feature = "clock")]
 use std::ops::ControlFlow;
+#[cfg(feature = "clock")]
 use std::time::Instant;
 
 use tripos_traits::{DoubleDouble, Real, Scalar};
@@ -68,6 +70,7 @@ pub fn options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> 
 
 /// Times every job `repeats` times, in turn, so that whatever else the machine does falls on all of them alike.
 /// `after` is told after every single run, and may end it all: that run does not count then.
+#[cfg(feature = "clock")]
 pub fn interleaved(
     jobs: &mut [Box<dyn FnMut() + '_>],
     repeats: usize,

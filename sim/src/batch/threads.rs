@@ -1,0 +1,56 @@
+//! Batches on all cores.
+
+use super::{Outcome, Outcomes, Plan, Trajectory, check, queue};
+use crate::error::SimError;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use tripos_traits::{InLanes, Lanes, Rates, lane_width};
+
+/// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes are those of [`integrate`], to the
+/// bit, for any number of threads. `progress` is told how many trajectories are done, by whichever thread ends one, so
+/// possibly not in order.
+///
+/// # Errors
+/// As [`integrate`].
+pub fn integrate_on_all_cores(
+    equations: InLanes<'_>,
+    plan: &Plan,
+    trajectories: &[Trajectory<'_>],
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<Outcome>, SimError> {
+    if lane_width() == 8 {
+        on_all_cores(equations.eight, plan, trajectories, progress)
+    } else {
+        on_all_cores(equations.four, plan, trajectories, progress)
+    }
+}
+
+fn on_all_cores<const N: usize>(
+    equations: &(dyn Rates<Lanes<N>> + Sync),
+    plan: &Plan,
+    trajectories: &[Trajectory<'_>],
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<Outcome>, SimError> {
+    let pace = check(equations, plan, trajectories)?;
+    let outcomes = Mutex::new(Outcomes::new(trajectories.len()));
+    let (taken, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    // All threads take from one queue, so that none is left with much to do when the others have done.
+    let worker = || {
+        let mut list = Vec::new();
+        let mut next = || Some(taken.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < trajectories.len());
+        queue::run(equations, &pace, plan.step_limit, trajectories, &mut next, &mut |index, outcome| {
+            list.push((index, outcome));
+            progress(done.fetch_add(1, Ordering::Relaxed) + 1);
+        });
+        let mut outcomes = outcomes.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        for (index, outcome) in list {
+            outcomes.put(index, outcome);
+        }
+    };
+    rayon::scope(|scope| {
+        for _ in 0..rayon::current_num_threads() {
+            scope.spawn(|_| worker());
+        }
+    });
+    Ok(outcomes.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).all())
+}
