@@ -80,3 +80,19 @@ fn the_library_knows_neither_generated_code_nor_the_command() {
 fn codegen_knows_only_derive() {
     knows_nothing_of("codegen/src", &["tripos_sim", "tripos_models", "tripos::"]);
 }
+
+/// A plan is for any target, and the library that runs scenes needs none: what writes Rust is the command's alone.
+#[test]
+fn plans_know_no_language() {
+    for folder in ["codegen/src/plan", "codegen/src/taylor"] {
+        knows_nothing_of(
+            folder,
+            &["crate::rust", "proc_macro2", "quote::", "quote!", "syn::", "TokenStream", "prettyplease"],
+        );
+    }
+    let arguments = ["tree", "--package", "tripos", "--edges", "normal", "--prefix", "none", "--offline"];
+    let tree = std::process::Command::new(env!("CARGO")).args(arguments).output().unwrap();
+    let tree = String::from_utf8(tree.stdout).unwrap();
+    assert!(tree.contains("tripos-codegen"), "{tree}");
+    assert!(!tree.contains("prettyplease") && !tree.contains("tempfile"), "{tree}");
+}

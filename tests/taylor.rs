@@ -3,12 +3,12 @@
 use crate::support;
 
 use support::{compiled, system};
-use tripos_codegen::formulation::Solved;
-use tripos_codegen::taylor::{Tape, recurrences};
+use tripos_codegen::taylor::{Tape, recurrences, recurrences_of};
 use tripos_derive::algebra::calculus::Differential;
 use tripos_derive::algebra::evaluate::Tape as Values;
 use tripos_derive::algebra::parse::parse_free;
 use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::Solved;
 use tripos_derive::{Formulation, Model, derive};
 use tripos_sim::{AbsoluteTolerance, Eliminated, Method, Options, Output, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
@@ -97,7 +97,9 @@ fn compiled_series_equal_interpreted_ones() {
         for formulation in Formulation::ALL {
             let mut derivation = derive(&model, formulation).unwrap();
             let solved = Solved::new(&mut derivation.arena, &derivation.equations).unwrap();
-            let tape = Tape::new(&derivation.arena, &model.p(), &solved.recurrences.unwrap()).unwrap();
+            let equations = &derivation.equations;
+            let list = recurrences_of(&mut derivation.arena, equations, &solved.accelerations).unwrap();
+            let tape = Tape::new(&derivation.arena, &model.p(), &list).unwrap();
             let named = compiled(folder, formulation.name());
             let (p, start) = numbers(named.extended);
             let narrow = |list: &[Dd]| list.iter().map(|x| x.to_f64()).collect::<Vec<_>>();

@@ -21,7 +21,7 @@ use html::{anchor, escape};
 use std::fmt::Write;
 use tripos::reduced::Reduced;
 use tripos::study::Study;
-use tripos_codegen::scene::Costs;
+use tripos_codegen::plan::Costs;
 use tripos_derive::mechanics::DerivationInSteps;
 use tripos_derive::{Formulation, Model};
 

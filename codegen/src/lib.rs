@@ -1,22 +1,22 @@
-//! Equations to readable Rust, the same bytes for the same model text on every machine.
+//! Equations to readable code, the same bytes for the same model text on every machine.
 //!
-//! The flow: [`tripos_derive::Equations`] → [`program::Program`] (ordered, shared, named) → tokens →
-//! text through prettyplease → [`workspace::Generated`] files. Nothing here reads a clock, an
-//! environment variable or a hash map's order.
+//! The flow: [`tripos_derive::Equations`] → a plan of functions ([`plan`], [`taylor`]), which knows no language → the text of a
+//! target (`rust`, behind the feature of that name) → files (`workspace`, `emit`). The recurrences of [`taylor`] can be interpreted as well.
+//! Nothing here reads a clock, an environment variable or a hash map's order.
 
+#[cfg(feature = "rust")]
 pub mod emit;
+#[cfg(feature = "files")]
 pub mod files;
-pub mod formulation;
-mod function;
-mod identifiers;
-mod module;
+#[cfg(feature = "rust")]
 mod origin;
-pub mod program;
-pub mod scene;
+pub mod plan;
+#[cfg(feature = "rust")]
+pub mod rust;
 pub mod scene_files;
-mod system;
 pub mod taylor;
-pub mod tokens;
+#[cfg(feature = "rust")]
 pub mod workspace;
 
+#[cfg(feature = "rust")]
 pub use workspace::{Difference, Freshness, Generated, freshness};

@@ -1,25 +1,25 @@
 //! All models of a workspace, and what stands in `generated/`.
 
 use crate::files::{self, WriteError};
-use crate::formulation::Solved;
-use crate::identifiers::module_name;
-use crate::module::Entry;
 use crate::origin::Origin;
-use crate::scene::SceneFile;
+use crate::plan::{FormulationPlan, Planner, module_name};
+use crate::rust::{
+    Entry, LANGUAGE, Named, SceneFile, formulation_file, is_name, library, module_file, scene_file, scene_list,
+};
 use crate::scene_files::{is_same, name_beside, scene_files};
-use crate::tokens::format;
-use crate::{formulation, module, scene};
-use quote::{format_ident, quote};
+use crate::taylor::recurrences_of;
 use std::collections::BTreeMap;
 use std::path::Path;
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::linear::Singular;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{Derivation, DeriveError, derive_all, distances, in_distance};
+use tripos_derive::mechanics::{Derivation, DeriveError, Solved, derive_all, distances, in_distance};
 use tripos_derive::model::text_hash;
 use tripos_derive::reduce::reduce;
-use tripos_derive::report::Report;
+use tripos_derive::report::load_beside;
 use tripos_derive::scene::{load as load_scene, model_path as scene_model};
-use tripos_derive::{Formulation, Model, derive};
+use tripos_derive::{Equations, Formulation, Model, derive};
 
 /// What the models of a workspace generate.
 #[derive(Debug, Default)]
@@ -114,23 +114,23 @@ pub(crate) fn module_files(
     let path = model.source.path.as_path();
     // The report's symbols go to a store of their own: derived equations do not change with a report.
     let mut with_report = model.clone();
-    if syn::parse_str::<syn::Ident>(module).is_err() {
+    if !is_name(module) {
         let message = format!("the folder's name `{module}` cannot be a Rust module");
         let help = "rename the folder: a letter, then letters, digits and `_`";
         let diagnostic = Diagnostic::of_file(message, help);
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
-    let report = if formulations.is_none() { report_beside(path, &mut with_report)? } else { None };
+    let report = if formulations.is_none() { load_beside(path, &mut with_report)? } else { None };
     let (mut files, mut entries, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     for &f in formulations.unwrap_or(&Formulation::ALL) {
         // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
         match derive(model, f) {
             Ok(derivation) => {
                 let near = distances(model).into_iter().map(|d| in_distance(model, derivation.clone(), d));
-                for Derivation { mut arena, equations } in std::iter::once(derivation.clone()).chain(near) {
-                    let solved =
-                        Solved::new(&mut arena, &equations).map_err(|_| undetermined(&model.source, f.title()))?;
-                    let text = formulation::file(model, &origin.of_model(), &arena, &equations, Some(&solved));
+                for derivation in std::iter::once(derivation.clone()).chain(near) {
+                    let equations = derivation.equations.clone();
+                    let text =
+                        solved_file(model, origin, derivation).map_err(|_| undetermined(&model.source, f.title()))?;
                     files.push((format!("{}.rs", module_name(&equations.name)), text));
                     entries.push(Entry { name: equations.name, solved: true });
                 }
@@ -149,7 +149,7 @@ pub(crate) fn module_files(
                 return Err(Diagnostics::new(report.source.clone(), vec![diagnostic]));
             }
             let arena = &derivations.kinematics.arena;
-            files.push((file, formulation::file(&with_report, &origin.of_report(), arena, &equations, None)));
+            files.push((file, printed_file(&with_report, origin, arena, &equations)));
             entries.push(Entry { name: equations.name, solved: false });
         }
     }
@@ -157,7 +157,7 @@ pub(crate) fn module_files(
     let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
     if origin.has_scenes() {
         for scene in scene_files(path) {
-            match scene_file(model, &scene, origin, &scenes) {
+            match file_of_scene(model, &scene, origin, &scenes) {
                 Ok(file) => scenes.extend(file),
                 Err(diagnostics) => broken_scenes.push((name_beside(path, &scene), diagnostics)),
             }
@@ -165,12 +165,27 @@ pub(crate) fn module_files(
     }
     let modules: Vec<String> = scenes.iter().map(|file| file.module.clone()).collect();
     if !scenes.is_empty() {
-        files.push(("scenes/mod.rs".to_owned(), scene::list(&model.title, &origin.of_model(), &modules)));
+        files.push(("scenes/mod.rs".to_owned(), scene_list(&model.title, &origin.of_model(), &modules)));
         files.extend(scenes.into_iter().map(|file| (format!("scenes/{}.rs", file.module), file.text)));
     }
-    files
-        .push(("mod.rs".to_owned(), module::file(model, module, &origin.of_model(), &report_hash, &entries, &modules)));
+    files.push(("mod.rs".to_owned(), module_file(model, module, &origin.of_model(), &report_hash, &entries, &modules)));
     Ok(ModuleFiles { files, left_out, broken_scenes })
+}
+
+/// The file of derived equations, solved for their accelerations.
+fn solved_file(model: &Model, origin: &Origin, derivation: Derivation) -> Result<String, Singular> {
+    let Derivation { mut arena, equations } = derivation;
+    let solved = Solved::new(&mut arena, &equations)?;
+    let recurrences = recurrences_of(&mut arena, &equations, &solved.accelerations);
+    let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
+    let plan = FormulationPlan::new(&planner, Some(&solved), recurrences.as_ref());
+    Ok(formulation_file(&plan, &origin.of_model()))
+}
+
+/// The file of equations that a report prints, as they stand.
+fn printed_file(model: &Model, origin: &Origin, arena: &Arena, equations: &Equations) -> String {
+    let planner = Planner::new(model, arena, equations, &LANGUAGE, false);
+    formulation_file(&FormulationPlan::new(&planner, None, None), &origin.of_report())
 }
 
 /// The derivation tests the rank by meaning, so that this is not seen of its equations.
@@ -181,7 +196,7 @@ fn undetermined(source: &Source, equations: &str) -> Diagnostics {
 }
 
 /// The file of one scene beside those that are there; nothing if it is of another model.
-fn scene_file(
+fn file_of_scene(
     model: &Model,
     path: &Path,
     origin: &Origin,
@@ -198,53 +213,9 @@ fn scene_file(
     let reduction = reduce(&model, &loaded).map_err(|error| model.diagnose(&error))?;
     let name = name_beside(&model.source.path, path);
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    let named = scene::Named { name: &stem, title: &loaded.title, origin: &origin.of_scene(&name) };
-    let file =
-        scene::file(&reduction, &named, before).map_err(|_| undetermined(&source, "the scene's own equations"))?;
-    Ok(Some(file))
-}
-
-/// The report file beside a model file, if there is one.
-///
-/// # Errors
-/// [`Diagnostics`] of the report file.
-pub fn report_beside(path: &Path, model: &mut Model) -> Result<Option<Report>, Diagnostics> {
-    let path = path.with_file_name("report.toml");
-    if !path.exists() {
-        return Ok(None);
-    }
-    tripos_derive::report::load(&Source::read(&path)?, model).map(Some)
-}
-
-/// `lib.rs` for these models.
-#[must_use]
-pub fn library(models: &[String]) -> String {
-    let header = [
-        "Equations of motion, compiled: one module a model, one file a formulation.",
-        "",
-        "Generated from the files under `models/`. Do not edit; run `tripos regenerate`.",
-        "A model that was edited since is run interpreted: compiled equations carry the hash of their text.",
-    ];
-    let modules = models.iter().map(|name| {
-        let name = format_ident!("{name}");
-        quote!(#[rustfmt::skip] pub mod #name;)
-    });
-    let entries = models.iter().map(|name| {
-        let name = format_ident!("{name}");
-        quote!(#name::MODEL)
-    });
-    let items = quote! {
-        #![no_std]
-        #![allow(non_snake_case)]
-        #![allow(clippy::pedantic, clippy::let_and_return)]
-
-        #(#modules)*
-
-        #[doc = " Every compiled model, by name."]
-        #[rustfmt::skip]
-        pub static MODELS: &[tripos_traits::CompiledModel] = &[#(#entries),*];
-    };
-    format(&header.map(str::to_owned), items)
+    let named = Named { name: &stem, title: &loaded.title, origin: &origin.of_scene(&name) };
+    let file = scene_file(&reduction, &named, before);
+    file.map(Some).map_err(|_| undetermined(&source, "the scene's own equations"))
 }
 
 /// How one file of `generated/src` differs from what the models give.

@@ -4,12 +4,12 @@ use crate::error::Error;
 use crate::interpreted::{Interpreted, NotInterpreted};
 use crate::mechanism::Mechanism;
 use crate::run::method;
-use tripos_codegen::workspace::report_beside;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::{Derivation, Distance, derive_all, in_distance};
 use tripos_derive::reduce::Reduction;
+use tripos_derive::report::load_beside;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_derive::{Equations, Formulation, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
@@ -150,7 +150,7 @@ pub fn printed(model: &Mechanism) -> Result<Vec<By>, Error> {
 /// Printed equations, with the model that holds their terms.
 fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>)>, Error> {
     let mut with_report = model.clone();
-    let Some(report) = report_beside(&model.source.path, &mut with_report)? else { return Ok(None) };
+    let Some(report) = load_beside(&model.source.path, &mut with_report)? else { return Ok(None) };
     let mut derivations = derive_all(&with_report).map_err(|error| model.diagnose(&error))?;
     let list = printed_equations(&with_report, &mut derivations, &report);
     Ok(Some((derivations.kinematics.arena, list)))

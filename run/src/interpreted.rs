@@ -1,15 +1,14 @@
 //! Derived equations as a [`System`] by interpretation: for models that are not compiled in.
 
 use std::cell::RefCell;
-use tripos_codegen::formulation::Solved;
-use tripos_codegen::taylor::Tape as Series;
+use tripos_codegen::taylor::{Tape as Series, recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::elimination::{Definition, needed};
 use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
 use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::simplify::Simplifier;
-use tripos_derive::mechanics::{Derivation, energy_gradient};
+use tripos_derive::mechanics::{Derivation, Solved, energy_gradient};
 use tripos_derive::reduce::Reduction;
 use tripos_traits::{Lengths, Scalar, System};
 
@@ -114,8 +113,9 @@ impl Interpreted {
     /// [`NotInterpreted`] if v̇ is not determined in any configuration, or a step has a symbol that nothing defines.
     pub fn solved(mut self, derivation: &Derivation) -> Result<Self, NotInterpreted> {
         let Derivation { mut arena, equations: e } = derivation.clone();
-        let Solved { accelerations, jacobian, recurrences } = Solved::new(&mut arena, &e)?;
+        let Solved { accelerations, jacobian } = Solved::new(&mut arena, &e)?;
         let parameters = &self.state[..self.lengths.parameters];
+        let recurrences = recurrences_of(&mut arena, &e, &accelerations);
         self.series = recurrences.map(|list| Series::new(&arena, parameters, &list)).transpose()?;
         let rates = &e.unknowns[..e.variables.len()];
         let both = [&e.coordinate_rates, rates].concat();

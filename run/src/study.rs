@@ -6,12 +6,11 @@
 use crate::code::{By, Code, Ready, code_of, compiled_code};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use tripos_codegen::workspace::report_beside;
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::diff::{Difference, diff, printed_equations};
 use tripos_derive::mechanics::{Derivation, Derivations, derive_all};
 use tripos_derive::prove::{Proof, Singularity, prove, singularity, zeros};
-use tripos_derive::report::Report;
+use tripos_derive::report::{Report, load_beside};
 use tripos_derive::{Equations, Formulation, Model};
 
 /// What is known of a model without running it.
@@ -50,7 +49,7 @@ impl Study {
     /// [`Error`] if the model cannot be derived.
     pub fn new(model: &Model) -> Result<(Self, Option<Diagnostics>), Error> {
         let mut with_report = model.clone();
-        let (report, broken) = match report_beside(&model.source.path, &mut with_report) {
+        let (report, broken) = match load_beside(&model.source.path, &mut with_report) {
             Ok(report) => (report, None),
             Err(diagnostics) => (None, Some(diagnostics)),
         };

@@ -3,7 +3,7 @@
 use crate::support::{cargo, make_crate, tripos_in};
 use serde_json::Value;
 use std::fmt::Write;
-use tripos_codegen::scene::{Named, file as scene_file};
+use tripos_codegen::rust::{Named, scene_file};
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::is_forbidden;

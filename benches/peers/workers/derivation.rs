@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use tripos_codegen::emit::emit;
-use tripos_codegen::formulation;
+use tripos_codegen::plan::{FormulationPlan, Language, Planner};
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::mechanics::Derivation;
 use tripos_derive::{Formulation, Model, derive};
@@ -45,23 +45,14 @@ impl Problem {
         Some((seconds, Self { model, derivation, parameters, state }))
     }
 
-    /// Operations and functions of `mass_matrix` and of `forcing`, as the header of their file states them: a pair of sine and
-    /// cosine is two functions, and counts in either.
-    fn counts(&self) -> Option<Vec<f64>> {
+    /// Operations and functions of `mass_matrix` and of `forcing`: a pair of sine and cosine is two functions, and counts in either.
+    fn counts(&self) -> Vec<f64> {
         let Derivation { arena, equations } = &self.derivation;
-        let text = formulation::file(&self.model, "", arena, equations, None);
-        let line = text.lines().find_map(|line| line.strip_prefix("//! Cost: "))?;
-        let (mut operations, mut functions) = (0.0, 0.0);
-        for words in line.split([';', ',', '.']).map(|part| part.split_whitespace().collect::<Vec<_>>()) {
-            let Some(at) = words.iter().position(|word| word.parse::<f64>().is_ok()) else { continue };
-            let count: f64 = words[at].parse().ok()?;
-            match *words.get(at + 1)? {
-                "operation" | "operations" => operations += count,
-                "sine" | "sines" => functions += 2.0 * count,
-                _ => functions += count,
-            }
-        }
-        Some(vec![operations, functions])
+        let planner = Planner::new(&self.model, arena, equations, &Language::NONE, false);
+        let plan = FormulationPlan::new(&planner, None, None);
+        let costs = plan.functions.iter().take(2).map(|function| function.cost);
+        let counts = costs.map(|c| [c.operations as f64, (2 * c.sincos + c.functions) as f64]);
+        counts.fold(vec![0.0, 0.0], |sum, count| vec![sum[0] + count[0], sum[1] + count[1]])
     }
 
     /// q'' from M and f at the first state.
@@ -145,7 +136,7 @@ fn answer(
         (["code", repeats], Some((path, _))) => {
             vec![timed(repeats.parse().ok()?, || emit(&path.join("model.toml"), "module", &[]).ok())?.0]
         }
-        (["count"], Some((_, problem))) => problem.counts()?,
+        (["count"], Some((_, problem))) => problem.counts(),
         (["solve"], Some((_, problem))) => problem.solved()?,
         _ => return None,
     };

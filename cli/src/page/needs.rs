@@ -6,7 +6,7 @@ use super::scene::rounded;
 use super::typeset::typeset;
 use super::{Needs, Page};
 use std::fmt::Write;
-use tripos_codegen::scene::Costs;
+use tripos_codegen::plan::Costs;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::{Arena, Expr, Node};
 use tripos_derive::reduce::{Omission, Quantity};

@@ -124,7 +124,7 @@ fn needs() -> Result<Needs, String> {
     let text = "span = [0, 1]\noutputs = [\"q1\"]\n[start]\nq1 = 0.5\nu1 = 0\n";
     let scene = tripos_derive::scene::load(&Source::from_text("scene.toml", text), &mut model).unwrap();
     let reduced = Reduced::new(&model, &scene).map_err(|failure| failure.to_string())?;
-    let costs = tripos_codegen::scene::costs(&model, &reduced.reduction).unwrap();
+    let costs = tripos_codegen::plan::costs(&model, &reduced.reduction).unwrap();
     Ok(Needs { reduced, costs })
 }
 

@@ -2,30 +2,38 @@
 //! the derivative of the state.
 //!
 //! The flow: steps and rates → a form with few products of what changes in time (`factor`) → one operation at a time
-//! (`lower`, products shared by `products`) → [`Recurrences`] → Rust text ([`function`]), or interpretation
+//! (`lower`, products shared by `products`) → [`Recurrences`] → a [`TaylorPlan`] to be written, or interpretation
 //! ([`Tape`]). What is linear costs an operation an order; every other operation is a convolution, so convolutions
 //! are what is counted. The recurrences are those of A. Jorba & M. Zou, "A software package for the numerical integration of
 //! ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117, §2.
 
 mod factor;
-pub mod function;
-mod lines;
 mod lower;
+mod plan;
 mod products;
 mod recurrences;
 mod tape;
-mod text;
 
+pub use plan::TaylorPlan;
 pub use recurrences::{Constant, Operand, Recurrences, Rule, Series};
 pub use tape::Tape;
 
-use tripos_derive::algebra::elimination::{Definition, needed};
+use tripos_derive::Equations;
+use tripos_derive::algebra::elimination::{Definition, Elimination, needed};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Rounds of improvement. Each form of each expression is tried in each.
 const ROUNDS: usize = 3;
 /// Expressions times their forms above which forms are not tried one by one.
 const MOST_TRIALS: usize = 150;
+
+/// The recurrences of the state (q, v) of a set of equations. `None` if a function in them has no Taylor series everywhere.
+#[must_use]
+pub fn recurrences_of(arena: &mut Arena, equations: &Equations, accelerations: &Elimination) -> Option<Recurrences> {
+    let states = [equations.coordinates.as_slice(), &equations.variables].concat();
+    let rates = [&equations.coordinate_rates, &equations.unknowns[..equations.variables.len()]].concat();
+    recurrences(arena, &states, &rates, &accelerations.steps)
+}
 
 /// The recurrences of the states whose rates are given in terms of states, parameters and steps. `None` if a function in
 /// them has no Taylor series everywhere: |x| and sign x.

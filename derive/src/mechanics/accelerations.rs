@@ -10,6 +10,28 @@ use crate::algebra::{Arena, Expr};
 /// Operations in a slope of an intermediate quantity above which it gets a name of its own.
 const LONGEST_SLOPE: usize = 6;
 
+/// A set of equations solved for its accelerations, with their slopes.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// v̇, step by step.
+    pub accelerations: Elimination,
+    /// ∂(q̇, v̇)/∂(q, v).
+    pub jacobian: Jacobian,
+}
+
+impl Solved {
+    /// Solves the equations in their store.
+    ///
+    /// # Errors
+    /// [`Singular`] if v̇ is not determined in any configuration.
+    pub fn new(arena: &mut Arena, equations: &Equations) -> Result<Self, Singular> {
+        let mut simplifier = Simplifier::default();
+        let accelerations = accelerations(arena, &mut simplifier, equations)?;
+        let jacobian = jacobian(arena, &mut simplifier, equations, &accelerations);
+        Ok(Self { accelerations, jacobian })
+    }
+}
+
 /// v̇ in parameters, q and v, step by step; the symbols of the last steps are the unknowns of `equations`.
 ///
 /// Where reactions stand among the unknowns, the rows are first multiplied by the partial velocities: the reactions

@@ -11,7 +11,7 @@ mod newton_euler;
 mod quantities;
 mod vector;
 
-pub use accelerations::{Jacobian, accelerations, energy_gradient, jacobian};
+pub use accelerations::{Jacobian, Solved, accelerations, energy_gradient, jacobian};
 pub(crate) use distance::visit;
 pub use distance::{Distance, distances, in_distance};
 pub use energy::Momentum;

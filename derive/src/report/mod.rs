@@ -51,7 +51,7 @@ mod read;
 mod words;
 
 pub use names::Names;
-pub use read::load;
+pub use read::{load, load_beside};
 
 use crate::algebra::Expr;
 use crate::diagnostic::Source;

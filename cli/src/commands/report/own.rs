@@ -8,7 +8,7 @@ use tripos::invariants::{Course, Watch};
 use tripos::problem::Problem;
 use tripos::reduced::Reduced;
 use tripos::run::{Run, run_problem, whole_energies};
-use tripos_codegen::scene::costs;
+use tripos_codegen::plan::costs;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 

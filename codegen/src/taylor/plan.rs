@@ -1,42 +1,48 @@
-//! Names of everything that a function `taylor` computes, and what its comments say.
+//! The plan of a function `taylor`: names of everything that it computes, in which order, and what its comments say.
 
 use super::recurrences::{Operand, Recurrences, Rule, Series};
-use crate::function::Writer;
-use crate::identifiers::{Allocator, Variables};
-use crate::program::{Names, identifier};
-use crate::tokens::{Cost, expression};
-use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
-use rustc_hash::FxHashMap;
+use crate::plan::{Allocator, Argument, Names, Output, Planner, Program, Variables, identifier, program};
+use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::view::view;
 use tripos_derive::algebra::{Arena, Expr, Function as Elementary, Node};
 
-/// Names of everything the function computes.
-pub(super) struct Text<'a> {
-    pub(super) arena: &'a Arena,
-    pub(super) list: &'a Recurrences,
-    pub(super) variables: Variables,
-    /// Of each series.
-    pub(super) names: Vec<String>,
-    /// Of each series that is divided by: what it is multiplied with instead.
-    pub(super) over: FxHashMap<usize, String>,
-    /// The same for its double, which a root divides by.
-    pub(super) over_twice: FxHashMap<usize, String>,
-    /// Of each weight that is no number and no symbol.
-    pub(super) weights: FxHashMap<Expr, String>,
-    /// The rate of each state of the series, while orders are computed.
-    pub(super) rates: FxHashMap<usize, String>,
+/// What the convolutions of an order are padded to a multiple of: `LANES` of `tripos_traits::series`.
+const LANES: usize = 8;
+
+/// A function that computes Taylor coefficients by recurrences.
+pub struct TaylorPlan<'a> {
+    /// The store of all terms.
+    pub arena: &'a Arena,
+    /// The recurrences.
+    pub list: &'a Recurrences,
+    /// The variables of symbols.
+    pub variables: Variables,
+    /// The variable of each series.
+    pub names: Vec<String>,
+    /// The variable of the inverse of each series that is divided by.
+    pub over: FxHashMap<usize, String>,
+    /// The variable of 1/(2 z) of each root z.
+    pub over_twice: FxHashMap<usize, String>,
+    /// The variable of each weight that is no number and no symbol.
+    pub weights: FxHashMap<Expr, String>,
+    /// The variable of the rate of each state of the series, while orders are computed.
+    pub rates: FxHashMap<usize, String>,
     /// Operations that each series waits for at one order.
-    pub(super) depths: Vec<usize>,
-    /// The convolution of each series.
-    pub(super) slots: FxHashMap<usize, usize>,
+    pub depths: Vec<usize>,
+    /// The place of the convolution of each series that has one.
+    pub slots: FxHashMap<usize, usize>,
+    /// The parameters, as far as weights have them.
+    pub parameters: Argument,
+    /// What is constant in time.
+    pub constants: Program,
 }
 
-impl<'a> Text<'a> {
-    pub(super) fn new(writer: &'a Writer<'_>, list: &'a Recurrences) -> Self {
-        let (arena, mut variables) = (writer.arena, writer.variables.clone());
-        let mut names = Names { allocator: variables.allocator.clone(), circular: FxHashMap::default() };
+impl<'a> TaylorPlan<'a> {
+    /// Names what the recurrences need.
+    #[must_use]
+    pub fn new(planner: &'a Planner<'_>, list: &'a Recurrences) -> Self {
+        let (arena, mut variables) = (planner.arena, planner.variables.clone());
+        let mut names = Names::new(variables.allocator.clone());
         let series = names_of(arena, &variables, &mut names, list);
         variables.allocator = names.allocator;
         let allocator = &mut variables.allocator;
@@ -65,11 +71,41 @@ impl<'a> Text<'a> {
         }
         let convolving = (0..list.series.len()).filter(|at| list.series[*at].rule.convolves());
         let slots = convolving.enumerate().map(|(slot, at)| (at, slot)).collect();
-        Self { arena, list, variables, names: series, over, over_twice, weights, rates, depths: depths(list), slots }
+        Self {
+            arena,
+            list,
+            names: series,
+            over,
+            over_twice,
+            rates,
+            depths: depths(list),
+            slots,
+            parameters: planner.parameters(&inputs(arena, list)),
+            constants: constants(arena, &variables, list, &weights),
+            weights,
+            variables,
+        }
+    }
+
+    /// How many convolutions there is room for.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.list.convolutions().next_multiple_of(LANES).max(LANES)
+    }
+
+    /// The variable of the state at this place at order 0, if it is read: of a series, or as a constant in time.
+    #[must_use]
+    pub fn start(&self, place: usize) -> Option<String> {
+        let state = self.list.states[place];
+        match self.list.series.iter().position(|s| s.rule == Rule::State(place)) {
+            Some(at) if self.needs_start(at) => Some(format!("{}_0", self.names[at])),
+            None if inputs(self.arena, self.list).contains(&state) => self.variables.of.get(&state).cloned(),
+            _ => None,
+        }
     }
 
     /// Whether anything reads the value of a series at order 0.
-    pub(super) fn needs_start(&self, at: usize) -> bool {
+    fn needs_start(&self, at: usize) -> bool {
         let read =
             |s: &Series| s.rule.reads().contains(&at) || matches!(s.rule, Rule::Forward { slope, .. } if slope == at);
         let quotient = matches!(self.list.series[at].rule, Rule::Quotient(..) | Rule::Root(_));
@@ -77,57 +113,14 @@ impl<'a> Text<'a> {
         quotient || self.list.series.iter().any(read) || self.list.rates.iter().any(rate)
     }
 
-    pub(super) fn first(&self, at: usize) -> TokenStream {
-        let name = format_ident!("{}_0", self.names[at]);
-        quote!(#name)
-    }
-
-    pub(super) fn at_one(&self, at: usize) -> TokenStream {
-        let name = format_ident!("{}_1", self.names[at]);
-        quote!(#name)
-    }
-
-    pub(super) fn last(&self, at: usize) -> TokenStream {
-        let name = format_ident!("{}_last", self.names[at]);
-        quote!(#name)
-    }
-
-    pub(super) fn now(&self, at: usize) -> TokenStream {
-        let name = format_ident!("{}", self.names[at]);
-        quote!(#name)
-    }
-
-    pub(super) fn over(&self, at: usize) -> TokenStream {
-        let name = format_ident!("{}", self.over[&at]);
-        quote!(#name)
-    }
-
-    pub(super) fn over_twice(&self, at: usize) -> TokenStream {
-        let name = format_ident!("{}", self.over_twice[&at]);
-        quote!(#name)
-    }
-
-    pub(super) fn weight(&self, e: Expr) -> TokenStream {
-        let symbol = self.variables.of.get(&e);
-        match self.weights.get(&e).or(symbol) {
-            Some(name) => {
-                let name = format_ident!("{name}");
-                quote!(#name)
-            }
-            None => {
-                let number = view(self.arena, e, &FxHashMap::default(), usize::MAX);
-                expression(&number, &mut Cost::default())
-            }
-        }
-    }
-
     /// How a weight reads in a comment.
-    pub(super) fn weight_text(&self, e: Expr) -> String {
+    fn weight_text(&self, e: Expr) -> String {
         self.weights.get(&e).cloned().unwrap_or_else(|| text(self.arena, e))
     }
 
     /// What a series is, in terms of others.
-    pub(super) fn equation(&self, at: usize) -> String {
+    #[must_use]
+    pub fn equation(&self, at: usize) -> String {
         let name = |x: &usize| self.names[*x].as_str();
         let value = match &self.list.series[at].rule {
             Rule::State(_) => return String::new(),
@@ -143,7 +136,7 @@ impl<'a> Text<'a> {
         format!("{} = {value}", name(&at))
     }
 
-    pub(super) fn sum_text(&self, constant: Expr, terms: &[(Expr, usize)]) -> String {
+    fn sum_text(&self, constant: Expr, terms: &[(Expr, usize)]) -> String {
         let mut out = if constant == Expr::ZERO { String::new() } else { self.weight_text(constant) };
         for (weight, x) in terms {
             let (weight, negative) = match *weight {
@@ -166,6 +159,21 @@ impl<'a> Text<'a> {
         }
         if out.is_empty() { "0".to_owned() } else { out }
     }
+}
+
+/// Symbols that weights and constants have.
+fn inputs(arena: &Arena, list: &Recurrences) -> FxHashSet<Expr> {
+    arena.reachable(&list.constants()).into_iter().collect()
+}
+
+/// The weights, in terms of parameters and of states that do not change.
+fn constants(arena: &Arena, variables: &Variables, list: &Recurrences, weights: &FxHashMap<Expr, String>) -> Program {
+    let named = list.constants().into_iter().filter_map(|e| Some((e, weights.get(&e)?)));
+    let outputs = named.map(|(value, name)| Output { name: name.clone(), label: name.clone(), value, stated: value });
+    // Their names are taken in `variables`; the program is to give them to them.
+    let mut variables = variables.clone();
+    variables.allocator.release(weights.values());
+    program(arena, &variables, &[], &[], &outputs.collect::<Vec<_>>())
 }
 
 /// What stands behind the name of a series at orders 0, 1 and k − 1.

@@ -1,7 +1,7 @@
 //! The `System` that hands the simulator's slices to the generated functions.
 
-use crate::identifiers::type_name;
-use crate::tokens::prose;
+use super::text::prose;
+use crate::plan::type_name;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::{Equations, Formulation, Model};

@@ -1,86 +1,49 @@
-//! One formulation of one model as a Rust file.
+//! The functions of one formulation, and what is said of them.
 
-use crate::function::{Arguments, Function, Returns, Value, Writer};
-use crate::identifiers::{Variables, spelled, type_name};
-use crate::system::{self, Part};
-use crate::taylor::{self, Recurrences, recurrences};
-use crate::tokens::{format, prose};
-use quote::quote;
-use tripos_derive::algebra::elimination::{Definition, Elimination};
-use tripos_derive::algebra::linear::Singular;
+use super::function::{Arguments, Function, Planner, Returns, Value};
+use super::names::spelled;
+use crate::taylor::{Recurrences, TaylorPlan};
+use tripos_derive::algebra::elimination::Definition;
 use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Jacobian, accelerations, jacobian};
-use tripos_derive::{Equations, Formulation, Model};
+use tripos_derive::mechanics::Solved;
+use tripos_derive::{Equations, Formulation};
 
-/// The accelerations and the Jacobian of a set of equations.
-pub struct Solved {
-    /// v̇, step by step.
-    pub accelerations: Elimination,
-    /// ∂(q̇, v̇)/∂(q, v).
-    pub jacobian: Jacobian,
-    /// The recurrences of the Taylor coefficients of (q, v); none where a function has no Taylor series.
-    pub recurrences: Option<Recurrences>,
+/// One formulation of one model.
+pub struct FormulationPlan<'a> {
+    /// The names and the store of its terms.
+    pub planner: &'a Planner<'a>,
+    /// Its functions, in the order in which they are read.
+    pub functions: Vec<Function>,
+    /// Whether `accelerations`, `derivative` and `jacobian` are among them.
+    pub solved: bool,
+    /// The recurrences of its Taylor coefficients.
+    pub taylor: Option<TaylorPlan<'a>>,
+    /// What its header says of it, line by line.
+    pub facts: Vec<String>,
 }
 
-impl Solved {
-    /// Solves the equations in their arena.
-    ///
-    /// # Errors
-    /// [`Singular`] if v̇ is not determined in any configuration.
-    pub fn new(arena: &mut Arena, equations: &Equations) -> Result<Self, Singular> {
-        let mut simplifier = Simplifier::default();
-        let accelerations = accelerations(arena, &mut simplifier, equations)?;
-        let jacobian = jacobian(arena, &mut simplifier, equations, &accelerations);
-        let states = [equations.coordinates.as_slice(), &equations.variables].concat();
-        let rates = [&equations.coordinate_rates, &equations.unknowns[..equations.variables.len()]].concat();
-        let recurrences = recurrences(arena, &states, &rates, &accelerations.steps);
-        Ok(Self { accelerations, jacobian, recurrences })
+impl<'a> FormulationPlan<'a> {
+    /// Plans the equations, and what was solved of them.
+    #[must_use]
+    pub fn new(planner: &'a Planner<'a>, solved: Option<&Solved>, recurrences: Option<&'a Recurrences>) -> Self {
+        let mut functions = linear_system(planner);
+        if let Some(solved) = solved {
+            functions.extend(eliminated(planner, solved));
+        }
+        functions.extend(kinematics_and_energies(planner));
+        if planner.equations.formulation == Formulation::Lagrange {
+            functions.extend(conversions(planner));
+        }
+        let facts = facts(planner, &functions, solved);
+        let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
+        Self { planner, functions, solved: solved.is_some(), taylor, facts }
     }
-}
-
-/// Emits the file of one formulation, such as `kane.rs`; `origin` is the sentence of its header that says where it comes
-/// from.
-#[must_use]
-pub fn file(model: &Model, origin: &str, arena: &Arena, equations: &Equations, solved: Option<&Solved>) -> String {
-    let variables = Variables::new(arena, &type_name(&equations.name));
-    let writer = Writer { model, arena, equations, variables, shares: solved.is_some() };
-    let mut functions = linear_system(&writer);
-    if let Some(solved) = solved {
-        functions.extend(eliminated(&writer, solved));
-    }
-    functions.extend(kinematics_and_energies(&writer));
-    if equations.formulation == Formulation::Lagrange {
-        functions.extend(conversions(&writer));
-    }
-    let header = header(&writer, origin, &functions, solved);
-    let recurrences = solved.and_then(|solved| solved.recurrences.as_ref());
-    functions.extend(recurrences.map(|list| taylor::function::taylor(&writer, list)));
-    let functions = functions.into_iter().map(|f| f.tokens);
-    let state = model.coordinates.len() + model.speeds.len();
-    let parts: Vec<Part> = [Part::LinearSystem, Part::WholeState(state)]
-        .into_iter()
-        .chain(solved.map(|_| Part::Eliminated))
-        .chain(recurrences.map(|list| Part::Taylor(taylor::function::width(list))))
-        .collect();
-    let system = system::system(model, equations, &parts);
-    let series = recurrences.map(taylor::function::imports);
-    format(
-        &header,
-        quote! {
-            use super::Parameters;
-            #series
-            use tripos_traits::{Lengths, Scalar, System};
-            #(#functions)*
-            #system
-        },
-    )
 }
 
 /// `mass_matrix` and `forcing`.
-fn linear_system(writer: &Writer<'_>) -> Vec<Function> {
-    let e = writer.equations;
+fn linear_system(planner: &Planner<'_>) -> Vec<Function> {
+    let e = planner.equations;
     let n = e.unknowns.len();
     let place = |i: usize, j: usize| format!("{}{}", index(i, n), index(j, n));
     let entries: Vec<Value> = (0..n * n)
@@ -97,23 +60,23 @@ fn linear_system(writer: &Writer<'_>) -> Vec<Function> {
     let product = equation_text(e.formulation);
     let matrix_about = format!("Matrix of the linear system {product}; {symmetry} {}.", e.rows.join(", "));
     let forcing_about =
-        format!("Right-hand side of the linear system; unknowns {}.", vector_text(writer.arena, &e.unknowns));
+        format!("Right-hand side of the linear system; unknowns {}.", vector_text(planner.arena, &e.unknowns));
     let returns = Returns::Matrix { symmetric: e.symmetric };
     vec![
-        writer.function("mass_matrix", &matrix_about, Arguments::State, returns, &entries),
-        writer.function("forcing", &forcing_about, Arguments::State, Returns::Vector, &forcing),
+        planner.function("mass_matrix", &matrix_about, Arguments::State, returns, &entries),
+        planner.function("forcing", &forcing_about, Arguments::State, Returns::Vector, &forcing),
     ]
 }
 
 /// `accelerations`, `derivative` and `jacobian`.
-pub(crate) fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> {
-    let e = writer.equations;
+pub(super) fn eliminated(planner: &Planner<'_>, solved: &Solved) -> Vec<Function> {
+    let e = planner.equations;
     let unknowns = &e.unknowns[..e.variables.len()];
     let names = |list: &[Expr]| {
-        list.iter().map(|s| writer.arena.symbol_name(*s).unwrap_or_default().to_owned()).collect::<Vec<_>>()
+        list.iter().map(|s| planner.arena.symbol_name(*s).unwrap_or_default().to_owned()).collect::<Vec<_>>()
     };
     let v_dot = named(names(unknowns).into_iter(), unknowns);
-    let q_dot = named(writer.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
+    let q_dot = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
     let state = [names(&e.coordinates), names(&e.variables)].concat();
     let rates = q_dot.iter().chain(&v_dot).map(|(_, label, _)| label.clone());
     let slopes: Vec<Value> = rates
@@ -126,9 +89,9 @@ pub(crate) fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> 
         })
         .collect();
     let steps = &solved.accelerations.steps;
-    let unknown_text = vector_text(writer.arena, unknowns);
+    let unknown_text = vector_text(planner.arena, unknowns);
     vec![
-        writer.stepwise(
+        planner.stepwise(
             "accelerations",
             &format!("The accelerations {unknown_text}, solved for when this code was generated."),
             Arguments::State,
@@ -136,8 +99,8 @@ pub(crate) fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> 
             steps,
             &v_dot,
         ),
-        derivative(writer, steps),
-        writer.stepwise(
+        derivative(planner, steps),
+        planner.stepwise(
             "jacobian",
             &format!("Jacobian of the derivative by the state; columns {}.", state.join(", ")),
             Arguments::State,
@@ -149,13 +112,14 @@ pub(crate) fn eliminated(writer: &Writer<'_>, solved: &Solved) -> Vec<Function> 
 }
 
 /// `derivative`: q̇ and v̇ together.
-pub(crate) fn derivative(writer: &Writer<'_>, steps: &[Definition]) -> Function {
-    let e = writer.equations;
+#[must_use]
+pub fn derivative(planner: &Planner<'_>, steps: &[Definition]) -> Function {
+    let e = planner.equations;
     let unknowns = &e.unknowns[..e.variables.len()];
-    let names = unknowns.iter().map(|s| writer.arena.symbol_name(*s).unwrap_or_default().to_owned());
-    let q_dot = named(writer.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
+    let names = unknowns.iter().map(|s| planner.arena.symbol_name(*s).unwrap_or_default().to_owned());
+    let q_dot = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
     let both = [q_dot.clone(), named(names, unknowns)].concat();
-    writer.stepwise(
+    planner.stepwise(
         "derivative",
         "The derivative of the state: the rates of the coordinates, and the accelerations.",
         Arguments::State,
@@ -165,14 +129,15 @@ pub(crate) fn derivative(writer: &Writer<'_>, steps: &[Definition]) -> Function 
     )
 }
 
-pub(crate) fn kinematics_and_energies(writer: &Writer<'_>) -> Vec<Function> {
-    let e = writer.equations;
-    let rates = named(writer.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
+/// `coordinate_rates`, `kinetic_energy` and `potential_energy`.
+pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
+    let e = planner.equations;
+    let rates = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
     let about = "Kinematic equations: the time derivatives of the coordinates.";
     let kinetic = [("energy".to_owned(), "T".to_owned(), e.kinetic_energy)];
     let potential = [("energy".to_owned(), "V".to_owned(), e.potential_energy)];
     let function = |name, about, arguments, returns, values: &[Value]| {
-        writer.stepwise(name, about, arguments, returns, &e.definitions, values)
+        planner.stepwise(name, about, arguments, returns, &e.definitions, values)
     };
     let about_potential = if e.definitions.is_empty() {
         "Potential energy V of gravity."
@@ -187,13 +152,13 @@ pub(crate) fn kinematics_and_energies(writer: &Writer<'_>) -> Vec<Function> {
 }
 
 /// Between q' and the generalized speeds, where q' is what is integrated.
-fn conversions(writer: &Writer<'_>) -> Vec<Function> {
-    let (e, model) = (writer.equations, writer.model);
+fn conversions(planner: &Planner<'_>) -> Vec<Function> {
+    let (e, model) = (planner.equations, planner.model);
     let speeds = named(model.speeds.iter().map(|s| s.name.clone()), &e.generalized_speeds);
     let rates = named(model.speeds.iter().map(|s| format!("{}'", s.name)), &e.generalized_speed_rates);
     let variables = named(model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.motion_variables);
     let function =
-        |name, about, arguments, values: &[Value]| writer.function(name, about, arguments, Returns::Vector, values);
+        |name, about, arguments, values: &[Value]| planner.function(name, about, arguments, Returns::Vector, values);
     vec![
         function("generalized_speeds", "The generalized speeds u, from q and q'.", Arguments::State, &speeds),
         function(
@@ -221,7 +186,9 @@ fn vector_text(arena: &Arena, symbols: &[Expr]) -> String {
     format!("({})", names.join(", "))
 }
 
-fn equation_text(formulation: Formulation) -> &'static str {
+/// The form of the linear system that determines the unknowns.
+#[must_use]
+pub fn equation_text(formulation: Formulation) -> &'static str {
     match formulation {
         Formulation::Kane => "M(q) u' = f(q, u)",
         Formulation::Lagrange => "E(q) q'' = A(q, q')",
@@ -229,8 +196,9 @@ fn equation_text(formulation: Formulation) -> &'static str {
     }
 }
 
-fn header(writer: &Writer<'_>, origin: &str, functions: &[Function], solved: Option<&Solved>) -> Vec<String> {
-    let (e, model) = (writer.equations, writer.model);
+/// The sizes of the problem, what calls cost, and where the equations are singular.
+fn facts(planner: &Planner<'_>, functions: &[Function], solved: Option<&Solved>) -> Vec<String> {
+    let (e, model) = (planner.equations, planner.model);
     let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
     let mut counts = vec![
         plural(model.coordinates.len(), "coordinate"),
@@ -243,17 +211,13 @@ fn header(writer: &Writer<'_>, origin: &str, functions: &[Function], solved: Opt
     }
     let shown = if solved.is_some() { 3 } else { 2 };
     let costs: Vec<String> = functions.iter().take(shown).map(|f| format!("{} {}", f.name, f.cost)).collect();
-    vec![
-        format!("{}: {}, {}.", prose(&model.title), prose(&e.title), equation_text(e.formulation)),
-        String::new(),
-        origin.to_owned(),
-        format!("{}. Unknowns: {}.", counts.join(", "), vector_text(writer.arena, &e.unknowns)),
+    let mut lines = vec![
+        format!("{}. Unknowns: {}.", counts.join(", "), vector_text(planner.arena, &e.unknowns)),
         format!("Cost: {}.", costs.join("; ")),
-        singular_text(writer.arena, e),
-    ]
-    .into_iter()
-    .chain(solved.map(|solved| divisors_text(writer.arena, &solved.accelerations.divisors)))
-    .collect()
+        singular_text(planner.arena, e),
+    ];
+    lines.extend(solved.map(|solved| divisors_text(planner.arena, &solved.accelerations.divisors)));
+    lines
 }
 
 /// What the eliminated accelerations divide by.

@@ -1,7 +1,8 @@
 //! The `mod.rs` of one model: its parameters, its names, its formulations.
 
-use crate::identifiers::{fields, module_name, type_name};
-use crate::tokens::{format, prose};
+use super::function::fields;
+use super::text::{format, prose};
+use crate::plan::{module_name, type_name};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
@@ -15,6 +16,7 @@ pub struct Entry {
 }
 
 /// Emits `mod.rs` for these equations and scenes; `origin` is the sentence of its header that says where it comes from.
+#[must_use]
 pub fn file(
     model: &Model,
     folder: &str,

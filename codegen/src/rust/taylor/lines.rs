@@ -1,9 +1,8 @@
 //! The statements of a function `taylor`: order 0, order 1, and the loop over the others.
 
-use super::function::width;
-use super::recurrences::{Operand, Rule};
-use super::text::Text;
-use crate::tokens::comment;
+use super::Text;
+use crate::rust::text::comment;
+use crate::taylor::{Operand, Rule};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use rustc_hash::FxHashMap;
@@ -27,7 +26,7 @@ impl Text<'_> {
         value: impl Fn(usize) -> TokenStream,
     ) -> TokenStream {
         let mut sorted = terms.to_vec();
-        sorted.sort_by_key(|(weight, x)| (self.depths[*x], *weight == Expr::MINUS_ONE));
+        sorted.sort_by_key(|(weight, x)| (self.plan.depths[*x], *weight == Expr::MINUS_ONE));
         let mut sum = constant.filter(|c| *c != Expr::ZERO).map(|c| self.weight(c));
         for (weight, x) in sorted {
             let x = value(x);
@@ -53,9 +52,9 @@ impl Text<'_> {
     pub(super) fn start(&self) -> TokenStream {
         let mut tokens = comment("Order 0.");
         let mut angles: Vec<usize> = Vec::new();
-        for (at, s) in self.list.series.iter().enumerate() {
+        for (at, s) in self.plan.list.series.iter().enumerate() {
             let z = self.first(at);
-            let equation = comment(&self.equation(at));
+            let equation = comment(&self.plan.equation(at));
             let value = match &s.rule {
                 Rule::State(_) => TokenStream::new(),
                 Rule::Linear { constant, terms } => {
@@ -94,11 +93,11 @@ impl Text<'_> {
                 }
             };
             tokens.extend(value);
-            if let Some(name) = self.over.get(&at) {
+            if let Some(name) = self.plan.over.get(&at) {
                 let name = format_ident!("{name}");
                 tokens.extend(quote!(let #name = S::int(1) / #z;));
             }
-            if let Some(name) = self.over_twice.get(&at) {
+            if let Some(name) = self.plan.over_twice.get(&at) {
                 let name = format_ident!("{name}");
                 tokens.extend(quote!(let #name = S::int(1) / (#z + #z);));
             }
@@ -111,6 +110,7 @@ impl Text<'_> {
         angles.push(of);
         let place = |f: Elementary| {
             let found = self
+                .plan
                 .list
                 .series
                 .iter()
@@ -123,10 +123,10 @@ impl Text<'_> {
 
     /// Order 1, and the loop over the others.
     pub(super) fn orders(&self) -> TokenStream {
-        let list = self.list;
+        let list = self.plan.list;
         let mut rates = [TokenStream::new(), TokenStream::new(), TokenStream::new()];
         let mut states = TokenStream::new();
-        for (&at, name) in sorted(&self.rates) {
+        for (&at, name) in sorted(&self.plan.rates) {
             let Rule::State(place) = list.series[at].rule else { continue };
             let (rate, z, z_1) = (format_ident!("{name}"), self.now(at), self.at_one(at));
             let (at_start, at_one, next) = match list.rates[place] {
@@ -187,7 +187,7 @@ impl Text<'_> {
 
     /// The left and right factors of the convolution of a series, and whether the left one is j times a coefficient.
     fn factors(&self, at: usize) -> Option<(usize, usize, bool)> {
-        match self.list.series[at].rule {
+        match self.plan.list.series[at].rule {
             Rule::Product(x, y) => Some((x, y, false)),
             Rule::Quotient(_, y) => Some((y, at, false)),
             Rule::Root(_) => Some((at, at, false)),
@@ -200,7 +200,7 @@ impl Text<'_> {
     /// What is kept of an order: what the first sums begin with, the sums of the next order, the factors of the
     /// convolutions, and the coefficients that the next order reads.
     fn history(&self) -> [TokenStream; 4] {
-        if self.slots.is_empty() {
+        if self.plan.slots.is_empty() {
             return Default::default();
         }
         let mut counted = TokenStream::new();
@@ -209,7 +209,7 @@ impl Text<'_> {
         let (mut before, mut after) = (TokenStream::new(), TokenStream::new());
         let mut read: Vec<usize> = Vec::new();
         let mut first: [Vec<TokenStream>; 2] = [Vec::new(), Vec::new()];
-        for at in (0..self.list.series.len()).filter(|at| self.slots.contains_key(at)) {
+        for at in (0..self.plan.list.series.len()).filter(|at| self.plan.slots.contains_key(at)) {
             let Some((left, right, weighted)) = self.factors(at) else { continue };
             ends.push(self.ends(at));
             read.extend([left, right]);
@@ -231,8 +231,8 @@ impl Text<'_> {
             before.extend(quote!(let mut #last = #one;));
             after.extend(quote!(#last = #now;));
         }
-        let padding = width(self.list) - self.slots.len();
-        let width = Literal::usize_unsuffixed(width(self.list));
+        let padding = self.plan.width() - self.plan.slots.len();
+        let width = Literal::usize_unsuffixed(self.plan.width());
         let pad = |list: Vec<TokenStream>| {
             if padding == 0 { quote!([#(#list),*]) } else { quote!(padded([#(#list),*])) }
         };
@@ -272,7 +272,7 @@ impl Text<'_> {
     /// The convolution of a series at an odd order k, its terms with coefficients of orders 1 and k − 1 added.
     fn ends(&self, at: usize) -> TokenStream {
         let Some((left, right, weighted)) = self.factors(at) else { return TokenStream::new() };
-        let slot = Literal::usize_unsuffixed(self.slots[&at]);
+        let slot = Literal::usize_unsuffixed(self.plan.slots[&at]);
         let [left_1, right_1] = [left, right].map(|x| self.at_one(x));
         let [left_last, right_last] = [left, right].map(|x| self.last(x));
         if left == right {
@@ -287,11 +287,11 @@ impl Text<'_> {
         let name = |x: usize| if stage == Stage::One { self.at_one(x) } else { self.now(x) };
         let z = name(at);
         let one = stage == Stage::One;
-        let sum = self.slots.get(&at).map(|slot| {
+        let sum = self.plan.slots.get(&at).map(|slot| {
             let slot = Literal::usize_unsuffixed(*slot);
             quote!(sums[#slot])
         });
-        let value = match &self.list.series[at].rule {
+        let value = match &self.plan.list.series[at].rule {
             Rule::State(_) => return TokenStream::new(),
             Rule::Linear { terms, .. } => self.linear(None, terms, name),
             Rule::Product(x, y) if x == y => {
@@ -299,7 +299,7 @@ impl Text<'_> {
                 if one { quote!(#now * (#first + #first)) } else { quote!(#now.mul_add(#first + #first, #sum)) }
             }
             Rule::Product(x, y) => {
-                let (early, late) = if self.depths[*x] <= self.depths[*y] { (x, y) } else { (y, x) };
+                let (early, late) = if self.plan.depths[*x] <= self.plan.depths[*y] { (x, y) } else { (y, x) };
                 let (early_0, early_k) = (self.first(*early), name(*early));
                 let (late_0, late_k) = (self.first(*late), name(*late));
                 let rest = if one { quote!(#early_k * #late_0) } else { quote!(#early_k.mul_add(#late_0, #sum)) };
@@ -309,7 +309,7 @@ impl Text<'_> {
                 let (z_0, y_k, over) = (self.first(at), name(*y), self.over(*y));
                 let x_k = x.map(name);
                 match (x_k, one) {
-                    (Some(x_k), false) if x.is_some_and(|x| self.depths[x] > self.depths[*y]) => {
+                    (Some(x_k), false) if x.is_some_and(|x| self.plan.depths[x] > self.plan.depths[*y]) => {
                         quote!(#x_k.mul_add(#over, -(#y_k.mul_add(#z_0, #sum) * #over)))
                     }
                     (Some(x_k), false) => quote!(#y_k.mul_add(-(#z_0 * #over), (#x_k - #sum) * #over)),
@@ -333,7 +333,7 @@ impl Text<'_> {
                 if one { quote!(#x_k * #over) } else { quote!((#x_k - #sum * over_k) * #over) }
             }
         };
-        let equation = if one { TokenStream::new() } else { comment(&self.equation(at)) };
+        let equation = if one { TokenStream::new() } else { comment(&self.plan.equation(at)) };
         quote!(#equation let #z = #value;)
     }
 }

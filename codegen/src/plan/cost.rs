@@ -1,0 +1,141 @@
+//! What a piece of generated code costs, counted over its plan.
+
+use super::form::{constant_and_factors, led};
+use super::program::{Line, Program};
+use std::fmt;
+use tripos_derive::algebra::view::View;
+
+/// How many operations a call takes. A fused product and sum counts as both.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Additions, subtractions, multiplications, divisions and sign changes.
+    pub operations: usize,
+    /// The divisions among them.
+    pub divisions: usize,
+    /// Pairs of sine and cosine.
+    pub sincos: usize,
+    /// Other function values.
+    pub functions: usize,
+}
+
+impl Cost {
+    /// What one division costs in additions, roughly: on current processors it holds its unit that much longer.
+    const DIVISION: usize = 4;
+    /// What a sine and a cosine, or another function, cost in additions, roughly.
+    const FUNCTION: usize = 30;
+
+    /// What a call of a program costs.
+    #[must_use]
+    pub fn of(program: &Program) -> Self {
+        let mut cost = Self::default();
+        for line in &program.lines {
+            cost.sincos += usize::from(matches!(line, Line::Circular { .. }));
+            cost.count(line.value());
+        }
+        program.outputs.iter().for_each(|output| cost.count(&output.value));
+        cost
+    }
+
+    /// The price of a call by which programs for the same values are compared.
+    #[must_use]
+    pub fn weight(&self) -> usize {
+        self.operations + (Self::DIVISION - 1) * self.divisions + Self::FUNCTION * (self.sincos + self.functions)
+    }
+
+    fn count(&mut self, view: &View) {
+        match view {
+            View::Number(_) | View::Name(_) | View::Shared(_) | View::Pi | View::Cut => {}
+            View::Sum(terms) => {
+                let opens_with_sign = terms[0].0 && led(terms)[0].0;
+                self.operations += terms.len() - 1 + usize::from(opens_with_sign);
+                for (_, term) in terms {
+                    self.count(term);
+                }
+            }
+            View::Product(factors) => {
+                self.operations += factors.len().saturating_sub(1);
+                for factor in factors {
+                    self.count(factor);
+                }
+            }
+            View::Fraction(above, below) => self.count_fraction(above, below),
+            View::Power(base, n) => {
+                self.operations += multiplications(base, *n);
+                self.count(base);
+            }
+            View::Call(_, argument) | View::Root(argument) => {
+                self.functions += 1;
+                self.count(argument);
+            }
+        }
+    }
+
+    /// The whole numbers of both are one constant.
+    fn count_fraction(&mut self, above: &View, below: &View) {
+        let (n, above) = constant_and_factors(above);
+        let (d, below) = constant_and_factors(below);
+        let has_constant = n != "1" || d != "1" || above.is_empty();
+        self.operations += (above.len() + usize::from(has_constant) - 1) + below.len();
+        self.divisions += usize::from(!below.is_empty());
+        above.iter().chain(&below).for_each(|factor| self.count(factor));
+    }
+}
+
+/// Multiplications in a power: one by one where its base is a name and n is 2 or 3, else by repeated squares.
+fn multiplications(base: &View, n: i32) -> usize {
+    let n = n.unsigned_abs();
+    match base {
+        View::Name(_) | View::Shared(_) if (2..=3).contains(&n) => n as usize - 1,
+        _ => (n.ilog2() + n.count_ones() - 1) as usize,
+    }
+}
+
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plural = |n: usize, one: &str, many: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {many}") };
+        f.write_str(&plural(self.operations, "operation", "operations"))?;
+        if self.sincos > 0 {
+            write!(f, ", {}", plural(self.sincos, "sine and cosine", "sines and cosines"))?;
+        }
+        if self.functions > 0 {
+            write!(f, ", {}", plural(self.functions, "other function", "other functions"))?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tripos_derive::algebra::Arena;
+    use tripos_derive::algebra::parse::parse_primed;
+    use tripos_derive::algebra::view::{Shared, view};
+
+    fn cost(formula: &str) -> [usize; 3] {
+        let mut arena = Arena::default();
+        let e = parse_primed(&mut arena, formula, 0, &mut |arena, name| Ok(arena.symbol(name))).unwrap();
+        let mut cost = Cost::default();
+        cost.count(&view(&arena, e, &Shared::default(), usize::MAX));
+        [cost.operations, cost.divisions, cost.functions]
+    }
+
+    #[test]
+    fn operations_are_counted_as_they_are_written() {
+        let counts = [
+            ("a*b + c", [2, 0, 0]),
+            // The sign of a product that can be written last is a subtraction.
+            ("c - a*b", [2, 0, 0]),
+            ("-a - b", [2, 0, 0]),
+            ("a^3", [2, 0, 0]),
+            // By repeated squares.
+            ("a^9", [4, 0, 0]),
+            // 3/2 is one constant.
+            ("3*a/(2*b)", [2, 1, 0]),
+            ("a/(b*c)", [2, 1, 0]),
+            ("exp(a + b)*sqrt(a)", [2, 0, 2]),
+        ];
+        for (formula, expected) in counts {
+            assert_eq!(cost(formula), expected, "{formula}");
+        }
+    }
+}

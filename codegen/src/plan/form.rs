@@ -1,0 +1,56 @@
+//! How a formula is read by what writes it down as a computation: what is written first, and what can be fused.
+
+use tripos_derive::algebra::view::View;
+
+/// The terms of a sum in the order in which they are computed. A product that stands alone at the front goes second, where it can be
+/// fused with what stands before it.
+#[must_use]
+pub fn led(terms: &[(bool, View)]) -> Vec<&(bool, View)> {
+    let mut order: Vec<&(bool, View)> = terms.iter().collect();
+    if let [first, second, ..] = order.as_slice()
+        && is_plain_product(&first.1)
+        && !is_plain_product(&second.1)
+    {
+        order.swap(0, 1);
+    }
+    order
+}
+
+/// Whether a formula is a product of names and numbers alone, or a square of one.
+#[must_use]
+pub fn is_plain_product(view: &View) -> bool {
+    match view {
+        View::Product(factors) => factors.iter().all(is_plain),
+        View::Power(base, 2) => is_plain(base),
+        _ => false,
+    }
+}
+
+fn is_plain(view: &View) -> bool {
+    matches!(view, View::Name(_) | View::Shared(_) | View::Number(_))
+}
+
+/// Whether a formula has no sum inside.
+#[must_use]
+pub fn is_flat(view: &View) -> bool {
+    match view {
+        View::Sum(_) => false,
+        View::Product(factors) => factors.iter().all(is_flat),
+        View::Fraction(above, below) => is_flat(above) && is_flat(below),
+        View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => is_flat(inner),
+        View::Number(_) | View::Name(_) | View::Shared(_) | View::Pi | View::Cut => true,
+    }
+}
+
+/// The leading whole number of a product, `1` where there is none, and the other factors.
+#[must_use]
+pub fn constant_and_factors(view: &View) -> (String, Vec<View>) {
+    match view {
+        View::Number(text) => (text.clone(), Vec::new()),
+        View::Product(factors) => match &factors[0] {
+            View::Number(text) => (text.clone(), factors[1..].to_vec()),
+            _ => ("1".to_owned(), factors.clone()),
+        },
+        other => ("1".to_owned(), vec![other.clone()]),
+    }
+}

@@ -1,0 +1,22 @@
+//! What generated code computes, before it is written in any language.
+//!
+//! The flow: equations → a [`Planner`] → [`Function`]: a name, arguments, what is returned, and a [`Program`] of ordered, shared and
+//! named steps, each with the formula that a reader knows it by; what a call costs is a fold over that program. A target, such as
+//! `crate::rust`, renders it and decides nothing. The one thing that it states beforehand is a [`Language`]: which names it
+//! cannot use. Absent on purpose: syntax.
+
+mod cost;
+mod form;
+mod formulation;
+mod function;
+mod names;
+mod program;
+mod scene;
+
+pub use cost::Cost;
+pub use form::{constant_and_factors, is_flat, is_plain_product, led};
+pub use formulation::{FormulationPlan, derivative, equation_text};
+pub use function::{Argument, Arguments, Entry, Function, Planner, Returns, Value};
+pub use names::{Allocator, Language, Names, Variables, identifier, module_name, spelled, type_name};
+pub use program::{Line, Output, Program, Statement, program};
+pub use scene::{Costs, SceneEquations, ScenePlan, costs};

@@ -1,0 +1,336 @@
+//! A straight-line program: sines and cosines, shared terms, outputs, each with a name that says what
+//! it holds.
+
+use super::names::{Names, Variables, identifier};
+use rustc_hash::{FxHashMap, FxHashSet};
+use tripos_derive::algebra::elimination::Definition;
+use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::sharing::is_shared_symbol;
+use tripos_derive::algebra::view::{View, view};
+use tripos_derive::algebra::{Arena, Expr, Function, Node};
+
+/// Nodes in one formula above which code generation gives up rather than write megabytes.
+const BUDGET: usize = 2_000_000;
+
+/// A statement `let name = value;` with the equation it stands for.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// The variable.
+    pub name: String,
+    /// Its value, with shared terms standing as their names.
+    pub value: View,
+    /// What the variable is, in the language of model files, and where it comes from.
+    pub comment: String,
+}
+
+/// One line of a program.
+#[derive(Clone, Debug)]
+pub enum Line {
+    /// Sine and cosine of an angle.
+    Circular {
+        /// The sine's variable.
+        sine: String,
+        /// The cosine's variable.
+        cosine: String,
+        /// The angle.
+        angle: View,
+    },
+    /// A shared term.
+    Let(Statement),
+    /// A step of an elimination.
+    Step(Statement),
+}
+
+impl Line {
+    /// What is computed; of a sine and a cosine, their angle.
+    #[must_use]
+    pub fn value(&self) -> &View {
+        match self {
+            Self::Circular { angle, .. } => angle,
+            Self::Let(statement) | Self::Step(statement) => &statement.value,
+        }
+    }
+}
+
+/// The body of one generated function.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    /// Symbols that the program reads.
+    pub inputs: FxHashSet<Expr>,
+    /// Sines, cosines and shared terms, each after what it needs.
+    pub lines: Vec<Line>,
+    /// The outputs, in order.
+    pub outputs: Vec<Statement>,
+}
+
+impl Program {
+    /// Whether a variable is read by a line or an output.
+    #[must_use]
+    pub fn reads(&self, name: &str) -> bool {
+        self.lines.iter().any(|line| occurs(line.value(), name)) || self.outputs.iter().any(|s| occurs(&s.value, name))
+    }
+}
+
+fn occurs(view: &View, name: &str) -> bool {
+    match view {
+        View::Shared(n) => n == name,
+        View::Sum(terms) => terms.iter().any(|(_, t)| occurs(t, name)),
+        View::Product(factors) => factors.iter().any(|f| occurs(f, name)),
+        View::Fraction(a, b) => occurs(a, name) || occurs(b, name),
+        View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => occurs(inner, name),
+        View::Number(_) | View::Name(_) | View::Pi | View::Cut => false,
+    }
+}
+
+/// An output to be computed: its variable, its symbol in comments, its expression.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// The variable that is wanted; another if an input has that name.
+    pub name: String,
+    /// How comments call it: `M12`, `f3`.
+    pub label: String,
+    /// What is computed.
+    pub value: Expr,
+    /// The same as comments state it.
+    pub stated: Expr,
+}
+
+/// Orders, shares and names everything that the outputs need. The symbols of `steps` are no inputs: each is
+/// computed after the ones before it, and before what mentions it. Comments state the values that `stated` has for steps;
+/// symbols that [`tripos_derive::algebra::sharing`] introduced get names here.
+#[must_use]
+pub fn program(
+    arena: &Arena,
+    variables: &Variables,
+    steps: &[Definition],
+    stated: &[Definition],
+    outputs: &[Output],
+) -> Program {
+    let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
+    let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(values.iter().copied()).collect();
+    let parts = arena.reachable(&roots);
+    let mut names = Names::new(variables.allocator.clone());
+    let output_names: Vec<String> = outputs.iter().map(|o| names.allocator.unique(&o.name)).collect();
+    let mut builder = Builder {
+        arena,
+        uses: use_counts(arena, &parts, &roots),
+        needs: first_needs(arena, variables, steps, outputs),
+        names,
+        shared: variables.of.clone(),
+        variables: variables.clone(),
+        lines: Vec::new(),
+        done: FxHashSet::default(),
+        circular: Vec::new(),
+        tangents: Vec::new(),
+    };
+    for &step in steps {
+        builder.terms(&[step.value]);
+        if is_shared_symbol(arena, step.symbol) {
+            builder.shared_step(step);
+        } else {
+            builder.step(step, stated);
+        }
+    }
+    builder.terms(&values);
+    let outputs = outputs.iter().zip(output_names).map(|(output, name)| builder.output(output, name)).collect();
+    let computed: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
+    let is_input = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_)) && !computed.contains(e);
+    Program { inputs: parts.into_iter().filter(is_input).collect(), lines: builder.ordered(), outputs }
+}
+
+/// A program under construction.
+struct Builder<'a> {
+    arena: &'a Arena,
+    uses: FxHashMap<Expr, usize>,
+    /// What each term is named after that has no better name.
+    needs: FxHashMap<Expr, String>,
+    names: Names,
+    /// The variables of symbols, steps included.
+    variables: Variables,
+    /// The variables of all terms that have one.
+    shared: FxHashMap<Expr, String>,
+    lines: Vec<Line>,
+    /// The terms that were looked at.
+    done: FxHashSet<Expr>,
+    /// The angles whose sine and cosine are there.
+    circular: Vec<(View, Expr)>,
+    /// The tangents that are there, by their angles.
+    tangents: Vec<(View, String)>,
+}
+
+impl Builder<'_> {
+    /// Lines for what these terms need and share.
+    fn terms(&mut self, roots: &[Expr]) {
+        for e in self.arena.reachable(roots) {
+            if !self.done.insert(e) {
+                continue;
+            }
+            match self.arena.node(e) {
+                Node::Apply(f @ (Function::Sin | Function::Cos), angle) => self.circle(e, *f, *angle),
+                Node::Sum(..) | Node::Product(_) | Node::Apply(..) if self.uses.get(&e).is_some_and(|n| *n > 1) => {
+                    self.share(e);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// A line for the sine and the cosine of an angle, if it has none yet.
+    fn circle(&mut self, e: Expr, f: Function, angle: Expr) {
+        let (sine, cosine) = self.names.circular(self.arena, angle);
+        self.shared.insert(e, if f == Function::Sin { sine.clone() } else { cosine.clone() });
+        if self.circular.iter().any(|(_, known)| *known == angle) {
+            return;
+        }
+        let view = self.operand(angle);
+        let view = self.resolve(view);
+        self.circular.push((view.clone(), angle));
+        self.lines.push(Line::Circular { sine, cosine, angle: view });
+    }
+
+    /// A line for a term that is used more than once.
+    fn share(&mut self, e: Expr) {
+        let name = self.names.descriptive(self.arena, &self.variables, e, &self.needs);
+        let value = self.resolve(view(self.arena, e, &self.shared, BUDGET));
+        let comment = format!("{}; used {} times", self.variables.spell(&text(self.arena, e)), self.uses[&e]);
+        self.shared.insert(e, name.clone());
+        self.lines.push(Line::Let(Statement { name, value, comment }));
+    }
+
+    /// A step that sharing introduced. What has a name already, a tangent for instance, keeps it.
+    fn shared_step(&mut self, step: Definition) {
+        let value = self.operand(step.value);
+        let value = self.resolve(value);
+        if let View::Shared(name) = &value {
+            self.name(step.symbol, name);
+            return;
+        }
+        let held = self.arena.symbol_name(step.symbol).and_then(|name| identifier(name.trim_start_matches('#'), 24));
+        let name = match held {
+            Some(word) => self.names.allocator.unique(&word),
+            None => self.names.descriptive(self.arena, &self.variables, step.value, &self.needs),
+        };
+        let meaning = self.variables.spell(&text(self.arena, step.value));
+        let comment = match self.uses.get(&step.symbol) {
+            Some(n) if *n > 1 => format!("{meaning}; used {n} times"),
+            _ => meaning,
+        };
+        self.name(step.symbol, &name);
+        self.lines.push(Line::Let(Statement { name, value, comment }));
+    }
+
+    /// A step of an elimination: it has its name from its symbol.
+    fn step(&mut self, step: Definition, stated: &[Definition]) {
+        let name = self.variables.of[&step.symbol].clone();
+        let value = self.operand(step.value);
+        let value = self.resolve(value);
+        let symbol = self.arena.symbol_name(step.symbol).unwrap_or_default();
+        let stated = stated.iter().find(|s| s.symbol == step.symbol).map_or(step.value, |s| s.value);
+        let comment = format!("{symbol} = {}", text(self.arena, stated));
+        self.lines.push(Line::Step(Statement { name, value, comment }));
+    }
+
+    fn output(&mut self, output: &Output, name: String) -> Statement {
+        let value = self.operand(output.value);
+        let value = self.resolve(value);
+        Statement { name, value, comment: format!("{} = {}", output.label, text(self.arena, output.stated)) }
+    }
+
+    /// Enters the variable of a symbol that sharing introduced.
+    fn name(&mut self, symbol: Expr, name: &str) {
+        self.variables.insert(self.arena, symbol, name);
+        self.shared.insert(symbol, name.to_owned());
+    }
+
+    /// A term as it stands inside others: by its name, if it has one.
+    fn operand(&self, e: Expr) -> View {
+        match self.shared.get(&e) {
+            Some(name) => View::Shared(name.clone()),
+            None => view(self.arena, e, &self.shared, BUDGET),
+        }
+    }
+
+    /// Replaces every tangent by its variable, computed before it is first needed.
+    fn resolve(&mut self, mut value: View) -> View {
+        replace_tangents(&mut value, &mut |angle| self.tangent(angle));
+        value
+    }
+
+    fn tangent(&mut self, angle: &View) -> View {
+        if let Some((_, name)) = self.tangents.iter().find(|(a, _)| a == angle) {
+            return View::Shared(name.clone());
+        }
+        let found = self.circular.iter().find(|(a, _)| a == angle);
+        let (_, e) = *found.expect("a tangent is a quotient of a sine and a cosine");
+        let (sine, cosine) = self.names.circular(self.arena, e);
+        let stem = match sine.strip_prefix("sin") {
+            Some(rest) => format!("tan{rest}"),
+            None => sine.replacen('s', "t", 1),
+        };
+        let name = self.names.allocator.unique(&stem);
+        let value = View::Fraction(Box::new(View::Shared(sine)), Box::new(View::Shared(cosine)));
+        let comment = format!("tan({})", text(self.arena, e));
+        self.lines.push(Line::Let(Statement { name: name.clone(), value, comment }));
+        self.tangents.push((angle.clone(), name.clone()));
+        View::Shared(name)
+    }
+
+    /// The lines, sines and cosines of inputs first: that is where a reader looks for them.
+    fn ordered(self) -> Vec<Line> {
+        let variables = self.variables;
+        let needs_nothing = |line: &Line| match line {
+            Line::Circular { angle: View::Shared(name), .. } => variables.of.values().any(|v| v == name),
+            Line::Circular { .. } | Line::Let(_) | Line::Step(_) => false,
+        };
+        let (mut first, rest): (Vec<Line>, Vec<Line>) = self.lines.into_iter().partition(needs_nothing);
+        first.extend(rest);
+        first
+    }
+}
+
+/// How often each term is used as an operand or as an output.
+fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, usize> {
+    let mut uses: FxHashMap<Expr, usize> = FxHashMap::default();
+    for operand in parts.iter().flat_map(|part| arena.operands(*part)).chain(roots.iter().copied()) {
+        *uses.entry(operand).or_default() += 1;
+    }
+    uses
+}
+
+/// For each term, the first step or output that needs it: what it is named after.
+fn first_needs(
+    arena: &Arena,
+    variables: &Variables,
+    steps: &[Definition],
+    outputs: &[Output],
+) -> FxHashMap<Expr, String> {
+    let behind: FxHashMap<Expr, Expr> =
+        steps.iter().filter(|s| is_shared_symbol(arena, s.symbol)).map(|s| (s.symbol, s.value)).collect();
+    let named = steps.iter().filter_map(|step| Some((step.value, variables.of.get(&step.symbol)?)));
+    let mut needs: FxHashMap<Expr, String> = FxHashMap::default();
+    for (value, name) in named.chain(outputs.iter().map(|o| (o.value, &o.name))) {
+        let mut stack = vec![value];
+        while let Some(e) = stack.pop() {
+            if let std::collections::hash_map::Entry::Vacant(place) = needs.entry(e) {
+                place.insert(name.clone());
+                stack.extend(arena.operands(e));
+                stack.extend(behind.get(&e));
+            }
+        }
+    }
+    needs
+}
+
+fn replace_tangents(view: &mut View, name: &mut impl FnMut(&View) -> View) {
+    match view {
+        View::Call("tan", angle) => *view = name(angle),
+        View::Call(_, inner) | View::Root(inner) | View::Power(inner, _) => replace_tangents(inner, name),
+        View::Sum(terms) => terms.iter_mut().for_each(|(_, term)| replace_tangents(term, name)),
+        View::Product(factors) => factors.iter_mut().for_each(|factor| replace_tangents(factor, name)),
+        View::Fraction(above, below) => {
+            replace_tangents(above, name);
+            replace_tangents(below, name);
+        }
+        View::Number(_) | View::Name(_) | View::Shared(_) | View::Pi | View::Cut => {}
+    }
+}

@@ -1,0 +1,199 @@
+//! The functions of one scene's own equations, and what a call costs beside the whole model.
+
+use super::cost::Cost;
+use super::formulation::{derivative, eliminated, kinematics_and_energies};
+use super::function::{Arguments, Function, Planner, Returns, Value};
+use super::names::{Language, spelled};
+use crate::taylor::{Recurrences, TaylorPlan, recurrences_of};
+use tripos_derive::Model;
+use tripos_derive::algebra::linear::Singular;
+use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::{DeriveError, Solved, accelerations, energy_gradient as energy_gradient_of};
+use tripos_derive::reduce::{Quantity, Reduction, Slope};
+use tripos_derive::{Equations, Formulation, derive};
+
+/// A scene's equations, solved: what its functions are planned from.
+pub struct SceneEquations<'a> {
+    /// The scene's reduction.
+    pub reduction: &'a Reduction,
+    arena: Arena,
+    solved: Solved,
+    recurrences: Option<Recurrences>,
+    /// The slopes of the energy by the state.
+    gradient: Vec<Expr>,
+}
+
+impl<'a> SceneEquations<'a> {
+    /// Solves the equations of a reduction.
+    ///
+    /// # Errors
+    /// [`Singular`] if the accelerations are determined in no configuration.
+    pub fn new(reduction: &'a Reduction) -> Result<Self, Singular> {
+        let mut arena = reduction.terms().clone();
+        let equations = &reduction.derivation.equations;
+        let solved = Solved::new(&mut arena, equations)?;
+        let recurrences = recurrences_of(&mut arena, equations, &solved.accelerations);
+        let gradient = energy_gradient_of(&mut arena, &mut Simplifier::default(), equations);
+        Ok(Self { reduction, arena, solved, recurrences, gradient })
+    }
+
+    /// What plans its functions for a language.
+    #[must_use]
+    pub fn planner(&self, language: &Language) -> Planner<'_> {
+        Planner::new(&self.reduction.model, &self.arena, &self.reduction.derivation.equations, language, true)
+    }
+}
+
+/// The equations of one scene.
+pub struct ScenePlan<'a> {
+    /// The scene's reduction.
+    pub reduction: &'a Reduction,
+    /// Its functions, in the order in which they are read.
+    pub functions: Vec<Function>,
+    /// The recurrences of its Taylor coefficients.
+    pub taylor: Option<TaylorPlan<'a>>,
+    /// What its header says of it, line by line.
+    pub facts: Vec<String>,
+}
+
+impl<'a> ScenePlan<'a> {
+    /// Plans the functions of a scene.
+    #[must_use]
+    pub fn new(planner: &'a Planner<'a>, equations: &'a SceneEquations<'a>) -> Self {
+        let reduction = equations.reduction;
+        let mut functions = eliminated(planner, &equations.solved);
+        functions.extend(kinematics_and_energies(planner));
+        functions.push(outputs(planner, reduction));
+        if reduction.has_energy {
+            functions.push(energy_gradient(planner, &equations.gradient));
+        }
+        if let Some(slope) = &reduction.slope {
+            functions.extend(potential_slope(planner, slope));
+        }
+        let facts = facts(reduction, &functions);
+        let taylor = equations.recurrences.as_ref().map(|list| TaylorPlan::new(planner, list));
+        Self { reduction, functions, taylor, facts }
+    }
+}
+
+/// What the scene asks for, what is left to integrate, and what stays constant.
+fn facts(reduction: &Reduction, functions: &[Function]) -> Vec<String> {
+    let arena = reduction.terms();
+    let names = |list: &[Quantity]| match list {
+        [] => "none".to_owned(),
+        list => list.iter().map(|q| q.name.clone()).collect::<Vec<_>>().join(", "),
+    };
+    let shown: Vec<&str> = reduction.outputs.iter().map(|o| o.name.as_str()).collect();
+    let mut lines = vec![
+        format!("Outputs: {}.", shown.join(", ")),
+        format!("States: {}. Quadratures: {}.", names(&reduction.states), names(&reduction.quadratures)),
+    ];
+    for constant in &reduction.constants {
+        lines.push(format!("{} = {}: {}.", constant.name, text(arena, constant.of_start), constant.about));
+    }
+    let folded: Vec<String> =
+        reduction.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_f64())).collect();
+    if !folded.is_empty() {
+        lines.push(format!("Parameters that the scene fixes: {}.", folded.join(", ")));
+    }
+    let costs: Vec<String> = functions.iter().take(2).map(|f| format!("{} {}", f.name, f.cost)).collect();
+    lines.push(format!("Cost: {}.", costs.join("; ")));
+    let divisors: Vec<String> = reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
+    lines.push(match divisors.as_slice() {
+        [] => "Singular nowhere.".to_owned(),
+        list => format!("Singular where {}.", list.join(" and where ")),
+    });
+    lines
+}
+
+fn outputs(planner: &Planner<'_>, reduction: &Reduction) -> Function {
+    let values: Vec<Value> = reduction
+        .outputs
+        .iter()
+        .enumerate()
+        .map(|(at, o)| {
+            let word = o.name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '\'');
+            let wanted = if word { format!("{}_value", spelled(&o.name)) } else { format!("output{}", at + 1) };
+            (wanted, o.name.clone(), o.value)
+        })
+        .collect();
+    let about = "What the scene asks for, a time t after the start.";
+    let arguments = Arguments::Shown { time: reduction.time };
+    let definitions = &planner.equations.definitions;
+    planner.stepwise("outputs", about, arguments, Returns::Vector, definitions, &values)
+}
+
+/// T + V, then its slopes.
+fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
+    let e = planner.equations;
+    let mut arena = planner.arena.clone();
+    let energy = arena.add(e.kinetic_energy, e.potential_energy);
+    let planner = Planner { arena: &arena, variables: planner.variables.clone(), ..*planner };
+    let mut values: Vec<Value> = vec![("energy".to_owned(), "T + V".to_owned(), energy)];
+    for (symbol, slope) in e.coordinates.iter().chain(&e.variables).zip(gradient) {
+        let name = planner.arena.symbol_name(*symbol).unwrap_or_default();
+        values.push((format!("energy_by_{}", spelled(name)), format!("d(T + V)/d({name})"), *slope));
+    }
+    let about = "The energy, then its derivatives by the state.";
+    planner.stepwise("energy_gradient", about, Arguments::State, Returns::Vector, &e.definitions, &values)
+}
+
+/// The slope of the potential energy between two places `q`, as it stands: what would be gained by rewriting it would bring
+/// back the differences that it avoids. `u` holds sin z/z of the angles z that the other function gives.
+fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
+    let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
+    let equations = Equations {
+        coordinates: slope.ends.to_vec(),
+        variables: symbols,
+        definitions: Vec::new(),
+        ..planner.equations.clone()
+    };
+    let planner = Planner { equations: &equations, variables: planner.variables.clone(), shares: false, ..*planner };
+    let name = |at: usize| (format!("z{}", at + 1), format!("z{}", at + 1), angles[at]);
+    let values: Vec<Value> = (0..angles.len()).map(name).collect();
+    let value = [("slope".to_owned(), "(V(b) - V(a))/(b - a)".to_owned(), slope.value)];
+    vec![
+        planner.function(
+            "half_differences",
+            "The angles z whose sin z/z the slope of the potential needs.",
+            Arguments::Configuration,
+            Returns::Vector,
+            &values,
+        ),
+        planner.function(
+            "potential_slope",
+            "The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.",
+            Arguments::State,
+            Returns::Number,
+            &value,
+        ),
+    ]
+}
+
+/// What one call of the derivative of the state costs: of all equations by Kane's method, and of a scene's own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Costs {
+    /// Of the whole model.
+    pub full: Cost,
+    /// Of the scene.
+    pub scene: Cost,
+}
+
+/// Counts operations as generated code has them.
+///
+/// # Errors
+/// [`DeriveError`] if Kane's equations cannot be had, or accelerations are determined in no configuration.
+pub fn costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError> {
+    let of = |model: &Model, arena: &Arena, equations: &Equations| {
+        let mut arena = arena.clone();
+        let solved =
+            accelerations(&mut arena, &mut Simplifier::default(), equations).map_err(|_| DeriveError::NotLinear)?;
+        Ok(derivative(&Planner::new(model, &arena, equations, &Language::NONE, true), &solved.steps).cost)
+    };
+    let kane = derive(model, Formulation::Kane)?;
+    let full = of(model, &kane.arena, &kane.equations)?;
+    let scene = of(&reduction.model, reduction.terms(), &reduction.derivation.equations)?;
+    Ok(Costs { full, scene })
+}

@@ -1,0 +1,196 @@
+//! Formulas as expressions of the scalar type `S`.
+
+use crate::plan::{constant_and_factors, is_flat, is_plain_product, led};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use tripos_derive::algebra::Rational;
+use tripos_derive::algebra::view::View;
+
+/// A formula as an expression of the scalar type `S`.
+pub fn expression(view: &View) -> TokenStream {
+    match view {
+        View::Number(text) => number(text, "1"),
+        View::Name(name) | View::Shared(name) => ident(name),
+        View::Pi => quote!(S::pi()),
+        View::Sum(terms) => sum(terms).0,
+        View::Product(factors) => product(factors),
+        View::Fraction(above, below) => fraction(above, below),
+        View::Power(base, n) => power(base, *n),
+        View::Call(name, argument) => {
+            let argument = receiver(argument);
+            let method = format_ident!("{}", if *name == "log" { "ln" } else { name });
+            quote!(#argument.#method())
+        }
+        View::Root(argument) => {
+            let argument = receiver(argument);
+            quote!(#argument.sqrt())
+        }
+        View::Cut => quote!(compile_error!("formula too large")),
+    }
+}
+
+/// A name as tokens.
+pub fn ident(name: &str) -> TokenStream {
+    let ident = format_ident!("{name}");
+    quote!(#ident)
+}
+
+/// An exact constant; whole where the denominator is 1.
+fn number(numerator: &str, denominator: &str) -> TokenStream {
+    match (numerator.parse::<i64>(), denominator.parse::<i64>()) {
+        (Ok(n), Ok(1)) => {
+            let n = proc_macro2::Literal::i64_unsuffixed(n);
+            quote!(S::int(#n))
+        }
+        (Ok(n), Ok(d)) => {
+            let (n, d) = (proc_macro2::Literal::i64_unsuffixed(n), proc_macro2::Literal::i64_unsuffixed(d));
+            quote!(S::ratio(#n, #d))
+        }
+        // Too large for a word.
+        _ => long_number(numerator, denominator),
+    }
+}
+
+/// A quotient of whole numbers of any length: the nearest double, times a power of ten where no double is near.
+fn long_number(numerator: &str, denominator: &str) -> TokenStream {
+    let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
+    let value = value.and_then(|(n, d)| Some(n.mul(&d.recip()?)));
+    let Some(value) = value else { return quote!(compile_error!("not a number")) };
+    let double = |x: f64| proc_macro2::Literal::f64_unsuffixed(x);
+    let nearest = value.to_f64();
+    if nearest.is_normal() {
+        let nearest = double(nearest);
+        return quote!(S::from_f64(#nearest));
+    }
+    // Whole digits less, of both: the size in powers of ten, to one.
+    let size = digits(numerator) - digits(denominator);
+    let ten = Rational::integer(10);
+    let power = ten.pow(size).map(|power| value.mul(&power.recip().unwrap_or(Rational::ONE)).to_f64());
+    match power {
+        Some(mantissa) if mantissa.is_finite() => {
+            let (mantissa, size) = (double(mantissa), proc_macro2::Literal::i32_unsuffixed(size));
+            quote!(S::from_f64(#mantissa) * S::int(10).powi(#size))
+        }
+        _ => quote!(compile_error!("a number beyond all scalars")),
+    }
+}
+
+/// How many digits a whole number has.
+fn digits(text: &str) -> i32 {
+    i32::try_from(text.trim_start_matches('-').len()).unwrap_or(i32::MAX)
+}
+
+/// Terms from left to right. A product of plain factors is fused with what stands before it, where the scalar type can:
+/// one in a sum and none inside another, since nested calls are hard to read and gain little. Also whether all of it is one call,
+/// which binds as tightly as a name.
+fn sum(terms: &[(bool, View)]) -> (TokenStream, bool) {
+    let order = led(terms);
+    let (mut tokens, mut call) = (TokenStream::new(), false);
+    let mut fused = order.iter().any(|(_, term)| !is_flat(term));
+    for (at, (negative, term)) in order.into_iter().enumerate() {
+        if at > 0 && !fused && is_plain_product(term) {
+            let (left, right) = halves(term);
+            let left = if *negative { quote!((- #left)) } else { left };
+            tokens = quote!(#left.mul_add(#right, #tokens));
+            (fused, call) = (true, true);
+            continue;
+        }
+        call = false;
+        let loose = matches!(term, View::Sum(_));
+        let term = expression(term);
+        let term = if loose { quote!((#term)) } else { term };
+        match (at, negative) {
+            (0, false) => tokens.extend(term),
+            (_, true) => tokens.extend(quote!(- #term)),
+            (_, false) => tokens.extend(quote!(+ #term)),
+        }
+    }
+    (tokens, call)
+}
+
+/// A plain product as what `mul_add` is called on and what it is multiplied by.
+fn halves(term: &View) -> (TokenStream, TokenStream) {
+    let factors = match term {
+        View::Product(factors) => factors.clone(),
+        View::Power(base, _) => vec![(**base).clone(); 2],
+        other => vec![other.clone()],
+    };
+    // A number is multiplied by, not called upon: `x.mul_add(S::int(4), y)`.
+    let number = factors.iter().position(|f| matches!(f, View::Number(_)));
+    let right = number.unwrap_or(factors.len() - 1);
+    let mut left = factors;
+    let right = expression(&left.remove(right));
+    let left = if left.len() == 1 { left.remove(0) } else { View::Product(left) };
+    (receiver(&left), right)
+}
+
+fn factor(view: &View) -> TokenStream {
+    let (tokens, bound) = match view {
+        View::Sum(terms) => sum(terms),
+        View::Fraction(..) => (expression(view), false),
+        _ => (expression(view), true),
+    };
+    if bound { tokens } else { quote!((#tokens)) }
+}
+
+/// A formula that a method is called on.
+pub fn receiver(view: &View) -> TokenStream {
+    let (tokens, bound) = match view {
+        View::Sum(terms) => sum(terms),
+        View::Name(_) | View::Shared(_) | View::Call(..) | View::Root(_) => (expression(view), true),
+        _ => (expression(view), false),
+    };
+    if bound { tokens } else { quote!((#tokens)) }
+}
+
+fn product(factors: &[View]) -> TokenStream {
+    join_products(&factors.iter().map(factor).collect::<Vec<_>>())
+}
+
+fn join_products(factors: &[TokenStream]) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    for (at, factor) in factors.iter().enumerate() {
+        if at > 0 {
+            tokens.extend(quote!(*));
+        }
+        tokens.extend(factor.clone());
+    }
+    tokens
+}
+
+/// above / below, with the whole numbers of both merged into one exact constant.
+fn fraction(above: &View, below: &View) -> TokenStream {
+    let (n, above) = constant_and_factors(above);
+    let (d, below) = constant_and_factors(below);
+    let mut factors: Vec<TokenStream> = Vec::new();
+    if n != "1" || d != "1" || above.is_empty() {
+        factors.push(number(&n, &d));
+    }
+    factors.extend(above.iter().map(factor));
+    let numerator = join_products(&factors);
+    match below.as_slice() {
+        [] => numerator,
+        [one] => {
+            let product = matches!(one, View::Power(..));
+            let one = factor(one);
+            // A power may be written as a product, which binds no tighter than the division.
+            if product { quote!(#numerator / (#one)) } else { quote!(#numerator / #one) }
+        }
+        many => {
+            let many: Vec<TokenStream> = many.iter().map(factor).collect();
+            let denominator = join_products(&many);
+            quote!(#numerator / (#denominator))
+        }
+    }
+}
+
+/// Squares and cubes of a variable as products, other powers by `powi`.
+fn power(base: &View, n: i32) -> TokenStream {
+    let plain = matches!(base, View::Name(_) | View::Shared(_));
+    let tokens = receiver(base);
+    if plain && (2..=3).contains(&n) {
+        return join_products(&vec![tokens; n.unsigned_abs() as usize]);
+    }
+    let n = proc_macro2::Literal::i32_unsuffixed(n);
+    quote!(#tokens.powi(#n))
+}

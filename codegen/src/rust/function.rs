@@ -1,0 +1,147 @@
+//! A planned function as a function of Rust, generic over the scalar type `S`.
+
+use super::expression::{expression, ident, receiver};
+use super::names::LANGUAGE;
+use super::text::comment;
+use crate::plan::{Allocator, Argument, Entry, Function, Language, Line, Program, Returns, Statement};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+use tripos_derive::Model;
+
+/// The functions that runs spend their time in: `System` calls them through `Scalar::dispatch`.
+const DISPATCHED: [&str; 2] = ["accelerations", "derivative"];
+
+/// The struct field of each parameter: its own name, escaped where it is a keyword.
+pub fn fields(model: &Model) -> Vec<String> {
+    let mut allocator = Allocator::new(&Language { in_scope: &[], ..LANGUAGE });
+    model.parameters.iter().map(|p| allocator.unique(&p.name)).collect()
+}
+
+/// The function, with the parameters in the fields of these names.
+pub fn function(planned: &Function, fields: &[String]) -> TokenStream {
+    let (name, about, cost) = (ident(planned.name), format!(" {}", planned.about), format!(" {}.", planned.cost));
+    // What `System` dispatches is compiled again for the instructions of the processor, which reach only inlined code.
+    let inline = DISPATCHED.contains(&planned.name).then(|| quote!(#[inline(always)]));
+    let arguments = planned.arguments.iter().map(signature);
+    let unpack = planned.arguments.iter().map(|argument| unpack(argument, fields));
+    let zero = planned.entries.contains(&Entry::Zero).then(|| quote!(let zero = S::int(0);));
+    let head = statements(&planned.program);
+    let body = section(planned.returns.heading(), &planned.program.outputs);
+    let (kind, result) = result(planned.returns, &planned.entries);
+    quote! {
+        #[doc = #about]
+        #[doc = ""]
+        #[doc = #cost]
+        #[must_use]
+        #inline
+        pub fn #name<S: Scalar>(#(#arguments),*) -> #kind {
+            #(#unpack)*
+            #zero
+            #head
+            #body
+            #result
+        }
+    }
+}
+
+/// An argument as it stands in a signature; with an underscore before its name if nothing is read of it.
+pub fn signature(argument: &Argument) -> TokenStream {
+    let named = |name: &str, is_read: bool| format_ident!("{}{name}", if is_read { "" } else { "_" });
+    match argument {
+        Argument::Parameters { read, .. } => {
+            let name = named("p", !read.is_empty());
+            quote!(#name: &Parameters<S>)
+        }
+        Argument::Array { name, entries } => {
+            let (name, count) =
+                (named(name, entries.iter().any(Option::is_some)), Literal::usize_unsuffixed(entries.len()));
+            quote!(#name: &[S; #count])
+        }
+        Argument::Number(variable) => {
+            let name = ident(variable.as_deref().unwrap_or("_t"));
+            quote!(#name: S)
+        }
+    }
+}
+
+/// The statement that gives what is read of an argument its variables.
+pub fn unpack(argument: &Argument, fields: &[String]) -> TokenStream {
+    match argument {
+        Argument::Parameters { read, count } if !read.is_empty() => {
+            let patterns = read.iter().map(|(place, variable)| {
+                let (field, name) = (ident(&fields[*place]), ident(variable));
+                if fields[*place] == *variable { field } else { quote!(#field: #name) }
+            });
+            let rest = (read.len() < *count).then(|| quote!(, ..));
+            quote!(let Parameters { #(#patterns),* #rest } = *p;)
+        }
+        Argument::Array { name, entries } if entries.iter().any(Option::is_some) => {
+            let (name, patterns) = (ident(name), entries.iter().map(|entry| ident(entry.as_deref().unwrap_or("_"))));
+            quote!(let [#(#patterns),*] = *#name;)
+        }
+        _ => TokenStream::new(),
+    }
+}
+
+/// The type of what is returned, and its expression.
+fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
+    let names: Vec<TokenStream> = entries
+        .iter()
+        .map(|entry| match entry {
+            Entry::Zero => quote!(zero),
+            Entry::Variable(name) => ident(name),
+        })
+        .collect();
+    let count = Literal::usize_unsuffixed(names.len());
+    match returns {
+        Returns::Number => (quote!(S), quote!(#(#names)*)),
+        Returns::Vector => (quote!([S; #count]), quote!([#(#names),*])),
+        Returns::Pair(first) => {
+            let (front, back) = names.split_at(first);
+            let [one, two] = [front.len(), back.len()].map(Literal::usize_unsuffixed);
+            (quote!(([S; #one], [S; #two])), quote!(([#(#front),*], [#(#back),*])))
+        }
+        Returns::Matrix { .. } => {
+            let side = names.len().isqrt();
+            let rows = names.chunks(side.max(1)).map(|row| quote!([#(#row),*]));
+            let order = Literal::usize_unsuffixed(side);
+            (quote!([[S; #order]; #order]), quote!([#(#rows),*]))
+        }
+    }
+}
+
+/// The lines of a program, with comments carried as marked doc attributes.
+pub fn statements(program: &Program) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    let mut heading = "";
+    for line in &program.lines {
+        let (wanted, written) = match line {
+            Line::Circular { sine, cosine, angle } => {
+                let name = |name: &str| if program.reads(name) { ident(name) } else { quote!(_) };
+                let (sine, cosine, angle) = (name(sine), name(cosine), receiver(angle));
+                ("Sines and cosines.", quote!(let (#sine, #cosine) = #angle.sin_cos();))
+            }
+            Line::Let(shared) => ("Shared terms.", statement(shared)),
+            Line::Step(step) => ("Elimination, step by step.", statement(step)),
+        };
+        if wanted != heading {
+            tokens.extend(comment(wanted));
+            heading = wanted;
+        }
+        tokens.extend(written);
+    }
+    tokens
+}
+
+/// `let` statements, the first one under a heading.
+pub fn section(heading: &str, list: &[Statement]) -> TokenStream {
+    let heading = if list.is_empty() { TokenStream::new() } else { comment(heading) };
+    let statements = list.iter().map(statement);
+    quote!(#heading #(#statements)*)
+}
+
+/// `let` with the equation that it stands for above.
+fn statement(statement: &Statement) -> TokenStream {
+    let (equation, name, value) = (comment(&statement.comment), ident(&statement.name), expression(&statement.value));
+    quote!(#equation let #name = #value;)
+}

@@ -1,0 +1,100 @@
+//! The generated function `taylor`: one line for each series at order 0, and one for its coefficient of order k.
+
+mod lines;
+
+use super::expression::{expression, ident};
+use super::function::{section, signature, statements, unpack};
+use crate::taylor::TaylorPlan;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use rustc_hash::FxHashMap;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::view::view;
+
+/// What the function uses.
+pub fn imports(plan: &TaylorPlan<'_>) -> TokenStream {
+    match plan.list.convolutions() {
+        0 => quote!(
+            use tripos_traits::series::{Factors, SLACK, rows};
+        ),
+        n if n == plan.width() => quote!(
+            use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+        ),
+        _ => quote!(
+            use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
+        ),
+    }
+}
+
+/// The function that computes the coefficients, with the parameters in the fields of these names.
+pub fn function(plan: &TaylorPlan<'_>, fields: &[String]) -> TokenStream {
+    let (list, text) = (plan.list, Text { plan });
+    let (p, unpack_p) = (signature(&plan.parameters), unpack(&plan.parameters, fields));
+    let first = (0..list.states.len()).map(|place| ident(plan.start(place).as_deref().unwrap_or("_")));
+    let shared = statements(&plan.constants);
+    let constants = section("Constant in time.", &plan.constants.outputs);
+    let [start, orders] = [text.start(), text.orders()];
+    let [states, width] = [list.states.len(), plan.width()].map(Literal::usize_unsuffixed);
+    let work = ident(if list.convolutions() > 0 { "history" } else { "_history" });
+    let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
+    let convolutions = plural(list.convolutions(), "convolution");
+    let counts = format!(" {convolutions} and {} an order.", plural(list.linear_operations(), "linear operation"));
+    quote! {
+        #[doc = " Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`."]
+        #[doc = ""]
+        #[doc = #counts]
+        pub fn taylor<S: Scalar>(#p, series: &mut [[S; #states]], #work: &mut [Factors<S, #width>]) {
+            #unpack_p
+            let [#(#first),*] = series[0];
+            #shared
+            #constants
+            #start
+            #orders
+        }
+    }
+}
+
+/// The function under way: the variables of its plan as tokens.
+struct Text<'a> {
+    plan: &'a TaylorPlan<'a>,
+}
+
+impl Text<'_> {
+    /// The coefficient of order 0 of a series.
+    fn first(&self, at: usize) -> TokenStream {
+        ident(&format!("{}_0", self.plan.names[at]))
+    }
+
+    /// The coefficient of order 1.
+    fn at_one(&self, at: usize) -> TokenStream {
+        ident(&format!("{}_1", self.plan.names[at]))
+    }
+
+    /// The coefficient of order k − 1.
+    fn last(&self, at: usize) -> TokenStream {
+        ident(&format!("{}_last", self.plan.names[at]))
+    }
+
+    /// The coefficient of order k.
+    fn now(&self, at: usize) -> TokenStream {
+        ident(&self.plan.names[at])
+    }
+
+    /// The inverse of a series at order 0.
+    fn over(&self, at: usize) -> TokenStream {
+        ident(&self.plan.over[&at])
+    }
+
+    /// 1/(2 z) of a root z at order 0.
+    fn over_twice(&self, at: usize) -> TokenStream {
+        ident(&self.plan.over_twice[&at])
+    }
+
+    /// A weight: its variable, or a number.
+    fn weight(&self, e: Expr) -> TokenStream {
+        match self.plan.weights.get(&e).or_else(|| self.plan.variables.of.get(&e)) {
+            Some(name) => ident(name),
+            None => expression(&view(self.plan.arena, e, &FxHashMap::default(), usize::MAX)),
+        }
+    }
+}
