@@ -2,6 +2,7 @@
 
 mod agreement;
 mod arrows;
+mod circles;
 mod exact_motions;
 mod fresh;
 mod lanes;

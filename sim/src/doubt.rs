@@ -5,9 +5,9 @@
 
 use tripos_traits::Real;
 
-use crate::solution::Warning;
 use crate::stepper::Stepper;
 use crate::tolerance::ErrorTest;
+use crate::warning::Warning;
 
 /// Attempts that must show a sign before there is a warning: fewer do no harm.
 const ENOUGH: u64 = 20;

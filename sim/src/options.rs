@@ -9,9 +9,10 @@ use tripos_traits::Real;
 use crate::control;
 use crate::error::SimError;
 use crate::method::Method;
-use crate::solution::Output;
-use crate::taylor;
 use crate::tolerance::AbsoluteTolerance;
+
+/// The lowest and the highest order that a method without a fixed one takes.
+pub(crate) const ORDERS: (usize, usize) = (2, 60);
 
 /// How to integrate. The default is that of `ode45`, with a limit of a million steps.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,6 +59,23 @@ impl Default for Options {
     }
 }
 
+/// Which points of a solution are kept.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Output {
+    /// The start, then `refine` points a step: its end and `refine` − 1 inside, evenly spaced in
+    /// time, from the dense output. `ode45` uses 4.
+    Steps {
+        /// Points a step, at least 1.
+        refine: usize,
+    },
+    /// These times, in s, from the dense output: in the direction of the run, within its span.
+    /// They have no influence on the steps (in `ode45` the first one bounds the initial step).
+    /// Times beyond an early end are left out.
+    At(Vec<f64>),
+    /// Start and end only: memory does not grow with the number of steps.
+    Ends,
+}
+
 /// Who follows a run: told the time, in s, that each accepted step has reached, and answers whether to go on.
 ///
 /// Whatever it answers, the steps are the same: a run that it ends has [`Stop::Interrupted`](crate::Stop::Interrupted), and the
@@ -94,7 +112,7 @@ impl PartialEq for Poll {
 pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
     check_span(span, y0)?;
     check_steps(span, options)?;
-    if options.order.is_some_and(|order| !(taylor::ORDERS.0..=taylor::ORDERS.1).contains(&order)) {
+    if options.order.is_some_and(|order| !(ORDERS.0..=ORDERS.1).contains(&order)) {
         return Err(SimError::Option { name: "order", must: "from 2 to 60" });
     }
     check_output(span, &options.output)

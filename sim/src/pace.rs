@@ -6,9 +6,9 @@ use crate::control::{self, Control, Rules};
 use crate::error::SimError;
 use crate::options::Options;
 use crate::rhs::RightHandSide;
-use crate::solution::Warning;
 use crate::stepper::{Trial, evaluate, same};
 use crate::tolerance::ErrorTest;
+use crate::warning::Warning;
 
 /// What becomes of an attempted step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use tripos_traits::Real;
 
-use crate::solution::Output;
+use crate::options::Output;
 use crate::stepper::{DenseStep, Interpolant, same};
 
 /// Samples so far.

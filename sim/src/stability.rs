@@ -5,9 +5,9 @@
 
 use crate::error::{Failure, SimError};
 use crate::integrate::integrate;
-use crate::options::Options;
+use crate::options::{Options, Output};
 use crate::rhs::{Lent, RightHandSide};
-use crate::solution::{Output, Stop};
+use crate::solution::Stop;
 use crate::work_precision::larger;
 
 /// How much a small error at the start has grown.

@@ -11,13 +11,10 @@
 
 use tripos_traits::Real;
 
-use crate::options::Options;
+use crate::options::{ORDERS, Options};
 use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
 use crate::tolerance::ErrorTest;
-
-/// The lowest and the highest order that is taken.
-pub(crate) const ORDERS: (usize, usize) = (2, 60);
 
 /// Digits of the tolerance, as natural logarithm, that an order is worth. Jorba and Zou have ½, from a cost of order p²; here
 /// the part of the cost that grows so is small.

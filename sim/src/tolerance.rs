@@ -4,7 +4,7 @@ use tripos_traits::Real;
 
 use crate::blocks::LANES;
 use crate::error::SimError;
-use crate::solution::Warning;
+use crate::warning::Warning;
 
 /// Absolute tolerance: the error that is acceptable in a component however small it is.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,8 +11,8 @@ use std::time::Instant;
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 use crate::method::Method;
-use crate::options::Options;
-use crate::solution::Output;
+use crate::options::{Options, Output};
+
 use crate::tolerance::AbsoluteTolerance;
 
 /// Times of repeated runs, in s.

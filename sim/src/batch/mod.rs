@@ -20,9 +20,9 @@ use tripos_traits::{InLanes, Lanes, Rates, lane_width};
 
 use crate::error::SimError;
 use crate::method::Method;
-use crate::options::{self, Options};
+use crate::options::{self, Options, Output};
 use crate::pace::Pace;
-use crate::solution::{Output, Stop};
+use crate::solution::Stop;
 use crate::tolerance::AbsoluteTolerance;
 
 /// One trajectory to be integrated.

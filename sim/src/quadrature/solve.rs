@@ -5,9 +5,9 @@ use tripos_traits::System;
 use super::{NoQuadrature, OneDegree};
 use crate::error::SimError;
 use crate::events::Event;
-use crate::options::{self, Options, Poll};
+use crate::options::{self, Options, Output, Poll};
 use crate::recorder::Recorder;
-use crate::solution::{Output, Solution, Stop};
+use crate::solution::{Solution, Stop};
 use crate::stepper::{DenseStep, Interpolant, same};
 use crate::watch::Watch;
 

@@ -21,11 +21,11 @@ mod dispatch;
 mod double_double;
 mod lanes;
 mod scalar;
-pub mod series;
+
 mod system;
 
 pub use dispatch::lane_width;
 pub use double_double::DoubleDouble;
 pub use lanes::Lanes;
-pub use scalar::{Real, Scalar};
+pub use scalar::{Real, Scalar, series};
 pub use system::{CompiledModel, CompiledScene, CompiledSystem, Derivative, InLanes, Lengths, Rates, System};

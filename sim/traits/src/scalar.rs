@@ -1,9 +1,11 @@
 //! The arithmetic that a generated function body needs.
 
+pub mod series;
+
 use crate::circular::{self, MulAdd};
-use crate::series::{self, Factors, Pair};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+use series::{Factors, Pair};
 
 /// What generated equations can be evaluated in: a number, or several in lanes.
 ///
@@ -89,7 +91,7 @@ pub trait Scalar:
     fn dispatch<R>(work: impl FnOnce() -> R) -> R {
         work()
     }
-    /// [`crate::series::pair_sums`] for this type. The numbers do not depend on the processor.
+    /// [`series::pair_sums`] for this type. The numbers do not depend on the processor.
     #[must_use]
     #[inline]
     fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {

@@ -1,0 +1,89 @@
+//! What is worth knowing of a run that it did not prevent.
+
+use std::fmt;
+
+/// Something worth knowing that did not prevent the run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Warning {
+    /// The relative tolerance was below 100 ε and was raised to that.
+    RtolRaised {
+        /// As asked for.
+        from: f64,
+        /// As used.
+        to: f64,
+    },
+    /// There is no relative tolerance, and the absolute one of a component is finer than the component's rounding: the
+    /// steps follow rounding errors, are many, and do not make the result better.
+    ToleranceBelowRounding {
+        /// The component, from 0.
+        component: usize,
+        /// When that was worst, in s.
+        t: f64,
+        /// Its size there.
+        size: f64,
+        /// How far apart numbers of that size are.
+        spacing: f64,
+        /// The error that was allowed.
+        allowed: f64,
+        /// Attempted steps that it decided.
+        attempts: u64,
+    },
+    /// Shorter steps often did not make the error smaller: f jumps, has kinks, or is noise at the size of the
+    /// tolerance.
+    NotSmooth {
+        /// When that was first seen, in s.
+        t: f64,
+        /// How often a shorter step did not help.
+        retries: u64,
+        /// Attempted steps in all.
+        attempts: u64,
+    },
+    /// The equations have no value at a point that only the solution inside a step needs: events and output in that
+    /// step are those of a cubic through its ends.
+    CoarseInside {
+        /// The start of the first such step, in s.
+        t: f64,
+    },
+}
+
+impl Warning {
+    /// The warning, with these names for the components of the state.
+    #[must_use]
+    pub fn described(&self, names: &[String]) -> String {
+        let who = |at: usize| names.get(at).map_or_else(|| format!("component {at}"), |name| format!("`{name}`"));
+        let mut out = String::new();
+        self.say(&mut out, &who).expect("memory takes everything");
+        out
+    }
+
+    fn say(&self, f: &mut impl fmt::Write, who: &dyn Fn(usize) -> String) -> fmt::Result {
+        match self {
+            Self::RtolRaised { from, to } => {
+                write!(f, "relative tolerance {from:e} is below rounding; raised to {to:e}")
+            }
+            Self::ToleranceBelowRounding { component, t, size, spacing, allowed, attempts } => write!(
+                f,
+                "{} is {size:.1e} at t = {t:.6} s, where numbers are {spacing:.1e} apart, yet its error \
+                 was to stay below {allowed:.1e}: rounding decided {attempts} steps; raise the absolute tolerance, or \
+                 give a relative one",
+                who(*component)
+            ),
+            Self::NotSmooth { t, retries, attempts } => write!(
+                f,
+                "in {retries} of {attempts} attempted steps, first at t = {t:.6} s, a shorter step did not make the error \
+                 smaller: the equations jump there, or are noise at the size of the tolerance"
+            ),
+            Self::CoarseInside { t } => write!(
+                f,
+                "the equations have no value at some point of the step from t = {t:.6} s: events and output inside it \
+                 are less exact than its ends"
+            ),
+        }
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.say(f, &|at| format!("component {at}"))
+    }
+}
