@@ -5,6 +5,7 @@ mod arrows;
 mod circles;
 mod exact_motions;
 mod fresh;
+mod interpreted;
 mod lanes;
 mod mutations;
 mod operation_counts;

@@ -1,7 +1,6 @@
 //! Scenes: what to run, from where, how accurately, what to look at. States: one instant of it.
 
 mod axis;
-mod extended;
 mod family;
 mod integration;
 mod ladder;
@@ -15,10 +14,10 @@ use crate::read::Reader;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+use tripos_traits::DoubleDouble;
 use values::{Number, Start, Values, doubles};
 
 pub use axis::{Grid, MOST_POINTS};
-pub use extended::Extended;
 pub use family::Family;
 pub use integration::{AbsoluteTolerance, Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
@@ -102,11 +101,11 @@ pub struct SceneOutput {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Exact {
     /// The parameters, in the order of the model.
-    pub parameters: Vec<Extended>,
+    pub parameters: Vec<DoubleDouble>,
     /// The parameters as rational numbers, where they are such.
     pub rational: Vec<Option<Rational>>,
     /// The coordinates.
-    pub q: Vec<Extended>,
+    pub q: Vec<DoubleDouble>,
     /// What moves.
     pub motion: Motion,
 }
@@ -115,9 +114,9 @@ pub struct Exact {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
     /// By every generalized speed u.
-    Speeds(Vec<Extended>),
+    Speeds(Vec<DoubleDouble>),
     /// By every q′.
-    Rates(Vec<Extended>),
+    Rates(Vec<DoubleDouble>),
 }
 
 impl Default for Motion {

@@ -92,7 +92,7 @@ pub fn measure(
     truth: &Truth<'_>,
     (bar, left_out): (&dyn Progress, &mut Vec<String>),
 ) -> Result<Vec<Measurement>, Error> {
-    let prepared: Vec<_> = cases.iter().map(|case| case.prepare(model, scene)).collect();
+    let prepared = cases.iter().map(|case| case.prepare(model, scene)).collect::<Result<Vec<_>, _>>()?;
     let problems: Vec<Problem<'_>> = prepared.iter().map(case::Prepared::problem).collect::<Result<_, _>>()?;
     let starts: Vec<Vec<f64>> = problems.iter().map(Problem::start).collect::<Result<_, _>>()?;
     let length = scene.span.1 - scene.span.0;

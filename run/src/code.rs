@@ -1,9 +1,10 @@
 //! Which code runs a model: compiled in, or interpreted.
 
 use crate::error::Error;
-use crate::interpreted::{Interpreted, NotInterpreted};
+use crate::interpreted::{Interpreted, InterpretedSystem, NotInterpreted};
 use crate::mechanism::Mechanism;
 use crate::run::method;
+use tripos_derive::algebra::elimination::Definition;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::printed_equations;
@@ -20,7 +21,7 @@ pub enum Code {
     /// Generated Rust, compiled in.
     Compiled(&'static CompiledSystem),
     /// A tape made just now.
-    Interpreted(Box<Interpreted>),
+    Interpreted(Box<InterpretedSystem>),
 }
 
 impl Code {
@@ -29,17 +30,21 @@ impl Code {
     pub fn system(&self) -> &dyn System<f64> {
         match self {
             Self::Compiled(system) => system.double,
-            Self::Interpreted(system) => system.as_ref(),
+            Self::Interpreted(system) => &system.double,
         }
     }
 
-    /// The same in twice the precision of a double, which only compiled code has.
+    /// The equations in twice the precision of a double.
     #[must_use]
-    pub fn extended(&self) -> Option<&dyn System<DoubleDouble>> {
+    pub fn extended(&self) -> &dyn System<DoubleDouble> {
         match self {
-            Self::Compiled(system) => Some(system.extended),
-            Self::Interpreted(_) => None,
+            Self::Compiled(system) => system.extended,
+            Self::Interpreted(system) => system.extended(),
         }
+    }
+
+    fn interpreted(system: Interpreted) -> Self {
+        Self::Interpreted(Box::new(system.into()))
     }
 
     /// Whether they are compiled in.
@@ -226,7 +231,7 @@ pub fn code_of(model: &Mechanism, by: &By, derivation: &Derivation, ready: Ready
         Ready::Solved if by.derived.is_some() => code.and_then(|code| code.solved(derivation)),
         _ => code,
     };
-    Ok(Code::Interpreted(Box::new(code.map_err(|why| not_interpreted(&by.name, &why))?)))
+    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&by.name, &why))?))
 }
 
 /// The equations of a scene made ready to be run by interpretation.
@@ -237,7 +242,7 @@ pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Error> {
     let derivation = &reduction.derivation;
     let code = Interpreted::new(&reduction.model, derivation).map_err(NotInterpreted::from);
     let code = code.and_then(|code| Ok(code.solved(derivation)?.showing(reduction)?));
-    Ok(Code::Interpreted(Box::new(code.map_err(|why| not_interpreted(&derivation.equations.name, &why))?)))
+    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&derivation.equations.name, &why))?))
 }
 
 fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
@@ -258,7 +263,21 @@ fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
 /// # Errors
 /// [`Error::Request`] if one of them mentions what is no input.
 pub fn tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str) -> Result<Tape, Error> {
-    Tape::new(arena, inputs, values).map_err(|unknown| {
+    stepwise(arena, inputs, &[], values, what)
+}
+
+/// What computes these values of inputs and of what the steps define.
+///
+/// # Errors
+/// As [`tape`].
+pub fn stepwise(
+    arena: &Arena,
+    inputs: &[Expr],
+    steps: &[Definition],
+    values: &[Expr],
+    what: &str,
+) -> Result<Tape, Error> {
+    Tape::stepwise(arena, inputs, steps, values).map_err(|unknown| {
         let what = format!("{what} mentions `{}`, which has no value during a run", unknown.0);
         Error::request(what, "use parameters, coordinates, q', speeds and reactions".to_owned())
     })

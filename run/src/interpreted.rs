@@ -1,16 +1,19 @@
 //! Derived equations as a [`System`] by interpretation: for models that are not compiled in.
+//!
+//! Invariant: the equations are compiled to tapes once; another kind of number takes the same tapes with their exact constants
+//! rounded anew.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use tripos_codegen::taylor::{Tape as Series, recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::elimination::{Definition, needed};
-use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
+use tripos_derive::algebra::evaluate::{Numeric, Tape, UnknownSymbol};
 use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::mechanics::{Derivation, Solved, energy_gradient};
 use tripos_derive::reduce::Reduction;
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{DoubleDouble, Lengths, System};
 
 /// Why equations cannot be interpreted.
 #[derive(Clone, Debug)]
@@ -33,34 +36,45 @@ impl From<Singular> for NotInterpreted {
     }
 }
 
+/// What is computed, each part by a tape of its own.
+#[derive(Clone, Copy)]
+enum Part {
+    CoordinateRates,
+    MassMatrix,
+    Forcing,
+    Accelerations,
+    /// q̇ and v̇.
+    Derivative,
+    Jacobian,
+    /// What a scene shows, in parameters, time, coordinates and motion variables.
+    Outputs,
+    /// T + V and its slopes by the state, of a scene that has an energy.
+    EnergyGradient,
+    /// The slope of the potential energy: first the angles z, then the value for sin z/z.
+    SlopeAngles,
+    Slope,
+    GeneralizedSpeeds,
+    GeneralizedSpeedRates,
+    MotionVariables,
+    KineticEnergy,
+    PotentialEnergy,
+}
+
 /// One formulation, interpreted. Its working space makes it a thread's own; another thread takes a copy.
 #[derive(Clone)]
-pub struct Interpreted {
+pub struct Interpreted<S = f64> {
     lengths: Lengths,
     /// Parameters, coordinates and motion variables: what most tapes read.
     state: Vec<Expr>,
     symmetric: bool,
-    coordinate_rates: Tape,
-    mass_matrix: Tape,
-    forcing: Tape,
-    /// v̇, then q̇ and v̇, then the Jacobian; none for printed equations, which are run as they stand.
-    solved: Option<[Tape; 3]>,
-    /// What a scene shows, in parameters, time, coordinates and motion variables.
-    outputs: Option<Tape>,
-    /// T + V and its slopes by the state, of a scene that has an energy.
-    energy_gradient: Option<Tape>,
-    /// The slope of the potential energy: the angles z, then the value for sin z/z.
-    slope: Option<[Tape; 2]>,
+    /// By [`Part`]. Printed equations are run as they stand, without accelerations; outputs are a scene's.
+    tapes: [Option<Tape<S>>; Part::PotentialEnergy as usize + 1],
     /// The recurrences of the Taylor coefficients.
-    series: Option<Series>,
-    generalized_speeds: Tape,
-    generalized_speed_rates: Tape,
-    motion_variables: Tape,
-    kinetic_energy: Tape,
-    potential_energy: Tape,
-    work: RefCell<(Vec<f64>, Vec<f64>)>,
+    series: Option<Series<S>>,
+    /// Room for the inputs of a tape, and for its values.
+    work: RefCell<(Vec<S>, Vec<S>)>,
     /// Room for q̇ and v̇.
-    derivative: RefCell<Vec<f64>>,
+    both: RefCell<Vec<S>>,
 }
 
 impl Interpreted {
@@ -71,21 +85,24 @@ impl Interpreted {
     pub fn new(model: &Model, derivation: &Derivation) -> Result<Self, UnknownSymbol> {
         let Derivation { arena, equations: e } = derivation;
         let (p, q) = (model.p(), e.coordinates.clone());
-        let q_length = q.len();
         let state = [p.clone(), q.clone(), e.variables.clone()].concat();
-        let tape = |inputs: &[Expr], outputs: &[Expr]| {
+        let speed_rates = e.unknowns[..e.variables.len()].to_vec();
+        let mut tapes = [const { None }; _];
+        let mut tape = |part: Part, inputs: &[Expr], outputs: &[Expr]| {
             // What is not used is no part of the tape, and what it mentions need have no value.
             let steps = needed(arena, &e.definitions, outputs);
-            Tape::stepwise(arena, inputs, &steps, outputs)
+            tapes[part as usize] = Some(Tape::stepwise(arena, inputs, &steps, outputs)?);
+            Ok(())
         };
-        let speed_rates = e.unknowns[..e.variables.len()].to_vec();
+        tape(Part::CoordinateRates, &state, &e.coordinate_rates)?;
+        tape(Part::MassMatrix, &state, &e.matrix.concat())?;
+        tape(Part::Forcing, &state, &e.forcing)?;
+        tape(Part::GeneralizedSpeeds, &state, &e.generalized_speeds)?;
+        tape(Part::GeneralizedSpeedRates, &[state.clone(), speed_rates].concat(), &e.generalized_speed_rates)?;
+        tape(Part::MotionVariables, &[p.clone(), q.clone(), model.u()].concat(), &e.motion_variables)?;
+        tape(Part::KineticEnergy, &state, &[e.kinetic_energy])?;
+        tape(Part::PotentialEnergy, &[p.clone(), q.clone()].concat(), &[e.potential_energy])?;
         Ok(Self {
-            solved: None,
-            outputs: None,
-            energy_gradient: None,
-            slope: None,
-            series: None,
-            state: state.clone(),
             lengths: Lengths {
                 parameters: p.len(),
                 coordinates: q.len(),
@@ -93,17 +110,12 @@ impl Interpreted {
                 speeds: model.speeds.len(),
                 reactions: e.unknowns.len() - e.variables.len(),
             },
+            state,
             symmetric: e.symmetric,
-            coordinate_rates: tape(&state, &e.coordinate_rates)?,
-            mass_matrix: tape(&state, &e.matrix.concat())?,
-            forcing: tape(&state, &e.forcing)?,
-            generalized_speeds: tape(&state, &e.generalized_speeds)?,
-            generalized_speed_rates: tape(&[state.clone(), speed_rates].concat(), &e.generalized_speed_rates)?,
-            motion_variables: tape(&[p.clone(), q.clone(), model.u()].concat(), &e.motion_variables)?,
-            kinetic_energy: tape(&state, &[e.kinetic_energy])?,
-            potential_energy: tape(&[p, q].concat(), &[e.potential_energy])?,
+            tapes,
+            series: None,
             work: RefCell::default(),
-            derivative: RefCell::new(vec![0.0; q_length + e.variables.len()]),
+            both: RefCell::default(),
         })
     }
 
@@ -120,11 +132,9 @@ impl Interpreted {
         let rates = &e.unknowns[..e.variables.len()];
         let both = [&e.coordinate_rates, rates].concat();
         let tape = |steps: &[Definition], outputs: &[Expr]| Tape::stepwise(&arena, &self.state, steps, outputs);
-        self.solved = Some([
-            tape(&accelerations.steps, rates)?,
-            tape(&accelerations.steps, &both)?,
-            tape(&jacobian.steps, &jacobian.entries.concat())?,
-        ]);
+        self.tapes[Part::Accelerations as usize] = Some(tape(&accelerations.steps, rates)?);
+        self.tapes[Part::Derivative as usize] = Some(tape(&accelerations.steps, &both)?);
+        self.tapes[Part::Jacobian as usize] = Some(tape(&jacobian.steps, &jacobian.entries.concat())?);
         Ok(self)
     }
 
@@ -137,7 +147,8 @@ impl Interpreted {
         let (p, state) = self.state.split_at(self.lengths.parameters);
         let inputs = [p, &[reduction.time], state].concat();
         let steps = needed(reduction.terms(), &reduction.derivation.equations.definitions, &values);
-        self.outputs = Some(Tape::stepwise(reduction.terms(), &inputs, &steps, &values)?);
+        let outputs = Tape::stepwise(reduction.terms(), &inputs, &steps, &values)?;
+        self.tapes[Part::Outputs as usize] = Some(outputs);
         let equations = &reduction.derivation.equations;
         if reduction.has_energy {
             let mut arena = reduction.terms().clone();
@@ -145,19 +156,43 @@ impl Interpreted {
             let gradient = energy_gradient(&mut arena, &mut Simplifier::default(), equations);
             let values = [&[energy][..], &gradient].concat();
             let steps = needed(&arena, &equations.definitions, &values);
-            self.energy_gradient = Some(Tape::stepwise(&arena, &self.state, &steps, &values)?);
+            let gradient = Tape::stepwise(&arena, &self.state, &steps, &values)?;
+            self.tapes[Part::EnergyGradient as usize] = Some(gradient);
         }
         if let Some(slope) = &reduction.slope {
             let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
             let ends = [p, &slope.ends].concat();
             let angles = Tape::new(reduction.terms(), &ends, &angles)?;
             let value = Tape::new(reduction.terms(), &[ends, symbols].concat(), &[slope.value])?;
-            self.slope = Some([angles, value]);
+            self.tapes[Part::SlopeAngles as usize] = Some(angles);
+            self.tapes[Part::Slope as usize] = Some(value);
         }
         Ok(self)
     }
 
-    fn run(&self, tape: &Tape, inputs: &[&[f64]], out: &mut [f64]) {
+    /// The same equations in another kind of number.
+    #[must_use]
+    pub fn to<S: Numeric>(&self) -> Interpreted<S> {
+        Interpreted {
+            lengths: self.lengths,
+            state: self.state.clone(),
+            symmetric: self.symmetric,
+            tapes: self.tapes.each_ref().map(|tape| tape.as_ref().map(Tape::to)),
+            series: self.series.as_ref().map(Series::to),
+            work: RefCell::default(),
+            both: RefCell::default(),
+        }
+    }
+}
+
+impl<S: Numeric> Interpreted<S> {
+    fn has(&self, part: Part) -> bool {
+        self.tapes[part as usize].is_some()
+    }
+
+    /// The values of a part; not numbers if these equations do not have it.
+    fn run(&self, part: Part, inputs: &[&[S]], out: &mut [S]) {
+        let Some(tape) = &self.tapes[part as usize] else { return out.fill(S::from_f64(f64::NAN)) };
         let (joined, scratch) = &mut *self.work.borrow_mut();
         joined.clear();
         for part in inputs {
@@ -165,111 +200,126 @@ impl Interpreted {
         }
         tape.evaluate_into(joined, scratch, out);
     }
+
+    /// The value of a part that has only one.
+    fn value(&self, part: Part, inputs: &[&[S]]) -> S {
+        let mut out = [S::int(0)];
+        self.run(part, inputs, &mut out);
+        out[0]
+    }
+
+    fn count(&self, part: Part) -> usize {
+        self.tapes[part as usize].as_ref().map_or(0, Tape::outputs)
+    }
 }
 
-impl System<f64> for Interpreted {
+impl<S: Numeric> System<S> for Interpreted<S> {
     fn lengths(&self) -> Lengths {
         self.lengths
     }
     fn symmetric(&self) -> bool {
         self.symmetric
     }
-    fn coordinate_rates(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
-        self.run(&self.coordinate_rates, &[p, q, v], out);
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.run(Part::CoordinateRates, &[p, q, v], out);
     }
-    fn mass_matrix(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
-        self.run(&self.mass_matrix, &[p, q, v], out);
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.run(Part::MassMatrix, &[p, q, v], out);
     }
-    fn forcing(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
-        self.run(&self.forcing, &[p, q, v], out);
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.run(Part::Forcing, &[p, q, v], out);
     }
     fn output_count(&self) -> usize {
-        self.outputs.as_ref().map_or(self.lengths.coordinates + self.lengths.speeds, Tape::outputs)
+        if self.has(Part::Outputs) { self.count(Part::Outputs) } else { self.lengths.coordinates + self.lengths.speeds }
     }
-    fn outputs(&self, p: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        match &self.outputs {
-            Some(tape) => self.run(tape, &[p, &[t], q, v], out),
-            None => self.whole_state(p, q, v, out),
+    fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
+        if self.has(Part::Outputs) {
+            self.run(Part::Outputs, &[p, &[t], q, v], out);
+        } else {
+            self.whole_state(p, q, v, out);
         }
     }
     fn has_energy_gradient(&self) -> bool {
-        self.energy_gradient.is_some()
+        self.has(Part::EnergyGradient)
     }
-    fn energy_gradient(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) -> f64 {
-        let Some(tape) = &self.energy_gradient else {
-            out.fill(f64::NAN);
-            return f64::NAN;
-        };
-        let mut values = vec![0.0; 1 + out.len()];
-        self.run(tape, &[p, q, v], &mut values);
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let mut values = vec![S::int(0); 1 + out.len()];
+        self.run(Part::EnergyGradient, &[p, q, v], &mut values);
         out.copy_from_slice(&values[1..]);
         values[0]
     }
     fn has_potential_slope(&self) -> bool {
-        self.slope.is_some()
+        self.has(Part::Slope)
     }
-    fn potential_slope(&self, p: &[f64], a: f64, b: f64) -> f64 {
-        let Some([angles, value]) = &self.slope else { return f64::NAN };
-        let mut sincs = vec![0.0; angles.outputs()];
-        self.run(angles, &[p, &[a, b]], &mut sincs);
+    fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
+        let mut sincs = vec![S::int(0); self.count(Part::SlopeAngles)];
+        self.run(Part::SlopeAngles, &[p, &[a, b]], &mut sincs);
         for z in &mut sincs {
             *z = z.sinc();
         }
-        let mut out = [0.0];
-        self.run(value, &[p, &[a, b], &sincs], &mut out);
-        out[0]
+        self.value(Part::Slope, &[p, &[a, b], &sincs])
     }
     fn has_accelerations(&self) -> bool {
-        self.solved.is_some()
+        self.has(Part::Accelerations)
     }
-    fn accelerations(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
-        match &self.solved {
-            Some([accelerations, ..]) => self.run(accelerations, &[p, q, v], out),
-            None => out.fill(f64::NAN),
-        }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.run(Part::Accelerations, &[p, q, v], out);
     }
-    fn derivative(&self, p: &[f64], q: &[f64], v: &[f64], q_dot: &mut [f64], v_dot: &mut [f64]) {
-        let Some([_, derivative, _]) = &self.solved else {
-            q_dot.fill(f64::NAN);
-            return v_dot.fill(f64::NAN);
-        };
-        let mut both = self.derivative.borrow_mut();
-        self.run(derivative, &[p, q, v], &mut both);
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        let mut both = self.both.borrow_mut();
+        both.resize(q.len() + v.len(), S::int(0));
+        self.run(Part::Derivative, &[p, q, v], &mut both);
         q_dot.copy_from_slice(&both[..q.len()]);
         v_dot.copy_from_slice(&both[q.len()..]);
     }
-    fn jacobian(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
-        match &self.solved {
-            Some([.., jacobian]) => self.run(jacobian, &[p, q, v], out),
-            None => out.fill(f64::NAN),
-        }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.run(Part::Jacobian, &[p, q, v], out);
     }
     fn has_taylor(&self) -> bool {
         self.series.is_some()
     }
-    fn taylor(&self, p: &[f64], order: usize, x: &mut [f64], _work: &mut [f64]) {
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], _work: &mut [S]) {
         match &self.series {
             Some(series) => series.evaluate(p, order, x),
-            None => x[self.lengths.state()..].fill(f64::NAN),
+            None => x[self.lengths.state()..].fill(S::from_f64(f64::NAN)),
         }
     }
-    fn generalized_speeds(&self, p: &[f64], q: &[f64], v: &[f64], out: &mut [f64]) {
-        self.run(&self.generalized_speeds, &[p, q, v], out);
+    fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.run(Part::GeneralizedSpeeds, &[p, q, v], out);
     }
-    fn generalized_speed_rates(&self, p: &[f64], q: &[f64], v: &[f64], v_dot: &[f64], out: &mut [f64]) {
-        self.run(&self.generalized_speed_rates, &[p, q, v, v_dot], out);
+    fn generalized_speed_rates(&self, p: &[S], q: &[S], v: &[S], v_dot: &[S], out: &mut [S]) {
+        self.run(Part::GeneralizedSpeedRates, &[p, q, v, v_dot], out);
     }
-    fn motion_variables(&self, p: &[f64], q: &[f64], u: &[f64], out: &mut [f64]) {
-        self.run(&self.motion_variables, &[p, q, u], out);
+    fn motion_variables(&self, p: &[S], q: &[S], u: &[S], out: &mut [S]) {
+        self.run(Part::MotionVariables, &[p, q, u], out);
     }
-    fn kinetic_energy(&self, p: &[f64], q: &[f64], v: &[f64]) -> f64 {
-        let mut out = [0.0];
-        self.run(&self.kinetic_energy, &[p, q, v], &mut out);
-        out[0]
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        self.value(Part::KineticEnergy, &[p, q, v])
     }
-    fn potential_energy(&self, p: &[f64], q: &[f64]) -> f64 {
-        let mut out = [0.0];
-        self.run(&self.potential_energy, &[p, q], &mut out);
-        out[0]
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        self.value(Part::PotentialEnergy, &[p, q])
+    }
+}
+
+/// Interpreted equations in each kind of number that runs are made in.
+#[derive(Clone)]
+pub struct InterpretedSystem {
+    /// In doubles.
+    pub double: Interpreted,
+    /// In twice that precision, made when a reference first asks for it.
+    extended: OnceCell<Interpreted<DoubleDouble>>,
+}
+
+impl From<Interpreted> for InterpretedSystem {
+    fn from(double: Interpreted) -> Self {
+        Self { double, extended: OnceCell::new() }
+    }
+}
+
+impl InterpretedSystem {
+    /// In twice the precision of a double.
+    #[must_use]
+    pub fn extended(&self) -> &Interpreted<DoubleDouble> {
+        self.extended.get_or_init(|| self.double.to())
     }
 }

@@ -35,10 +35,10 @@ pub mod run;
 pub mod scene;
 pub mod shown;
 pub mod stability;
+mod start;
 pub mod study;
 pub mod sweep;
 pub mod trust;
-mod wide;
 
 pub use error::Error;
 pub use mechanism::Mechanism;

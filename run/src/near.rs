@@ -4,7 +4,7 @@ use crate::code::tape;
 use crate::error::Error;
 use rustc_hash::FxHashMap;
 use tripos_derive::Model;
-use tripos_derive::algebra::evaluate::value_of;
+use tripos_derive::algebra::evaluate::Numeric;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 use tripos_derive::model::{Coordinate, Unit};
@@ -62,7 +62,7 @@ fn sizes(arena: &Arena, roots: &[Expr], symbols: &FxHashMap<Expr, f64>) -> Vec<f
             }
             Node::Product(factors) => factors.iter().map(|(base, n)| of(base).powi(*n)).product(),
             Node::Apply(Function::Sin | Function::Cos, _) => 1.0,
-            Node::Apply(function, argument) => value_of(*function, of(argument)).abs(),
+            Node::Apply(function, argument) => of(argument).apply(*function).abs(),
         };
         known.insert(e, size);
     }

@@ -3,14 +3,15 @@
 //! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
 //! that people see hold the coordinate.
 
-use crate::code::{By, Code, compiled_code};
+use crate::code::{By, Code};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::near::near_divisors;
 use crate::reduced::Reduced;
 use crate::run::refused;
+use crate::start::speeds;
 use tripos_derive::mechanics::InertiaCheck;
-use tripos_derive::scene::{Extended, Motion, Project, QUADRATURE, Scene, Solve};
+use tripos_derive::scene::{Motion, Project, QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
 use tripos_sim::quadrature::{self, NoQuadrature};
@@ -46,12 +47,6 @@ pub type ExtendedStart = (Vec<DoubleDouble>, Vec<DoubleDouble>);
 struct Origin {
     at: usize,
     value: DoubleDouble,
-}
-
-/// A number of a scene in twice the precision of a double.
-#[must_use]
-pub fn wide(number: &Extended) -> DoubleDouble {
-    DoubleDouble::sum(number.high, number.low)
 }
 
 /// `count` + 1 instants, evenly from the first to the last, which is exact whatever the division rounds to.
@@ -171,7 +166,7 @@ impl<'a> Problem<'a> {
         let mut q = scene.q.clone();
         if let Some(Origin { at, value }) = self.origin {
             // From the file's own number: the double nearest to it has lost what the distance keeps.
-            q[at] = (wide(&scene.exact.q[at]) - value).to_f64();
+            q[at] = (scene.exact.q[at] - value).to_f64();
         }
         let mut v = vec![0.0; system.lengths().variables];
         system.motion_variables(&scene.parameters, &q, &scene.u, &mut v);
@@ -222,36 +217,28 @@ impl<'a> Problem<'a> {
         Ok(Some(format!("{what} has no value at the start{}", self.near_divisors(&y0)?)))
     }
 
-    /// Parameters and the integrated state at the start, to 32 digits; nothing if the equations are not compiled.
-    pub fn extended_start(&self) -> Option<ExtendedStart> {
-        let system = self.code.extended()?;
-        let exact = &self.scene.exact;
-        let numbers = |list: &[Extended]| list.iter().map(wide).collect::<Vec<_>>();
-        let (p, mut q) = (numbers(&exact.parameters), numbers(&exact.q));
+    /// Parameters and the integrated state at the start, to 32 digits.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a definition of a speed mentions what has no value at the start.
+    pub fn extended_start(&self) -> Result<ExtendedStart, Error> {
+        let (system, exact) = (self.code.extended(), &self.scene.exact);
+        let (p, mut q) = (exact.parameters.clone(), exact.q.clone());
         if let Some(Origin { at, value }) = self.origin {
             q[at] = q[at] - value;
         }
         let mut v = vec![DoubleDouble::int(0); system.lengths().variables];
         match &exact.motion {
-            Motion::Rates(rates) if self.by.formulation() == Some(Formulation::Lagrange) => v = numbers(rates),
-            Motion::Rates(rates) => {
-                // Lagrange's equations have the definitions of the speeds.
-                let lagrange = Formulation::Lagrange.into();
-                let lagrange = compiled_code(self.mechanism, &lagrange, self.scene.integration.distance);
-                let lagrange = lagrange.as_ref().and_then(Code::extended)?;
-                let mut u = vec![DoubleDouble::int(0); system.lengths().speeds];
-                lagrange.generalized_speeds(&p, &q, &numbers(rates), &mut u);
-                system.motion_variables(&p, &q, &u, &mut v);
-            }
-            Motion::Speeds(u) => system.motion_variables(&p, &q, &numbers(u), &mut v),
+            Motion::Rates(rates) if self.by.formulation() == Some(Formulation::Lagrange) => v.clone_from(rates),
+            _ => system.motion_variables(&p, &q, &speeds(self.model, exact)?, &mut v),
         }
-        Some((p, [q, v].concat()))
+        Ok((p, [q, v].concat()))
     }
 
     /// The same as [`Problem::state`] in twice the precision of a double.
     #[must_use]
     pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let Some(system) = self.code.extended() else { return Vec::new() };
+        let system = self.code.extended();
         let (q, v) = y.split_at(system.lengths().coordinates);
         if self.by.is_reduced() {
             let mut out = vec![DoubleDouble::int(0); system.output_count()];
@@ -296,11 +283,11 @@ impl<'a> Problem<'a> {
     }
 
     /// The same as [`Problem::state`] without rounding a distance away.
+    #[must_use]
     pub fn precise_state(&self, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();
-        if self.by.is_reduced() && self.code.extended().is_some() {
-            let parameters: Vec<_> = self.scene.exact.parameters.iter().map(self::wide).collect();
-            return self.extended_state(&parameters, t, &wide(y.to_vec()));
+        if self.by.is_reduced() {
+            return self.extended_state(&self.scene.exact.parameters, t, &wide(y.to_vec()));
         }
         let mut state = wide(self.state(t, y));
         if let Some(Origin { at, value }) = self.origin {

@@ -1,9 +1,9 @@
 //! Runs that other runs are measured against, and how they were certified.
 //!
-//! Compiled equations run in twice the precision of a double, eliminated, by DOP853 at tolerances that no double
+//! Equations run in twice the precision of a double, compiled or interpreted, eliminated, by DOP853 at tolerances that no double
 //! reaches: by two formulations and at two tolerances. What they differ by is how far the reference can be trusted.
 
-use crate::code::{By, Ready, code, compiled_code};
+use crate::code::{By, Code, Ready, code, compiled_code};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::problem::Problem;
@@ -12,7 +12,9 @@ use tripos_derive::Formulation;
 use tripos_derive::mechanics::Distance;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::work_precision::{error, larger};
-use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, Output, RightHandSide, Solution, integrate};
+use tripos_sim::{
+    AbsoluteTolerance, Eliminated, Lent, Method, Options, Output, RightHandSide, SimError, Solution, integrate,
+};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// States at some instants, known better than any run in doubles knows them.
@@ -28,11 +30,11 @@ pub struct Reference {
 }
 
 /// The tolerances of the run that is kept and of the one that it is checked by.
-const EXTENDED: [f64; 2] = [1e-22, 1e-20];
-/// The same in doubles, for equations that are not compiled.
-const DOUBLE: [f64; 2] = [1e-13, 1e-12];
+const TOLERANCES: [f64; 2] = [1e-22, 1e-20];
 /// Steps after which a reference is given up.
 const MOST_STEPS: u64 = 5_000_000;
+/// States beside the start at which the terms of two witnesses are told apart.
+const STATES: usize = 4;
 
 impl Reference {
     /// Of a scene without its events, at these instants in the order of the run.
@@ -40,25 +42,21 @@ impl Reference {
     /// # Errors
     /// [`Error`] if no formulation gets there.
     pub fn new(model: &Mechanism, scene: &Scene, times: &[f64]) -> Result<Self, Error> {
-        let mut runs: Vec<(String, Vec<Vec<DoubleDouble>>)> = Vec::new();
-        let mut extended = true;
-        for (at, formulation) in certifiers(model)?.into_iter().enumerate() {
-            let (name, states, wide) = run(model, scene, formulation, times, at)?;
-            extended &= wide;
-            runs.push((name, states));
-        }
-        let [(first, states), (second, check)] = runs.as_slice() else {
-            let help = "give a model that Kane's method or Lagrange's equations can be derived for".to_owned();
-            return Err(Error::request("nothing is there to certify a reference with".to_owned(), help));
-        };
-        let difference = states.iter().zip(check).map(|(a, b)| error(a, b)).fold(0.0, larger);
-        // A run in doubles is not known better than to its own rounding, however well two of them agree.
-        let floor = if extended { DoubleDouble::EPSILON } else { 1e3 * f64::EPSILON };
-        let uncertainty = larger(difference, floor);
-        let number = if extended { "double-double (32 digits)" } else { "double" };
-        let more = if extended { "" } else { "; the model is not compiled, so errors below that are not told apart" };
-        let how = format!("DOP853 in {number}, {first} against {second}: they differ by {difference:.1e}{more}");
-        Ok(Self { times: times.to_vec(), states: states.clone(), uncertainty, how })
+        let mut scene = scene.clone();
+        scene.integration.distance = near(model, &scene);
+        let [first, second] = witnesses(model, &scene)?;
+        let names = [&first, &second].map(|witness| &witness.by.name).into_iter().zip(TOLERANCES);
+        let names: Vec<String> = names.map(|(name, rtol)| format!("{name} at {rtol:.0e}")).collect();
+        let kept = first.run(model, &scene, times, TOLERANCES[0])?;
+        let check = second.run(model, &scene, times, TOLERANCES[1])?;
+        let difference = kept.iter().zip(&check).map(|(a, b)| error(a, b)).fold(0.0, larger);
+        let same = first.runs_the_terms_of(&second, model, &scene)?;
+        let more = if same { "; both run the same terms, so that they are one witness at two tolerances" } else { "" };
+        let how = format!(
+            "DOP853 in double-double (32 digits), {}: they differ by {difference:.1e}{more}",
+            names.join(" against ")
+        );
+        Ok(Self { times: times.to_vec(), states: kept, uncertainty: larger(difference, DoubleDouble::EPSILON), how })
     }
 
     /// The last state.
@@ -67,18 +65,29 @@ impl Reference {
     }
 }
 
+/// Equations that a reference is made by.
+#[derive(Clone)]
+struct Witness {
+    by: By,
+    code: Code,
+}
+
 /// Two formulations, or one twice.
-fn certifiers(model: &Mechanism) -> Result<Vec<Formulation>, Error> {
+fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
     let mut list = Vec::new();
     for formulation in [Formulation::Lagrange, Formulation::Kane] {
-        match code(model, &By::from(formulation), None, Ready::Solved) {
-            Ok(code) if code.system().has_accelerations() => list.push(formulation),
+        let by = By::from(formulation);
+        match code(model, &by, scene.integration.distance, Ready::Solved) {
+            Ok(code) if code.system().has_accelerations() => list.push(Witness { by, code }),
             Ok(_) | Err(Error::Unsupported(_)) => {}
             Err(failure) => return Err(failure),
         }
     }
-    list.extend(list.first().copied().filter(|_| list.len() == 1));
-    Ok(list)
+    list.extend(list.first().cloned().filter(|_| list.len() == 1));
+    list.try_into().map_err(|_| {
+        let help = "give a model that Kane's method or Lagrange's equations can be derived for".to_owned();
+        Error::request("nothing is there to certify a reference with".to_owned(), help)
+    })
 }
 
 /// The scene in the distance from its singular surface, where the library has one compiled.
@@ -90,45 +99,41 @@ fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
     })
 }
 
-/// One run: its description, its states, and whether it was made in extended precision.
-fn run(
-    model: &Mechanism,
-    scene: &Scene,
-    formulation: Formulation,
-    times: &[f64],
-    attempt: usize,
-) -> Result<(String, Vec<Vec<DoubleDouble>>, bool), Error> {
-    let by = By::from(formulation);
-    let mut scene = scene.clone();
-    scene.integration.distance = near(model, &scene);
-    let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
-    let problem = Problem::new(model, &scene, &by, &code, Some(Solve::Eliminated))?;
-    let tolerance = |list: [f64; 2]| list[attempt.min(1)];
-    match (code.extended(), problem.extended_start()) {
-        (Some(system), Some((p, y0))) => {
-            let mut rhs = Eliminated::new(system, &p).expect("checked to be eliminated, with the model's parameters");
-            let rtol = tolerance(EXTENDED);
-            let walk = |t0: f64, t1: f64, y: &[DoubleDouble]| {
-                integrate(
-                    Lent(&mut rhs as &mut dyn RightHandSide<DoubleDouble>),
-                    (t0, t1),
-                    y,
-                    &model.follow.options(&options(rtol)),
-                    &mut [],
-                )
-            };
-            let states = along(&scene, times, y0, walk)?;
-            let states = times.iter().zip(&states).map(|(t, y)| problem.extended_state(&p, *t, y)).collect();
-            Ok((format!("{} at {rtol:.0e}", by.name), states, true))
-        }
-        _ => {
-            let rtol = tolerance(DOUBLE);
-            let walk = |t0: f64, t1: f64, y: &[f64]| problem.integrate_over((t0, t1), y, &options(rtol), &mut []);
-            let states = along(&scene, times, problem.start()?, walk)?;
-            let wide =
-                |(t, y): (&f64, &Vec<f64>)| problem.state(*t, y).into_iter().map(DoubleDouble::from_f64).collect();
-            Ok((format!("{} at {rtol:.0e}", by.name), times.iter().zip(&states).map(wide).collect(), false))
-        }
+impl Witness {
+    /// The states of a run at these instants.
+    fn run(&self, model: &Mechanism, scene: &Scene, times: &[f64], rtol: f64) -> Result<Vec<Vec<DoubleDouble>>, Error> {
+        let problem = Problem::new(model, scene, &self.by, &self.code, Some(Solve::Eliminated))?;
+        let (p, y0) = problem.extended_start()?;
+        let system = self.code.extended();
+        let mut rhs = Eliminated::new(system, &p).expect("checked to be eliminated, with the model's parameters");
+        let options = model.follow.options(&options(rtol));
+        let walk = |t0: f64, t1: f64, y: &[DoubleDouble]| {
+            let rhs = Lent(&mut rhs as &mut dyn RightHandSide<DoubleDouble>);
+            integrate(rhs, (t0, t1), y, &options, &mut [])
+        };
+        let states = along(scene, times, y0, walk)?;
+        Ok(times.iter().zip(&states).map(|(t, y)| problem.extended_state(&p, *t, y)).collect())
+    }
+
+    /// Whether two witnesses are one: their rates have the same bits beside the start.
+    ///
+    /// Different terms for equal rates round differently in some of 106 bits of some rate at some of these states. It is said
+    /// beside a reference, and decides nothing.
+    fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
+        let problem = Problem::new(model, scene, &self.by, &self.code, Some(Solve::Eliminated))?;
+        let (p, y0) = problem.extended_start()?;
+        let rates = |witness: &Self, y: &[DoubleDouble]| {
+            let (q, v) = y.split_at(witness.code.system().lengths().coordinates);
+            let (mut q_dot, mut v_dot) = (q.to_vec(), v.to_vec());
+            witness.code.extended().derivative(&p, q, v, &mut q_dot, &mut v_dot);
+            [q_dot, v_dot].concat()
+        };
+        let beside = |k: usize| {
+            let offset =
+                |at: usize| DoubleDouble::ratio(1, 7) * DoubleDouble::from_f64((1 + at + k) as f64).sin_cos().0;
+            y0.iter().enumerate().map(|(at, y)| *y + offset(at)).collect::<Vec<_>>()
+        };
+        Ok((0..STATES).map(beside).all(|y| rates(self, &y) == rates(other, &y)))
     }
 }
 
@@ -139,12 +144,12 @@ fn options(rtol: f64) -> Options {
 }
 
 /// From instant to instant: each is the end of a run, where the solution is as good as the tolerance.
-fn along<S: Real>(
+fn along(
     scene: &Scene,
     times: &[f64],
-    start: Vec<S>,
-    mut walk: impl FnMut(f64, f64, &[S]) -> Result<Solution<S>, tripos_sim::SimError>,
-) -> Result<Vec<Vec<S>>, Error> {
+    start: Vec<DoubleDouble>,
+    mut walk: impl FnMut(f64, f64, &[DoubleDouble]) -> Result<Solution<DoubleDouble>, SimError>,
+) -> Result<Vec<Vec<DoubleDouble>>, Error> {
     let (mut t, mut y) = (scene.span.0, start);
     let mut states = Vec::new();
     for &next in times {

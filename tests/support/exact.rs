@@ -7,7 +7,7 @@ use super::stability::Start;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Extended, Motion as Stated, Scene, load};
+use tripos_derive::scene::{Motion as Stated, Scene, load};
 use tripos_sim::exact::{
     BodyStart, FreeSymmetricBody, HeavyTop, Pendulum, SphericalPendulum, Top as Inertia, TopStart,
 };
@@ -30,14 +30,13 @@ pub fn exact(model: &str, scene: &str, t: f64) -> Option<Vec<(String, f64)>> {
 /// Parameters and start of a scene, to the digits that its file has.
 pub fn start_of(model: &str, scene: &str) -> Start {
     let (_, scene) = read(model, scene);
-    let wide = |list: &[Extended]| list.iter().map(|x| Dd::sum(x.high, x.low)).collect::<Vec<_>>();
-    let (p, q) = (wide(&scene.exact.parameters), wide(&scene.exact.q));
+    let (p, q) = (scene.exact.parameters, scene.exact.q);
     let u = match &scene.exact.motion {
-        Stated::Speeds(u) => wide(u),
+        Stated::Speeds(u) => u.clone(),
         Stated::Rates(rates) => {
             let mut u = vec![Dd::int(0); rates.len()];
             // Lagrange's equations have the definitions of the speeds.
-            compiled(model, "lagrange").extended.generalized_speeds(&p, &q, &wide(rates), &mut u);
+            compiled(model, "lagrange").extended.generalized_speeds(&p, &q, rates, &mut u);
             u
         }
     };

@@ -7,7 +7,7 @@ pub mod reduced;
 pub mod stability;
 
 use rustc_hash::FxHashMap;
-use tripos_derive::algebra::evaluate::value_of;
+use tripos_derive::algebra::evaluate::Numeric;
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 use tripos_sim::Dynamics;
 use tripos_traits::{CompiledSystem, System};
@@ -61,7 +61,7 @@ pub fn largest_terms(arena: &Arena, inputs: &[Expr], values: &[f64], outputs: &[
                 (value, magnitude)
             }
             Node::Apply(f, x) => {
-                let value = value_of(*f, plain[x]);
+                let value = plain[x].apply(*f);
                 // The sum of two angles is rounded as 1 is, however small its sine; so is the sine that an
                 // addition theorem gives.
                 let wave = matches!(f, Function::Sin | Function::Cos) && matches!(arena.node(*x), Node::Sum(..));

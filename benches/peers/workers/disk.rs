@@ -9,9 +9,9 @@ use std::process::ExitCode;
 
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{self, Extended, Motion, Scene};
+use tripos_derive::scene::{self, Motion, Scene};
 use tripos_sim::{AbsoluteTolerance, Failure, Method, Options, Output, RightHandSide};
-use tripos_traits::{Real, System};
+use tripos_traits::{DoubleDouble, Real, System};
 
 /// Coordinates; as many rates follow them in a state.
 pub const N: usize = tripos_models::disk::COORDINATES.len();
@@ -39,12 +39,12 @@ pub fn read(name: &str) -> Result<(Model, Scene), String> {
 /// What is wrong, in words, if the scene states generalized speeds.
 pub fn numbers_of<S: Real>(scene: &Scene) -> Result<(Vec<S>, Vec<S>), String> {
     let Motion::Rates(rates) = &scene.exact.motion else { return Err("a scene here states q̇".to_owned()) };
-    let list = |numbers: &[Extended]| numbers.iter().map(narrow).collect::<Vec<S>>();
+    let list = |numbers: &[DoubleDouble]| numbers.iter().map(narrow).collect::<Vec<S>>();
     Ok((list(&scene.exact.parameters), [list(&scene.exact.q), list(rates)].concat()))
 }
 
-fn narrow<S: Real>(x: &Extended) -> S {
-    S::from_f64(x.high) + S::from_f64(x.low)
+fn narrow<S: Real>(x: &DoubleDouble) -> S {
+    S::from_f64(x.hi()) + S::from_f64(x.lo())
 }
 
 /// Equations that are known when this is compiled: no virtual call, and the compiler may inline.

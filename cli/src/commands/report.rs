@@ -291,12 +291,12 @@ impl<'a> Work<'a> {
     }
 
     /// The panels of a figure of states: every state, or what the scene wants to see.
-    fn states(&self, scene: &Scene, runs: &Runs) -> Vec<Panel> {
+    fn states(&self, scene: &Scene, runs: &Runs) -> Result<Vec<Panel>, Failure> {
         let curves = curves(runs, |_| true);
         if !scene.states_outputs {
-            return figures::states(self.model, &curves);
+            return Ok(figures::states(self.model, &curves));
         }
-        let compared = Compared::new(self.model, scene);
+        let compared = Compared::new(self.model, scene)?;
         let values: Vec<_> = curves
             .into_iter()
             .map(|curve| {
@@ -304,7 +304,7 @@ impl<'a> Work<'a> {
                 (curve, values)
             })
             .collect();
-        figures::outputs(self.model, scene, &values)
+        Ok(figures::outputs(self.model, scene, &values))
     }
 
     fn section(&self, scene: &Scene, runs: Runs, out: &Path, bar: &ProgressBar) -> Result<SceneSection, Failure> {
@@ -320,7 +320,7 @@ impl<'a> Work<'a> {
                     let panel = figures::energy(&curves(&runs, |own| own.has_energy));
                     Some(drawn.figure(kind.name(), caption, &[panel], 1)?)
                 }
-                FigureKind::States => Some(drawn.figure(kind.name(), caption, &self.states(scene, &runs), 2)?),
+                FigureKind::States => Some(drawn.figure(kind.name(), caption, &self.states(scene, &runs)?, 2)?),
                 _ => measured.figure(kind, caption)?,
             });
             bar.inc(1);

@@ -1,16 +1,16 @@
-//! The recurrences interpreted: for models that are not compiled in.
+//! The recurrences interpreted, in numbers of any precision: for models that are not compiled in.
 
 use super::recurrences::{Constant, Operand, Recurrences, Rule};
 use rustc_hash::FxHashMap;
-use tripos_derive::algebra::evaluate::{Tape as Values, UnknownSymbol, value_of};
+use tripos_derive::algebra::evaluate::{Numeric, Tape as Values, UnknownSymbol};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Recurrences with numbers for their weights, ready to be evaluated.
 #[derive(Clone, Debug)]
-pub struct Tape {
+pub struct Tape<S = f64> {
     list: Recurrences,
     /// Weights and constants as functions of parameters and states.
-    constants: Values,
+    constants: Values<S>,
     places: FxHashMap<Constant, usize>,
 }
 
@@ -25,34 +25,37 @@ impl Tape {
         let places = constants.iter().enumerate().map(|(at, e)| (*e, at)).collect();
         Ok(Self { list: list.clone(), constants: Values::new(arena, &inputs, &constants)?, places })
     }
+}
+
+impl<S: Numeric> Tape<S> {
+    /// The same recurrences in another kind of number.
+    #[must_use]
+    pub fn to<T: Numeric>(&self) -> Tape<T> {
+        Tape { list: self.list.clone(), constants: self.constants.to(), places: self.places.clone() }
+    }
 
     /// Coefficients of the states at the parameters `p`, row by row up to `order`: `x` has (`order` + 1) rows, and
     /// comes with the state in the first one.
     ///
     /// # Panics
     /// If a length is another.
-    pub fn evaluate(&self, p: &[f64], order: usize, x: &mut [f64]) {
+    pub fn evaluate(&self, p: &[S], order: usize, x: &mut [S]) {
         let n = self.list.states.len();
         assert_eq!(x.len(), (order + 1) * n, "a row for each order");
         let constants = self.constants.evaluate(&[p, &x[..n]].concat());
         let weight = |e: Constant| constants[self.places[&e]];
         // One row for each order, one column for each series.
         let columns = self.list.series.len();
-        let mut z = vec![0.0; (order + 1) * columns];
+        let mut z = vec![S::int(0); (order + 1) * columns];
         for k in 0..=order {
             for (at, series) in self.list.series.iter().enumerate() {
                 let known = Known { z: &z, columns, k };
                 z[k * columns + at] = match &series.rule {
                     Rule::State(place) if k == 0 => x[*place],
                     Rule::State(place) => match self.list.rates[*place] {
-                        Operand::Constant(e) => {
-                            if k == 1 {
-                                weight(e)
-                            } else {
-                                0.0
-                            }
-                        }
-                        Operand::Scaled(e, from) => weight(e) * known.of(k - 1, from) / k as f64,
+                        Operand::Constant(e) if k == 1 => weight(e),
+                        Operand::Constant(_) => S::int(0),
+                        Operand::Scaled(e, from) => weight(e) * known.of(k - 1, from) / whole(k),
                     },
                     rule => known.coefficient(rule, at, weight),
                 };
@@ -65,57 +68,60 @@ impl Tape {
         }
         let constant = |place: usize| !self.list.series.iter().any(|s| s.rule == Rule::State(place));
         for place in (0..n).filter(|place| constant(*place)) {
-            (1..=order).for_each(|k| x[k * n + place] = 0.0);
+            (1..=order).for_each(|k| x[k * n + place] = S::int(0));
         }
     }
 }
 
+fn whole<S: Numeric>(n: usize) -> S {
+    S::from_f64(n as f64)
+}
+
 /// The coefficients so far.
-struct Known<'a> {
-    z: &'a [f64],
+struct Known<'a, S> {
+    z: &'a [S],
     columns: usize,
     k: usize,
 }
 
-impl Known<'_> {
-    fn of(&self, j: usize, series: usize) -> f64 {
+impl<S: Numeric> Known<'_, S> {
+    fn of(&self, j: usize, series: usize) -> S {
         self.z[j * self.columns + series]
     }
 
     /// Σ a_j b_{k−j} over `from` ≤ j < `to`; with j a_j for a_j if `counted`.
-    fn sum(&self, (a, b): (usize, usize), from: usize, to: usize, counted: bool) -> f64 {
-        let factor = |j: usize| if counted { j as f64 } else { 1.0 };
-        (from..to).map(|j| factor(j) * self.of(j, a) * self.of(self.k - j, b)).sum()
+    fn sum(&self, (a, b): (usize, usize), from: usize, to: usize, counted: bool) -> S {
+        let factor = |j: usize| if counted { whole(j) } else { S::int(1) };
+        let products = (from..to).map(|j| factor(j) * self.of(j, a) * self.of(self.k - j, b));
+        products.reduce(|sum, product| sum + product).unwrap_or(S::int(0))
     }
 
-    fn coefficient(&self, rule: &Rule, at: usize, weight: impl Fn(Constant) -> f64) -> f64 {
+    fn coefficient(&self, rule: &Rule, at: usize, weight: impl Fn(Constant) -> S) -> S {
         let k = self.k;
         let now = |x: usize| self.of(k, x);
         let first = |x: usize| self.of(0, x);
         match rule {
             Rule::State(_) => unreachable!("states follow from their rates"),
             Rule::Linear { constant, terms } => {
-                let start = if k == 0 { weight(*constant) } else { 0.0 };
+                let start = if k == 0 { weight(*constant) } else { S::int(0) };
                 terms.iter().fold(start, |sum, (w, x)| sum + weight(*w) * now(*x))
             }
             Rule::Product(x, y) => self.sum((*x, *y), 0, k + 1, false),
             Rule::Quotient(x, y) => {
-                let above = x.map_or(if k == 0 { 1.0 } else { 0.0 }, now);
+                let above = x.map_or(S::int(i64::from(k == 0)), now);
                 // y z = x, without the term of z_k
                 (above - self.sum((*y, at), 1, k + 1, false)) / first(*y)
             }
             Rule::Root(x) if k == 0 => first(*x).sqrt(),
-            Rule::Root(x) => (now(*x) - self.sum((at, at), 1, k, false)) / (2.0 * first(at)),
-            Rule::Forward { value, of, .. } | Rule::Backward { value, of, .. } if k == 0 => {
-                value_of(*value, first(*of))
-            }
+            Rule::Root(x) => (now(*x) - self.sum((at, at), 1, k, false)) / (S::int(2) * first(at)),
+            Rule::Forward { value, of, .. } | Rule::Backward { value, of, .. } if k == 0 => first(*of).apply(*value),
             Rule::Forward { of, slope, negative, .. } => {
-                let sum = self.sum((*of, *slope), 1, k + 1, true) / k as f64;
+                let sum = self.sum((*of, *slope), 1, k + 1, true) / whole(k);
                 if *negative { -sum } else { sum }
             }
             Rule::Backward { of, slope, negative, .. } => {
                 let above = if *negative { -now(*of) } else { now(*of) };
-                (above - self.sum((at, *slope), 1, k, true) / k as f64) / first(*slope)
+                (above - self.sum((at, *slope), 1, k, true) / whole(k)) / first(*slope)
             }
         }
     }

@@ -1,24 +1,113 @@
-//! Interpretation: expressions as a straight-line tape of floating-point operations.
+//! Interpretation: expressions as a straight-line tape of operations, in numbers of any precision.
+//!
+//! Invariant: a tape's constants are exact rationals, rounded once to each kind of number that it is evaluated in. Nothing is
+//! proved by a tape: what its numbers look like decides no question of meaning.
 
 use super::elimination::Definition;
-use super::{Arena, Expr, Function, Node};
+use super::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
+use std::sync::Arc;
+use tripos_traits::{DoubleDouble, Scalar};
 
+/// A kind of number that expressions are evaluated in.
+pub trait Numeric: Scalar {
+    /// The nearest value to a rational number, to the 32 digits that two doubles hold.
+    #[must_use]
+    fn of(value: &Rational) -> Self {
+        let nearest = value.to_f64();
+        let rest = Rational::from_f64_exact(nearest).map(|exact| value.add(&exact.neg()));
+        Self::from_f64(nearest) + Self::from_f64(rest.map_or(0.0, |rest| rest.to_f64()))
+    }
+    /// f(x); not a number outside of the function's domain.
+    #[must_use]
+    fn apply(self, f: Function) -> Self {
+        match f {
+            Function::Sin => self.sin_cos().0,
+            Function::Cos => self.sin_cos().1,
+            Function::Sqrt => self.sqrt(),
+            Function::Exp => self.exp(),
+            Function::Log => self.ln(),
+            Function::Asin => self.asin(),
+            Function::Acos => self.acos(),
+            Function::Atan => self.atan(),
+            Function::Sinh => self.sinh(),
+            Function::Cosh => self.cosh(),
+            Function::Tanh => self.tanh(),
+            Function::Abs => self.abs(),
+            Function::Sign => self.sign(),
+        }
+    }
+    /// xⁿ; n may be negative.
+    #[must_use]
+    fn power(self, n: i32) -> Self {
+        self.powi(n)
+    }
+}
+
+impl Numeric for DoubleDouble {}
+
+/// By the functions of the standard library, which are those of the system: a second way to what generated code computes by
+/// functions of its own.
+impl Numeric for f64 {
+    fn of(value: &Rational) -> Self {
+        value.to_f64()
+    }
+    fn apply(self, f: Function) -> Self {
+        match f {
+            Function::Sin => self.sin(),
+            Function::Cos => self.cos(),
+            Function::Sqrt => self.sqrt(),
+            Function::Exp => self.exp(),
+            Function::Log => self.ln(),
+            Function::Asin => self.asin(),
+            Function::Acos => self.acos(),
+            Function::Atan => self.atan(),
+            Function::Sinh => self.sinh(),
+            Function::Cosh => self.cosh(),
+            Function::Tanh => self.tanh(),
+            Function::Abs => self.abs(),
+            Function::Sign => Scalar::sign(self),
+        }
+    }
+    fn power(self, n: i32) -> Self {
+        self.powi(n)
+    }
+}
+
+/// One operation, with constants of type `K`.
 #[derive(Clone, Debug)]
-enum Op {
-    Constant(f64),
+enum Op<K> {
+    Constant(K),
+    Pi,
     Input(usize),
     /// constant + Σ k·slot
-    Sum(f64, Box<[(u32, f64)]>),
+    Sum(K, Box<[(u32, K)]>),
     /// Π slot^n
     Product(Box<[(u32, i32)]>),
     Apply(Function, u32),
 }
 
+impl Op<Rational> {
+    /// The same operation, its constants rounded.
+    fn rounded<S: Numeric>(&self) -> Op<S> {
+        match self {
+            Self::Constant(value) => Op::Constant(S::of(value)),
+            Self::Pi => Op::Pi,
+            Self::Input(at) => Op::Input(*at),
+            Self::Sum(constant, terms) => {
+                Op::Sum(S::of(constant), terms.iter().map(|(slot, k)| (*slot, S::of(k))).collect())
+            }
+            Self::Product(factors) => Op::Product(factors.clone()),
+            Self::Apply(f, slot) => Op::Apply(*f, *slot),
+        }
+    }
+}
+
 /// Expressions compiled to a tape; evaluating costs one pass without allocation.
 #[derive(Clone, Debug)]
-pub struct Tape {
-    ops: Vec<Op>,
+pub struct Tape<S = f64> {
+    ops: Vec<Op<S>>,
+    exact: Arc<[Op<Rational>]>,
     outputs: Vec<u32>,
     inputs: usize,
 }
@@ -27,8 +116,48 @@ pub struct Tape {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownSymbol(pub String);
 
+/// What a tape consists of while it is made.
+#[derive(Default)]
+struct Slots {
+    ops: Vec<Op<Rational>>,
+    slots: FxHashMap<Expr, u32>,
+}
+
+impl Slots {
+    /// Appends what computes these expressions, unless it is there.
+    fn extend(
+        &mut self,
+        arena: &Arena,
+        position: &FxHashMap<Expr, usize>,
+        expressions: &[Expr],
+    ) -> Result<(), UnknownSymbol> {
+        let Self { ops, slots } = self;
+        for e in arena.reachable(expressions) {
+            if slots.contains_key(&e) {
+                continue;
+            }
+            let op = match arena.node(e) {
+                _ if position.contains_key(&e) => Op::Input(position[&e]),
+                Node::Symbol(_) => {
+                    return Err(UnknownSymbol(arena.symbol_name(e).unwrap_or_default().to_owned()));
+                }
+                Node::Number(value) => Op::Constant(value.clone()),
+                Node::Pi => Op::Pi,
+                Node::Sum(constant, terms) => {
+                    Op::Sum(constant.clone(), terms.iter().map(|(t, k)| (slots[t], k.clone())).collect())
+                }
+                Node::Product(factors) => Op::Product(factors.iter().map(|(b, n)| (slots[b], *n)).collect()),
+                Node::Apply(f, argument) => Op::Apply(*f, slots[argument]),
+            };
+            slots.insert(e, u32::try_from(ops.len()).expect("as many slots as terms"));
+            ops.push(op);
+        }
+        Ok(())
+    }
+}
+
 impl Tape {
-    /// Compiles `outputs` as functions of `inputs`.
+    /// Compiles `outputs` as functions of `inputs`, to be evaluated in doubles.
     ///
     /// # Errors
     /// [`UnknownSymbol`] if an output depends on a symbol that is no input.
@@ -47,79 +176,15 @@ impl Tape {
         outputs: &[Expr],
     ) -> Result<Self, UnknownSymbol> {
         let position: FxHashMap<Expr, usize> = inputs.iter().enumerate().map(|(i, e)| (*e, i)).collect();
-        let mut tape = Self { ops: Vec::new(), outputs: Vec::new(), inputs: inputs.len() };
-        let mut slots: FxHashMap<Expr, u32> = FxHashMap::default();
+        let mut made = Slots::default();
         for step in steps {
-            tape.extend(arena, &position, &mut slots, &[step.value])?;
-            slots.insert(step.symbol, slots[&step.value]);
+            made.extend(arena, &position, &[step.value])?;
+            made.slots.insert(step.symbol, made.slots[&step.value]);
         }
-        tape.extend(arena, &position, &mut slots, outputs)?;
-        tape.outputs = outputs.iter().map(|e| slots[e]).collect();
-        Ok(tape)
-    }
-
-    /// Appends what computes these expressions, unless it is there.
-    fn extend(
-        &mut self,
-        arena: &Arena,
-        position: &FxHashMap<Expr, usize>,
-        slots: &mut FxHashMap<Expr, u32>,
-        expressions: &[Expr],
-    ) -> Result<(), UnknownSymbol> {
-        for e in arena.reachable(expressions) {
-            if slots.contains_key(&e) {
-                continue;
-            }
-            let op = match arena.node(e) {
-                _ if position.contains_key(&e) => Op::Input(position[&e]),
-                Node::Symbol(_) => {
-                    return Err(UnknownSymbol(arena.symbol_name(e).unwrap_or_default().to_owned()));
-                }
-                Node::Number(value) => Op::Constant(value.to_f64()),
-                Node::Pi => Op::Constant(std::f64::consts::PI),
-                Node::Sum(constant, terms) => {
-                    Op::Sum(constant.to_f64(), terms.iter().map(|(t, k)| (slots[t], k.to_f64())).collect())
-                }
-                Node::Product(factors) => Op::Product(factors.iter().map(|(b, n)| (slots[b], *n)).collect()),
-                Node::Apply(f, argument) => Op::Apply(*f, slots[argument]),
-            };
-            slots.insert(e, u32::try_from(self.ops.len()).expect("as many slots as terms"));
-            self.ops.push(op);
-        }
-        Ok(())
-    }
-
-    /// Number of outputs.
-    #[must_use]
-    pub fn outputs(&self) -> usize {
-        self.outputs.len()
-    }
-
-    /// Evaluates all outputs. `scratch` is working space, reused between calls.
-    ///
-    /// # Panics
-    /// If `inputs` or `out` have another length than the tape was made for.
-    pub fn evaluate_into(&self, inputs: &[f64], scratch: &mut Vec<f64>, out: &mut [f64]) {
-        assert_eq!(inputs.len(), self.inputs, "one value for each input");
-        assert_eq!(out.len(), self.outputs.len(), "one place for each output");
-        scratch.clear();
-        for op in &self.ops {
-            let value = match op {
-                Op::Constant(value) => *value,
-                Op::Input(at) => inputs[*at],
-                Op::Sum(constant, terms) => {
-                    terms.iter().fold(*constant, |sum, (slot, k)| sum + k * scratch[*slot as usize])
-                }
-                Op::Product(factors) => {
-                    factors.iter().fold(1.0, |product, (slot, n)| product * scratch[*slot as usize].powi(*n))
-                }
-                Op::Apply(f, slot) => value_of(*f, scratch[*slot as usize]),
-            };
-            scratch.push(value);
-        }
-        for (place, slot) in out.iter_mut().zip(&self.outputs) {
-            *place = scratch[*slot as usize];
-        }
+        made.extend(arena, &position, outputs)?;
+        let outputs = outputs.iter().map(|e| made.slots[e]).collect();
+        let ops = made.ops.iter().map(Op::rounded).collect();
+        Ok(Self { ops, exact: made.ops.into(), outputs, inputs: inputs.len() })
     }
 
     /// For each output the largest term that is added or multiplied on the way to it: a value is not known better than to the
@@ -144,44 +209,63 @@ impl Tape {
                 }),
                 // The sine of a large angle is rounded with the angle.
                 Op::Apply(Function::Sin | Function::Cos, slot) => value.abs().max(of(slot).min(1.0)),
-                Op::Constant(_) | Op::Input(_) | Op::Apply(..) => value.abs(),
+                Op::Constant(_) | Op::Pi | Op::Input(_) | Op::Apply(..) => value.abs(),
             };
             largest.push(size);
         }
         self.outputs.iter().map(|slot| largest[*slot as usize]).collect()
     }
-
-    /// All outputs, in a new vector.
-    #[must_use]
-    pub fn evaluate(&self, inputs: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; self.outputs.len()];
-        self.evaluate_into(inputs, &mut Vec::with_capacity(self.ops.len()), &mut out);
-        out
-    }
 }
 
-/// f(x) in floating point.
-#[must_use]
-pub fn value_of(f: Function, x: f64) -> f64 {
-    match f {
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Sqrt => x.sqrt(),
-        Function::Exp => x.exp(),
-        Function::Log => x.ln(),
-        Function::Asin => x.asin(),
-        Function::Acos => x.acos(),
-        Function::Atan => x.atan(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
-        Function::Abs => x.abs(),
-        Function::Sign => {
-            if x == 0.0 {
-                0.0
-            } else {
-                x.signum()
-            }
+impl<S: Numeric> Tape<S> {
+    /// The same operations in another kind of number, from the exact constants.
+    #[must_use]
+    pub fn to<T: Numeric>(&self) -> Tape<T> {
+        let ops = self.exact.iter().map(Op::rounded).collect();
+        Tape { ops, exact: Arc::clone(&self.exact), outputs: self.outputs.clone(), inputs: self.inputs }
+    }
+
+    /// Number of outputs.
+    #[must_use]
+    pub fn outputs(&self) -> usize {
+        self.outputs.len()
+    }
+
+    /// Evaluates all outputs. `scratch` is working space, reused between calls.
+    ///
+    /// # Panics
+    /// If `inputs` or `out` have another length than the tape was made for.
+    pub fn evaluate_into(&self, inputs: &[S], scratch: &mut Vec<S>, out: &mut [S]) {
+        assert_eq!(inputs.len(), self.inputs, "one value for each input");
+        assert_eq!(out.len(), self.outputs.len(), "one place for each output");
+        scratch.clear();
+        for op in &self.ops {
+            let of = |slot: &u32| scratch[*slot as usize];
+            let value = match op {
+                Op::Constant(value) => *value,
+                Op::Pi => S::pi(),
+                Op::Input(at) => inputs[*at],
+                Op::Sum(constant, terms) => terms.iter().fold(*constant, |sum, (slot, k)| sum + *k * of(slot)),
+                Op::Product(factors) => {
+                    factors.iter().fold(S::int(1), |product, (slot, n)| product * of(slot).power(*n))
+                }
+                Op::Apply(f, slot) => of(slot).apply(*f),
+            };
+            scratch.push(value);
         }
+        for (place, slot) in out.iter_mut().zip(&self.outputs) {
+            *place = scratch[*slot as usize];
+        }
+    }
+
+    /// All outputs, in a new vector.
+    ///
+    /// # Panics
+    /// If `inputs` have another length than the tape was made for.
+    #[must_use]
+    pub fn evaluate(&self, inputs: &[S]) -> Vec<S> {
+        let mut out = vec![S::int(0); self.outputs.len()];
+        self.evaluate_into(inputs, &mut Vec::with_capacity(self.ops.len()), &mut out);
+        out
     }
 }

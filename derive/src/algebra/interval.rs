@@ -182,7 +182,7 @@ pub fn enclose(arena: &Arena, e: Expr, at: &FxHashMap<Expr, f64>) -> Option<Inte
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::evaluate::value_of;
+    use crate::algebra::evaluate::Numeric;
     use crate::algebra::field::Generator;
     use crate::algebra::parse::parse_free;
 
@@ -245,7 +245,7 @@ mod tests {
                 let width = [0.0, 1e-9, 0.1, 5.0][at % 4];
                 let (left, right) = (number(&mut generator, width).abs(), number(&mut generator, width).abs());
                 let Some(interval) = Interval::new(x - left, x + right).and_then(|i| i.apply(f)) else { continue };
-                let value = value_of(f, x);
+                let value = x.apply(f);
                 assert!(interval.lo <= value && value <= interval.hi, "{name}({x}) = {value}: {interval:?}");
                 found += 1;
             }

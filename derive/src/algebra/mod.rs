@@ -11,6 +11,7 @@ pub mod divided;
 mod elementary;
 pub mod elimination;
 pub mod evaluate;
+pub(crate) mod exact;
 pub(crate) mod field;
 mod fraction;
 pub(crate) mod interval;

@@ -2,6 +2,7 @@
 
 use super::values::{Number, Values};
 use crate::algebra::Rational;
+use crate::algebra::exact::pi;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mechanics::Distance;
 use toml::de::{DeTable, DeValue};
@@ -220,7 +221,7 @@ impl<'a> Values<'a, '_> {
         let formula = self.reader.formula(origin, "the origin of a distance")?;
         let exact = self.constant(&formula)?.exact;
         // Of π only the decimals that stand for it are known here: a quarter turn is recognized by its nearness.
-        let quarter = Rational::fraction(2, 1).and_then(|two| Some(two.mul(&super::extended::pi()?.recip()?)));
+        let quarter = pi().recip().map(|inverse| Rational::integer(2).mul(&inverse));
         let turns = exact.zip(quarter).map(|(origin, quarter)| origin.mul(&quarter).to_f64());
         let found = (-4..=4).find(|k| *k != 0 && turns.is_some_and(|t| (t - f64::from(*k)).abs() < 1e-15));
         if found.is_none() {

@@ -1,9 +1,10 @@
 //! A ladder: the same scene from several starts that differ in one number, to see where runs give way.
 
 use super::values::{Number, Values};
-use super::{Exact, Extended, Motion, Scene};
+use super::{Exact, Motion, Scene};
 use crate::diagnostic::nearest;
 use toml::de::{DeTable, DeValue};
+use tripos_traits::DoubleDouble;
 
 /// Values of one coordinate or generalized speed at the start.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,7 +14,7 @@ pub struct Ladder {
     /// Its place among coordinates, then speeds.
     pub at: usize,
     /// The values, a rung each.
-    pub values: Vec<Extended>,
+    pub values: Vec<DoubleDouble>,
 }
 
 impl Scene {
@@ -22,18 +23,18 @@ impl Scene {
     pub fn rungs(&self) -> Vec<(String, Self)> {
         let Some(ladder) = &self.ladder else { return vec![("as it is".to_owned(), self.clone())] };
         let n = self.q.len();
-        let rung = |value: &Extended| {
+        let rung = |value: &DoubleDouble| {
             let mut scene = Self { ladder: None, ..self.clone() };
             if ladder.at < n {
-                scene.q[ladder.at] = value.high;
+                scene.q[ladder.at] = value.hi();
                 scene.exact.q[ladder.at] = *value;
             } else {
-                scene.u[ladder.at - n] = value.high;
+                scene.u[ladder.at - n] = value.hi();
                 if let Motion::Speeds(u) = &mut scene.exact.motion {
                     u[ladder.at - n] = *value;
                 }
             }
-            (format!("{} = {}", ladder.name, value.high), scene)
+            (format!("{} = {}", ladder.name, value.hi()), scene)
         };
         ladder.values.iter().map(rung).collect()
     }

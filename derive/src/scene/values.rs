@@ -2,9 +2,9 @@
 //!
 //! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier readings.
 
-use super::extended::{Extended, exact_value};
 use super::{Exact, Motion};
-use crate::algebra::evaluate::Tape;
+use crate::algebra::evaluate::{Numeric, Tape};
+use crate::algebra::exact::exact_value;
 use crate::algebra::interval::lost_constant;
 use crate::algebra::parse::parse;
 use crate::algebra::{Expr, Rational};
@@ -13,6 +13,7 @@ use crate::model::Model;
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
+use tripos_traits::DoubleDouble;
 
 /// A number of a file.
 #[derive(Clone, Debug)]
@@ -22,13 +23,13 @@ pub struct Number {
     /// As it is, where that is known: not for function values such as √2.
     pub exact: Option<Rational>,
     /// To 32 digits, where they are known.
-    extended: Extended,
+    extended: DoubleDouble,
 }
 
 impl Number {
     /// Known exactly.
     pub fn exact(value: Rational) -> Self {
-        Self { double: value.to_f64(), extended: Extended::of(&value), exact: Some(value) }
+        Self { double: value.to_f64(), extended: DoubleDouble::of(&value), exact: Some(value) }
     }
 
     /// Of which no more than the double is known.
@@ -37,7 +38,7 @@ impl Number {
     }
 
     /// To 32 digits, where they are known.
-    pub fn extended(&self) -> Extended {
+    pub fn extended(&self) -> DoubleDouble {
         self.extended
     }
 }
@@ -79,7 +80,7 @@ pub fn doubles(numbers: &[Number]) -> Vec<f64> {
     numbers.iter().map(|n| n.double).collect()
 }
 
-fn extended(numbers: &[Number]) -> Vec<Extended> {
+fn extended(numbers: &[Number]) -> Vec<DoubleDouble> {
     numbers.iter().map(Number::extended).collect()
 }
 

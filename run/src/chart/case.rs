@@ -61,15 +61,17 @@ impl Case {
     }
 
     /// With the start of a scene: one of the model and the outputs that the case was made for.
-    #[must_use]
-    pub fn prepare<'a>(&'a self, model: &'a Mechanism, scene: &'a Scene) -> Prepared<'a> {
-        let reduced = self.reduction.as_ref().map(|reduction| {
-            let mut reduced = Reduced::with(reduction.clone(), model, scene);
+    ///
+    /// # Errors
+    /// As [`Reduced::with`].
+    pub fn prepare<'a>(&'a self, model: &'a Mechanism, scene: &'a Scene) -> Result<Prepared<'a>, Error> {
+        let reduction = self.reduction.clone();
+        let mut reduced = reduction.map(|reduction| Reduced::with(reduction, model, scene)).transpose()?;
+        if let Some(reduced) = &mut reduced {
             // Nothing else is there to be solved.
             reduced.scene.integration.solve = Some(self.solve);
-            reduced
-        });
-        Prepared { case: self, model, scene, reduced }
+        }
+        Ok(Prepared { case: self, model, scene, reduced })
     }
 }
 

@@ -3,13 +3,16 @@
 //! Invariant: what is compared is a function of the state of the whole model, so that all equations are compared in the
 //! same. Accelerations and reactions are not: an output that needs them is left out, and named.
 
-use crate::problem::{Problem, wide};
-use crate::wide::values;
-use tripos_derive::algebra::{Arena, Expr};
+use crate::code::stepwise;
+use crate::error::Error;
+use crate::problem::Problem;
+use tripos_derive::algebra::elimination::{Definition, needed};
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::{Expr, Node};
 use tripos_derive::mechanics::derive;
-use tripos_derive::scene::Scene;
+use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
 use tripos_derive::{Formulation, Model};
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::DoubleDouble;
 
 /// What is compared in the runs of a scene.
 pub struct Compared {
@@ -19,26 +22,25 @@ pub struct Compared {
 
 /// What a scene wants to see, as functions of the whole state.
 struct Outputs {
-    arena: Arena,
-    /// Parameters with their values, then the symbols of coordinates and speeds.
-    parameters: Vec<(Expr, DoubleDouble)>,
-    states: Vec<Expr>,
-    rates: Vec<(Expr, Expr)>,
-    energies: Vec<(Expr, Expr)>,
+    parameters: Vec<DoubleDouble>,
+    /// Of parameters, coordinates and speeds: the outputs that whole states show.
+    tape: Tape<DoubleDouble>,
     list: Vec<Shown>,
 }
 
 struct Shown {
     name: String,
-    value: Expr,
     is_known: bool,
 }
 
 impl Compared {
     /// Of a scene of this model.
-    #[must_use]
-    pub fn new(model: &Model, scene: &Scene) -> Self {
-        Self { outputs: scene.states_outputs.then(|| Outputs::new(model, scene)) }
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the scene wants to see an energy and the model cannot be derived.
+    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let outputs = scene.states_outputs.then(|| Outputs::new(model, scene)).transpose()?;
+        Ok(Self { outputs })
     }
 
     /// What a state of the whole model shows: one value for each output, not a number for those that are left out.
@@ -96,46 +98,37 @@ impl Compared {
 }
 
 impl Outputs {
-    fn new(model: &Model, scene: &Scene) -> Self {
-        let exact = &scene.exact.parameters;
-        let parameters = model.p().into_iter().zip(exact.iter().map(wide)).collect();
+    fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
         let mut arena = model.arena.clone();
-        let rates = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
-        let mut energies = Vec::new();
-        let symbols = ["kinetic_energy", "potential_energy", "total_energy"].map(|name| arena.find_symbol(name));
-        let mentioned = symbols.iter().flatten().any(|s| scene.outputs.iter().any(|o| arena.mentions(o.value, *s)));
-        if let (true, Ok(mut kane)) = (mentioned, derive(model, Formulation::Kane)) {
+        let pairs = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
+        let mut steps: Vec<Definition> = pairs.map(|(symbol, value)| Definition { symbol, value }).collect();
+        let symbols = ENERGIES.map(|name| arena.find_symbol(name));
+        if symbols.iter().flatten().any(|s| scene.outputs.iter().any(|o| arena.mentions(o.value, *s))) {
+            let mut kane = derive(model, Formulation::Kane).map_err(|error| Error::Input(model.diagnose(&error)))?;
             let (kinetic, potential) = (kane.equations.kinetic_energy, kane.equations.potential_energy);
             let total = kane.arena.add(kinetic, potential);
             let pairs = symbols.into_iter().zip([kinetic, potential, total]);
-            energies = pairs.filter_map(|(symbol, value)| Some((symbol?, value))).collect();
+            steps.extend(pairs.filter_map(|(symbol, value)| Some(Definition { symbol: symbol?, value })));
             arena = kane.arena;
         }
-        let mut own =
-            Self { arena, parameters, states: [model.q(), model.u()].concat(), rates, energies, list: Vec::new() };
-        let known = [own.parameters.iter().map(|(e, _)| *e).collect(), own.states.clone()].concat();
-        let known = [own.rates.iter().chain(&own.energies).map(|(e, _)| *e).collect(), known].concat();
-        let list = scene.outputs.iter().map(|o| {
-            let symbols = own.arena.reachable(&[o.value]);
-            let is_symbol = |e: &Expr| matches!(own.arena.node(*e), tripos_derive::algebra::Node::Symbol(_));
-            let is_known = symbols.iter().filter(|e| is_symbol(e)).all(|e| known.contains(e));
-            Shown { name: o.name.clone(), value: o.value, is_known }
-        });
-        own.list = list.collect();
-        own
+        let inputs = [model.p(), model.q(), model.u()].concat();
+        let is_known = |value: Expr| {
+            let defined = |e: &Expr| inputs.contains(e) || steps.iter().any(|step| step.symbol == *e);
+            let is_symbol = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_));
+            arena.reachable(&[value]).iter().filter(|e| is_symbol(e)).all(defined)
+        };
+        let shown = |o: &SceneOutput| Shown { name: o.name.clone(), is_known: is_known(o.value) };
+        let list: Vec<Shown> = scene.outputs.iter().map(shown).collect();
+        let known = scene.outputs.iter().zip(&list).filter(|(_, shown)| shown.is_known);
+        let values: Vec<Expr> = known.map(|(output, _)| output.value).collect();
+        let steps = needed(&arena, &steps, &values);
+        let tape = stepwise(&arena, &inputs, &steps, &values, "an output")?.to();
+        Ok(Self { parameters: scene.exact.parameters.clone(), tape, list })
     }
 
     fn values(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let mut known = self.parameters.clone();
-        known.extend(self.states.iter().copied().zip(state.iter().copied()));
-        for list in [&self.rates, &self.energies] {
-            let terms: Vec<Expr> = list.iter().map(|(_, value)| *value).collect();
-            let found = values(&self.arena, &terms, &known);
-            known.extend(list.iter().map(|(symbol, _)| *symbol).zip(found));
-        }
-        let terms: Vec<Expr> = self.list.iter().map(|o| o.value).collect();
-        let found = values(&self.arena, &terms, &known);
-        let shown = found.into_iter().zip(&self.list);
-        shown.map(|(x, o)| if o.is_known { x } else { DoubleDouble::from_f64(f64::NAN) }).collect()
+        let mut known = self.tape.evaluate(&[&self.parameters, state].concat()).into_iter();
+        let value = |shown: &Shown| if shown.is_known { known.next() } else { None };
+        self.list.iter().map(value).map(|value| value.unwrap_or(DoubleDouble::NAN)).collect()
     }
 }

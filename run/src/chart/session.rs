@@ -47,12 +47,12 @@ pub fn chart(
     let mut scene = scene.clone();
     bar.set_message("reference");
     let (mut cases, mut left_out) = cases(model, &scene, printed)?;
-    let mut compared = Compared::new(model, &scene);
+    let mut compared = Compared::new(model, &scene)?;
     let said = compared.said();
     if compared.is_empty() {
         // Whole states show nothing of what the scene asks for: they are compared themselves.
         scene.states_outputs = false;
-        compared = Compared::new(model, &scene);
+        compared = Compared::new(model, &scene)?;
         cases.retain(|case| case.reduction.is_none());
     }
     let mut cut = None;

@@ -3,7 +3,7 @@
 use super::ladder::passage;
 use super::{Findings, Row, Study};
 use crate::chart::case::{Case, whole};
-use crate::code::{Code, Ready, code, compiled_code, tape};
+use crate::code::{Ready, code, tape};
 use crate::error::Error;
 use crate::figure::{Figure, Panel, Scale, Series};
 use crate::follow::uninterrupted;
@@ -115,13 +115,16 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Error> {
     Ok(list)
 }
 
-/// Looks along a passage, if there is one and the equations are compiled.
+/// Looks along a passage, if there is one and the model has Lagrange's equations, whose accelerations are the exact ones.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
-    let lagrange = compiled_code(study.model, &Formulation::Lagrange.into(), None);
-    let Some(lagrange) = lagrange.as_ref().and_then(Code::extended) else { return Ok(()) };
+    let lagrange = match code(study.model, &Formulation::Lagrange.into(), None, Ready::Solved) {
+        Ok(lagrange) => lagrange,
+        Err(Error::Unsupported(_)) => return Ok(()),
+        Err(failure) => return Err(failure),
+    };
     let places = places(study)?;
     let mut scene = study.scene.clone();
     scene.integration.distance = None;
@@ -131,9 +134,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         let label = format!("{}, {}", case.by.name, case.solve.name());
         let (mut error_points, mut plain, mut scaled) = (Vec::new(), Vec::new(), Vec::new());
         for place in &places {
-            let Some(extended) = case.code.extended() else { continue };
-            let exact = exact(study, lagrange, place);
-            let (error, cond, equilibrated) = look(case, extended, &scene, place, &exact)?;
+            let exact = exact(study, lagrange.extended(), place);
+            let (error, cond, equilibrated) = look(case, case.code.extended(), &scene, place, &exact)?;
             // Below half a unit in the last place an error is none.
             error_points.push((place.divisor, larger(error, 1e-17)));
             plain.push((place.divisor, cond));

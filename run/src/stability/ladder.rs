@@ -162,9 +162,9 @@ fn cell(
 ) -> Result<Cell, Error> {
     let mut scene = rung.scene.clone();
     scene.integration.distance = variable.distance;
-    let prepared = case.prepare(study.model, &scene);
+    let prepared = case.prepare(study.model, &scene)?;
     let problem = prepared.problem()?;
-    let compared = Compared::new(study.model, &scene);
+    let compared = Compared::new(study.model, &scene)?;
     let row = |quantity, value, remark: &str| Row {
         check: "passage",
         formulation: case.by.name.clone(),

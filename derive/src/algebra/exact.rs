@@ -1,46 +1,20 @@
-//! Numbers of scene files to some 32 digits.
-//!
-//! Reference runs are made in twice the precision of a double. They must start where the file says, not where
-//! the file's numbers round to: `9.81` and `10*deg` are no doubles.
+//! Values of terms as rational numbers.
 
-use crate::algebra::{Arena, Expr, Node, Rational};
+use super::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 
 /// π to 60 decimals; more than twice the digits of a double are never asked for.
 const PI: &str = "3.141592653589793238462643383279502884197169399375105820974945";
 
-/// A number as the unevaluated sum of two doubles, the second below half a unit in the last place of the first.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Extended {
-    /// The nearest double.
-    pub high: f64,
-    /// What is left, rounded; 0 where no more is known.
-    pub low: f64,
-}
-
-impl From<f64> for Extended {
-    fn from(high: f64) -> Self {
-        Self { high, low: 0.0 }
-    }
-}
-
-impl Extended {
-    /// Rounded twice: the nearest double, and the nearest to what is left.
-    #[must_use]
-    pub fn of(value: &Rational) -> Self {
-        let high = value.to_f64();
-        let rest = Rational::from_f64_exact(high).map(|exact| value.add(&exact.neg()));
-        Self { high, low: rest.map_or(0.0, |rest| rest.to_f64()) }
-    }
-}
-
 /// π, to more digits than are ever kept.
-pub fn pi() -> Option<Rational> {
-    Rational::parse_decimal(PI)
+#[must_use]
+pub fn pi() -> Rational {
+    Rational::parse_decimal(PI).expect("decimals")
 }
 
 /// The value of an expression of rational numbers, π and symbols with exact values, all operations exact; nothing if
 /// a function value or a symbol without a value is among them.
+#[must_use]
 pub fn exact_value(arena: &Arena, e: Expr, known: &[(Expr, Rational)]) -> Option<Rational> {
     let mut values: FxHashMap<Expr, Rational> = known.iter().cloned().collect();
     for part in arena.reachable(&[e]) {
@@ -49,7 +23,7 @@ pub fn exact_value(arena: &Arena, e: Expr, known: &[(Expr, Rational)]) -> Option
         }
         let value = match arena.node(part) {
             Node::Number(value) => value.clone(),
-            Node::Pi => pi()?,
+            Node::Pi => pi(),
             Node::Sum(constant, terms) => {
                 terms.iter().fold(constant.clone(), |sum, (term, k)| sum.add(&values[term].mul(k)))
             }
@@ -66,27 +40,29 @@ pub fn exact_value(arena: &Arena, e: Expr, known: &[(Expr, Rational)]) -> Option
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::evaluate::Numeric;
     use crate::algebra::parse::parse_free;
+    use tripos_traits::DoubleDouble;
 
-    fn extended(text: &str) -> Option<Extended> {
+    fn extended(text: &str) -> Option<DoubleDouble> {
         let mut arena = Arena::new();
         let e = parse_free(&mut arena, text).unwrap();
-        exact_value(&arena, e, &[]).map(|value| Extended::of(&value))
+        exact_value(&arena, e, &[]).map(|value| DoubleDouble::of(&value))
     }
 
     /// The second double of 9.81 is 9.81 minus the first, by exact decimal expansion of both:
     /// 9.81000000000000049737991503207013010978698730468750 is the first.
     #[test]
     fn what_a_double_leaves_of_a_decimal_is_kept() {
-        let g = extended("9.81").unwrap();
-        assert_eq!(g, Extended { high: 9.81, low: -4.973_799_150_320_702e-16 });
+        assert_eq!(extended("9.81"), Some(DoubleDouble::sum(9.81, -4.973_799_150_320_702e-16)));
     }
 
     /// The second double of π is 1.2246467991473532e-16 (sin of the first one, to its own rounding).
     #[test]
     fn pi_has_more_digits_than_a_double() {
-        assert_eq!(extended("pi"), Some(Extended { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 }));
-        assert_eq!(extended("pi/2 - 1/1000 - pi/2"), Some(Extended { high: -1e-3, low: 2.081_668_171_172_168_5e-20 }));
+        assert_eq!(extended("pi"), Some(DoubleDouble::sum(std::f64::consts::PI, 1.224_646_799_147_353_2e-16)));
+        let small = DoubleDouble::sum(-1e-3, 2.081_668_171_172_168_5e-20);
+        assert_eq!(extended("pi/2 - 1/1000 - pi/2"), Some(small));
     }
 
     #[test]

@@ -1,0 +1,42 @@
+//! The start of a scene to 32 digits.
+//!
+//! Invariant: no number of the file is rounded to a double on the way. A momentum near a singular surface, or what is left of an
+//! angle next to it, is a small difference.
+
+use crate::code::tape;
+use crate::error::Error;
+use tripos_derive::Model;
+use tripos_derive::algebra::Expr;
+use tripos_derive::scene::{Exact, Motion};
+use tripos_traits::DoubleDouble;
+
+/// The generalized speeds at a start, in the order of the model.
+///
+/// # Errors
+/// [`Error::Request`] if a definition of a speed mentions what has no value at the start.
+pub fn speeds(model: &Model, exact: &Exact) -> Result<Vec<DoubleDouble>, Error> {
+    match &exact.motion {
+        Motion::Speeds(u) => Ok(u.clone()),
+        Motion::Rates(rates) => {
+            let inputs = [model.p(), model.q(), model.q_dot()].concat();
+            let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
+            let tape = tape(&model.arena, &inputs, &definitions, "a generalized speed")?.to();
+            Ok(tape.evaluate(&[&exact.parameters[..], &exact.q, rates].concat()))
+        }
+    }
+}
+
+/// Every symbol that has a value at a start, and the values: parameters, coordinates, generalized speeds, and rates where the file
+/// states these.
+///
+/// # Errors
+/// As [`speeds`].
+pub fn known(model: &Model, exact: &Exact) -> Result<(Vec<Expr>, Vec<DoubleDouble>), Error> {
+    let mut symbols = [model.p(), model.q(), model.u()].concat();
+    let mut values = [&exact.parameters[..], &exact.q, &speeds(model, exact)?].concat();
+    if let Motion::Rates(rates) = &exact.motion {
+        symbols.extend(model.q_dot());
+        values.extend(rates);
+    }
+    Ok((symbols, values))
+}
