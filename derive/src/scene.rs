@@ -5,9 +5,10 @@ mod family;
 mod integration;
 mod ladder;
 mod outputs;
+mod start;
 mod values;
 
-use crate::algebra::{Expr, Rational};
+use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::Model;
 use crate::read::Reader;
@@ -22,6 +23,7 @@ pub use family::Family;
 pub use integration::{AbsoluteTolerance, Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
 pub use outputs::ENERGIES;
+pub use start::{Exact, Stated};
 
 /// Which way an event function must cross zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,34 +97,6 @@ pub struct SceneOutput {
     pub name: String,
     /// In parameters, q, q̇, u, u̇, reactions and energies.
     pub value: Expr,
-}
-
-/// The start of a scene as its file states it, beyond the precision of a double.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Exact {
-    /// The parameters, in the order of the model.
-    pub parameters: Vec<DoubleDouble>,
-    /// The parameters as rational numbers, where they are such.
-    pub rational: Vec<Option<Rational>>,
-    /// The coordinates.
-    pub q: Vec<DoubleDouble>,
-    /// What moves.
-    pub motion: Motion,
-}
-
-/// How a file states the motion at an instant.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Motion {
-    /// By every generalized speed u.
-    Speeds(Vec<DoubleDouble>),
-    /// By every q′.
-    Rates(Vec<DoubleDouble>),
-}
-
-impl Default for Motion {
-    fn default() -> Self {
-        Self::Speeds(Vec::new())
-    }
 }
 
 /// A run to be made.
@@ -229,6 +203,27 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
 }
 
 impl Scene {
+    /// The scenes of the ladder, each with its value of the varied number; the scene itself without a ladder.
+    #[must_use]
+    pub fn rungs(&self) -> Vec<(String, Self)> {
+        let Some(ladder) = &self.ladder else { return vec![("as it is".to_owned(), self.clone())] };
+        let n = self.q.len();
+        let rung = |value: &DoubleDouble| {
+            let mut scene = Self { ladder: None, ..self.clone() };
+            if ladder.at < n {
+                scene.q[ladder.at] = value.hi();
+                scene.exact.q[ladder.at] = *value;
+            } else {
+                scene.u[ladder.at - n] = value.hi();
+                if let Stated::Speeds(u) = &mut scene.exact.motion {
+                    u[ladder.at - n] = *value;
+                }
+            }
+            (format!("{} = {}", ladder.name, value.hi()), scene)
+        };
+        ladder.values.iter().map(rung).collect()
+    }
+
     /// What its author may have meant otherwise, a line each.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {

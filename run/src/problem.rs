@@ -11,7 +11,7 @@ use crate::reduced::Reduced;
 use crate::run::refused;
 use crate::start::speeds;
 use tripos_derive::mechanics::InertiaCheck;
-use tripos_derive::scene::{Motion, Project, QUADRATURE, Scene, Solve};
+use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve, Stated};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
 use tripos_sim::quadrature::{self, NoQuadrature};
@@ -229,7 +229,7 @@ impl<'a> Problem<'a> {
         }
         let mut v = vec![DoubleDouble::int(0); system.lengths().variables];
         match &exact.motion {
-            Motion::Rates(rates) if self.by.formulation() == Some(Formulation::Lagrange) => v.clone_from(rates),
+            Stated::Rates(rates) if self.by.formulation() == Some(Formulation::Lagrange) => v.clone_from(rates),
             _ => system.motion_variables(&p, &q, &speeds(self.model, exact)?, &mut v),
         }
         Ok((p, [q, v].concat()))

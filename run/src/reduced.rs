@@ -7,7 +7,7 @@ use crate::start::known;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::reduce::{Quantity, Reduction, reduce, reduce_without_momenta};
-use tripos_derive::scene::{AbsoluteTolerance, Exact, Motion, Scene, SceneEvent};
+use tripos_derive::scene::{AbsoluteTolerance, Exact, Scene, SceneEvent, Stated};
 use tripos_traits::DoubleDouble;
 
 /// The reduced equations of a scene, and the scene in their variables.
@@ -58,7 +58,7 @@ impl Reduced {
             parameters: doubles(&parameters),
             q: doubles(&q),
             u: doubles(&v),
-            exact: Exact { rational: vec![None; parameters.len()], parameters, q, motion: Motion::Speeds(v) },
+            exact: Exact { rational: vec![None; parameters.len()], parameters, q, motion: Stated::Speeds(v) },
             integration,
             ladder: None,
             events: events.map(|(event, function)| SceneEvent { function: *function, ..event.clone() }).collect(),

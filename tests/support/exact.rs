@@ -7,7 +7,7 @@ use super::stability::Start;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Motion as Stated, Scene, load};
+use tripos_derive::scene::{Scene, Stated, load};
 use tripos_sim::exact::{
     BodyStart, FreeSymmetricBody, HeavyTop, Pendulum, SphericalPendulum, Top as Inertia, TopStart,
 };

@@ -9,9 +9,10 @@ use std::path::Path;
 use tripos::Mechanism;
 use tripos::code::formulation;
 use tripos_derive::Formulation;
-use tripos_derive::algebra::elimination::{Definition, Elimination};
+use tripos_derive::algebra::elimination::Elimination;
 use tripos_derive::algebra::print::{latex, latex_name, mathml, mathml_name, text, whole_text};
 use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, accelerations, derive_in_steps};
 

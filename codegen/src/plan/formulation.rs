@@ -3,8 +3,8 @@
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::names::spelled;
 use crate::taylor::{Recurrences, TaylorPlan};
-use tripos_derive::algebra::elimination::Definition;
 use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::Solved;
 use tripos_derive::{Equations, Formulation};

@@ -4,9 +4,9 @@ use super::cost::Cost;
 use super::names::{Language, Variables, type_name};
 use super::program::{Output, Program, program};
 use rustc_hash::FxHashSet;
-use tripos_derive::algebra::elimination::{Definition, needed};
 use tripos_derive::algebra::sharing::{Reading, share};
 use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Formulation, Model};
 

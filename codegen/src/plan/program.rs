@@ -3,9 +3,9 @@
 
 use super::names::{Names, Variables, identifier};
 use rustc_hash::{FxHashMap, FxHashSet};
-use tripos_derive::algebra::elimination::Definition;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::sharing::is_shared_symbol;
+use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::view::{View, view};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 

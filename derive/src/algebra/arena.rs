@@ -286,27 +286,6 @@ impl Arena {
         }
     }
 
-    /// f(argument), with values at 0 and multiples of π/2 and the symmetries of even and odd
-    /// functions resolved.
-    pub fn apply(&mut self, f: Function, argument: Expr) -> Expr {
-        super::elementary::apply(self, f, argument)
-    }
-
-    /// The plain node f(argument), nothing resolved.
-    pub(super) fn intern_apply(&mut self, f: Function, argument: Expr) -> Expr {
-        self.intern(Node::Apply(f, argument))
-    }
-
-    /// sin e.
-    pub fn sin(&mut self, e: Expr) -> Expr {
-        self.apply(Function::Sin, e)
-    }
-
-    /// cos e.
-    pub fn cos(&mut self, e: Expr) -> Expr {
-        self.apply(Function::Cos, e)
-    }
-
     /// The operands of `e`, each once.
     pub fn operands(&self, e: Expr) -> impl Iterator<Item = Expr> + '_ {
         let (terms, factors, argument): (&[_], &[_], _) = match self.node(e) {

@@ -6,7 +6,7 @@
 //! only if the prime divides all coefficients, of which each has at most log₂|N|/60 such prime factors.
 
 use super::elementary::angle_atoms;
-use super::modular::POINTS;
+use super::points::POINTS;
 use super::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
 use rustc_hash::FxHashMap;

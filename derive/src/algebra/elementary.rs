@@ -6,8 +6,31 @@
 use super::{Arena, Expr, Function, Node, Rational};
 use num_rational::BigRational;
 
+impl Arena {
+    /// f(argument), with values at 0 and multiples of π/2 and the symmetries of even and odd
+    /// functions resolved.
+    pub fn apply(&mut self, f: Function, argument: Expr) -> Expr {
+        canonical(self, f, argument)
+    }
+
+    /// The plain node f(argument), nothing resolved.
+    fn intern_apply(&mut self, f: Function, argument: Expr) -> Expr {
+        self.intern(Node::Apply(f, argument))
+    }
+
+    /// sin e.
+    pub fn sin(&mut self, e: Expr) -> Expr {
+        self.apply(Function::Sin, e)
+    }
+
+    /// cos e.
+    pub fn cos(&mut self, e: Expr) -> Expr {
+        self.apply(Function::Cos, e)
+    }
+}
+
 /// f(argument) in canonical form.
-pub fn apply(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
+fn canonical(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     match f {
         Function::Sin | Function::Cos => circular(arena, f, argument),
         Function::Sqrt => square_root(arena, argument),

@@ -12,21 +12,12 @@ use super::modular::{ZeroTest, zero_test};
 use super::range::never_zero;
 use super::sharing::{Reading, share};
 use super::simplify::{Simplifier, cost, cost_of_all};
+use super::steps::{Definition, fresh_symbol};
 use super::{Arena, Expr, Node};
-use rustc_hash::FxHashSet;
 
 /// Operations in an entry above which it gets a name of its own: what is tried first leaves room for what only
 /// cancels some pivots later; in the last trial nothing is written out.
 const LONGEST: [usize; 3] = [150, 40, 0];
-
-/// A symbol and its value in symbols that are defined before it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Definition {
-    /// The symbol.
-    pub symbol: Expr,
-    /// Its value.
-    pub value: Expr,
-}
 
 /// A x = b with A square.
 #[derive(Clone, Copy)]
@@ -48,21 +39,6 @@ pub struct Elimination {
     pub steps: Vec<Definition>,
     /// What the steps divide by, each base once, in order of appearance; plain numbers left out.
     pub divisors: Vec<Expr>,
-}
-
-/// The steps that these expressions need, in order.
-#[must_use]
-pub fn needed(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -> Vec<Definition> {
-    let mut wanted: FxHashSet<Expr> = arena.reachable(expressions).into_iter().collect();
-    let mut list: Vec<Definition> = Vec::new();
-    for step in steps.iter().rev() {
-        if wanted.contains(&step.symbol) {
-            wanted.extend(arena.reachable(&[step.value]));
-            list.push(*step);
-        }
-    }
-    list.reverse();
-    list
 }
 
 /// Solves a linear system.
@@ -104,15 +80,6 @@ fn least_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
         Some(cost_of_all(&arena, &values))
     });
     counts.min().unwrap_or(0)
-}
-
-/// A new symbol, called `wanted` unless that is a name already.
-pub fn fresh_symbol(arena: &mut Arena, wanted: &str) -> Expr {
-    let mut name = wanted.to_owned();
-    while arena.find_symbol(&name).is_some() {
-        name.push('_');
-    }
-    arena.symbol(&name)
 }
 
 /// The steps of one elimination, entries of more than `longest` operations named.

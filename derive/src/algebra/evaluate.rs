@@ -3,7 +3,7 @@
 //! Invariant: a tape's constants are exact rationals, rounded once to each kind of number that it is evaluated in. Nothing is
 //! proved by a tape: what its numbers look like decides no question of meaning.
 
-use super::elimination::Definition;
+use super::steps::Definition;
 use super::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;

@@ -29,6 +29,7 @@ pub mod relations;
 mod ring;
 pub mod sharing;
 pub mod simplify;
+pub mod steps;
 pub mod view;
 
 pub use arena::{Arena, Expr, Function, Node, PowerError};

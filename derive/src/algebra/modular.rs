@@ -15,11 +15,9 @@
 use super::bound::error_exponent;
 use super::elementary::angle_atoms;
 use super::field::Field;
-use super::points::{Point, angle_denominators, seeded, values_at};
+use super::points::{POINTS, Point, angle_denominators, seeded, values_at};
 use super::{Arena, Expr, Function, Node};
 
-/// Random points, half of them in each field, at which zeros must be seen.
-pub const POINTS: usize = 4;
 /// The same for one square root; each further one doubles it, since a wrong pattern of m signs may show at one point in
 /// 2^m only: (1 − 2^−m)^(44·2^m) < 2^−63.
 const POINTS_WITH_ROOTS: usize = 44;

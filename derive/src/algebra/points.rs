@@ -9,6 +9,9 @@ use num_integer::Integer;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHasher};
 use std::hash::{Hash, Hasher};
 
+/// Random points, half of them in each field, at which zeros must be seen.
+pub(super) const POINTS: usize = 4;
+
 /// One random point in one field.
 pub(super) struct Point {
     /// The field.

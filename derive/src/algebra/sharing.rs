@@ -19,12 +19,14 @@ mod divisors;
 mod network;
 mod rebuild;
 
-use super::elimination::Definition;
 use super::simplify::Simplifier;
+use super::steps::Definition;
 use super::{Arena, Expr, Function};
 use angles::Composed;
 use divisors::Extraction;
 use network::Network;
+
+pub use rebuild::{Shared, is_shared_symbol};
 
 /// How the values are read before common divisors are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,21 +103,6 @@ impl Products {
         }
         if polynomial.terms.len() > Self::LIMIT { e } else { polynomial.expand(arena) }
     }
-}
-
-/// Steps and values rewritten.
-#[derive(Clone, Debug)]
-pub struct Shared {
-    /// The steps given, with the new symbols among them, each after what it needs.
-    pub steps: Vec<Definition>,
-    /// The values, in the order given.
-    pub values: Vec<Expr>,
-}
-
-/// Whether a symbol was introduced by [`share`].
-#[must_use]
-pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
-    arena.symbol_name(symbol).is_some_and(|name| name.starts_with('#'))
 }
 
 /// Takes common sub-sums and sub-products out of steps and values.

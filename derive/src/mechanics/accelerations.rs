@@ -2,9 +2,10 @@
 
 use super::Equations;
 use crate::algebra::calculus::Differential;
-use crate::algebra::elimination::{Definition, Elimination, LinearSystem, eliminate, fresh_symbol, needed};
+use crate::algebra::elimination::{Elimination, LinearSystem, eliminate};
 use crate::algebra::linear::Singular;
 use crate::algebra::simplify::{Simplifier, cost};
+use crate::algebra::steps::{Definition, fresh_symbol, needed};
 use crate::algebra::{Arena, Expr};
 
 /// Operations in a slope of an intermediate quantity above which it gets a name of its own.

@@ -5,8 +5,8 @@
 
 use super::{Derivation, Equations};
 use crate::algebra::calculus::Substitution;
-use crate::algebra::elimination::fresh_symbol;
 use crate::algebra::simplify::Simplifier;
+use crate::algebra::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::model::Model;
 

@@ -22,7 +22,7 @@ pub use newton_euler::{Balance, balances, partial_velocities};
 pub use quantities::{Energy, Owner, Quantities, Quantity, QuantityError, QuantityKind, Row, VectorName};
 pub use vector::{Frames, Vector};
 
-use crate::algebra::elimination::Definition;
+use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;

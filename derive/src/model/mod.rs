@@ -16,10 +16,10 @@ pub use read_model::load;
 pub use units::Unit;
 
 use crate::algebra::{Arena, Expr, Rational};
-use crate::diagnostic::{Diagnostics, Source};
+use crate::diagnostic::Source;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
-use std::path::Path;
+use units::unit_of;
 
 /// A quantity that stays fixed during a motion.
 #[derive(Clone, Debug)]
@@ -286,12 +286,13 @@ pub struct Model {
 }
 
 impl Model {
-    /// Reads and checks a model file.
-    ///
-    /// # Errors
-    /// [`Diagnostics`] with every error of the file.
-    pub fn read(path: &Path) -> Result<Self, Diagnostics> {
-        load(&Source::read(path)?)
+    /// The unit of a term of this arena in parameters, coordinates and speeds, if it has one.
+    #[must_use]
+    pub fn unit_of(&self, arena: &Arena, e: Expr) -> Option<Unit> {
+        let parameters = self.parameters.iter().map(|p| (p.symbol, p.unit.clone()));
+        let coordinates = self.coordinates.iter().map(|c| (c.symbol, c.unit.clone()));
+        let speeds = self.speeds.iter().map(|s| (s.symbol, s.unit.clone()));
+        unit_of(arena, e, &parameters.chain(coordinates).chain(speeds).collect()).ok().flatten()
     }
 
     /// Symbols of the generalized coordinates.

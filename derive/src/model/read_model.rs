@@ -14,6 +14,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
 use crate::plain::one_line;
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
+use std::path::Path;
 use toml::de::DeTable;
 
 const KEYS: [&str; 16] = [
@@ -34,6 +35,16 @@ const KEYS: [&str; 16] = [
     "constraints",
     "domain",
 ];
+
+impl Model {
+    /// Reads and checks a model file.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] with every error of the file.
+    pub fn read(path: &Path) -> Result<Self, Diagnostics> {
+        load(&Source::read(path)?)
+    }
+}
 
 /// Reads and checks a model text.
 ///

@@ -211,17 +211,6 @@ pub fn bare_number(unit: &str) -> String {
     )
 }
 
-impl super::Model {
-    /// The unit of a term of this arena in parameters, coordinates and speeds, if it has one.
-    #[must_use]
-    pub fn unit_of(&self, arena: &Arena, e: Expr) -> Option<Unit> {
-        let parameters = self.parameters.iter().map(|p| (p.symbol, p.unit.clone()));
-        let coordinates = self.coordinates.iter().map(|c| (c.symbol, c.unit.clone()));
-        let speeds = self.speeds.iter().map(|s| (s.symbol, s.unit.clone()));
-        unit_of(arena, e, &parameters.chain(coordinates).chain(speeds).collect()).ok().flatten()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

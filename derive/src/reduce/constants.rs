@@ -3,13 +3,13 @@
 //! A momentum may be held by any multiple of itself. A speed that it determines alone is constant, and stands for it; where it stands in
 //! a numerator, a numeric factor of it is taken into it.
 
-use super::Ground;
-use super::level::Held;
+use super::ground::Ground;
+use super::held::Held;
 use super::pivots::Solved;
 use crate::algebra::Expr;
 use crate::algebra::calculus::Substitution;
-use crate::algebra::elimination::fresh_symbol;
 use crate::algebra::linear::LinearForm;
+use crate::algebra::steps::fresh_symbol;
 
 impl Ground {
     /// Puts the multiples for the momenta; those that carry a mass centre on stay as they are.

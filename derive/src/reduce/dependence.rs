@@ -4,9 +4,9 @@
 //! variable. Invariant: a definition mentions only symbols and what is defined before it.
 
 use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::elimination::Definition;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
+use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
 

@@ -1,7 +1,5 @@
 //! What reductions start from: a model's equations, its momenta and its energy, with the parameters of a scene as numbers.
 
-use super::relative::Relative;
-use super::slice::Wanted;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::Comparer;
 use crate::algebra::linear::LinearForm;
@@ -13,7 +11,6 @@ use crate::mechanics::{
 };
 use crate::model::{Model, Unit};
 use crate::prove::{Basis, Integral, IntegralKind};
-use crate::reduce::pivots::solve_rows;
 use crate::scene::Scene;
 
 /// Coordinates above which first integrals are not searched.
@@ -44,6 +41,17 @@ pub struct Momentum {
     pub position: Option<Expr>,
     /// The unit of that.
     pub position_unit: Unit,
+}
+
+/// A variable that stands as a difference.
+#[derive(Clone, Copy, Debug)]
+pub struct Relative {
+    /// The variable.
+    pub variable: Expr,
+    /// What is taken off.
+    pub pivot: Expr,
+    /// What stands for it.
+    pub symbol: Expr,
 }
 
 /// A model's equations by Kane's method and what its motions conserve.
@@ -203,64 +211,11 @@ impl Ground {
         }
     }
 
-    /// What the scene wants to see and to watch, in q and u; reactions from the force balance.
-    pub(super) fn wanted(&mut self, scene: &Scene) -> Result<Wanted, DeriveError> {
-        let mut rewrite = self.names(scene)?;
-        let mut output = |ground: &mut Self, e: Expr| {
-            let e = rewrite.apply(&mut ground.arena, e);
-            let e = rates_to_speeds(&ground.model).apply(&mut ground.arena, e);
-            ground.simplifier.simplify(&mut ground.arena, e)
-        };
-        let outputs = scene.outputs.iter().map(|o| (o.name.clone(), output(self, o.value))).collect();
-        let conditions: Vec<Expr> = self.model.domain.iter().map(|c| c.positive).collect();
-        let events: Vec<Expr> = scene.events.iter().map(|e| e.function).collect();
-        let conditions = conditions.into_iter().map(|e| output(self, e)).collect();
-        let events = events.into_iter().map(|e| output(self, e)).collect();
-        Ok(Wanted { outputs, conditions, events })
-    }
-
-    /// Names that scenes may use beside those of the state: parameters as numbers, energies, reactions.
-    fn names(&mut self, scene: &Scene) -> Result<Substitution, DeriveError> {
-        let mut pairs = Vec::new();
-        for (name, value) in &self.folded {
-            if let Some(p) = self.model.parameters.iter().find(|p| p.name == *name) {
-                pairs.push((p.symbol, self.arena.number(value.clone())));
-            }
-        }
-        let (kinetic, potential) = (self.kane.kinetic_energy, self.kane.potential_energy);
-        let total = self.arena.add(kinetic, potential);
-        let energies = [("kinetic_energy", kinetic), ("potential_energy", potential), ("total_energy", total)];
-        pairs.extend(energies.into_iter().filter_map(|(name, e)| Some((self.arena.find_symbol(name)?, e))));
-        let mentioned = |e: Expr| self.model.reactions.iter().any(|r| self.arena.mentions(e, r.symbol));
-        let conditions = self.model.domain.iter().map(|c| c.positive);
-        let values = scene.outputs.iter().map(|o| o.value).chain(scene.events.iter().map(|e| e.function));
-        if values.chain(conditions).any(mentioned) {
-            pairs.extend(self.reactions()?);
-        }
-        Ok(Substitution::new(&pairs))
-    }
-
-    /// Each reaction in q and u.
-    fn reactions(&mut self) -> Result<Vec<(Expr, Expr)>, DeriveError> {
-        let balance = self.balance.clone()?;
-        let n = balance.variables.len();
-        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
-        let rows: Vec<Vec<Expr>> = balance.matrix.iter().map(|row| row[n..].to_vec()).collect();
-        let mut right = Vec::new();
-        for (row, f) in balance.matrix.iter().zip(&balance.forcing) {
-            let products: Vec<Expr> = row[..n].iter().zip(&balance.unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
-            let sum = arena.sum(&products);
-            right.push(vec![arena.sub(*f, sum)]);
-        }
-        let states = [self.q.clone(), self.kane.variables.clone()].concat();
-        let solved =
-            solve_rows(arena, simplifier, rows, right, &states, &(0..balance.unknowns.len() - n).collect::<Vec<_>>());
-        let mut values = balance.unknowns[n..].to_vec();
-        for k in (0..solved.pivots.len()).rev() {
-            let value = solved.unknown(arena, k, 0, &values);
-            values[solved.pivots[k].1] = simplifier.simplify(arena, value);
-        }
-        Ok(balance.unknowns[n..].iter().copied().zip(values).collect())
+    /// From the variables of the equations to those of the model.
+    pub(super) fn back(&self) -> Substitution {
+        let coordinates = self.q.iter().copied().zip(self.q_start.iter().copied());
+        let speeds = self.kane.variables.iter().copied().zip(self.u_start.iter().copied());
+        Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())
     }
 
     /// Which momenta may be used together, as lists of places: all commuting choices of a few, the largest of many.

@@ -4,9 +4,9 @@
 //! c sin q₂ with c = 2 u₃.
 
 use crate::algebra::calculus::Substitution;
-use crate::algebra::elimination::fresh_symbol;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::print::text;
+use crate::algebra::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 

@@ -1,14 +1,15 @@
 //! What was left out, why, and how that is known.
 
+use super::ground::Ground;
 use super::level::Level;
 use super::proof::Proof;
+use super::reduction::Omission;
 use super::slice::{Flow, Variable};
-use super::{Ground, Omission};
 use crate::algebra::Expr;
 use crate::algebra::calculus::Differential;
-use crate::algebra::elimination::Definition;
 use crate::algebra::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::print::text;
+use crate::algebra::steps::Definition;
 use crate::scene::Scene;
 
 /// Everything of the model that the scene's equations do not have.

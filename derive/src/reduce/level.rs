@@ -4,30 +4,13 @@
 //! The rows of A are momenta of symmetries ξ, so that ξᵀ times the same equations says that c is constant; together they are all
 //! of the equations wherever A has full rank.
 
-use super::Ground;
+use super::ground::Ground;
+use super::held::Held;
 use super::pivots::{Solved, solve_rows};
-use super::surface::Surface;
-use crate::algebra::calculus::Differential;
-use crate::algebra::elimination::{Definition, fresh_symbol};
+use super::separate::Surface;
 use crate::algebra::simplify::Simplifier;
+use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr};
-use crate::model::{Model, Unit};
-use crate::prove::IntegralKind;
-
-/// A momentum that is held fixed.
-#[derive(Clone)]
-pub struct Held {
-    /// Its place among the momenta of the ground.
-    pub momentum: usize,
-    /// The symbol of its value.
-    pub symbol: Expr,
-    /// What the symbol is, in q and u: the momentum, or what is left of it on a singular surface.
-    pub of_state: Expr,
-    /// What the symbol is, in words.
-    pub about: String,
-    /// Its unit.
-    pub unit: Unit,
-}
 
 /// Equations on a level set.
 #[derive(Clone)]
@@ -77,31 +60,6 @@ impl Ground {
         }
         self.choose_constants(&mut solved, &mut held);
         Some(self.equations_on(held, kept, &solved, &z))
-    }
-
-    fn hold(&mut self, at: usize) -> Held {
-        let momentum = &self.momenta[at];
-        let wanted = symbol_of(&self.model, &momentum.kinds, at);
-        let (of_state, about) = (momentum.value, momentum.about.clone());
-        let unit = momentum.unit.clone();
-        Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
-    }
-
-    /// What a momentum's row times u is, c − b, and what it times u̇ is: minus the change of the row and of b along the motion.
-    fn right_of(&mut self, held: &Held) -> Vec<Expr> {
-        let momentum = &self.momenta[held.momentum];
-        let arena = &mut self.arena;
-        let along: Vec<(Expr, Expr)> = self.q.iter().copied().zip(self.kane.coordinate_rates.iter().copied()).collect();
-        let mut change = Differential::along(&along);
-        let mut terms = vec![change.apply(arena, momentum.rest)];
-        for (entry, u) in momentum.row.iter().zip(&self.kane.variables) {
-            let slope = change.apply(arena, *entry);
-            terms.push(arena.mul(slope, *u));
-        }
-        let sum = arena.sum(&terms);
-        let back = arena.neg(sum);
-        let at_level = arena.sub(held.symbol, momentum.rest);
-        [at_level, back].map(|e| self.simplifier.simplify(arena, e)).to_vec()
     }
 
     fn equations_on(&mut self, held: Vec<Held>, kept: Vec<usize>, solved: &Solved, z: &[Vec<Expr>]) -> Level {
@@ -177,11 +135,4 @@ fn directions(
         z[*column] = (0..kept.len()).map(direction).collect();
     }
     z
-}
-
-/// `p_q3` where it is the momentum of a coordinate, else its customary symbol; `momentum2` where it has none.
-fn symbol_of(model: &Model, kinds: &[IntegralKind], at: usize) -> String {
-    let of_coordinate = kinds.iter().find(|kind| matches!(kind, IntegralKind::Coordinate(_)));
-    let found = of_coordinate.into_iter().chain(kinds).find_map(|kind| kind.symbol(model));
-    found.unwrap_or_else(|| format!("momentum{}", at + 1))
 }

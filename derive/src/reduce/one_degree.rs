@@ -4,8 +4,8 @@ use super::ground::Ground;
 use super::slice::Flow;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::divided::divided_difference;
-use crate::algebra::elimination::fresh_symbol;
 use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Rational};
 
 /// (V(b) − V(a))/(b − a) of the potential energy in the one coordinate among the states.

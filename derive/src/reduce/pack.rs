@@ -1,14 +1,17 @@
 //! A reduced system as a model and equations like any others, with the account of what was left out.
 
+use super::ground::Ground;
 use super::hoist::Hoist;
+use super::ledger::omissions;
 use super::level::Level;
 use super::proof::{Whole, prove};
-use super::slice::{Flow, Variable, Wanted};
-use super::{Ground, Output, Quantity, Reduction};
+use super::reduction::{Output, Quantity, Reduction};
+use super::slice::{Flow, Variable};
+use super::wanted::Wanted;
 use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::elimination::Definition;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::print::text;
+use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::{Derivation, Equations, Formulation};
 use crate::model::{Condition, Coordinate, KinematicEquations, Parameter, Speed, Unit};
@@ -31,7 +34,7 @@ pub fn pack(
     let proof = prove(&mut ground, whole, level, &mut flow)?;
     let states = quantities(&ground, &flow.core);
     let quadratures = quantities(&ground, &flow.quadratures);
-    let omitted = super::ledger::omissions(&mut ground, level, &flow, scene, &proof);
+    let omitted = omissions(&mut ground, level, &flow, scene, &proof);
     // What is watched is evaluated apart from the equations, without their definitions.
     let mut dependence = flow.dependence.clone();
     for e in flow.wanted.events.iter_mut().chain(&mut flow.wanted.conditions) {
@@ -137,7 +140,7 @@ fn constants(ground: &mut Ground, level: &Level, flow: &Flow, equations: &Equati
         all.push((*symbol, text(&ground.arena, *value), unit, of_state));
     }
     let mentioned = mentioned(&ground.arena, flow, equations);
-    let mut back = back(ground);
+    let mut back = ground.back();
     all.into_iter()
         .filter(|(symbol, ..)| mentioned.contains(symbol))
         .map(|(symbol, about, unit, of_state)| {
@@ -173,13 +176,6 @@ fn hoist(ground: &mut Ground, level: &Level, e: &mut Equations) -> Hoist {
         *value = hoist.apply(&mut ground.arena, &parameters, *value);
     }
     hoist
-}
-
-/// From the variables of the equations to those of the model.
-pub(super) fn back(ground: &Ground) -> Substitution {
-    let coordinates = ground.q.iter().copied().zip(ground.q_start.iter().copied());
-    let speeds = ground.kane.variables.iter().copied().zip(ground.u_start.iter().copied());
-    Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())
 }
 
 impl Flow {

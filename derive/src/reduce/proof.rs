@@ -5,10 +5,11 @@
 //! all values of the constants. What is wanted, what was left out of formulas, the constants and the energy are each held against
 //! what they stand for. Every identity is a zero test at random points of random prime fields, with a stated bound.
 
-use super::Ground;
+use super::ground::Ground;
 use super::level::Level;
 use super::pivots::solve_rows;
-use super::slice::{Flow, Wanted};
+use super::slice::Flow;
+use super::wanted::Wanted;
 use crate::algebra::Expr;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
@@ -148,7 +149,7 @@ impl Check {
 
     /// Each constant is what it is called, at every state of its level, and does not change.
     fn constants(&mut self, ground: &mut Ground, level: &Level, flow: &mut Flow) -> Result<(), String> {
-        let mut back = super::pack::back(ground);
+        let mut back = ground.back();
         for held in &level.held {
             let of_start = back.apply(&mut ground.arena, held.of_state);
             let value = self.written.apply(&mut ground.arena, of_start);

@@ -4,22 +4,11 @@
 //! likewise in speeds, only q_g and u_g move along the symmetry: its momentum determines u_g, divided by the inertia of the whole
 //! turned as if it were rigid, which is never zero, and q_g is needed only by outputs that show it.
 
-use super::Ground;
-use super::slice::Wanted;
+use super::ground::{Ground, Momentum, Relative};
+use super::wanted::Wanted;
 use crate::algebra::Expr;
 use crate::algebra::calculus::Substitution;
-use crate::algebra::elimination::fresh_symbol;
-
-/// A variable that stands as a difference.
-#[derive(Clone, Copy, Debug)]
-pub struct Relative {
-    /// The variable.
-    pub variable: Expr,
-    /// What is taken off.
-    pub pivot: Expr,
-    /// What stands for it.
-    pub symbol: Expr,
-}
+use crate::algebra::steps::fresh_symbol;
 
 impl Ground {
     /// Puts differences for the coordinates and for the speeds that one of these symmetries alone moves together at constant
@@ -27,7 +16,7 @@ impl Ground {
     pub(super) fn relative(&mut self, momenta: &[usize], wanted: Wanted) -> Wanted {
         let mut wanted = wanted;
         for at in momenta {
-            let others = |direction: fn(&super::ground::Momentum) -> &Vec<Expr>| -> Vec<Vec<Expr>> {
+            let others = |direction: fn(&Momentum) -> &Vec<Expr>| -> Vec<Vec<Expr>> {
                 momenta.iter().filter(|m| *m != at).map(|m| direction(&self.momenta[*m]).clone()).collect()
             };
             let (of_fields, of_directions) = (others(|m| &m.field), others(|m| &m.direction));

@@ -3,50 +3,17 @@
 //! "Does u̇₁ depend on q₁?" is a zero test of the derivative. Where it does not, any value may stand for q₁, and what mentions
 //! it only by form loses its terms.
 
-use super::Ground;
 use super::dependence::Dependence;
+use super::ground::Ground;
 use super::level::Level;
+use super::wanted::Wanted;
 use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::elimination::{Definition, LinearSystem, eliminate};
+use crate::algebra::elimination::{LinearSystem, eliminate};
 use crate::algebra::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::simplify::cost_of_all;
+use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
-
-/// What a scene wants to see and to watch.
-#[derive(Clone, Debug)]
-pub struct Wanted {
-    /// Names and values of the outputs.
-    pub outputs: Vec<(String, Expr)>,
-    /// The conditions of the domain.
-    pub conditions: Vec<Expr>,
-    /// The functions of the events.
-    pub events: Vec<Expr>,
-}
-
-impl Wanted {
-    /// Each value rewritten.
-    pub fn map(&self, mut rewrite: impl FnMut(Expr) -> Expr) -> Self {
-        Self {
-            outputs: self.outputs.iter().map(|(name, e)| (name.clone(), rewrite(*e))).collect(),
-            conditions: self.conditions.iter().map(|e| rewrite(*e)).collect(),
-            events: self.events.iter().map(|e| rewrite(*e)).collect(),
-        }
-    }
-
-    /// Each value with what it is.
-    pub fn named(&self) -> Vec<(String, Expr)> {
-        let outputs = self.outputs.iter().map(|(name, e)| (format!("the output {name}"), *e));
-        let conditions = self.conditions.iter().map(|e| ("a condition of the domain".to_owned(), *e));
-        let events = self.events.iter().map(|e| ("an event".to_owned(), *e));
-        outputs.chain(conditions).chain(events).collect()
-    }
-
-    fn values(&self) -> Vec<Expr> {
-        let outputs = self.outputs.iter().map(|(_, e)| *e);
-        outputs.chain(self.conditions.iter().copied()).chain(self.events.iter().copied()).collect()
-    }
-}
 
 /// A variable that the equations have, and its rate.
 #[derive(Clone, Copy, Debug)]
@@ -308,7 +275,7 @@ impl Ground {
         }
         let rest = Substitution::new(&[(coordinate, Expr::ZERO)]).apply(arena, position);
         let name = arena.symbol_name(coordinate).unwrap_or_default().to_owned();
-        let symbol = crate::algebra::elimination::fresh_symbol(arena, &format!("centre_{name}"));
+        let symbol = crate::algebra::steps::fresh_symbol(arena, &format!("centre_{name}"));
         let moved = arena.mul(momentum, time);
         let there = arena.add(symbol, moved);
         let difference = arena.sub(there, rest);

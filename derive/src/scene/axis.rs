@@ -4,7 +4,7 @@
 //! rounded once.
 
 use super::values::{Number, Place, Values};
-use super::{Motion, Scene};
+use super::{Scene, Stated};
 use crate::algebra::Rational;
 use crate::diagnostic::{Diagnostics, Source, nearest};
 use crate::model::Model;
@@ -218,7 +218,7 @@ impl Values<'_, '_> {
     /// Where a number of this name stands in a scene.
     fn place(&mut self, name: &str, span: std::ops::Range<usize>, scene: &Scene) -> Option<Place> {
         let model = &self.model;
-        let by_rates = matches!(scene.exact.motion, Motion::Rates(_));
+        let by_rates = matches!(scene.exact.motion, Stated::Rates(_));
         let rates: Vec<String> = model.coordinates.iter().map(|c| format!("{}'", c.name)).collect();
         let speed = model.speeds.iter().position(|s| s.name == name);
         let rate = rates.iter().position(|rate| rate == name);

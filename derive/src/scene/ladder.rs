@@ -1,7 +1,7 @@
 //! A ladder: the same scene from several starts that differ in one number, to see where runs give way.
 
+use super::start::{Exact, Stated};
 use super::values::{Number, Values};
-use super::{Exact, Motion, Scene};
 use crate::diagnostic::nearest;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
@@ -15,29 +15,6 @@ pub struct Ladder {
     pub at: usize,
     /// The values, a rung each.
     pub values: Vec<DoubleDouble>,
-}
-
-impl Scene {
-    /// The scenes of the ladder, each with its value of the varied number; the scene itself without a ladder.
-    #[must_use]
-    pub fn rungs(&self) -> Vec<(String, Self)> {
-        let Some(ladder) = &self.ladder else { return vec![("as it is".to_owned(), self.clone())] };
-        let n = self.q.len();
-        let rung = |value: &DoubleDouble| {
-            let mut scene = Self { ladder: None, ..self.clone() };
-            if ladder.at < n {
-                scene.q[ladder.at] = value.hi();
-                scene.exact.q[ladder.at] = *value;
-            } else {
-                scene.u[ladder.at - n] = value.hi();
-                if let Motion::Speeds(u) = &mut scene.exact.motion {
-                    u[ladder.at - n] = *value;
-                }
-            }
-            (format!("{} = {}", ladder.name, value.hi()), scene)
-        };
-        ladder.values.iter().map(rung).collect()
-    }
 }
 
 impl<'a> Values<'a, '_> {
@@ -54,7 +31,7 @@ impl<'a> Values<'a, '_> {
         };
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
         let speeds = self.model.speeds.iter().map(|s| s.name.clone());
-        let stated = if matches!(start.motion, Motion::Speeds(_)) { speeds.collect() } else { Vec::new() };
+        let stated = if matches!(start.motion, Stated::Speeds(_)) { speeds.collect() } else { Vec::new() };
         let names: Vec<String> = coordinates.chain(stated).collect();
         let Some(at) = names.iter().position(|known| *known == name.text) else {
             let help = nearest(&name.text, names.iter().map(String::as_str));

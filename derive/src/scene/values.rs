@@ -2,7 +2,7 @@
 //!
 //! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier readings.
 
-use super::{Exact, Motion};
+use super::start::{Exact, Stated};
 use crate::algebra::evaluate::{Numeric, Tape};
 use crate::algebra::exact::exact_value;
 use crate::algebra::interval::lost_constant;
@@ -235,7 +235,7 @@ impl<'a> Values<'a, '_> {
             self.reader.errors.push(Diagnostic::of_file(message, "choose another state"));
             return None;
         }
-        let motion = if by_rates { Motion::Rates(extended(&rates)) } else { Motion::Speeds(extended(&exact_u)) };
+        let motion = if by_rates { Stated::Rates(extended(&rates)) } else { Stated::Speeds(extended(&exact_u)) };
         let rational = parameters.iter().map(|p| p.exact.clone()).collect();
         let exact = Exact { parameters: extended(parameters), rational, q: extended(&exact_q), motion };
         Some(Start { q, u, exact })

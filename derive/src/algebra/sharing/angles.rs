@@ -5,8 +5,8 @@
 //! every program that multiplies such products out.
 
 use crate::algebra::elementary::angle_atoms;
-use crate::algebra::elimination::Definition;
 use crate::algebra::print::text;
+use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr, Function, Node};
 use rustc_hash::{FxHashMap, FxHashSet};
 

@@ -1,6 +1,6 @@
 //! Values as sums of monomials over numbered atoms.
 
-use crate::algebra::elimination::Definition;
+use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 

@@ -1,10 +1,24 @@
 //! Sums of monomials back to terms of the store, each after what it needs.
 
 use super::network::{Atom, Network, Term, Value, is_unit};
-use super::{Shared, is_shared_symbol};
-use crate::algebra::elimination::Definition;
+use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr, PowerError, Rational};
 use rustc_hash::FxHashSet;
+
+/// Steps and values rewritten.
+#[derive(Clone, Debug)]
+pub struct Shared {
+    /// The steps given, with the new symbols among them, each after what it needs.
+    pub steps: Vec<Definition>,
+    /// The values, in the order given.
+    pub values: Vec<Expr>,
+}
+
+/// Whether a symbol was introduced by [`share`].
+#[must_use]
+pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
+    arena.symbol_name(symbol).is_some_and(|name| name.starts_with('#'))
+}
 
 /// The steps and values of a network: what is used more than once, and what cannot stand inside another term, gets a
 /// symbol of its own.

@@ -1,0 +1,37 @@
+//! Values computed step by step: each has a symbol, by which later ones mention it.
+
+use super::{Arena, Expr};
+use rustc_hash::FxHashSet;
+
+/// A symbol and its value in symbols that are defined before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Definition {
+    /// The symbol.
+    pub symbol: Expr,
+    /// Its value.
+    pub value: Expr,
+}
+
+/// The steps that these expressions need, in order.
+#[must_use]
+pub fn needed(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -> Vec<Definition> {
+    let mut wanted: FxHashSet<Expr> = arena.reachable(expressions).into_iter().collect();
+    let mut list: Vec<Definition> = Vec::new();
+    for step in steps.iter().rev() {
+        if wanted.contains(&step.symbol) {
+            wanted.extend(arena.reachable(&[step.value]));
+            list.push(*step);
+        }
+    }
+    list.reverse();
+    list
+}
+
+/// A new symbol, called `wanted` unless that is a name already.
+pub fn fresh_symbol(arena: &mut Arena, wanted: &str) -> Expr {
+    let mut name = wanted.to_owned();
+    while arena.find_symbol(&name).is_some() {
+        name.push('_');
+    }
+    arena.symbol(&name)
+}

@@ -1,0 +1,32 @@
+//! Where a scene begins, as its file states it.
+
+use crate::algebra::Rational;
+use tripos_traits::DoubleDouble;
+
+/// The start of a scene as its file states it, beyond the precision of a double.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Exact {
+    /// The parameters, in the order of the model.
+    pub parameters: Vec<DoubleDouble>,
+    /// The parameters as rational numbers, where they are such.
+    pub rational: Vec<Option<Rational>>,
+    /// The coordinates.
+    pub q: Vec<DoubleDouble>,
+    /// What moves.
+    pub motion: Stated,
+}
+
+/// How a file states the motion at an instant.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stated {
+    /// By every generalized speed u.
+    Speeds(Vec<DoubleDouble>),
+    /// By every q′.
+    Rates(Vec<DoubleDouble>),
+}
+
+impl Default for Stated {
+    fn default() -> Self {
+        Self::Speeds(Vec::new())
+    }
+}
