@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::interpreted::{Interpreted, InterpretedSystem, NotInterpreted};
 use crate::mechanism::Mechanism;
 use crate::run::method;
+use std::sync::Arc;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
@@ -21,7 +22,7 @@ pub enum Code {
     /// Generated Rust, compiled in.
     Compiled(&'static CompiledSystem),
     /// A tape made just now.
-    Interpreted(Box<InterpretedSystem>),
+    Interpreted(Arc<InterpretedSystem>),
 }
 
 impl Code {
@@ -44,7 +45,7 @@ impl Code {
     }
 
     fn interpreted(system: Interpreted) -> Self {
-        Self::Interpreted(Box::new(system.into()))
+        Self::Interpreted(Arc::new(system.into()))
     }
 
     /// Whether they are compiled in.

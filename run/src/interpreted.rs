@@ -3,7 +3,7 @@
 //! Invariant: the equations are compiled to tapes once; another kind of number takes the same tapes with their exact constants
 //! rounded anew.
 
-use std::cell::{OnceCell, RefCell};
+use std::sync::{Mutex, OnceLock};
 use tripos_codegen::taylor::{Tape as Series, recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -60,8 +60,26 @@ enum Part {
     PotentialEnergy,
 }
 
-/// One formulation, interpreted. Its working space makes it a thread's own; another thread takes a copy.
-#[derive(Clone)]
+/// Working space that is kept between calls. Whoever comes while another thread has it makes room of its own, so that equations can be
+/// shared and no call waits.
+struct Room<T>(Mutex<T>);
+
+impl<T: Default> Room<T> {
+    fn with<R>(&self, work: impl FnOnce(&mut T) -> R) -> R {
+        match self.0.try_lock() {
+            Ok(mut room) => work(&mut room),
+            Err(_) => work(&mut T::default()),
+        }
+    }
+}
+
+impl<T: Default> Default for Room<T> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+/// One formulation, interpreted; threads may share it.
 pub struct Interpreted<S = f64> {
     lengths: Lengths,
     /// Parameters, coordinates and motion variables: what most tapes read.
@@ -72,9 +90,9 @@ pub struct Interpreted<S = f64> {
     /// The recurrences of the Taylor coefficients.
     series: Option<Series<S>>,
     /// Room for the inputs of a tape, and for its values.
-    work: RefCell<(Vec<S>, Vec<S>)>,
+    work: Room<(Vec<S>, Vec<S>)>,
     /// Room for q̇ and v̇.
-    both: RefCell<Vec<S>>,
+    both: Room<Vec<S>>,
 }
 
 impl Interpreted {
@@ -114,8 +132,8 @@ impl Interpreted {
             symmetric: e.symmetric,
             tapes,
             series: None,
-            work: RefCell::default(),
-            both: RefCell::default(),
+            work: Room::default(),
+            both: Room::default(),
         })
     }
 
@@ -179,8 +197,8 @@ impl Interpreted {
             symmetric: self.symmetric,
             tapes: self.tapes.each_ref().map(|tape| tape.as_ref().map(Tape::to)),
             series: self.series.as_ref().map(Series::to),
-            work: RefCell::default(),
-            both: RefCell::default(),
+            work: Room::default(),
+            both: Room::default(),
         }
     }
 }
@@ -193,12 +211,13 @@ impl<S: Numeric> Interpreted<S> {
     /// The values of a part; not numbers if these equations do not have it.
     fn run(&self, part: Part, inputs: &[&[S]], out: &mut [S]) {
         let Some(tape) = &self.tapes[part as usize] else { return out.fill(S::from_f64(f64::NAN)) };
-        let (joined, scratch) = &mut *self.work.borrow_mut();
-        joined.clear();
-        for part in inputs {
-            joined.extend_from_slice(part);
-        }
-        tape.evaluate_into(joined, scratch, out);
+        self.work.with(|(joined, scratch)| {
+            joined.clear();
+            for part in inputs {
+                joined.extend_from_slice(part);
+            }
+            tape.evaluate_into(joined, scratch, out);
+        });
     }
 
     /// The value of a part that has only one.
@@ -266,11 +285,12 @@ impl<S: Numeric> System<S> for Interpreted<S> {
         self.run(Part::Accelerations, &[p, q, v], out);
     }
     fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        let mut both = self.both.borrow_mut();
-        both.resize(q.len() + v.len(), S::int(0));
-        self.run(Part::Derivative, &[p, q, v], &mut both);
-        q_dot.copy_from_slice(&both[..q.len()]);
-        v_dot.copy_from_slice(&both[q.len()..]);
+        self.both.with(|both| {
+            both.resize(q.len() + v.len(), S::int(0));
+            self.run(Part::Derivative, &[p, q, v], both);
+            q_dot.copy_from_slice(&both[..q.len()]);
+            v_dot.copy_from_slice(&both[q.len()..]);
+        });
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         self.run(Part::Jacobian, &[p, q, v], out);
@@ -302,17 +322,16 @@ impl<S: Numeric> System<S> for Interpreted<S> {
 }
 
 /// Interpreted equations in each kind of number that runs are made in.
-#[derive(Clone)]
 pub struct InterpretedSystem {
     /// In doubles.
     pub double: Interpreted,
     /// In twice that precision, made when a reference first asks for it.
-    extended: OnceCell<Interpreted<DoubleDouble>>,
+    extended: OnceLock<Interpreted<DoubleDouble>>,
 }
 
 impl From<Interpreted> for InterpretedSystem {
     fn from(double: Interpreted) -> Self {
-        Self { double, extended: OnceCell::new() }
+        Self { double, extended: OnceLock::new() }
     }
 }
 

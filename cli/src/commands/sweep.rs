@@ -54,7 +54,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             "formulation": by.name,
             "method": scene.integration.method,
             "solve": sweep.solve.name(),
-            "compiled": sweep.code == "compiled",
+            "compiled": sweep.code.is_compiled(),
             "over": grid.names(),
             "points": grid.count(),
             "shard": { "part": shard.part, "of": shard.of, "first": points.start, "rows": count },
@@ -70,7 +70,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             "{}, {}, {} code, accelerations {}, {}",
             model.title,
             by.title,
-            sweep.code,
+            sweep.code.name(),
             sweep.solve.name(),
             how(&scene)
         ));

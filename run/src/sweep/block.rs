@@ -12,7 +12,6 @@ use crate::run::{Balance, events, options_of_ends, proved, refused};
 use crate::shown::Shown;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
 use tripos_derive::mechanics::InertiaCheck;
 use tripos_derive::scene::{Family, Grid, QUADRATURE, Scene, Solve};
 use tripos_sim::{Options, SimError, Solution, Warning};
@@ -40,10 +39,10 @@ pub struct Sweep<'a> {
     inertia: InertiaCheck<'a>,
     /// What the table shows of the end of each run.
     pub names: Vec<String>,
-    /// The equations that run: `compiled` or `interpreted`.
-    pub code: &'static str,
-    /// The equations and what is watched. Interpreted ones have working space, so that every thread takes a copy.
-    originals: Mutex<(Code, Balance, Shown)>,
+    /// The equations that run; all threads share them.
+    pub code: Code,
+    balance: Balance,
+    shown: Shown,
     /// Set when no more rows are wanted.
     pub stop: AtomicBool,
 }
@@ -74,11 +73,25 @@ impl<'a> Sweep<'a> {
             let warnings = try_one_step(&problem)?;
             (problem.solve, warnings)
         };
-        let (name, watch) = (code.name(), proved(model)?);
+        let watch = proved(model)?;
         let shown = Shown::new(model, scene)?;
         let names = shown.names.clone();
-        let (originals, stop) = (Mutex::new((code, balance, shown)), AtomicBool::new(false));
-        Ok(Self { model, scene, grid, by, how, watch, solve, warnings, inertia, names, code: name, originals, stop })
+        Ok(Self {
+            model,
+            scene,
+            grid,
+            by,
+            how,
+            watch,
+            solve,
+            warnings,
+            inertia,
+            names,
+            code,
+            balance,
+            shown,
+            stop: AtomicBool::new(false),
+        })
     }
 
     /// Where nothing but gravity works, total energy is constant.
@@ -101,9 +114,7 @@ impl<'a> Sweep<'a> {
     /// [`Error`] if the scene's text cannot be read again.
     pub fn worker(&'a self) -> Result<Worker<'a>, Error> {
         let family = Family::new(self.scene, self.model, self.grid)?;
-        let (code, balance, shown) = self.originals.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        let lanes = lanes::equations(self, &code);
-        Ok(Worker { sweep: self, family, code, balance, shown, lanes })
+        Ok(Worker { sweep: self, family, lanes: lanes::equations(self, &self.code) })
     }
 }
 
@@ -128,9 +139,6 @@ fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
 pub struct Worker<'a> {
     sweep: &'a Sweep<'a>,
     family: Family<'a>,
-    code: Code,
-    balance: Balance,
-    shown: Shown,
     /// The equations in lanes, where runs can share them.
     lanes: Option<InLanes<'static>>,
 }
@@ -181,7 +189,7 @@ impl Worker<'_> {
 
     fn problem<'s>(&'s self, scene: &'s Scene) -> Result<Problem<'s>, Error> {
         let Sweep { inertia, model, by, solve, .. } = self.sweep;
-        Problem::among(inertia, model, scene, by, &self.code, Some(*solve))
+        Problem::among(inertia, model, scene, by, &self.sweep.code, Some(*solve))
     }
 
     /// One run, of the scene at a point, unless it was run already.
@@ -191,7 +199,7 @@ impl Worker<'_> {
             Some(solution) => solution,
             None => {
                 let y0 = problem.start()?;
-                let mut events = events(&problem, &self.balance);
+                let mut events = events(&problem, &self.sweep.balance);
                 let solution = problem.integrate(&y0, &options_of_ends(scene)?, &mut events);
                 solution.map_err(|error| refused(scene, &error))?
             }
@@ -208,10 +216,10 @@ impl Worker<'_> {
             }
             None => Vec::new(),
         };
-        let shown = self.shown.of(problem, solution.t_end, &solution.y_end)?;
+        let shown = self.sweep.shown.of(problem, solution.t_end, &solution.y_end)?;
         let failed = solution.stop.is_failure().then(|| solution.stop.described(&problem.variables()));
         let without = shown.iter().position(|x| !x.is_finite());
-        let missing = || without.map(|at| format!("`{}` has no value at the end", self.shown.names[at]));
+        let missing = || without.map(|at| format!("`{}` has no value at the end", self.sweep.shown.names[at]));
         let exist = |at: usize| {
             let watch = self.sweep.watch.as_ref();
             watch.is_none_or(|watch| watch.exist(&problem.scene.parameters)[at])
