@@ -150,7 +150,8 @@ pub(crate) fn second_guess(guess: f64, slope: f64, curvature: f64, order: u32, l
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tolerance::{AbsoluteTolerance, Norm};
+    use crate::tolerance::Norm;
+    use tripos_traits::AbsoluteTolerance;
 
     #[test]
     fn ulp_is_the_spacing_of_numbers() {

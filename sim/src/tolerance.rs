@@ -1,34 +1,18 @@
 //! How large an error a step may have: relative and absolute tolerances, and the norm they define.
 
-use tripos_traits::Real;
+use tripos_traits::{AbsoluteTolerance, Real};
 
 use crate::blocks::LANES;
 use crate::error::SimError;
 use crate::warning::Warning;
 
-/// Absolute tolerance: the error that is acceptable in a component however small it is.
-#[derive(Clone, Debug, PartialEq)]
-pub enum AbsoluteTolerance {
-    /// The same for every component.
-    Uniform(f64),
-    /// One for each component of the state, each in its own unit.
-    Each(Vec<f64>),
-}
-
-impl AbsoluteTolerance {
-    /// The smallest of all components.
-    pub(crate) fn smallest(&self) -> f64 {
-        match self {
-            Self::Uniform(atol) => *atol,
-            Self::Each(each) => each.iter().copied().fold(f64::INFINITY, f64::min),
-        }
-    }
-
-    fn per_component(&self, n: usize) -> Result<Vec<f64>, SimError> {
-        match self {
-            Self::Uniform(atol) => Ok(vec![*atol; n]),
-            Self::Each(atol) if atol.len() == n => Ok(atol.clone()),
-            Self::Each(atol) => Err(SimError::Length { what: "absolute tolerances", expected: n, found: atol.len() }),
+/// The absolute tolerance of each of `n` components.
+fn per_component(atol: &AbsoluteTolerance, n: usize) -> Result<Vec<f64>, SimError> {
+    match atol {
+        AbsoluteTolerance::Uniform(atol) => Ok(vec![*atol; n]),
+        AbsoluteTolerance::Each(atol) if atol.len() == n => Ok(atol.clone()),
+        AbsoluteTolerance::Each(atol) => {
+            Err(SimError::Length { what: "absolute tolerances", expected: n, found: atol.len() })
         }
     }
 }
@@ -71,7 +55,7 @@ impl ErrorTest {
         n: usize,
     ) -> Result<(Self, Option<Warning>), SimError> {
         check_relative(rtol)?;
-        let mut absolute = atol.per_component(n)?;
+        let mut absolute = per_component(atol, n)?;
         for (i, &a) in absolute.iter().enumerate() {
             check_absolute(i, a, rtol)?;
         }

@@ -5,8 +5,9 @@
 //! mass matrix, forcing and kinematic equations. And two more scalars: [`DoubleDouble`], a number of 32 digits, and
 //! [`Lanes`], several doubles side by side.
 //!
-//! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have; without
-//! it the crate needs no standard library, and lanes give the same numbers more slowly.
+//! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have, and brings
+//! [`AbsoluteTolerance`], which scene files and the simulator have in common; without it the crate needs no standard library, and
+//! lanes give the same numbers more slowly.
 //!
 //! Absent on purpose: names, units and files. They belong to the model, not to its numbers.
 #![no_std]
@@ -15,6 +16,8 @@
 #[cfg(feature = "std")]
 #[macro_use]
 extern crate std;
+#[cfg(feature = "std")]
+extern crate alloc;
 
 mod circular;
 mod dispatch;
@@ -23,9 +26,13 @@ mod lanes;
 mod scalar;
 
 mod system;
+#[cfg(feature = "std")]
+mod tolerance;
 
 pub use dispatch::lane_width;
 pub use double_double::DoubleDouble;
 pub use lanes::Lanes;
 pub use scalar::{Real, Scalar, series};
 pub use system::{CompiledModel, CompiledScene, CompiledSystem, Derivative, InLanes, Lengths, Rates, System};
+#[cfg(feature = "std")]
+pub use tolerance::{ATOL, AbsoluteTolerance, RTOL};
