@@ -4,10 +4,17 @@
 //! unlimited; nesting is limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as
 //! quotients of sine and cosine.
 
-use super::evaluate::Tape;
+mod domain;
+mod error;
+mod size;
+
+pub use error::ParseError;
+
 use super::{Arena, Expr, Function, Node, PowerError, Rational};
+use domain::{is_outside, is_partial};
+use error::error;
 use rustc_hash::FxHashSet;
-use std::ops::Range;
+use size::{below_of, largest_number};
 
 /// The deepest nesting of parentheses and functions that is read.
 pub const MAX_DEPTH: usize = 200;
@@ -17,17 +24,6 @@ const MAX_DIGITS: usize = 4000;
 
 /// What exact arithmetic in one expression may cost, in squared bits: about a second.
 const MAX_WORK: u64 = 50_000_000_000;
-
-/// A place in the text, what is wrong there, and what to do about it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ParseError {
-    /// Byte range in the text.
-    pub span: Range<usize>,
-    /// What is wrong.
-    pub message: String,
-    /// What to do about it.
-    pub help: Option<String>,
-}
 
 /// What a name stands for, or why it stands for nothing here: (message, help).
 pub type Resolve<'a> = dyn FnMut(&mut Arena, &str) -> Result<Expr, (String, Option<String>)> + 'a;
@@ -57,7 +53,7 @@ pub fn parse_primed(
     }
     let e = parser.sum()?;
     if parser.at < text.len() {
-        return Err(parser.unexpected());
+        return Err(ParseError::unexpected(parser.text, parser.at, parser.primes));
     }
     // log(w) − log(w) + w is w, but only where there is a logarithm of w.
     let partial = std::mem::take(&mut parser.partial);
@@ -99,10 +95,6 @@ struct Parser<'a, 'b> {
     resolve: &'a mut Resolve<'b>,
 }
 
-fn error(span: Range<usize>, message: impl Into<String>, help: Option<&str>) -> ParseError {
-    ParseError { span, message: message.into(), help: help.map(str::to_owned) }
-}
-
 impl Parser<'_, '_> {
     fn peek(&self) -> Option<u8> {
         self.text.as_bytes().get(self.at).copied()
@@ -121,47 +113,6 @@ impl Parser<'_, '_> {
             self.skip_space();
         }
         found
-    }
-
-    /// What stands at the current place is not what may stand there.
-    fn unexpected(&self) -> ParseError {
-        let Some(found) = self.text[self.at..].chars().next() else {
-            return error(self.at..self.at, "the expression ends too early", Some("an operand is missing here"));
-        };
-        let span = self.at..self.at + found.len_utf8();
-        let before = self.text[..self.at].trim_end();
-        let alone = before.is_empty() || before.ends_with(['+', '-', '*', '/', '^', '(']);
-        if !alone && is_degree(&self.text[self.at..]) {
-            let help =
-                "angles are in radians: in a scene or state write 90 degrees as `90*deg`, in a model as `90*pi/180`";
-            return error(span, "an operator is missing here", Some(help));
-        }
-        if !alone && (found.is_ascii_alphanumeric() || found == '(' || found == '_') {
-            return error(span, "an operator is missing here", Some("write products with `*`, as in `2*q1`"));
-        }
-        let help = match found {
-            '\'' if self.primes > 1 => "a prime stands right after a name, as in q1' and q1''",
-            '\'' => "one prime only, as in q1', and only after a coordinate; second derivatives are derived",
-            '.' => "a time derivative is written with a prime: q1'",
-            '*' if before.ends_with('*') => "powers are written with `^`",
-            ')' if alone => "an operand is missing here",
-            ')' => "there is no `(` to close here",
-            '+' | '-' | '*' | '/' | '^' => "an operand is missing here",
-            ',' => "functions have one argument; decimals are written with a point",
-            '=' => "an expression has no `=`",
-            '<' | '>' => "inequalities stand in [domain] only, one in a condition",
-            '−' | '–' => "use the ASCII minus `-`",
-            '·' | '×' => "use `*` for products",
-            '°' => "angles are in radians: write `10*pi/180`",
-            '²' | '³' => "write powers with `^`",
-            'π' => "write `pi`",
-            '√' => "write `sqrt(…)`",
-            '’' | '′' | '`' => "the prime is the ASCII apostrophe: q1'",
-            _ if found.is_alphabetic() => "names have ASCII letters only: write `alpha` for the Greek letter",
-            _ => "allowed are numbers, names, + - * / ^ ( ) and functions such as sin(q1)",
-        };
-        let found = if found.is_control() { found.escape_default().to_string() } else { found.to_string() };
-        error(span, format!("unexpected `{found}`"), Some(help))
     }
 
     /// Counts what it costs to add or multiply numbers of so many bits.
@@ -209,7 +160,7 @@ impl Parser<'_, '_> {
             let exponent = match self.peek() {
                 Some(b'*') if self.text.as_bytes().get(self.at + 1) == Some(&b'*') => {
                     self.at += 1;
-                    return Err(self.unexpected());
+                    return Err(ParseError::unexpected(self.text, self.at, self.primes));
                 }
                 Some(b'*') => 1,
                 Some(b'/') => -1,
@@ -231,19 +182,7 @@ impl Parser<'_, '_> {
             return Ok(factors[0].0);
         }
         let product = self.arena.try_product(&factors).and_then(|e| self.within_limits(e));
-        product.map_err(|e| self.power_error(start, e))
-    }
-
-    fn power_error(&self, start: usize, kind: PowerError) -> ParseError {
-        let span = start..self.at;
-        match kind {
-            PowerError::DivisionByZero => error(span, "division by zero", Some("this divisor is zero")),
-            PowerError::TooLarge => {
-                let limit =
-                    format!("exponents reach to ±{}, numbers to about 30 000 digits", Arena::MAX_WRITTEN_EXPONENT);
-                error(span, "this power is too large", Some(&limit))
-            }
-        }
+        product.map_err(|e| ParseError::power(start..self.at, e))
     }
 
     /// Refuses a product with an exponent beyond what may be written.
@@ -291,7 +230,7 @@ impl Parser<'_, '_> {
             let help = "an exponent is a number, whole or half: x^2, x^-1, x^(1/2)";
             return Err(error(from..self.at, "this exponent is not a whole or half number", Some(help)));
         };
-        let too_large = |parser: &Self| parser.power_error(start, PowerError::TooLarge);
+        let too_large = |parser: &Self| ParseError::power(start..parser.at, PowerError::TooLarge);
         let halves = halves.to_i64().and_then(|n| i32::try_from(n).ok()).ok_or_else(|| too_large(self))?;
         let (base, n) = if halves % 2 == 0 {
             (base, halves / 2)
@@ -301,7 +240,7 @@ impl Parser<'_, '_> {
         if n == 0 {
             return Ok(Expr::ONE);
         }
-        self.arena.pow(base, n).and_then(|e| self.within_limits(e)).map_err(|e| self.power_error(start, e))
+        self.arena.pow(base, n).and_then(|e| self.within_limits(e)).map_err(|e| ParseError::power(start..self.at, e))
     }
 
     fn enter(&mut self, start: usize) -> Result<(), ParseError> {
@@ -319,7 +258,7 @@ impl Parser<'_, '_> {
         self.depth -= 1;
         if !self.take(b')') {
             if self.at < self.text.len() {
-                return Err(self.unexpected());
+                return Err(ParseError::unexpected(self.text, self.at, self.primes));
             }
             return Err(error(open..open + 1, "this `(` is never closed", Some("add `)`")));
         }
@@ -335,7 +274,7 @@ impl Parser<'_, '_> {
             }
             Some(b'0'..=b'9' | b'.') => self.number(),
             Some(b'a'..=b'z' | b'A'..=b'Z' | b'_') => self.named(),
-            _ => Err(self.unexpected()),
+            _ => Err(ParseError::unexpected(self.text, self.at, self.primes)),
         }
     }
 
@@ -445,67 +384,4 @@ impl Parser<'_, '_> {
         }
         Ok(e)
     }
-}
-
-/// Whether a function has no real value for some arguments.
-fn is_partial(f: Function) -> bool {
-    matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos)
-}
-
-/// Whether an argument without symbols is where a function has no real value: exactly for plain numbers, to rounding for others.
-fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
-    if !is_partial(f) {
-        return false;
-    }
-    if let Some(value) = arena.as_number(argument) {
-        let size = if value.is_negative() { value.neg() } else { value.clone() };
-        return match f {
-            Function::Sqrt => value.is_negative(),
-            Function::Log => value.is_negative() || value.is_zero(),
-            _ => size > Rational::ONE,
-        };
-    }
-    // What mentions a symbol may have any value.
-    let Ok(tape) = Tape::new(arena, &[], &[argument]) else { return false };
-    let value = tape.evaluate(&[])[0];
-    match f {
-        Function::Sqrt => value < -ROUNDING,
-        Function::Log => value <= 0.0,
-        _ => value.abs() > 1.0 + ROUNDING,
-    }
-}
-
-/// What the value of a constant such as sin(1)^2 + cos(1)^2 may be off by.
-const ROUNDING: f64 = 1e-12;
-
-/// Whether a text goes on with a word for degrees.
-fn is_degree(text: &str) -> bool {
-    let word: String = text.chars().take_while(|c| c.is_alphanumeric() || *c == '°').collect();
-    matches!(word.as_str(), "deg" | "degree" | "degrees" | "°")
-}
-
-/// Bits of the numerator and of the denominator of the number in front of a term, at least 1 each.
-fn largest_number(arena: &Arena, e: Expr) -> (u64, u64) {
-    let bits = |value: &Rational| match value.small() {
-        Some((n, d)) => (u64::from(64 - n.unsigned_abs().leading_zeros()), u64::from(64 - d.leading_zeros())),
-        None => {
-            let big = value.to_big();
-            (big.numer().bits(), big.denom().bits())
-        }
-    };
-    let (above, below) = bits(leading(arena, e));
-    (above.max(1), below.max(1))
-}
-
-/// The number in front of a term.
-fn leading(arena: &Arena, e: Expr) -> &Rational {
-    match arena.node(e) {
-        Node::Number(value) => value,
-        Node::Sum(_, terms) => &terms[0].1,
-        _ => &Rational::ONE,
-    }
-}
-
-fn below_of(arena: &Arena, e: Expr) -> num_bigint::BigInt {
-    leading(arena, e).to_big().denom().clone()
 }

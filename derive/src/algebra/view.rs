@@ -33,6 +33,13 @@ pub enum View {
     Cut,
 }
 
+impl View {
+    /// Whether it must stand in parentheses as a factor.
+    pub(super) fn is_loose(&self) -> bool {
+        matches!(self, Self::Sum(_))
+    }
+}
+
 /// Names of terms that stand as such.
 pub type Shared = FxHashMap<Expr, String>;
 

@@ -1,0 +1,81 @@
+//! What is wrong with an expression, where, and what to write instead.
+
+use crate::algebra::{Arena, PowerError};
+use std::ops::Range;
+
+/// A place in the text, what is wrong there, and what to do about it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParseError {
+    /// Byte range in the text.
+    pub span: Range<usize>,
+    /// What is wrong.
+    pub message: String,
+    /// What to do about it.
+    pub help: Option<String>,
+}
+
+impl ParseError {
+    /// What stands at this place is not what may stand there, where names may end in so many primes.
+    pub(super) fn unexpected(text: &str, at: usize, primes: usize) -> Self {
+        let Some(found) = text[at..].chars().next() else {
+            return error(at..at, "the expression ends too early", Some("an operand is missing here"));
+        };
+        let span = at..at + found.len_utf8();
+        let before = text[..at].trim_end();
+        let alone = before.is_empty() || before.ends_with(['+', '-', '*', '/', '^', '(']);
+        if !alone && is_degree(&text[at..]) {
+            let help =
+                "angles are in radians: in a scene or state write 90 degrees as `90*deg`, in a model as `90*pi/180`";
+            return error(span, "an operator is missing here", Some(help));
+        }
+        if !alone && (found.is_ascii_alphanumeric() || found == '(' || found == '_') {
+            return error(span, "an operator is missing here", Some("write products with `*`, as in `2*q1`"));
+        }
+        let help = match found {
+            '\'' if primes > 1 => "a prime stands right after a name, as in q1' and q1''",
+            '\'' => "one prime only, as in q1', and only after a coordinate; second derivatives are derived",
+            '.' => "a time derivative is written with a prime: q1'",
+            '*' if before.ends_with('*') => "powers are written with `^`",
+            ')' if alone => "an operand is missing here",
+            ')' => "there is no `(` to close here",
+            '+' | '-' | '*' | '/' | '^' => "an operand is missing here",
+            ',' => "functions have one argument; decimals are written with a point",
+            '=' => "an expression has no `=`",
+            '<' | '>' => "inequalities stand in [domain] only, one in a condition",
+            '−' | '–' => "use the ASCII minus `-`",
+            '·' | '×' => "use `*` for products",
+            '°' => "angles are in radians: write `10*pi/180`",
+            '²' | '³' => "write powers with `^`",
+            'π' => "write `pi`",
+            '√' => "write `sqrt(…)`",
+            '’' | '′' | '`' => "the prime is the ASCII apostrophe: q1'",
+            _ if found.is_alphabetic() => "names have ASCII letters only: write `alpha` for the Greek letter",
+            _ => "allowed are numbers, names, + - * / ^ ( ) and functions such as sin(q1)",
+        };
+        let found = if found.is_control() { found.escape_default().to_string() } else { found.to_string() };
+        error(span, format!("unexpected `{found}`"), Some(help))
+    }
+
+    /// A power that cannot be built.
+    pub(super) fn power(span: Range<usize>, kind: PowerError) -> Self {
+        match kind {
+            PowerError::DivisionByZero => error(span, "division by zero", Some("this divisor is zero")),
+            PowerError::TooLarge => {
+                let limit =
+                    format!("exponents reach to ±{}, numbers to about 30 000 digits", Arena::MAX_WRITTEN_EXPONENT);
+                error(span, "this power is too large", Some(&limit))
+            }
+        }
+    }
+}
+
+/// An error with a help that is known beforehand.
+pub(super) fn error(span: Range<usize>, message: impl Into<String>, help: Option<&str>) -> ParseError {
+    ParseError { span, message: message.into(), help: help.map(str::to_owned) }
+}
+
+/// Whether a text goes on with a word for degrees.
+fn is_degree(text: &str) -> bool {
+    let word: String = text.chars().take_while(|c| c.is_alphanumeric() || *c == '°').collect();
+    matches!(word.as_str(), "deg" | "degree" | "degrees" | "°")
+}

@@ -1,0 +1,115 @@
+//! Presentation `MathML`.
+
+use super::name::{GREEK, split_name};
+use crate::algebra::view::View;
+use std::fmt::Write;
+
+/// A symbol's name in `MathML`, with dots for time derivatives.
+#[must_use]
+pub fn mathml_name(name: &str) -> String {
+    mathml_symbol(name, None)
+}
+
+/// A symbol and its power; subscript and exponent stand above each other.
+fn mathml_symbol(name: &str, power: Option<i32>) -> String {
+    let (letters, subscript, primes) = split_name(name);
+    let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
+    let letters = format!("<mi>{letters}</mi>");
+    let dotted = match primes {
+        0 => letters,
+        1 => format!("<mover accent=\"true\">{letters}<mo>˙</mo></mover>"),
+        _ => format!("<mover accent=\"true\">{letters}<mo>¨</mo></mover>"),
+    };
+    let kind = if subscript.bytes().all(|b| b.is_ascii_digit()) { "mn" } else { "mi" };
+    match (subscript.is_empty(), power) {
+        (true, None) => dotted,
+        (true, Some(n)) => format!("<msup>{dotted}<mn>{n}</mn></msup>"),
+        (false, None) => format!("<msub>{dotted}<{kind}>{subscript}</{kind}></msub>"),
+        (false, Some(n)) => format!("<msubsup>{dotted}<{kind}>{subscript}</{kind}><mn>{n}</mn></msubsup>"),
+    }
+}
+
+/// Appends an expression.
+pub(super) fn write_mathml(view: &View, out: &mut String) {
+    match view {
+        View::Number(text) => {
+            let _ = write!(out, "<mn>{text}</mn>");
+        }
+        View::Name(name) | View::Shared(name) => out.push_str(&mathml_name(name)),
+        View::Pi => out.push_str("<mi>π</mi>"),
+        View::Sum(terms) => {
+            for (at, (negative, term)) in terms.iter().enumerate() {
+                match (at, negative) {
+                    (0, false) => {}
+                    (_, true) => out.push_str("<mo>−</mo>"),
+                    (_, false) => out.push_str("<mo>+</mo>"),
+                }
+                mathml_factor(term, out);
+            }
+        }
+        View::Product(factors) => {
+            for (at, factor) in factors.iter().enumerate() {
+                if at > 0 {
+                    let numbers = matches!((&factors[at - 1], factor), (_, View::Number(_)));
+                    out.push_str(if numbers { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" });
+                }
+                mathml_factor(factor, out);
+            }
+        }
+        View::Fraction(above, below) => {
+            out.push_str("<mfrac><mrow>");
+            write_mathml(above, out);
+            out.push_str("</mrow><mrow>");
+            write_mathml(below, out);
+            out.push_str("</mrow></mfrac>");
+        }
+        View::Power(base, n) => match &**base {
+            View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
+                let _ = write!(out, "<msup><mi>{name}</mi><mn>{n}</mn></msup><mo>&#8289;</mo>");
+                mathml_argument(argument, out);
+            }
+            View::Name(name) => out.push_str(&mathml_symbol(name, Some(*n))),
+            base => {
+                out.push_str("<msup><mrow>");
+                if matches!(base, View::Number(_) | View::Pi) {
+                    write_mathml(base, out);
+                } else {
+                    mathml_parenthesized(base, out);
+                }
+                let _ = write!(out, "</mrow><mn>{n}</mn></msup>");
+            }
+        },
+        View::Call(name, argument) => {
+            let _ = write!(out, "<mi>{name}</mi><mo>&#8289;</mo>");
+            mathml_argument(argument, out);
+        }
+        View::Root(argument) => {
+            out.push_str("<msqrt>");
+            write_mathml(argument, out);
+            out.push_str("</msqrt>");
+        }
+        View::Cut => out.push_str("<mo>…</mo>"),
+    }
+}
+
+fn mathml_factor(view: &View, out: &mut String) {
+    if view.is_loose() {
+        mathml_parenthesized(view, out);
+    } else {
+        write_mathml(view, out);
+    }
+}
+
+fn mathml_argument(view: &View, out: &mut String) {
+    if matches!(view, View::Name(_)) {
+        write_mathml(view, out);
+    } else {
+        mathml_parenthesized(view, out);
+    }
+}
+
+fn mathml_parenthesized(view: &View, out: &mut String) {
+    out.push_str("<mrow><mo>(</mo>");
+    write_mathml(view, out);
+    out.push_str("<mo>)</mo></mrow>");
+}

@@ -1,0 +1,62 @@
+//! Names of symbols in parts: letters, subscript, dots.
+
+/// A name split into (letters, subscript, number of primes): `q12'` is (q, 12, 1), `m_p` (m, p, 0).
+pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
+    let stem = name.trim_end_matches('\'');
+    let primes = name.len() - stem.len();
+    if let Some((letters, subscript)) = stem.split_once('_')
+        && !letters.is_empty()
+        && !subscript.is_empty()
+    {
+        return (letters, subscript, primes);
+    }
+    // mA is m with the subscript A.
+    if let Some(rest) = stem.get(1..)
+        && stem.starts_with(|c: char| c.is_ascii_lowercase())
+        && rest.starts_with(|c: char| c.is_ascii_uppercase())
+    {
+        return (&stem[..1], rest, primes);
+    }
+    let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
+    if letters.len() == 1 || letters.len() < stem.len() {
+        return (letters, &stem[letters.len()..], primes);
+    }
+    // I_xx written as Ixx: a capital and what follows.
+    if letters.len() <= 4 && letters.starts_with(|c: char| c.is_ascii_uppercase()) {
+        return (&letters[..1], &letters[1..], primes);
+    }
+    (letters, "", primes)
+}
+
+/// Greek letters as they are written out.
+pub(super) const GREEK: [(&str, &str); 29] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("phi", "φ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Gamma", "Γ"),
+    ("Delta", "Δ"),
+    ("Theta", "Θ"),
+    ("Lambda", "Λ"),
+    ("Xi", "Ξ"),
+    ("Sigma", "Σ"),
+    ("Phi", "Φ"),
+    ("Psi", "Ψ"),
+    ("Omega", "Ω"),
+];
