@@ -5,8 +5,9 @@ use crate::error::Error;
 use rustc_hash::FxHashMap;
 use tripos_derive::Model;
 use tripos_derive::algebra::evaluate::Numeric;
+use tripos_derive::algebra::fold::{Fold, Values, fold};
 use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::{Arena, Expr, Function, Node};
+use tripos_derive::algebra::{Expr, Function, Node, Rational};
 use tripos_derive::model::{Coordinate, Unit};
 
 /// A divisor is next to zero below this part of the size that its terms have elsewhere, in whatever unit.
@@ -28,11 +29,10 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
     let values = tape(&model.arena, &inputs, &divisors, "a divisor of the equations")?;
     let values = values.evaluate(&[parameters, q].concat());
     let symbols: FxHashMap<Expr, f64> = inputs.into_iter().zip(extents(model, parameters, q)).collect();
-    let sizes = sizes(&model.arena, &divisors, &symbols);
-    let is_near = |value: f64, size: f64| size.is_finite() && value.abs() <= NEAR * size;
-    let near = divisors.iter().zip(values.iter().zip(sizes)).filter(|(_, (value, size))| is_near(**value, *size));
-    let list: Vec<String> =
-        near.map(|(e, (value, _))| format!("{} = {}", text(&model.arena, *e), said(*value))).collect();
+    let size = |e: Expr| fold(&model.arena, e, &mut Sizes(&symbols)).filter(|size| size.is_finite());
+    let is_near = |e: Expr, value: f64| size(e).is_some_and(|size| value.abs() <= NEAR * size);
+    let near = divisors.iter().zip(&values).filter(|(e, value)| is_near(**e, **value));
+    let list: Vec<String> = near.map(|(e, value)| format!("{} = {}", text(&model.arena, *e), said(*value))).collect();
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
 }
 
@@ -47,26 +47,29 @@ fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     parameters.iter().map(|value| value.abs()).chain(coordinates).collect()
 }
 
-/// The size of each expression where sines and cosines are 1 and nothing cancels.
-fn sizes(arena: &Arena, roots: &[Expr], symbols: &FxHashMap<Expr, f64>) -> Vec<f64> {
-    let mut known: FxHashMap<Expr, f64> = FxHashMap::default();
-    // Operands have smaller handles than what is built from them.
-    for e in arena.reachable(roots) {
-        let of = |e: &Expr| known[e];
-        let size = match arena.node(e) {
-            Node::Number(number) => number.to_f64().abs(),
-            Node::Symbol(_) => symbols[&e],
-            Node::Pi => std::f64::consts::PI,
-            Node::Sum(constant, terms) => {
-                terms.iter().fold(constant.to_f64().abs(), |sum, (term, k)| sum + k.to_f64().abs() * of(term))
-            }
-            Node::Product(factors) => factors.iter().map(|(base, n)| of(base).powi(*n)).product(),
-            Node::Apply(Function::Sin | Function::Cos, _) => 1.0,
-            Node::Apply(function, argument) => of(argument).apply(*function).abs(),
-        };
-        known.insert(e, size);
+/// How large terms are where sines and cosines are 1 and nothing cancels, from the sizes of symbols.
+struct Sizes<'a>(&'a FxHashMap<Expr, f64>);
+
+impl Fold for Sizes<'_> {
+    type Value = f64;
+    fn number(&mut self, value: &Rational) -> Option<f64> {
+        Some(value.to_f64().abs())
     }
-    roots.iter().map(|e| known[e]).collect()
+    fn pi(&mut self) -> Option<f64> {
+        Some(std::f64::consts::PI)
+    }
+    fn symbol(&mut self, symbol: Expr) -> Option<f64> {
+        self.0.get(&symbol).copied()
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, f64>) -> Option<f64> {
+        Some(terms.iter().fold(constant.to_f64().abs(), |sum, (term, k)| sum + k.to_f64().abs() * of[*term]))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, f64>) -> Option<f64> {
+        Some(factors.iter().map(|(base, n)| of[*base].powi(*n)).product())
+    }
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, f64>) -> Option<f64> {
+        Some(if matches!(f, Function::Sin | Function::Cos) { 1.0 } else { of[argument].apply(f).abs() })
+    }
 }
 
 /// A small number in few digits.

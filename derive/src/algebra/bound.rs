@@ -6,8 +6,9 @@
 //! only if the prime divides all coefficients, of which each has at most log₂|N|/60 such prime factors.
 
 use super::elementary::angle_atoms;
+use super::fold::{Fold, Needed, Values};
 use super::points::POINTS;
-use super::{Arena, Expr, Function, Node, Rational};
+use super::{Arena, Expr, Function, Rational};
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
 
@@ -27,13 +28,9 @@ struct Size {
 const LOG_PRIMES: f64 = 60.0 - 5.43 - 3.0 - 2.0;
 
 /// The k for which a false zero of `e` has a probability below 2^−k, two primes and two points for each.
-pub fn error_exponent(arena: &Arena, parts: &[Expr], finest: &FxHashMap<Expr, i64>, e: Expr) -> f64 {
-    let mut sizes: FxHashMap<Expr, Size> = FxHashMap::default();
-    for part in parts {
-        let size = size_of(arena, *part, finest, &sizes);
-        sizes.insert(*part, size);
-    }
-    let size = &sizes[&e];
+pub fn error_exponent(arena: &Arena, needed: &Needed, finest: &FxHashMap<Expr, i64>, e: Expr) -> f64 {
+    let Some(sizes) = needed.fold(arena, &mut Sizes { arena, finest }) else { return 0.0 };
+    let size = &sizes[e];
     // Sine and cosine have degree 2 in t, and twice the size.
     let degree = (2.0 * size.degree).max(1.0);
     let bits = (size.bits + 2.0 * size.degree).max(1.0);
@@ -66,35 +63,51 @@ fn number(value: &Rational) -> Size {
     Size { bits, denominator_bits, denominator, ..Size::default() }
 }
 
-fn size_of(arena: &Arena, e: Expr, finest: &FxHashMap<Expr, i64>, sizes: &FxHashMap<Expr, Size>) -> Size {
-    match arena.node(e) {
-        Node::Number(value) => number(value),
-        Node::Symbol(_) | Node::Pi => Size { degree: 1.0, denominator: Some(1), ..Size::default() },
-        Node::Sum(constant, terms) => sum(constant, terms, sizes),
-        Node::Product(factors) => product(factors, sizes),
-        Node::Apply(Function::Sin | Function::Cos, argument) => {
-            // k · atom is k · d base angles, d the common denominator of all k of this atom; 0 stands for one too large.
-            let multiples = angle_atoms(arena, *argument).into_iter().map(|(atom, k)| match finest.get(&atom) {
-                Some(0) | None => f64::INFINITY,
-                Some(d) => k.to_f64().abs() * *d as f64,
-            });
-            let degree = multiples.sum::<f64>() + sizes[argument].degree;
-            Size { degree, bits: 2.0 * degree, denominator: Some(1), ..Size::default() }
-        }
-        Node::Apply(_, argument) => {
+/// With the least common denominator of the coefficients of each atom inside angles.
+struct Sizes<'a> {
+    arena: &'a Arena,
+    finest: &'a FxHashMap<Expr, i64>,
+}
+
+impl Fold for Sizes<'_> {
+    type Value = Size;
+    fn number(&mut self, value: &Rational) -> Option<Size> {
+        Some(number(value))
+    }
+    fn pi(&mut self) -> Option<Size> {
+        Some(Size { degree: 1.0, denominator: Some(1), ..Size::default() })
+    }
+    fn symbol(&mut self, _: Expr) -> Option<Size> {
+        self.pi()
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, Size>) -> Option<Size> {
+        Some(sum(constant, terms, of))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Size>) -> Option<Size> {
+        Some(product(factors, of))
+    }
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Size>) -> Option<Size> {
+        let inner = &of[argument];
+        if !matches!(f, Function::Sin | Function::Cos) {
             // A root's polynomial has twice the degree; other functions are atoms.
-            let inner = &sizes[argument];
-            Size { degree: 2.0 * inner.degree + 1.0, bits: 2.0 * inner.bits + 1.0, ..inner.clone() }
+            return Some(Size { degree: 2.0 * inner.degree + 1.0, bits: 2.0 * inner.bits + 1.0, ..inner.clone() });
         }
+        // k · atom is k · d base angles, d the common denominator of all k of this atom; 0 stands for one too large.
+        let multiples = angle_atoms(self.arena, argument).into_iter().map(|(atom, k)| match self.finest.get(&atom) {
+            Some(0) | None => f64::INFINITY,
+            Some(d) => k.to_f64().abs() * *d as f64,
+        });
+        let degree = multiples.sum::<f64>() + inner.degree;
+        Some(Size { degree, bits: 2.0 * degree, denominator: Some(1), ..Size::default() })
     }
 }
 
-fn sum(constant: &Rational, terms: &[(Expr, Rational)], sizes: &FxHashMap<Expr, Size>) -> Size {
+fn sum(constant: &Rational, terms: &[(Expr, Rational)], sizes: &Values<'_, Size>) -> Size {
     let mut result = Size { bits: f64::NEG_INFINITY, ..Size::default() };
     let constant = number(constant);
     let one = Rational::ONE;
     let mut common = Some(1_u64);
-    let parts = || std::iter::once((&constant, &one)).chain(terms.iter().map(|(term, k)| (&sizes[term], k)));
+    let parts = || std::iter::once((&constant, &one)).chain(terms.iter().map(|(term, k)| (&sizes[*term], k)));
     for (part, k) in parts() {
         result.denominator_bits += part.denominator_bits + bits_of(k).1;
         let own = k.small().and_then(|(_, d)| u64::try_from(d).ok());
@@ -115,8 +128,8 @@ fn sum(constant: &Rational, terms: &[(Expr, Rational)], sizes: &FxHashMap<Expr, 
         let (mut degree, mut bits) = (part.degree, part.bits + bits_of(k).0 + result.denominator_bits);
         for (divisor, most) in &result.divisors {
             let have = part.divisors.iter().find(|(known, _)| known == divisor).map_or(0.0, |(_, n)| *n);
-            degree += (most - have) * sizes[divisor].degree;
-            bits += (most - have) * sizes[divisor].bits.max(0.0);
+            degree += (most - have) * sizes[*divisor].degree;
+            bits += (most - have) * sizes[*divisor].bits.max(0.0);
         }
         result.degree = result.degree.max(degree);
         result.bits = log_sum(result.bits, bits);
@@ -124,10 +137,10 @@ fn sum(constant: &Rational, terms: &[(Expr, Rational)], sizes: &FxHashMap<Expr, 
     result
 }
 
-fn product(factors: &[(Expr, i32)], sizes: &FxHashMap<Expr, Size>) -> Size {
+fn product(factors: &[(Expr, i32)], sizes: &Values<'_, Size>) -> Size {
     let mut result = Size { denominator: Some(1), ..Size::default() };
     for (base, exponent) in factors {
-        let (size, n) = (&sizes[base], f64::from(*exponent));
+        let (size, n) = (&sizes[*base], f64::from(*exponent));
         let mut below = |divisor: Expr, n: f64| match result.divisors.iter_mut().find(|(known, _)| *known == divisor) {
             Some((_, sum)) => *sum += n,
             None => result.divisors.push((divisor, n)),
@@ -143,8 +156,8 @@ fn product(factors: &[(Expr, i32)], sizes: &FxHashMap<Expr, Size>) -> Size {
             // 1/(N/(d ΠB)) = d ΠB/N.
             below(*base, -n);
             for (divisor, k) in &size.divisors {
-                result.degree -= n * k * sizes[divisor].degree;
-                result.bits -= n * k * sizes[divisor].bits.max(0.0);
+                result.degree -= n * k * sizes[*divisor].degree;
+                result.bits -= n * k * sizes[*divisor].bits.max(0.0);
             }
             result.bits -= n * size.denominator_bits;
         }

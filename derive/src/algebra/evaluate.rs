@@ -3,8 +3,9 @@
 //! Invariant: a tape's constants are exact rationals, rounded once to each kind of number that it is evaluated in. Nothing is
 //! proved by a tape: what its numbers look like decides no question of meaning.
 
+use super::fold::{Fold, Needed, Values};
 use super::steps::Definition;
-use super::{Arena, Expr, Function, Node, Rational};
+use super::{Arena, Expr, Function, Rational};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 use tripos_traits::{DoubleDouble, Scalar};
@@ -116,43 +117,59 @@ pub struct Tape<S = f64> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownSymbol(pub String);
 
-/// What a tape consists of while it is made.
-#[derive(Default)]
-struct Slots {
+/// A tape while it is made: what terms become are places in it.
+struct Assembly<'a> {
+    arena: &'a Arena,
+    inputs: FxHashMap<Expr, usize>,
     ops: Vec<Op<Rational>>,
+    /// Where the values of terms stand that are there already.
     slots: FxHashMap<Expr, u32>,
+    unknown: Option<UnknownSymbol>,
 }
 
-impl Slots {
+impl Assembly<'_> {
     /// Appends what computes these expressions, unless it is there.
-    fn extend(
-        &mut self,
-        arena: &Arena,
-        position: &FxHashMap<Expr, usize>,
-        expressions: &[Expr],
-    ) -> Result<(), UnknownSymbol> {
-        let Self { ops, slots } = self;
-        for e in arena.reachable(expressions) {
-            if slots.contains_key(&e) {
-                continue;
-            }
-            let op = match arena.node(e) {
-                _ if position.contains_key(&e) => Op::Input(position[&e]),
-                Node::Symbol(_) => {
-                    return Err(UnknownSymbol(arena.symbol_name(e).unwrap_or_default().to_owned()));
-                }
-                Node::Number(value) => Op::Constant(value.clone()),
-                Node::Pi => Op::Pi,
-                Node::Sum(constant, terms) => {
-                    Op::Sum(constant.clone(), terms.iter().map(|(t, k)| (slots[t], k.clone())).collect())
-                }
-                Node::Product(factors) => Op::Product(factors.iter().map(|(b, n)| (slots[b], *n)).collect()),
-                Node::Apply(f, argument) => Op::Apply(*f, slots[argument]),
-            };
-            slots.insert(e, u32::try_from(ops.len()).expect("as many slots as terms"));
-            ops.push(op);
-        }
+    fn extend(&mut self, expressions: &[Expr]) -> Result<(), UnknownSymbol> {
+        let needed = Needed::new(self.arena, expressions);
+        let made = needed.fold(self.arena, self);
+        let made = made.ok_or_else(|| self.unknown.take().expect("nothing else has no place"))?;
+        self.slots.extend(made.iter().map(|(e, slot)| (e, *slot)));
         Ok(())
+    }
+
+    fn push(&mut self, op: Op<Rational>) -> u32 {
+        self.ops.push(op);
+        u32::try_from(self.ops.len() - 1).expect("as many slots as terms")
+    }
+}
+
+impl Fold for Assembly<'_> {
+    type Value = u32;
+    fn number(&mut self, value: &Rational) -> Option<u32> {
+        Some(self.push(Op::Constant(value.clone())))
+    }
+    fn pi(&mut self) -> Option<u32> {
+        Some(self.push(Op::Pi))
+    }
+    fn symbol(&mut self, symbol: Expr) -> Option<u32> {
+        self.unknown = Some(UnknownSymbol(self.arena.symbol_name(symbol).unwrap_or_default().to_owned()));
+        None
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, u32>) -> Option<u32> {
+        Some(self.push(Op::Sum(constant.clone(), terms.iter().map(|(term, k)| (of[*term], k.clone())).collect())))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u32>) -> Option<u32> {
+        Some(self.push(Op::Product(factors.iter().map(|(base, n)| (of[*base], *n)).collect())))
+    }
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, u32>) -> Option<u32> {
+        Some(self.push(Op::Apply(f, of[argument])))
+    }
+    fn known(&mut self, term: Expr) -> Option<u32> {
+        if let Some(slot) = self.slots.get(&term) {
+            return Some(*slot);
+        }
+        let at = *self.inputs.get(&term)?;
+        Some(self.push(Op::Input(at)))
     }
 }
 
@@ -175,13 +192,18 @@ impl Tape {
         steps: &[Definition],
         outputs: &[Expr],
     ) -> Result<Self, UnknownSymbol> {
-        let position: FxHashMap<Expr, usize> = inputs.iter().enumerate().map(|(i, e)| (*e, i)).collect();
-        let mut made = Slots::default();
+        let mut made = Assembly {
+            arena,
+            inputs: inputs.iter().enumerate().map(|(at, e)| (*e, at)).collect(),
+            ops: Vec::new(),
+            slots: FxHashMap::default(),
+            unknown: None,
+        };
         for step in steps {
-            made.extend(arena, &position, &[step.value])?;
+            made.extend(&[step.value])?;
             made.slots.insert(step.symbol, made.slots[&step.value]);
         }
-        made.extend(arena, &position, outputs)?;
+        made.extend(outputs)?;
         let outputs = outputs.iter().map(|e| made.slots[e]).collect();
         let ops = made.ops.iter().map(Op::rounded).collect();
         Ok(Self { ops, exact: made.ops.into(), outputs, inputs: inputs.len() })

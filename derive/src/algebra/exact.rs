@@ -1,7 +1,7 @@
 //! Values of terms as rational numbers.
 
-use super::{Arena, Expr, Node, Rational};
-use rustc_hash::FxHashMap;
+use super::fold::{Fold, Values, fold};
+use super::{Arena, Expr, Function, Rational};
 
 /// π to 60 decimals; more than twice the digits of a double are never asked for.
 const PI: &str = "3.141592653589793238462643383279502884197169399375105820974945";
@@ -16,25 +16,35 @@ pub fn pi() -> Rational {
 /// a function value or a symbol without a value is among them.
 #[must_use]
 pub fn exact_value(arena: &Arena, e: Expr, known: &[(Expr, Rational)]) -> Option<Rational> {
-    let mut values: FxHashMap<Expr, Rational> = known.iter().cloned().collect();
-    for part in arena.reachable(&[e]) {
-        if values.contains_key(&part) {
-            continue;
-        }
-        let value = match arena.node(part) {
-            Node::Number(value) => value.clone(),
-            Node::Pi => pi(),
-            Node::Sum(constant, terms) => {
-                terms.iter().fold(constant.clone(), |sum, (term, k)| sum.add(&values[term].mul(k)))
-            }
-            Node::Product(factors) => factors
-                .iter()
-                .try_fold(Rational::ONE, |product, (base, n)| Some(product.mul(&values[base].pow(*n)?)))?,
-            Node::Symbol(_) | Node::Apply(..) => return None,
-        };
-        values.insert(part, value);
+    fold(arena, e, &mut Exact(known))
+}
+
+/// With the exact values of some terms.
+struct Exact<'a>(&'a [(Expr, Rational)]);
+
+impl Fold for Exact<'_> {
+    type Value = Rational;
+    fn number(&mut self, value: &Rational) -> Option<Rational> {
+        Some(value.clone())
     }
-    values.remove(&e)
+    fn pi(&mut self) -> Option<Rational> {
+        Some(pi())
+    }
+    fn symbol(&mut self, _: Expr) -> Option<Rational> {
+        None
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, Rational>) -> Option<Rational> {
+        Some(terms.iter().fold(constant.clone(), |sum, (term, k)| sum.add(&of[*term].mul(k))))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Rational>) -> Option<Rational> {
+        factors.iter().try_fold(Rational::ONE, |product, (base, n)| Some(product.mul(&of[*base].pow(*n)?)))
+    }
+    fn apply(&mut self, _: Function, _: Expr, _: &Values<'_, Rational>) -> Option<Rational> {
+        None
+    }
+    fn known(&mut self, term: Expr) -> Option<Rational> {
+        self.0.iter().find(|(known, _)| *known == term).map(|(_, value)| value.clone())
+    }
 }
 
 #[cfg(test)]

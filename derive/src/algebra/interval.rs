@@ -3,6 +3,7 @@
 //! Where the interval of a difference excludes 0, the two sides differ there, and that is a proof.
 
 use super::evaluate::Tape;
+use super::fold::{Fold, Values, fold};
 use super::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -152,31 +153,33 @@ pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
 /// The interval of `e` where each symbol has the given value; `None` where a divisor or a root's argument is not
 /// known to be in its domain.
 pub fn enclose(arena: &Arena, e: Expr, at: &FxHashMap<Expr, f64>) -> Option<Interval> {
-    let mut values: FxHashMap<Expr, Interval> = FxHashMap::default();
-    for part in arena.reachable(&[e]) {
-        let value = match arena.node(part) {
-            Node::Number(value) => Interval::rational(value)?,
-            Node::Symbol(_) => Interval::point(*at.get(&part)?),
-            Node::Pi => Interval::new(std::f64::consts::PI, std::f64::consts::PI)?,
-            Node::Sum(constant, terms) => {
-                let mut sum = Interval::rational(constant)?;
-                for (term, k) in terms {
-                    sum = sum.add(values[term].mul(Interval::rational(k)?)?)?;
-                }
-                sum
-            }
-            Node::Product(factors) => {
-                let mut product = Interval::point(1.0);
-                for (base, n) in factors {
-                    product = product.mul(values[base].power(*n)?)?;
-                }
-                product
-            }
-            Node::Apply(f, argument) => values[argument].apply(*f)?,
-        };
-        values.insert(part, value);
+    fold(arena, e, &mut Enclosure(at))
+}
+
+/// At the values of symbols.
+struct Enclosure<'a>(&'a FxHashMap<Expr, f64>);
+
+impl Fold for Enclosure<'_> {
+    type Value = Interval;
+    fn number(&mut self, value: &Rational) -> Option<Interval> {
+        Interval::rational(value)
     }
-    values.get(&e).copied()
+    fn pi(&mut self) -> Option<Interval> {
+        Interval::new(std::f64::consts::PI, std::f64::consts::PI)
+    }
+    fn symbol(&mut self, symbol: Expr) -> Option<Interval> {
+        self.0.get(&symbol).map(|value| Interval::point(*value))
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, Interval>) -> Option<Interval> {
+        let add = |sum: Interval, (term, k): &(Expr, Rational)| sum.add(of[*term].mul(Interval::rational(k)?)?);
+        terms.iter().try_fold(Interval::rational(constant)?, add)
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Interval>) -> Option<Interval> {
+        factors.iter().try_fold(Interval::point(1.0), |product, (base, n)| product.mul(of[*base].power(*n)?))
+    }
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Interval>) -> Option<Interval> {
+        of[argument].apply(f)
+    }
 }
 
 #[cfg(test)]

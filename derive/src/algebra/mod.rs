@@ -13,6 +13,7 @@ pub mod elimination;
 pub mod evaluate;
 pub(crate) mod exact;
 pub(crate) mod field;
+pub mod fold;
 mod fraction;
 pub(crate) mod interval;
 pub mod linear;

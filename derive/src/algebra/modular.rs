@@ -15,6 +15,7 @@
 use super::bound::error_exponent;
 use super::elementary::angle_atoms;
 use super::field::Field;
+use super::fold::Needed;
 use super::points::{POINTS, Point, angle_denominators, seeded, values_at};
 use super::{Arena, Expr, Function, Node};
 
@@ -45,16 +46,17 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
         Node::Symbol(_) | Node::Pi => return ZeroTest::NonZero,
         _ => {}
     }
-    let parts = arena.reachable(&[e]);
-    let opaque = !independent(arena, &parts);
-    let denominators = angle_denominators(arena, &parts);
-    let mut generator = seeded(arena, &parts);
+    let needed = Needed::new(arena, &[e]);
+    let parts = needed.nodes();
+    let opaque = !independent(arena, parts);
+    let denominators = angle_denominators(arena, parts);
+    let mut generator = seeded(arena, &needed);
     let mut evaluated = 0;
     // √x² is x or −x, evenly: each point sees a wrong sign with probability 1/2 only.
-    let roots = count_roots(arena, &parts).min(MOST_ROOTS);
+    let roots = count_roots(arena, parts).min(MOST_ROOTS);
     let wanted = if roots == 0 { POINTS } else { POINTS_WITH_ROOTS << roots };
     // The sign of a number's root hangs on the prime alone: then each point has a prime of its own.
-    let primes = if roots > 0 && has_roots_of_numbers(arena, &parts) { 1 } else { 8 };
+    let primes = if roots > 0 && has_roots_of_numbers(arena, parts) { 1 } else { 8 };
     // The second field is drawn only when it is needed: most differences show at the first point.
     let mut field = Field::random(&mut generator);
     let mut is_second = false;
@@ -66,7 +68,7 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
             is_second = true;
         }
         let point = Point { field, seed: generator.next() };
-        match values_at(arena, &parts, &denominators, &point).map(|values| values[&e]) {
+        match values_at(arena, &needed, &denominators, &point).map(|values| values[e]) {
             Some(0) => evaluated += 1,
             Some(_) => return if opaque { ZeroTest::Undecided } else { ZeroTest::NonZero },
             None => {}
@@ -81,9 +83,9 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
 /// [`zero_test`], and for a zero the k for which it is wrong with a probability below 2^−k.
 #[must_use]
 pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
-    let parts = arena.reachable(&[e]);
-    let exponent = error_exponent(arena, &parts, &angle_denominators(arena, &parts), e);
-    let roots = count_roots(arena, &parts);
+    let needed = Needed::new(arena, &[e]);
+    let exponent = error_exponent(arena, &needed, &angle_denominators(arena, needed.nodes()), e);
+    let roots = count_roots(arena, needed.nodes());
     let exponent = match roots {
         0 => exponent,
         1..=MOST_ROOTS => exponent.min(63.0),

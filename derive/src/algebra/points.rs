@@ -4,9 +4,10 @@
 
 use super::elementary::angle_atoms;
 use super::field::{Field, Generator};
+use super::fold::{Fold, Needed, Values};
 use super::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
-use rustc_hash::{FxBuildHasher, FxHashMap, FxHasher};
+use rustc_hash::{FxHashMap, FxHasher};
 use std::hash::{Hash, Hasher};
 
 /// Random points, half of them in each field, at which zeros must be seen.
@@ -70,7 +71,7 @@ impl Point {
         &self,
         arena: &Arena,
         argument: Expr,
-        values: &FxHashMap<Expr, u64>,
+        values: &Values<'_, u64>,
         denominators: &FxHashMap<Expr, i64>,
         bases: &mut FxHashMap<u64, (u64, u64)>,
     ) -> Option<(u64, u64)> {
@@ -84,8 +85,10 @@ impl Point {
             let (base, parts) = if *arena.node(atom) == Node::Pi && 12 % denominator == 0 {
                 (self.twelfth()?, 12)
             } else {
-                // The base angle atom/denominator is named by its residue: equal by meaning, equal here.
-                let name = f.mul(values[&atom], f.inverse(u64::try_from(denominator).ok()?)?);
+                // The base angle atom/denominator is named by its residue: equal by meaning, equal here. A constant part counts
+                // as a multiple of the atom 1, which need not be among the parts.
+                let value = if atom == Expr::ONE { 1 } else { values[atom] };
+                let name = f.mul(value, f.inverse(u64::try_from(denominator).ok()?)?);
                 let base = match bases.get(&name) {
                     Some(known) => *known,
                     None => self.base(name)?,
@@ -121,115 +124,130 @@ pub(super) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Exp
 }
 
 /// The residue of every part at a point; `None` where an inverse or a root does not exist.
-pub(super) fn values_at(
+pub(super) fn values_at<'n>(
     arena: &Arena,
-    parts: &[Expr],
+    needed: &'n Needed,
     denominators: &FxHashMap<Expr, i64>,
     point: &Point,
-) -> Option<FxHashMap<Expr, u64>> {
-    let f = point.field;
-    // An angle's constant part counts as a multiple of the atom 1, which need not be among the parts.
-    let mut values: FxHashMap<Expr, u64> = FxHashMap::with_capacity_and_hasher(parts.len() + 1, FxBuildHasher);
-    values.insert(Expr::ONE, 1);
-    // (sine, cosine) of base angles by their names, and of whole angles: most have both in the term.
-    let mut bases: FxHashMap<u64, (u64, u64)> = FxHashMap::default();
-    let mut angles: FxHashMap<Expr, (u64, u64)> = FxHashMap::default();
-    for &e in parts {
-        let value = match arena.node(e) {
-            Node::Number(value) => f.rational(value)?,
-            Node::Symbol(id) => {
-                let residue = point.residue(("symbol", &arena.symbol_names()[*id as usize]));
-                if arena.is_positive(e) { f.mul(residue, residue) } else { residue }
-            }
-            Node::Pi => point.residue("pi"),
-            Node::Sum(constant, terms) => {
-                let mut sum = f.rational(constant)?;
-                for (term, k) in terms {
-                    sum = f.add(sum, f.mul(f.rational(k)?, values[term]));
-                }
-                sum
-            }
-            Node::Product(factors) => {
-                let mut product = 1;
-                for (base, n) in factors {
-                    product = f.mul(product, f.power(values[base], *n)?);
-                }
-                product
-            }
-            Node::Apply(Function::Sqrt, argument) => f.root(values[argument])?,
-            // |x| = √x²: x or −x, whichever is a square. So |a| |b| = |a b|.
-            Node::Apply(Function::Abs, argument) => f.root(f.mul(values[argument], values[argument]))?,
-            Node::Apply(Function::Sign, argument) => {
-                let x = values[argument];
-                f.mul(f.root(f.mul(x, x))?, f.inverse(x)?)
-            }
-            Node::Apply(function @ (Function::Sin | Function::Cos), argument) => {
-                let (sine, cosine) = match angles.get(argument) {
-                    Some(known) => *known,
-                    None => {
-                        let angle = point.angle(arena, *argument, &values, denominators, &mut bases)?;
-                        angles.insert(*argument, angle);
-                        angle
-                    }
-                };
-                if *function == Function::Sin { sine } else { cosine }
-            }
-            Node::Apply(function, argument) => point.residue((*function, values[argument])),
-        };
-        values.insert(e, value);
-    }
-    Some(values)
+) -> Option<Values<'n, u64>> {
+    let (bases, angles) = Default::default();
+    needed.fold(arena, &mut Residues { arena, denominators, point, bases, angles })
 }
 
-/// The residues of terms at random points, each modulo another prime: at most `count` of them, fewer where there are no
-/// values; computed as they are asked for.
-pub(super) fn residues<'a>(
+/// Terms modulo a prime, at a point.
+struct Residues<'a> {
     arena: &'a Arena,
-    terms: &[Expr],
+    denominators: &'a FxHashMap<Expr, i64>,
+    point: &'a Point,
+    /// (sine, cosine) of base angles by their names, and of whole angles: most have both in the term.
+    bases: FxHashMap<u64, (u64, u64)>,
+    angles: FxHashMap<Expr, (u64, u64)>,
+}
+
+impl Residues<'_> {
+    /// (sine, cosine) of an argument.
+    fn circle(&mut self, argument: Expr, of: &Values<'_, u64>) -> Option<(u64, u64)> {
+        if let Some(known) = self.angles.get(&argument) {
+            return Some(*known);
+        }
+        let angle = self.point.angle(self.arena, argument, of, self.denominators, &mut self.bases)?;
+        self.angles.insert(argument, angle);
+        Some(angle)
+    }
+}
+
+impl Fold for Residues<'_> {
+    type Value = u64;
+    fn number(&mut self, value: &Rational) -> Option<u64> {
+        self.point.field.rational(value)
+    }
+    fn pi(&mut self) -> Option<u64> {
+        Some(self.point.residue("pi"))
+    }
+    fn symbol(&mut self, symbol: Expr) -> Option<u64> {
+        let residue = self.point.residue(("symbol", self.arena.symbol_name(symbol)?));
+        Some(if self.arena.is_positive(symbol) { self.point.field.mul(residue, residue) } else { residue })
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, u64>) -> Option<u64> {
+        let f = self.point.field;
+        let add = |sum, (term, k): &(Expr, Rational)| Some(f.add(sum, f.mul(f.rational(k)?, of[*term])));
+        terms.iter().try_fold(f.rational(constant)?, add)
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u64>) -> Option<u64> {
+        let f = self.point.field;
+        factors.iter().try_fold(1, |product, (base, n)| Some(f.mul(product, f.power(of[*base], *n)?)))
+    }
+    fn apply(&mut self, function: Function, argument: Expr, of: &Values<'_, u64>) -> Option<u64> {
+        let (f, x) = (self.point.field, of[argument]);
+        match function {
+            Function::Sin => Some(self.circle(argument, of)?.0),
+            Function::Cos => Some(self.circle(argument, of)?.1),
+            Function::Sqrt => f.root(x),
+            // |x| = √x²: x or −x, whichever is a square. So |a| |b| = |a b|.
+            Function::Abs => f.root(f.mul(x, x)),
+            Function::Sign => Some(f.mul(f.root(f.mul(x, x))?, f.inverse(x)?)),
+            _ => Some(self.point.residue((function, x))),
+        }
+    }
+}
+
+/// The residues of these terms, in their order, at random points, each modulo another prime: at most `count` of them, fewer where
+/// there are no values; computed as they are asked for.
+pub(super) fn residues(
+    arena: &Arena,
+    terms: Vec<Expr>,
     count: usize,
-) -> impl Iterator<Item = (Field, FxHashMap<Expr, u64>)> + use<'a> {
-    let parts = arena.reachable(terms);
-    let denominators = angle_denominators(arena, &parts);
-    let mut generator = seeded(arena, &parts);
+) -> impl Iterator<Item = (Field, Vec<u64>)> + use<'_> {
+    let needed = Needed::new(arena, &terms);
+    let denominators = angle_denominators(arena, needed.nodes());
+    let mut generator = seeded(arena, &needed);
     let points = (0..100 * count).filter_map(move |_| {
         let point = Point { field: Field::random(&mut generator), seed: generator.next() };
-        values_at(arena, &parts, &denominators, &point).map(|values| (point.field, values))
+        let values = values_at(arena, &needed, &denominators, &point)?;
+        Some((point.field, terms.iter().map(|e| values[*e]).collect()))
     });
     points.take(count)
 }
 
 /// A generator seeded with the terms, by the names of their symbols and not by their handles.
-pub(super) fn seeded(arena: &Arena, parts: &[Expr]) -> Generator {
-    let mut hashes: FxHashMap<Expr, u64> = FxHashMap::default();
-    let mut all = 0_u64;
-    for part in parts {
-        let mut hasher = FxHasher::default();
-        match arena.node(*part) {
-            Node::Number(value) => ("number", value).hash(&mut hasher),
-            Node::Symbol(id) => ("symbol", &arena.symbol_names()[*id as usize]).hash(&mut hasher),
-            Node::Pi => "pi".hash(&mut hasher),
-            Node::Sum(constant, terms) => {
-                ("sum", constant).hash(&mut hasher);
-                // In no order: handles differ from run to run, meanings do not.
-                unordered(terms.iter().map(|(term, k)| (hashes[term], k))).hash(&mut hasher);
-            }
-            Node::Product(factors) => {
-                ("product", unordered(factors.iter().map(|(base, n)| (hashes[base], n)))).hash(&mut hasher);
-            }
-            Node::Apply(f, argument) => (*f, hashes[argument]).hash(&mut hasher),
-        }
-        let hash = Generator(hasher.finish()).next();
-        all = all.wrapping_add(hash);
-        hashes.insert(*part, hash);
+pub(super) fn seeded(arena: &Arena, needed: &Needed) -> Generator {
+    let hashes = needed.fold(arena, &mut Hashes(arena));
+    Generator(hashes.iter().flat_map(Values::iter).fold(0, |all: u64, (_, hash)| all.wrapping_add(*hash)))
+}
+
+/// Terms by what they are built from.
+struct Hashes<'a>(&'a Arena);
+
+impl Fold for Hashes<'_> {
+    type Value = u64;
+    fn number(&mut self, value: &Rational) -> Option<u64> {
+        Some(hash_of(("number", value)))
     }
-    Generator(all)
+    fn pi(&mut self) -> Option<u64> {
+        Some(hash_of("pi"))
+    }
+    fn symbol(&mut self, symbol: Expr) -> Option<u64> {
+        Some(hash_of(("symbol", self.0.symbol_name(symbol)?)))
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, u64>) -> Option<u64> {
+        // In no order: handles differ from run to run, meanings do not.
+        Some(hash_of((("sum", constant), unordered(terms.iter().map(|(term, k)| (of[*term], k))))))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u64>) -> Option<u64> {
+        Some(hash_of(("product", unordered(factors.iter().map(|(base, n)| (of[*base], n))))))
+    }
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, u64>) -> Option<u64> {
+        Some(hash_of((f, of[argument])))
+    }
+}
+
+fn hash_of(key: impl Hash) -> u64 {
+    let mut hasher = FxHasher::default();
+    key.hash(&mut hasher);
+    Generator(hasher.finish()).next()
 }
 
 /// One hash for all items, whatever their order.
 fn unordered(items: impl Iterator<Item = impl Hash>) -> u64 {
-    items.fold(0, |sum: u64, item| {
-        let mut hasher = FxHasher::default();
-        item.hash(&mut hasher);
-        sum.wrapping_add(Generator(hasher.finish()).next())
-    })
+    items.fold(0, |sum: u64, item| sum.wrapping_add(hash_of(item)))
 }

@@ -3,33 +3,41 @@
 //! Exact and sound, never sharp: each operand counts as if it varied on its own. So "never zero" is a
 //! proof for all real values of the symbols, positive ones being positive; anything else is no answer.
 
-use super::{Arena, Expr, Function, Node, Rational};
-use rustc_hash::FxHashMap;
+use super::fold::{Fold, Values, fold};
+use super::{Arena, Expr, Function, Rational};
 
 /// Whether a term is proved to be zero nowhere that it has a value.
 #[must_use]
 pub fn never_zero(arena: &Arena, e: Expr) -> bool {
-    let mut ranges: FxHashMap<Expr, Range> = FxHashMap::default();
-    for part in arena.reachable(&[e]) {
-        let range = match arena.node(part) {
-            Node::Number(value) => Range::point(value),
-            Node::Pi => Range::new(Some(Rational::integer(3)), Some(Rational::integer(4))),
-            Node::Symbol(_) if arena.is_positive(part) => {
-                Range { low: Some(Rational::ZERO), high: None, nonzero: true }
-            }
-            Node::Symbol(_) => Range::default(),
-            Node::Sum(constant, terms) => {
-                let terms = terms.iter().map(|(term, k)| ranges[term].scaled(k));
-                Range::sum(&[Range::point(constant)].into_iter().chain(terms).collect::<Vec<_>>())
-            }
-            Node::Product(factors) => factors
-                .iter()
-                .fold(Range::point(&Rational::ONE), |product, (base, n)| product.times(&ranges[base].pow(*n))),
-            Node::Apply(f, argument) => of_function(*f, &ranges[argument]),
-        };
-        ranges.insert(part, range);
+    fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.nonzero)
+}
+
+/// The store says which symbols are positive.
+struct Ranges<'a>(&'a Arena);
+
+impl Fold for Ranges<'_> {
+    type Value = Range;
+    fn number(&mut self, value: &Rational) -> Option<Range> {
+        Some(Range::point(value))
     }
-    ranges[&e].nonzero
+    fn pi(&mut self) -> Option<Range> {
+        Some(Range::new(Some(Rational::integer(3)), Some(Rational::integer(4))))
+    }
+    fn symbol(&mut self, symbol: Expr) -> Option<Range> {
+        let positive = Range { low: Some(Rational::ZERO), high: None, nonzero: true };
+        Some(if self.0.is_positive(symbol) { positive } else { Range::default() })
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, Range>) -> Option<Range> {
+        let terms = terms.iter().map(|(term, k)| of[*term].scaled(k));
+        Some(Range::sum(&[Range::point(constant)].into_iter().chain(terms).collect::<Vec<_>>()))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Range>) -> Option<Range> {
+        let times = |product: Range, (base, n): &(Expr, i32)| product.times(&of[*base].pow(*n));
+        Some(factors.iter().fold(Range::point(&Rational::ONE), times))
+    }
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Range>) -> Option<Range> {
+        Some(of_function(f, &of[argument]))
+    }
 }
 
 /// All values lie from `low` to `high`, where those are known.

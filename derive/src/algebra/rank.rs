@@ -6,7 +6,6 @@
 use super::field::Field;
 use super::points::residues;
 use super::{Arena, Expr};
-use rustc_hash::FxHashMap;
 
 /// How many rows of a matrix are independent, and the first that depends on those before it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -60,9 +59,11 @@ pub(crate) fn in_fields<'a>(
     arena: &'a Arena,
     matrix: &'a [Vec<Expr>],
 ) -> impl Iterator<Item = (Field, Vec<Vec<u64>>)> + 'a {
-    let rows =
-        |values: &FxHashMap<Expr, u64>| matrix.iter().map(|row| row.iter().map(|e| values[e]).collect()).collect();
-    residues(arena, &matrix.concat(), 4).map(move |(field, values)| (field, rows(&values)))
+    let rows = |values: Vec<u64>| {
+        let mut values = values.into_iter();
+        matrix.iter().map(|row| values.by_ref().take(row.len()).collect()).collect()
+    };
+    residues(arena, matrix.concat(), 4).map(move |(field, values)| (field, rows(values)))
 }
 
 /// (row, pivot column, reduced row)
