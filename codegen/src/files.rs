@@ -17,7 +17,6 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use std::{fmt, io};
 use tempfile::TempPath;
-use tripos_derive::plain::path_in_line;
 
 /// How long [`write`] waits for another writer of the same name, who is done as soon as its disk lets it.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -60,17 +59,12 @@ pub enum WriteError {
 impl fmt::Display for WriteError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::There(path) => write!(f, "`{}` is there already", path_in_line(path)),
+            Self::There(path) => write!(f, "`{}` is there already", path.display()),
             Self::Appeared(path, part) => {
-                write!(
-                    f,
-                    "`{}` has appeared meanwhile; what was written is in `{}`",
-                    path_in_line(path),
-                    path_in_line(part)
-                )
+                write!(f, "`{}` has appeared meanwhile; what was written is in `{}`", path.display(), part.display())
             }
-            Self::Busy(path) => write!(f, "another command is writing `{}`", path_in_line(path)),
-            Self::Io(path, error) => write!(f, "cannot write `{}`: {error}", path_in_line(path)),
+            Self::Busy(path) => write!(f, "another command is writing `{}`", path.display()),
+            Self::Io(path, error) => write!(f, "cannot write `{}`: {error}", path.display()),
         }
     }
 }
@@ -222,7 +216,7 @@ fn locked(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> 
     let begun = Instant::now();
     loop {
         if part.symlink_metadata().is_ok_and(|there| !there.is_file()) {
-            let what = format!("`{}` is no regular file", path_in_line(part));
+            let what = format!("`{}` is no regular file", part.display());
             return Err(failed(Error::new(ErrorKind::AlreadyExists, what)));
         }
         // Emptied only once it is ours.

@@ -10,12 +10,12 @@ mod values;
 
 use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
-use crate::model::{Coordinate, Model};
+use crate::model::Model;
 use crate::read::Reader;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use tripos_traits::DoubleDouble;
+use tripos_traits::{Direction, DoubleDouble};
 use values::{Number, Start, Values, doubles};
 
 pub use axis::{Grid, MOST_POINTS};
@@ -25,17 +25,6 @@ pub use ladder::Ladder;
 pub use outputs::ENERGIES;
 pub use start::{Exact, Stated};
 
-/// Which way an event function must cross zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Crossing {
-    /// From below.
-    Rising,
-    /// From above.
-    Falling,
-    /// Either way.
-    Either,
-}
-
 /// Something to notice during a run.
 #[derive(Clone, Debug)]
 pub struct SceneEvent {
@@ -44,7 +33,7 @@ pub struct SceneEvent {
     /// Zero where it happens; in parameters, q, q̇, u and reactions.
     pub function: Expr,
     /// Which crossings count.
-    pub crossing: Crossing,
+    pub direction: Direction,
     /// Whether the run ends there.
     pub terminal: bool,
 }
@@ -227,11 +216,14 @@ impl Scene {
     /// What its author may have meant otherwise, a line each.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
-        let starts = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
-        let hint = |(c, q): (&Coordinate, &f64)| {
+        let starts = model.coordinates.iter().zip(&self.q).filter(|(c, _)| c.unit.is_plain());
+        // People write degrees with few decimals; multiples of π have many.
+        let is_short = |q: f64| (q - (100.0 * q).round() / 100.0).abs() <= f64::EPSILON * q.abs();
+        let turned = starts.filter(|(_, q)| q.abs() > std::f64::consts::TAU && is_short(**q));
+        let hint = |(c, q): (&crate::model::Coordinate, &f64)| {
             format!("`{}` starts at {q} rad: if degrees are meant, write \"{q}*deg\"", c.name)
         };
-        starts.map(hint).collect()
+        turned.map(hint).collect()
     }
 }
 
@@ -252,15 +244,6 @@ pub struct State {
     pub q: Vec<f64>,
     /// Generalized speeds.
     pub u: Vec<f64>,
-}
-
-impl State {
-    /// What is probably not meant: an angle of more than a turn, written as people write degrees.
-    #[must_use]
-    pub fn hints(&self, model: &Model) -> Vec<String> {
-        let turned = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
-        turned.map(|(c, q)| format!("`{}` is {q} rad: if degrees are meant, write \"{q}*deg\"", c.name)).collect()
-    }
 }
 
 /// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`.
@@ -357,10 +340,10 @@ impl<'a> Values<'a, '_> {
             let function = zero.and_then(|f| self.motion_formula(&f));
             let direction = self.choice(Some(entry), "direction", &["rising", "falling", "either"]);
             let terminal = self.reader.get(entry, "terminal").and_then(|v| self.reader.boolean(v, "`terminal`"));
-            let crossing = match direction {
-                Some("rising") => Crossing::Rising,
-                Some("falling") => Crossing::Falling,
-                _ => Crossing::Either,
+            let direction = match direction {
+                Some("rising") => Direction::Rising,
+                Some("falling") => Direction::Falling,
+                _ => Direction::Either,
             };
             let (Some(name), Some(function)) = (name, function) else { continue };
             if events.iter().any(|e| e.name == name.text) {
@@ -371,7 +354,7 @@ impl<'a> Values<'a, '_> {
                 );
                 continue;
             }
-            events.push(SceneEvent { name: name.text, function, crossing, terminal: terminal.unwrap_or(false) });
+            events.push(SceneEvent { name: name.text, function, direction, terminal: terminal.unwrap_or(false) });
         }
         events
     }

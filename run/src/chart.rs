@@ -13,8 +13,9 @@ use crate::reference::Reference;
 use case::{Case, Way};
 use compared::Compared;
 use tripos_derive::scene::Scene;
-use tripos_sim::work_precision::{Spread, error, interleaved, larger};
+use tripos_sim::work_precision::{Spread, error, interleaved};
 use tripos_sim::{Options, Output};
+use tripos_traits::larger;
 
 /// How much is measured.
 pub struct Plan {

@@ -15,8 +15,8 @@ use tripos_derive::algebra::print::text;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::{Integral, IntegralKind, prove};
 use tripos_derive::scene::Scene;
-use tripos_sim::work_precision::larger;
 use tripos_sim::{Dynamics, Solution};
+use tripos_traits::larger;
 
 /// A first integral that is watched.
 #[derive(Clone, Debug)]

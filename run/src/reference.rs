@@ -11,9 +11,11 @@ use crate::run::refused;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::Distance;
 use tripos_derive::scene::{Scene, Solve};
-use tripos_sim::work_precision::{error, larger};
-use tripos_sim::{Eliminated, Lent, Method, Options, Output, RightHandSide, SimError, Solution, integrate};
-use tripos_traits::{DoubleDouble, Real, Scalar};
+use tripos_sim::work_precision::error;
+use tripos_sim::{
+    AbsoluteTolerance, Eliminated, Lent, Method, Options, Output, RightHandSide, SimError, Solution, integrate,
+};
+use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
 /// States at some instants, known better than any run in doubles knows them.
 pub struct Reference {
@@ -137,7 +139,8 @@ impl Witness {
 
 fn options(rtol: f64) -> Options {
     let method = Method::Dop853;
-    Options { method, step_limit: MOST_STEPS, output: Output::Ends, ..Options::tolerances(rtol, rtol) }
+    let atol = AbsoluteTolerance::Uniform(rtol);
+    Options { method, rtol, atol, step_limit: MOST_STEPS, output: Output::Ends, ..Options::default() }
 }
 
 /// From instant to instant: each is the end of a run, where the solution is as good as the tolerance.

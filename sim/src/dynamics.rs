@@ -3,13 +3,12 @@
 //! The state is y = [q; v]: generalized coordinates, then motion variables. Buffers are made once:
 //! for up to 12 unknowns a call allocates nothing.
 
-use tripos_traits::System;
+use tripos_traits::{System, larger};
 
 use crate::error::{Failure, SimError};
 use crate::linear::{self, Shape, Unsolvable};
 use crate::rhs::RightHandSide;
 use crate::solution::Solution;
-use crate::work_precision::larger;
 
 /// One formulation of one model with its parameters.
 pub struct Dynamics<'a> {

@@ -10,7 +10,7 @@
 //! act like a force and let the invariants drift. What rounding cuts off a sum y + h Σ b k is carried to the next step,
 //! for the same reason.
 
-use tripos_traits::Real;
+use tripos_traits::{Real, largest};
 
 use crate::error::Failure;
 use crate::lu::Lu;
@@ -194,7 +194,7 @@ impl<S: Real> Gauss6<S> {
             }
             let scales = self.scales.iter().cycle();
             let sizes = self.residual.iter().zip(scales).map(|(d, scale)| (h * *d).to_f64().abs() / scale);
-            let change = sizes.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) });
+            let change = largest(sizes);
             // No longer shrinking is the mark of rounding if the change is small, and of divergence if it is not.
             let at_rounding = change == 0.0 || (change >= last && last <= S::EPSILON.sqrt());
             if at_rounding {
@@ -234,8 +234,8 @@ impl<S: Real> Gauss6<S> {
         for ((scale, magnitude), k) in self.scales.iter_mut().zip(&self.magnitudes).zip(middle) {
             *scale = magnitude.max((h * *k).to_f64().abs());
         }
-        let largest = self.scales.iter().copied().fold(0.0, f64::max);
-        let rest = if largest > 0.0 { largest } else { 1.0 };
+        let most = largest(self.scales.iter().copied());
+        let rest = if most > 0.0 { most } else { 1.0 };
         for scale in self.scales.iter_mut().filter(|scale| **scale == 0.0) {
             *scale = rest;
         }

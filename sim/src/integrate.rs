@@ -8,7 +8,6 @@ use crate::error::SimError;
 use crate::events::Event;
 use crate::explicit::{ExplicitRungeKutta, Length};
 use crate::gauss::Gauss6;
-use crate::method::Method;
 use crate::options::{self, Options};
 use crate::pace::Pace;
 use crate::projection::{Invariants, Projector};
@@ -17,6 +16,7 @@ use crate::rk4::Rk4;
 use crate::run::solve;
 use crate::solution::Solution;
 use crate::taylor::{Taylor, order_for};
+use tripos_traits::Method;
 
 /// Integrates y' = f(t, y) from (t0, y0) to t1, which may lie before t0.
 ///

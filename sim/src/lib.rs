@@ -10,7 +10,7 @@
 //!     Ok(())
 //! };
 //! let turn = Event::terminal("far side", Direction::Rising, |_t, y: &[f64]| y[1]);
-//! let options = Options::tolerances(1e-10, 1e-12);
+//! let options = Options { rtol: 1e-10, ..Options::default() };
 //! let solution = integrate(pendulum, (0.0, 10.0), &[1.0, 0.0], &options, &mut [turn])?;
 //!
 //! assert_eq!(solution.stop.code(), "event:far side");
@@ -81,13 +81,12 @@ pub use dormand_prince_853::{DORMAND_PRINCE_853, Decimal, Published853, Row};
 pub use dynamics::Dynamics;
 pub use eliminated::Eliminated;
 pub use error::{Failure, SimError};
-pub use events::{Direction, Effect, Event, EventFunction, EventRecord, Kind};
+pub use events::{Effect, Event, EventFunction, EventRecord, Kind};
 pub use integrate::{integrate, integrate_projected};
-pub use method::Method;
 pub use options::{Options, Output, Poll};
 pub use rhs::{Lent, RightHandSide, WithJacobian};
 pub use solution::{Solution, Stop};
 pub use tableau::{Fraction, Tableau};
 pub use tolerance::SMALLEST_RTOL;
-pub use tripos_traits::{ATOL, AbsoluteTolerance, RTOL};
+pub use tripos_traits::{AbsoluteTolerance, Direction, Method};
 pub use warning::Warning;

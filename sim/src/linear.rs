@@ -4,6 +4,7 @@
 //! purpose: structure (bands, blocks) and iteration; both belong to the equations, not here.
 
 use nalgebra::{Const, DMatrix, DVector, DimMin, SMatrix, SVector};
+use tripos_traits::largest;
 
 /// What is known about a matrix before it is factored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -148,7 +149,7 @@ pub fn determinant(a: &[f64], n: usize) -> f64 {
 
 /// Largest sum of absolute values of a column.
 fn one_norm(matrix: &DMatrix<f64>) -> f64 {
-    matrix.column_iter().map(|column| column.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max)
+    largest(matrix.column_iter().map(|column| column.iter().map(|x| x.abs()).sum()))
 }
 
 #[cfg(test)]

@@ -69,10 +69,10 @@ impl Pace {
         if let Some(step) = options.step {
             return Ok((pace(Kind::Equal(equal_steps((t1 - t0).abs() / step)), None), None));
         }
-        let Some(rules) = options.method.rules() else {
+        let Some(rules) = crate::method::rules(options.method) else {
             return Err(SimError::NoStep { method: options.method.name() });
         };
-        let (test, warning) = ErrorTest::new::<S>(options.method.norm(), options.rtol, &options.atol, n)?;
+        let (test, warning) = ErrorTest::new::<S>(crate::method::norm(options.method), options.rtol, &options.atol, n)?;
         let length = (t1 - t0).abs();
         let longest = options.max_step.unwrap_or(rules.longest_part() * length).min(length);
         let control = Control::new(rules, &test);

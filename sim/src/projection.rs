@@ -79,8 +79,9 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         let (m, n) = (invariants.count, y0.len());
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
         // A run with fixed steps has no tolerances: all components then count alike if those given make no sense.
-        let weights =
-            ErrorTest::new::<S>(options.method.norm(), options.rtol, &options.atol, n).ok().map(|(test, _)| test);
+        let weights = ErrorTest::new::<S>(crate::method::norm(options.method), options.rtol, &options.atol, n)
+            .ok()
+            .map(|(test, _)| test);
         let mut projector = Self {
             invariants,
             weights,

@@ -8,7 +8,7 @@ use crate::integrate::integrate;
 use crate::options::{Options, Output};
 use crate::rhs::{Lent, RightHandSide};
 use crate::solution::Stop;
-use crate::work_precision::larger;
+use tripos_traits::largest;
 
 /// How much a small error at the start has grown.
 #[derive(Clone, Debug, PartialEq)]
@@ -144,7 +144,7 @@ impl Slope {
 
 /// The largest |wᵢ| / (1 + |yᵢ|): an error as errors are measured everywhere.
 fn size(w: &[f64], y: &[f64]) -> f64 {
-    w.iter().zip(y).map(|(w, y)| w.abs() / (1.0 + y.abs())).fold(0.0, larger)
+    largest(w.iter().zip(y).map(|(w, y)| w / (1.0 + y.abs())))
 }
 
 /// How the drift of a first integral goes on.
@@ -161,9 +161,9 @@ pub enum Trend {
 #[must_use]
 pub fn trend(drifts: &[f64]) -> Trend {
     let tenth = drifts.len().div_ceil(10);
-    let largest = |part: &[f64]| part.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let largest = |part: &[f64]| largest(part.iter().copied());
     let (early, late) = (largest(&drifts[..tenth]), largest(&drifts[drifts.len() - tenth..]));
-    if late > 3.0 * early { Trend::Secular } else { Trend::Bounded }
+    if late <= 3.0 * early { Trend::Bounded } else { Trend::Secular }
 }
 
 #[cfg(test)]
@@ -203,5 +203,13 @@ mod tests {
         let grows: Vec<f64> = (0..1000).map(|i| 1e-6 * f64::from(i)).collect();
         assert_eq!((trend(&swings), trend(&grows)), (Trend::Bounded, Trend::Secular));
         assert_eq!(trend(&[]), Trend::Bounded);
+    }
+
+    #[test]
+    fn a_drift_that_is_no_number_is_not_called_bounded() {
+        let mut drifts = vec![1e-15; 40];
+        assert_eq!(trend(&drifts), Trend::Bounded);
+        drifts[39] = f64::NAN;
+        assert_eq!(trend(&drifts), Trend::Secular);
     }
 }

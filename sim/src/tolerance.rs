@@ -1,21 +1,10 @@
 //! How large an error a step may have: relative and absolute tolerances, and the norm they define.
 
-use tripos_traits::{AbsoluteTolerance, Real};
+use tripos_traits::{AbsoluteTolerance, Real, larger_or_second};
 
 use crate::blocks::LANES;
 use crate::error::SimError;
 use crate::warning::Warning;
-
-/// The absolute tolerance of each of `n` components.
-fn per_component(atol: &AbsoluteTolerance, n: usize) -> Result<Vec<f64>, SimError> {
-    match atol {
-        AbsoluteTolerance::Uniform(atol) => Ok(vec![*atol; n]),
-        AbsoluteTolerance::Each(atol) if atol.len() == n => Ok(atol.clone()),
-        AbsoluteTolerance::Each(atol) => {
-            Err(SimError::Length { what: "absolute tolerances", expected: n, found: atol.len() })
-        }
-    }
-}
 
 /// The smallest relative tolerance that is taken at its word in `f64`, 100 ε, as in `ode45`. Other scalars have their
 /// own ε.
@@ -90,7 +79,8 @@ impl ErrorTest {
             Norm::MeanSquare => {
                 let mut sum = 0.0;
                 for (i, e) in error.iter().enumerate() {
-                    let quotient = e.to_f64() / self.weight(i, larger(y[i].to_f64().abs(), y_new[i].to_f64().abs()));
+                    let quotient =
+                        e.to_f64() / self.weight(i, larger_or_second(y[i].to_f64().abs(), y_new[i].to_f64().abs()));
                     sum += quotient * quotient;
                 }
                 (sum / error.len().max(1) as f64).sqrt()
@@ -117,9 +107,12 @@ impl ErrorTest {
     pub(crate) fn largest_of_two<S: Real>(&self, a: &[S], b: &[S], y: &[S]) -> [f64; 2] {
         let mut norms = [0.0; 2];
         for (((a, b), y), absolute) in a.iter().zip(b).zip(y).zip(&self.absolute) {
-            let weight = larger(self.relative * y.to_f64().abs(), *absolute);
+            let weight = larger_or_second(self.relative * y.to_f64().abs(), *absolute);
             let inverse = if weight > 0.0 { 1.0 / weight } else { 0.0 };
-            norms = [larger(a.to_f64().abs() * inverse, norms[0]), larger(b.to_f64().abs() * inverse, norms[1])];
+            norms = [
+                larger_or_second(a.to_f64().abs() * inverse, norms[0]),
+                larger_or_second(b.to_f64().abs() * inverse, norms[1]),
+            ];
         }
         norms
     }
@@ -185,7 +178,7 @@ impl ErrorTest {
     ) -> [f64; L] {
         let mut weights = [0.0; L];
         for l in 0..L {
-            weights[l] = 1.0 / (absolute[l] + self.relative * larger(y[l].abs(), y_new[l].abs()));
+            weights[l] = 1.0 / (absolute[l] + self.relative * larger_or_second(y[l].abs(), y_new[l].abs()));
         }
         weights
     }
@@ -196,11 +189,15 @@ impl ErrorTest {
     }
 }
 
-/// The larger of two numbers, in one instruction: `f64::max` has a rule for NaN, which takes three more.
-#[inline(always)]
-#[expect(clippy::inline_always, reason = "one instruction, also inside code for wider registers")]
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
+/// One tolerance for each of n components.
+fn per_component(atol: &AbsoluteTolerance, n: usize) -> Result<Vec<f64>, SimError> {
+    match atol {
+        AbsoluteTolerance::Uniform(atol) => Ok(vec![*atol; n]),
+        AbsoluteTolerance::Each(atol) if atol.len() == n => Ok(atol.clone()),
+        AbsoluteTolerance::Each(atol) => {
+            Err(SimError::Length { what: "absolute tolerances", expected: n, found: atol.len() })
+        }
+    }
 }
 
 fn check_relative(rtol: f64) -> Result<(), SimError> {

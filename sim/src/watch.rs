@@ -1,9 +1,9 @@
 //! All events of a run, step by step, in order of time.
 
-use tripos_traits::Real;
+use tripos_traits::{Direction, Real};
 
 use crate::error::Failure;
-use crate::events::{Direction, Effect, Event, EventRecord, Kind};
+use crate::events::{Effect, Event, EventRecord, Kind};
 use crate::samples::Probe;
 use crate::search::{Found, Memory, search};
 use crate::solution::Stop;
@@ -38,7 +38,7 @@ impl<'w, 'e> Watch<'w, 'e> {
             }
             let domain = event.effect == Effect::Domain;
             if domain && value < 0.0 {
-                return Some(Stop::StartsOutside { name: event.name.clone() });
+                return Some(Stop::LeftDomain { name: event.name.clone() });
             }
             let side_at_zero = i8::from(domain);
             self.memories.push(Memory { value, sign: 0, side: 0, begun: false, side_at_zero });

@@ -8,10 +8,12 @@ use std::ops::ControlFlow;
 #[cfg(feature = "clock")]
 use std::time::Instant;
 
-use tripos_traits::{DoubleDouble, Real, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
-use crate::method::Method;
 use crate::options::{Options, Output};
+use tripos_traits::Method;
+
+use tripos_traits::AbsoluteTolerance;
 
 /// Times of repeated runs, in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,12 +39,6 @@ impl Spread {
     }
 }
 
-/// The larger of two numbers, and not a number if either is none: a maximum that hides nothing.
-#[must_use]
-pub fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
-}
-
 /// The largest |found − reference| / (1 + |reference|), the difference taken in twice the precision of a double; not a
 /// number where a component has no value or a length differs.
 #[must_use]
@@ -62,7 +58,8 @@ pub fn error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
 pub fn options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> Options {
     let order = method.order().filter(|_| !method.is_adaptive());
     let step = order.map(|order| 0.1 * length.abs() * tolerance.powf(1.0 / f64::from(order)));
-    Options { method, step, step_limit, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
+    let atol = AbsoluteTolerance::Uniform(tolerance);
+    Options { method, rtol: tolerance, atol, step, step_limit, output: Output::Ends, ..Options::default() }
 }
 
 /// Times every job `repeats` times, in turn, so that whatever else the machine does falls on all of them alike.

@@ -6,8 +6,7 @@
 mod files;
 
 use crate::support::copy;
-pub use files::Random;
-use files::{corpus, count, is_model, spoilt};
+use files::{Random, corpus, count, is_model, spoilt};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 

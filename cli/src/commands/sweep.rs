@@ -13,7 +13,7 @@ use std::num::NonZero;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 use tripos::code::by_or_first;
-use tripos::run::how;
+use tripos::run::method_words;
 use tripos::sweep::{Row, Shard, Sweep, in_order};
 use tripos_codegen::files::Existing;
 use tripos_derive::scene::Grid;
@@ -26,7 +26,6 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let (mut model, mut scene) = read_scene(&request.scene)?;
     keep_inputs(&model, Some(&scene), [request.out.as_path()])?;
     let grid = Grid::read(&request.over, &scene, &mut model).map_err(Failure::Inputs)?;
-    grid.hints(&model).iter().for_each(|hint| warn(hint));
     let shard = Shard::read(&request.shard)?;
     let threads = threads(request.threads)?;
     let how_else = request.how.overrides();
@@ -73,7 +72,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             by.title,
             sweep.code.name(),
             sweep.solve.name(),
-            how(&scene)
+            method_words(&scene)
         ));
         say(&format!("{}\n{}{}", extent(shard, &points, &grid, threads, seconds), tally.text(), request.out.display()));
     }

@@ -2,9 +2,12 @@
 //!
 //! A sum is written out and common factors are taken out again, the most frequent one first: a multivariate Horner scheme.
 //! Which of several equally frequent factors goes first changes the count, so there are several forms to choose from.
+//! Apart from `simplify`, which factors for the shortest text, and `sharing`, which factors for few operations: what counts here are
+//! products of what changes in time, and terms stay in the order in which they are met.
 //! Every form is the same term by the rules of a commutative ring alone. Absent on purpose: trigonometric identities.
 
 use rustc_hash::{FxHashMap, FxHashSet};
+use tripos_derive::algebra::polynomial::multiply;
 use tripos_derive::algebra::{Arena, Expr, Node, Rational};
 
 /// Products of a sum that is written out, above which it is left as it is.
@@ -43,16 +46,7 @@ impl Monomial {
     }
 
     fn times(&self, other: &Self) -> Self {
-        let mut powers = self.powers.clone();
-        for (base, n) in &other.powers {
-            match powers.iter_mut().find(|(known, _)| known == base) {
-                Some((_, sum)) => *sum += n,
-                None => powers.push((*base, *n)),
-            }
-        }
-        powers.retain(|(_, n)| *n != 0);
-        powers.sort_unstable();
-        Self { coefficient: self.coefficient.mul(&other.coefficient), powers }
+        Self { coefficient: self.coefficient.mul(&other.coefficient), powers: multiply(&self.powers, &other.powers) }
     }
 
     /// The exponent of a base in the direction of a sign, not negative.

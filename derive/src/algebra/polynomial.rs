@@ -1,6 +1,7 @@
 //! Laurent polynomials over ℚ in arbitrary atoms: the working form of [`super::simplify`].
 //!
 //! Invariant: no zero coefficients; monomials are sorted by atom and have no zero exponents.
+//! Apart from `ring`, whose generators are numbered and have known squares: here every atom is free and may stand below.
 
 use super::{Arena, Expr, Function, Node, Rational};
 use std::collections::BTreeMap;
@@ -154,7 +155,9 @@ impl Polynomial {
     }
 }
 
-fn multiply(a: &Monomial, b: &Monomial) -> Monomial {
+/// The product of two monomials.
+#[must_use]
+pub fn multiply(a: &[(Expr, i32)], b: &[(Expr, i32)]) -> Monomial {
     let mut result = Vec::with_capacity(a.len() + b.len());
     let (mut i, mut j) = (0, 0);
     while i < a.len() || j < b.len() {

@@ -1,4 +1,5 @@
-//! Rows solved for some of their columns, simple pivots first.
+//! Rows solved for some of their columns, simple pivots first. Apart from `elimination`: there are fewer rows than columns, the columns
+//! are chosen, and what is divided by is an answer, too.
 
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::range::never_zero;

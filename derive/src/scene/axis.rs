@@ -3,7 +3,7 @@
 //! Invariant: the values of a point depend on its index alone. Evenly spaced values are exact where both ends are: they are
 //! rounded once.
 
-use super::values::{Number, Place, Values};
+use super::values::{Number, Values, Varied};
 use super::{Scene, Stated};
 use crate::algebra::Rational;
 use crate::diagnostic::{Diagnostics, Source, nearest};
@@ -25,7 +25,7 @@ pub struct Grid {
 #[derive(Clone, Debug)]
 struct Axis {
     name: String,
-    place: Place,
+    place: Varied,
     count: u64,
     values: Spacing,
 }
@@ -86,18 +86,6 @@ impl Grid {
         self.axes.iter().map(|axis| axis.name.as_str()).collect()
     }
 
-    /// What is probably not meant: an angle that goes to more than a turn, written as people write degrees.
-    #[must_use]
-    pub fn hints(&self, model: &Model) -> Vec<String> {
-        let of = |axis: &Axis| {
-            let Place::Coordinate(at) = axis.place else { return None };
-            let ends = [axis.value(0).double, axis.value(axis.count - 1).double];
-            let q = ends.into_iter().find(|q| model.coordinates[at].looks_like_degrees(*q))?;
-            Some(format!("`{}` goes to {q} rad: if degrees are meant, write {q}*deg", axis.name))
-        };
-        self.axes.iter().filter_map(of).collect()
-    }
-
     /// Number of points, at most [`MOST_POINTS`].
     #[must_use]
     pub fn count(&self) -> u64 {
@@ -111,7 +99,7 @@ impl Grid {
     }
 
     /// The values with their places.
-    pub(super) fn numbers(&self, point: u64) -> Vec<(Place, Number)> {
+    pub(super) fn numbers(&self, point: u64) -> Vec<(Varied, Number)> {
         let mut rest = point;
         let mut list: Vec<_> = self
             .axes
@@ -228,16 +216,16 @@ impl Values<'_, '_> {
     }
 
     /// Where a number of this name stands in a scene.
-    fn place(&mut self, name: &str, span: std::ops::Range<usize>, scene: &Scene) -> Option<Place> {
+    fn place(&mut self, name: &str, span: std::ops::Range<usize>, scene: &Scene) -> Option<Varied> {
         let model = &self.model;
         let by_rates = matches!(scene.exact.motion, Stated::Rates(_));
         let rates: Vec<String> = model.coordinates.iter().map(|c| format!("{}'", c.name)).collect();
         let speed = model.speeds.iter().position(|s| s.name == name);
         let rate = rates.iter().position(|rate| rate == name);
-        let found = model.parameters.iter().position(|p| p.name == name).map(Place::Parameter);
-        let found = found.or_else(|| model.coordinates.iter().position(|c| c.name == name).map(Place::Coordinate));
-        let found = found.or_else(|| rate.filter(|_| by_rates).map(Place::Rate));
-        let found = found.or_else(|| speed.filter(|_| !by_rates).map(Place::Speed));
+        let found = model.parameters.iter().position(|p| p.name == name).map(Varied::Parameter);
+        let found = found.or_else(|| model.coordinates.iter().position(|c| c.name == name).map(Varied::Coordinate));
+        let found = found.or_else(|| rate.filter(|_| by_rates).map(Varied::Rate));
+        let found = found.or_else(|| speed.filter(|_| !by_rates).map(Varied::Speed));
         if found.is_some() {
             return found;
         }
@@ -261,8 +249,8 @@ impl Values<'_, '_> {
     }
 
     /// An end of an axis or a value in a list: what a scene may state there.
-    fn value_of(&mut self, text: &Located, place: Place, context: &Context<'_>) -> Option<Number> {
-        if matches!(place, Place::Parameter(_)) {
+    fn value_of(&mut self, text: &Located, place: Varied, context: &Context<'_>) -> Option<Number> {
+        if matches!(place, Varied::Parameter(_)) {
             return self.constant(text);
         }
         let number = self.number(text, context.parameters, "a value at the start")?;
@@ -277,7 +265,7 @@ impl Values<'_, '_> {
     }
 
     /// The same, above zero.
-    fn positive(&mut self, text: &Located, place: Place, context: &Context<'_>) -> Option<Number> {
+    fn positive(&mut self, text: &Located, place: Varied, context: &Context<'_>) -> Option<Number> {
         let number = self.value_of(text, place, context)?;
         if number.double <= 0.0 {
             let message = format!("{} has no logarithm", number.double);

@@ -4,7 +4,7 @@
 //! included. The same code reads both; only the parsing is done once.
 
 use super::axis::Grid;
-use super::values::{Number, Place, Start, Terms, Values, doubles};
+use super::values::{Number, Start, Terms, Values, Varied, doubles};
 use super::{Numbers, Scene};
 use crate::diagnostic::Diagnostics;
 use crate::model::Model;
@@ -38,7 +38,7 @@ impl<'a> Family<'a> {
         (given.iter().map(|(_, number)| number.double).collect(), self.scene(&given))
     }
 
-    fn scene(&mut self, given: &[(Place, Number)]) -> Result<Scene, Diagnostics> {
+    fn scene(&mut self, given: &[(Varied, Number)]) -> Result<Scene, Diagnostics> {
         let mut values = Values {
             reader: Reader::new(&self.scene.source),
             model: &mut self.model,

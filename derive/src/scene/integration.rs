@@ -6,10 +6,18 @@ use crate::algebra::exact::pi;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mechanics::Distance;
 use toml::de::{DeTable, DeValue};
-use tripos_traits::{ATOL, AbsoluteTolerance, RTOL};
+use tripos_traits::{AbsoluteTolerance, Method};
 
 /// The methods of integration by name, as the simulator knows them.
-pub const METHODS: [&str; 7] = ["rk4", "ode45", "dopri5", "dop853", "gauss6", "taylor", QUADRATURE];
+pub const METHODS: [&str; Method::ALL.len() + 1] = {
+    let mut names = [QUADRATURE; Method::ALL.len() + 1];
+    let mut at = 0;
+    while at < Method::ALL.len() {
+        names[at] = Method::ALL[at].name();
+        at += 1;
+    }
+    names
+};
 /// The one of them that takes no steps.
 pub const QUADRATURE: &str = "quadrature";
 
@@ -84,6 +92,14 @@ pub struct Integration {
     pub may_measure: bool,
 }
 
+impl Integration {
+    /// The smallest absolute tolerance of a component.
+    #[must_use]
+    pub fn smallest_atol(&self) -> f64 {
+        self.atol.smallest()
+    }
+}
+
 const KEYS: [&str; 10] =
     ["method", "solve", "rtol", "atol", "step", "step_limit", "samples", "domain", "project", "distance"];
 
@@ -94,7 +110,7 @@ impl<'a> Values<'a, '_> {
         if let Some(section) = section {
             self.reader.allow(section, "`integration`", &KEYS);
         }
-        let rtol = self.size(section, "rtol", p).unwrap_or(RTOL);
+        let rtol = self.size(section, "rtol", p).unwrap_or(1e-6);
         let atol = self.absolute(section, p);
         if rtol == 0.0 && atol == AbsoluteTolerance::Uniform(0.0) {
             let help = "give at least one tolerance above zero";
@@ -102,7 +118,7 @@ impl<'a> Values<'a, '_> {
         }
         let project = self.choice(section, "project", &Project::ALL.map(Project::name));
         let solve = self.choice(section, "solve", &Solve::ALL.map(Solve::name));
-        let method = self.choice(section, "method", &METHODS).unwrap_or("ode45");
+        let method = self.choice(section, "method", &METHODS).unwrap_or(Method::default().name());
         if method == QUADRATURE {
             for (key, what) in [("step", "takes no steps"), ("project", "keeps the energy by itself")] {
                 if let Some(value) = section.and_then(|s| self.reader.get(s, key)) {
@@ -148,21 +164,22 @@ impl<'a> Values<'a, '_> {
 
     /// One number, or a table with one for each coordinate and speed; what it leaves out has the default.
     fn absolute(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> AbsoluteTolerance {
+        const DEFAULT: f64 = 1e-9;
         let Some(value) = section.and_then(|s| self.reader.get(s, "atol")) else {
-            return AbsoluteTolerance::default();
+            return AbsoluteTolerance::Uniform(DEFAULT);
         };
         if !matches!(value.get_ref(), DeValue::Table(_)) {
-            return AbsoluteTolerance::Uniform(self.size(section, "atol", p).unwrap_or(ATOL));
+            return AbsoluteTolerance::Uniform(self.size(section, "atol", p).unwrap_or(DEFAULT));
         }
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
         let names: Vec<String> = coordinates.chain(self.model.speeds.iter().map(|s| s.name.clone())).collect();
-        let mut each = vec![ATOL; names.len()];
+        let mut each = vec![DEFAULT; names.len()];
         let Some(table) = self.reader.table(value, "`atol`", "atol = { q1 = 1e-9 }") else {
             return AbsoluteTolerance::Each(each);
         };
         for (name, _) in self.reader.entries(table) {
             match names.iter().position(|known| *known == name.text) {
-                Some(at) => each[at] = self.size(Some(table), &name.text, p).unwrap_or(ATOL),
+                Some(at) => each[at] = self.size(Some(table), &name.text, p).unwrap_or(DEFAULT),
                 None => {
                     let help = nearest(&name.text, names.iter().map(String::as_str));
                     let message = format!("the model has no coordinate or speed `{}`", name.text);

@@ -45,7 +45,7 @@ impl Number {
 
 /// A number of a scene that may be given instead of what its file says, by its place in the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Varied {
     /// A parameter.
     Parameter(usize),
     /// A coordinate at the start.
@@ -102,7 +102,7 @@ pub struct Values<'a, 'm> {
     /// Formulas that were met before, in this file.
     pub terms: Terms,
     /// Numbers that stand in the stead of the file's.
-    pub given: &'m [(Place, Number)],
+    pub given: &'m [(Varied, Number)],
 }
 
 /// How far a stated constrained variable may be from where its constraint puts it.
@@ -141,7 +141,7 @@ impl<'a> Values<'a, '_> {
             (values[at], places[at]) = (Some(number), Some(formula.span));
         }
         for (place, number) in self.given {
-            let Place::Parameter(at) = *place else { continue };
+            let Varied::Parameter(at) = *place else { continue };
             if let Some(message) = self.not_positive(at, number) {
                 self.reader.errors.push(Diagnostic::of_file(message, "give a value above zero"));
             }
@@ -212,10 +212,10 @@ impl<'a> Values<'a, '_> {
         }
         for (place, number) in self.given {
             match *place {
-                Place::Parameter(_) => {}
-                Place::Coordinate(at) => q[at] = Some(number.clone()),
-                Place::Rate(at) => rates[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
-                Place::Speed(at) => u[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
+                Varied::Parameter(_) => {}
+                Varied::Coordinate(at) => q[at] = Some(number.clone()),
+                Varied::Rate(at) => rates[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
+                Varied::Speed(at) => u[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
             }
         }
         self.complete(table, &q, &rates, &u)?;

@@ -12,22 +12,21 @@ use crate::run::refused;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::print::text;
 use tripos_derive::scene::{Scene, Solve};
-use tripos_sim::work_precision::larger;
 use tripos_sim::{Dynamics, Options, Output, linear};
-use tripos_traits::{DoubleDouble, Real, Scalar, System};
+use tripos_traits::{DoubleDouble, Real, Scalar, System, larger};
 
 /// Distances from the singular surface at which matrices are looked at, for one decade.
 const PER_DECADE: usize = 6;
 
 /// A state of the passage: what the kinematic equations divide by, coordinates, speeds.
-struct Place {
+struct Waypoint {
     divisor: f64,
     q: Vec<f64>,
     u: Vec<f64>,
 }
 
 /// u̇ at exactly these doubles, in twice their precision.
-fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Place) -> Vec<DoubleDouble> {
+fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint) -> Vec<DoubleDouble> {
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let (p, q, u) = (wide(&study.scene.parameters), wide(&place.q), wide(&place.u));
     let zeros = vec![DoubleDouble::int(0); system.lengths().variables];
@@ -44,7 +43,7 @@ fn look(
     case: &Case,
     extended: &dyn System<DoubleDouble>,
     scene: &Scene,
-    place: &Place,
+    place: &Waypoint,
     exact: &[DoubleDouble],
 ) -> Result<(f64, f64, f64), Error> {
     let (system, p) = (case.code.system(), scene.parameters.as_slice());
@@ -74,7 +73,7 @@ fn look(
 }
 
 /// States along the first passage of the narrowest rung, some in each decade of the divisor.
-fn places(study: &Study<'_>) -> Result<Vec<Place>, Error> {
+fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     let model = study.model;
     let mut narrow: Option<(f64, f64, Scene)> = None;
     for (_, mut scene) in study.scene.rungs() {
@@ -92,21 +91,23 @@ fn places(study: &Study<'_>) -> Result<Vec<Place>, Error> {
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let options = Options {
         method: tripos_sim::Method::Dop853,
+        rtol: 1e-12,
+        atol: tripos_sim::AbsoluteTolerance::Uniform(1e-12),
         output: Output::Steps { refine: 50 },
-        ..Options::tolerances(1e-12, 1e-12)
+        ..Options::default()
     };
     let run = uninterrupted(problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?)?;
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(Vec::new()) };
     let inputs = [model.p(), model.q()].concat();
     let tape = tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;
     let n = problem.system().lengths().coordinates;
-    let mut list: Vec<Place> = Vec::new();
+    let mut list: Vec<Waypoint> = Vec::new();
     let mut next = 0.7;
     for (t, y) in run.t.iter().zip(&run.y) {
         let state = problem.state(*t, y);
         let value = tape.evaluate(&[scene.parameters.as_slice(), &state[..n]].concat())[0].abs();
         if value <= next && value >= 0.9 * least {
-            list.push(Place { divisor: value, q: state[..n].to_vec(), u: state[n..].to_vec() });
+            list.push(Waypoint { divisor: value, q: state[..n].to_vec(), u: state[n..].to_vec() });
             next = value * 10_f64.powf(-1.0 / PER_DECADE as f64);
         }
     }

@@ -15,8 +15,9 @@ use tripos_derive::Formulation;
 use tripos_derive::algebra::print::text;
 use tripos_derive::mechanics::{Distance, distances};
 use tripos_derive::scene::Scene;
-use tripos_sim::work_precision::{error, larger, options};
+use tripos_sim::work_precision::{error, options};
 use tripos_sim::{Method, Options, Output};
+use tripos_traits::larger;
 
 /// The methods that are compared, each at a tolerance near the finest that it takes.
 const METHODS: [(Method, f64); 5] = [

@@ -7,6 +7,7 @@
 use super::chart::{Anchor, Chart, Place};
 use super::energy::Energy;
 use super::rule::{POINTS, Rule, Series, Values, dot, integrated};
+use tripos_traits::largest;
 
 /// What a series may leave out, relative to the largest value: a few roundings.
 const RESOLVED: f64 = 4.0 * f64::EPSILON;
@@ -66,10 +67,6 @@ pub(super) struct Track {
     floors: Vec<[f64; 2]>,
     pub(super) attempts: u32,
     pub(super) rejected: u32,
-}
-
-fn largest(c: &[f64]) -> f64 {
-    c.iter().fold(0.0, |largest: f64, c| if c.abs() > largest || c.is_nan() { c.abs() } else { largest })
 }
 
 /// Buffers for one panel.
@@ -256,15 +253,18 @@ impl Track {
     fn judge(&mut self, rule: &Rule, scratch: &mut Scratch, function: usize, half: f64) -> f64 {
         let c = rule.coefficients(&scratch.values[function]);
         scratch.series[function] = c;
-        let size = largest(&c);
+        let size = largest(c);
         if size == 0.0 {
             return f64::INFINITY;
         }
-        let last = largest(&c[POINTS - 2..]);
+        let last = largest(c[POINTS - 2..].iter().copied());
         let total = self.totals()[function].abs() + 2.0 * half * c[0].abs();
         let enough = (RESOLVED + self.noise) * size;
         let resolved = last <= enough || last * half <= f64::EPSILON * total;
-        if !resolved && largest(&c[POINTS - 4..]) > 0.2 * largest(&c[POINTS - 10..POINTS - 4]) && last < 1e-8 * size {
+        if !resolved
+            && largest(c[POINTS - 4..].iter().copied()) > 0.2 * largest(c[POINTS - 10..POINTS - 4].iter().copied())
+            && last < 1e-8 * size
+        {
             return self.judge_noise(function, last / size);
         }
         let decay = -(last / size).max(1e-18).ln() / (POINTS as f64 - 1.5);

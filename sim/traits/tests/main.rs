@@ -3,4 +3,3 @@
 mod circular;
 mod double_double;
 mod lanes;
-mod random;

@@ -4,7 +4,7 @@ use super::own::Own;
 use crate::page::{Nearest, RunRow};
 use tripos::Mechanism;
 use tripos::invariants::Course;
-use tripos::run::{Run, how, state_names};
+use tripos::run::{Run, method_words, state_names};
 use tripos_derive::scene::Scene;
 
 /// The course of a run along which nothing was watched.
@@ -34,7 +34,7 @@ pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(String, String)> {
         ("Parameters".to_owned(), pairs(parameters, &scene.parameters)),
         ("Start".to_owned(), pairs(state_names(model), &start)),
         ("Span".to_owned(), format!("{} s to {} s", scene.span.0, scene.span.1)),
-        ("Integration".to_owned(), how(scene)),
+        ("Integration".to_owned(), method_words(scene)),
         ("Domain".to_owned(), model.domain.iter().map(|c| c.text.clone()).collect::<Vec<_>>().join(", ")),
     ];
     facts.retain(|(_, value)| !value.is_empty());

@@ -1,0 +1,39 @@
+//! Maxima that know what NaN is.
+//!
+//! `f64::max` takes what is not a number for nothing at all: an error that has no value would become the best of all errors.
+//! What decides something is a maximum from here.
+
+/// The larger of two numbers, and not a number if either is none: a maximum that hides nothing.
+#[must_use]
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
+/// The largest size |x| of a list, and not a number if one of them is none; 0 for an empty list.
+#[must_use]
+pub fn largest(list: impl IntoIterator<Item = f64>) -> f64 {
+    list.into_iter().map(f64::abs).fold(0.0, larger)
+}
+
+/// The larger of two numbers, and the second where either is none: one instruction, for the weights of loops whose values
+/// are looked at elsewhere.
+#[must_use]
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "one instruction, also inside code for wider registers")]
+pub fn larger_or_second(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_number_is_the_largest() {
+        for list in [[f64::NAN, 1.0, 2.0], [1.0, f64::NAN, 2.0], [1.0, 2.0, f64::NAN]] {
+            assert!(largest(list).is_nan(), "{list:?}");
+        }
+        assert!(largest([]).abs() < f64::MIN_POSITIVE && largest([1.0, -3.0]).to_bits() == 3.0_f64.to_bits());
+        assert!(larger(f64::NAN, 1.0).is_nan() && larger(1.0, f64::NAN).is_nan());
+    }
+}

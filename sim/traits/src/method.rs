@@ -1,0 +1,96 @@
+//! The methods of integration by name: what scenes ask for, and what the simulator has.
+//!
+//! It is complete: who adds one says in the same change how it is run.
+
+/// A method of integration.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// The classical Runge–Kutta method of order 4, with a fixed step only. W. Kutta, Z. Math. Phys. 46 (1901)
+    /// 435–453.
+    Rk4,
+    /// Dormand–Prince 5(4) with the step control of `ode45`; see `tripos_sim::DORMAND_PRINCE_54`.
+    #[default]
+    Ode45,
+    /// Dormand–Prince 5(4) with the step control of Hairer's `dopri5`.
+    Dopri5,
+    /// Dormand–Prince 8(5,3) with the error estimate and the step control of Hairer's `dop853`; see
+    /// `tripos_sim::DORMAND_PRINCE_853`.
+    Dop853,
+    /// Gauss–Legendre collocation with three stages, of order 6: implicit, so that the right-hand side must bring its
+    /// Jacobian; conserves quadratic invariants, and with a fixed step the energy in the long run. Events and output
+    /// inside a step are far less exact than its ends: of order 3.
+    Gauss6,
+    /// Taylor's method, whose order follows from the tolerance; see `order` of its options. The
+    /// right-hand side must bring the Taylor coefficients of its solutions
+    /// (`RightHandSide::taylor`). Steps are long and hardly ever rejected, and the
+    /// solution inside them is as exact as at their ends.
+    Taylor,
+}
+
+impl Method {
+    /// All methods, in the order in which they are always listed.
+    pub const ALL: [Self; 6] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Taylor];
+
+    /// Those that ask for nothing but the right-hand side and its Jacobian.
+    pub const WITHOUT_SERIES: [Self; 5] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6];
+
+    /// The name used on the command line, in files and in tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rk4 => "rk4",
+            Self::Ode45 => "ode45",
+            Self::Dopri5 => "dopri5",
+            Self::Dop853 => "dop853",
+            Self::Gauss6 => "gauss6",
+            Self::Taylor => "taylor",
+        }
+    }
+
+    /// Order of the solution at the end of a step; nothing where it follows from the tolerance.
+    #[must_use]
+    pub const fn order(self) -> Option<u32> {
+        match self {
+            Self::Rk4 => Some(4),
+            Self::Ode45 | Self::Dopri5 => Some(5),
+            Self::Dop853 => Some(8),
+            Self::Gauss6 => Some(6),
+            Self::Taylor => None,
+        }
+    }
+
+    /// Order of the solution inside a step; nothing where it follows from the tolerance.
+    #[must_use]
+    pub const fn dense_order(self) -> Option<u32> {
+        match self {
+            Self::Rk4 | Self::Gauss6 => Some(3),
+            Self::Ode45 | Self::Dopri5 => Some(4),
+            Self::Dop853 => Some(7),
+            Self::Taylor => None,
+        }
+    }
+
+    /// Whether the method estimates its error, and so can choose its steps.
+    #[must_use]
+    pub const fn is_adaptive(self) -> bool {
+        !matches!(self, Self::Rk4)
+    }
+
+    /// Whether fixed steps are what the method is usually run with.
+    #[must_use]
+    pub const fn has_fixed_use(self) -> bool {
+        matches!(self, Self::Rk4 | Self::Gauss6)
+    }
+
+    /// Whether it is implicit, and needs the Jacobian of the right-hand side.
+    #[must_use]
+    pub const fn needs_jacobian(self) -> bool {
+        matches!(self, Self::Gauss6)
+    }
+
+    /// Whether it needs the Taylor coefficients of the solutions.
+    #[must_use]
+    pub const fn needs_series(self) -> bool {
+        matches!(self, Self::Taylor)
+    }
+}
