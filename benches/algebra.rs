@@ -1,6 +1,6 @@
 //! How long it takes to decide whether an expression is zero: by exact evaluation, and by a proof.
 //!
-//! `cargo bench --bench algebra`
+//! `cargo bench -p tripos-benches --features measure --bench algebra`
 
 #![allow(missing_docs, reason = "`criterion_group!` makes a public function")]
 
@@ -25,7 +25,7 @@ struct Case {
 
 /// F_r + F*_r − (f_r − Σ M_rs u̇_s): a row of Kane's equations as they are defined, against the row as it is printed.
 fn kane_row(name: &'static str, model: &str, row: usize) -> Case {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model).join("model.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(model).join("model.toml");
     let model = Model::read(&path).unwrap_or_else(|e| panic!("{e}"));
     let mut derivations = derive_all(&model).unwrap_or_else(|e| panic!("{e}"));
     let mut quantities = Quantities::new(&model, &mut derivations);

@@ -1,6 +1,6 @@
 //! How long it takes to derive, to prove and to judge.
 //!
-//! `cargo bench --bench derivation`
+//! `cargo bench -p tripos-benches --features measure --bench derivation`
 
 #![allow(missing_docs, reason = "`criterion_group!` makes a public function")]
 
@@ -20,7 +20,7 @@ use tripos_derive::report::{Report, load};
 use tripos_derive::{Formulation, Model, derive};
 
 fn folder(model: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(model)
 }
 
 fn read(model: &str) -> Model {

@@ -1,6 +1,6 @@
 //! What lanes cost: sines, the derivative of the disk's state, and whole runs, beside the same in single numbers.
 //!
-//! `cargo bench -p tripos --bench lanes`. Each figure is the median of short turns, most of them taken alternately; "a state"
+//! `cargo bench -p tripos-benches --features measure --bench lanes`. Each figure is the median of short turns, most of them taken alternately; "a state"
 //! means: divided by the number of lanes.
 
 use std::hint::black_box;
@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use tripos_models::disk::lagrange::Lagrange;
 use tripos_sim::batch::{self, Plan, Trajectory};
-use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, integrate};
+use tripos_sim::{Eliminated, Lent, integrate};
 use tripos_traits::{Derivative, InLanes, Lanes, Rates, Scalar, System, lane_width};
 
 const DISK: Derivative<Lagrange> = Derivative(Lagrange);
@@ -115,13 +115,7 @@ fn batches() {
         (0..256).map(|i| [0.1745, lean(i), 0.785, 5.0, 1.0, 0.01, -0.1, 0.02, 0.4, 0.1]).collect();
     let p = [1.0, 1.0, 9.81];
     let list: Vec<Trajectory<'_>> = starts.iter().map(|start| Trajectory { parameters: &p, start }).collect();
-    let plan = Plan {
-        span: (0.0, 10.0),
-        rtol: 1e-6,
-        atol: AbsoluteTolerance::Uniform(1e-6),
-        max_step: None,
-        step_limit: 100_000,
-    };
+    let plan = Plan { span: (0.0, 10.0), rtol: 1e-6, atol: 1e-6.into(), max_step: None, step_limit: 100_000 };
     let equations = InLanes::of(&DISK);
     let outcomes = batch::integrate(equations, &plan, &list).expect("the question makes sense");
     let attempts: u64 = outcomes.iter().map(|o| o.steps + o.rejected).sum();

@@ -6,7 +6,7 @@
 
 use crate::support;
 
-use support::exact::{Motion, exact, motion, start_of};
+use support::exact::{CLOSED_FORMS, Motion, exact, motion, start_of};
 use support::stability::{Equations, Start, options, rounded, wide};
 use support::{Random, compiled};
 use tripos_sim::{Dynamics, Method};
@@ -16,19 +16,6 @@ type Dd = DoubleDouble;
 
 const TOLERANCE: f64 = 1e-19;
 const INSTANTS: [&str; 5] = ["-1.3", "0.05", "0.31", "0.9", "4.7"];
-/// The scenes with a closed form.
-const SCENES: [(&str, &str); 10] = [
-    ("pendulum", "swing"),
-    ("pendulum", "over"),
-    ("spherical_pendulum", "wide"),
-    ("spherical_pendulum", "narrow"),
-    ("heavy_top", "looping"),
-    ("euler_top", "looping"),
-    ("euler_top", "cusps"),
-    ("free_body", "steady"),
-    ("free_body", "tumbling"),
-    ("floating_chain", "straight"),
-];
 
 fn derivatives(f: impl Fn(Dd) -> Vec<Dd>, t: Dd) -> Vec<Dd> {
     let h = wide("1e-5");
@@ -87,7 +74,7 @@ fn split(motion: &Motion, coordinates: usize, t: Dd) -> (Vec<Dd>, Vec<Dd>) {
 
 #[test]
 fn every_exact_scene_moves_by_the_equations_of_every_formulation() {
-    for (model, scene) in SCENES {
+    for (model, scene) in CLOSED_FORMS {
         let start = start_of(model, scene);
         let at_start = motion(model, &start).unwrap()(Dd::int(0));
         for (found, stated) in at_start.into_iter().zip([start.q.clone(), start.u.clone()].concat()) {
@@ -190,7 +177,7 @@ fn floating_chain_keeps_its_momenta_in_every_formulation() {
 /// what the errors of some hundred steps at the tolerance add up to.
 #[test]
 fn runs_of_exact_scenes_arrive_where_they_should() {
-    for (model, scene) in SCENES {
+    for (model, scene) in CLOSED_FORMS {
         let start = start_of(model, scene);
         let (_, read) = support::exact::read(model, scene);
         let end = read.span.1;

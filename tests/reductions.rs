@@ -4,7 +4,7 @@ use crate::support;
 
 use std::path::Path;
 use support::Random;
-use support::exact::{exact, start_of};
+use support::exact::{CLOSED_FORMS, exact, start_of};
 use support::reduced::Reduced;
 use support::stability::Equations;
 use tripos_derive::Model;
@@ -108,18 +108,7 @@ fn any_outputs_of_any_scene_are_those_of_the_whole_equations() {
 /// All coordinates and speeds, at three instants. 1e-12: the tolerance of a step times some hundred steps.
 #[test]
 fn reduced_systems_move_by_the_closed_forms() {
-    for (model, scene) in [
-        ("pendulum", "swing"),
-        ("pendulum", "over"),
-        ("spherical_pendulum", "wide"),
-        ("spherical_pendulum", "narrow"),
-        ("heavy_top", "looping"),
-        ("euler_top", "looping"),
-        ("euler_top", "cusps"),
-        ("free_body", "steady"),
-        ("free_body", "tumbling"),
-        ("floating_chain", "straight"),
-    ] {
+    for (model, scene) in CLOSED_FORMS {
         let end = support::exact::read(model, scene).1.span.1;
         for part in [0.13, 0.5, 1.0] {
             let wanted = exact(model, scene, end * part).unwrap();

@@ -8,7 +8,7 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, derive, derive_all};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model};
-use tripos_sim::{AbsoluteTolerance, Method, Options, Output, integrate};
+use tripos_sim::{Method, Options, Output, integrate};
 
 const DISC: &str = include_str!("data/rolling_disc.toml");
 
@@ -123,13 +123,7 @@ const ROLL: &str = "model = \"disc.toml\"\nspan = [0, 3]\n[start]\nq1 = 0.1\nq2 
 #[test]
 fn a_run_is_the_rolling_motion() {
     let start = [0.1, 0.2, 0.0, 1.0, -1.0, 0.3, 4.0, -1.2];
-    let how = Options {
-        method: Method::Dop853,
-        rtol: 1e-13,
-        atol: AbsoluteTolerance::Uniform(1e-13),
-        output: Output::Ends,
-        ..Options::default()
-    };
+    let how = Options { method: Method::Dop853, output: Output::Ends, ..Options::tolerances(1e-13, 1e-13) };
     // The closed form, with the kinematic equations by hand.
     let by_hand = |_t: f64, y: &[f64], out: &mut [f64]| {
         let (r, g) = (0.31, 9.81);

@@ -92,12 +92,7 @@ fn a_tolerance_below_rounding_is_longer_no_better_and_said() {
     let exact = tripos_sim::exact::Pendulum::new(wide("9.81"), wide("3"), wide("0"));
     let truth = [exact.angle(DoubleDouble::int(20)), exact.rate(DoubleDouble::int(20))];
     let at = |atol: f64| {
-        let how = Options {
-            rtol: 0.0,
-            atol: tripos_sim::AbsoluteTolerance::Uniform(atol),
-            step_limit: 100_000,
-            ..options(Method::Dop853, 1e-6)
-        };
+        let how = Options { rtol: 0.0, atol: atol.into(), step_limit: 100_000, ..options(Method::Dop853, 1e-6) };
         equations.run(&start, 20.0, &how, &mut [])
     };
     let (sensible, absurd) = (at(1e-14), at(1e-20));

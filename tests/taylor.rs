@@ -10,7 +10,7 @@ use tripos_derive::algebra::parse::parse_free;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::Solved;
 use tripos_derive::{Formulation, Model, derive};
-use tripos_sim::{AbsoluteTolerance, Eliminated, Method, Options, Output, integrate};
+use tripos_sim::{Eliminated, Method, Options, Output, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 type Dd = DoubleDouble;
@@ -219,13 +219,8 @@ fn every_formulation_of_the_disk_arrives_where_dop853_does() {
         let mut v = [Dd::int(0); 5];
         named.extended.motion_variables(&p, &q, &u, &mut v);
         let start = [q, v].concat();
-        let options = |method, tolerance| Options {
-            method,
-            rtol: tolerance,
-            atol: AbsoluteTolerance::Uniform(tolerance),
-            output: Output::Ends,
-            ..Options::default()
-        };
+        let options =
+            |method, tolerance| Options { method, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) };
         let reference = Eliminated::new(named.extended, &p).unwrap();
         let reference = integrate(reference, (0.0, 2.0), &start, &options(Method::Dop853, 1e-18), &mut []).unwrap();
         let narrow = |list: &[Dd]| list.iter().map(|x| x.to_f64()).collect::<Vec<_>>();

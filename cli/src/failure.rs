@@ -5,7 +5,7 @@ use std::fmt;
 use tripos::Error;
 use tripos_codegen::files::WriteError;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
-use tripos_derive::plain::{is_forbidden, visible};
+use tripos_derive::plain::{is_forbidden, path_in_line, visible};
 
 /// Exit statuses, the same for every command.
 pub mod status {
@@ -156,7 +156,7 @@ impl From<WriteError> for Failure {
             WriteError::Busy(_) => Self::Request(what, "wait for it, or give another file".to_owned()),
             // Nobody listens any more.
             WriteError::Io(_, error) if error.kind() == std::io::ErrorKind::BrokenPipe => Self::Hangup,
-            WriteError::Io(path, error) => Self::Output(path.display().to_string(), error),
+            WriteError::Io(path, error) => Self::Output(path_in_line(&path), error),
         }
     }
 }

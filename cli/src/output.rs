@@ -8,6 +8,7 @@ use std::io::{Error, Write};
 use std::path::{Path, PathBuf};
 use tripos_codegen::files::{self, Draft, Existing, Unfinished, WriteError, would_change};
 use tripos_derive::Model;
+use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
 
 /// A table as a file, in the place of one that is there.
@@ -63,7 +64,8 @@ pub fn keep_inputs<'a>(
     let inputs: Vec<PathBuf> = [model.source.path.clone(), report].into_iter().chain(scene).collect();
     for output in outputs {
         if let Some(input) = inputs.iter().find(|input| would_change(output, input)) {
-            let what = format!("`{}` would be written over `{}`, which is read", output.display(), input.display());
+            let what =
+                format!("`{}` would be written over `{}`, which is read", path_in_line(output), path_in_line(input));
             return Err(Failure::Request(what, "give another file".to_owned()));
         }
     }

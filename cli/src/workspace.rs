@@ -7,6 +7,7 @@ use tripos::Mechanism;
 use tripos::code::compiled;
 use tripos_codegen::scene_files::is_same;
 use tripos_derive::Model;
+use tripos_derive::plain::path_in_line;
 use tripos_models::MODELS;
 
 /// The model file that an argument means: a file, or a folder with `model.toml` in it.
@@ -17,7 +18,7 @@ pub fn model_file(argument: &Path) -> PathBuf {
 /// Reads the model that an argument means.
 pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
     if std::fs::symlink_metadata(argument).is_err_and(|error| error.kind() == std::io::ErrorKind::NotFound) {
-        let what = format!("there is no model at `{}`: no such file or folder", argument.display());
+        let what = format!("there is no model at `{}`: no such file or folder", path_in_line(argument));
         let help = "give a model file, or a folder that holds `model.toml`".to_owned();
         return Err(Failure::Request(what, help));
     }
@@ -71,7 +72,7 @@ pub fn workspace_here() -> Result<PathBuf, Failure> {
     workspace_around(&here).ok_or_else(|| {
         let what = format!(
             "no workspace: neither `{}` nor a folder above it holds `models` and `generated/src`",
-            here.display()
+            path_in_line(&here)
         );
         let help = "go to a checkout that has both; `tripos emit MODEL --out DIR` writes the code of a model anywhere";
         Failure::Request(what, help.to_owned())

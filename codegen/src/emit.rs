@@ -11,6 +11,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::mechanics::DeriveError;
+use tripos_derive::plain::path_in_line;
 use tripos_derive::{Formulation, Model};
 
 /// The command that writes such modules, as their headers name it.
@@ -104,8 +105,8 @@ impl std::error::Error for PlaceError {}
 impl fmt::Display for PlaceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Foreign(path) => write!(f, "`{}` is not a file that `tripos {COMMAND}` wrote", path.display()),
-            Self::Io(path, error) => write!(f, "cannot read or remove `{}`: {error}", path.display()),
+            Self::Foreign(path) => write!(f, "`{}` is not a file that `tripos {COMMAND}` wrote", path_in_line(path)),
+            Self::Io(path, error) => write!(f, "cannot read or remove `{}`: {error}", path_in_line(path)),
             Self::Write(error) => error.fmt(f),
         }
     }

@@ -17,6 +17,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use std::{fmt, io};
 use tempfile::TempPath;
+use tripos_derive::plain::path_in_line;
 
 /// How long [`write`] waits for another writer of the same name, who is done as soon as its disk lets it.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -59,12 +60,17 @@ pub enum WriteError {
 impl fmt::Display for WriteError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::There(path) => write!(f, "`{}` is there already", path.display()),
+            Self::There(path) => write!(f, "`{}` is there already", path_in_line(path)),
             Self::Appeared(path, part) => {
-                write!(f, "`{}` has appeared meanwhile; what was written is in `{}`", path.display(), part.display())
+                write!(
+                    f,
+                    "`{}` has appeared meanwhile; what was written is in `{}`",
+                    path_in_line(path),
+                    path_in_line(part)
+                )
             }
-            Self::Busy(path) => write!(f, "another command is writing `{}`", path.display()),
-            Self::Io(path, error) => write!(f, "cannot write `{}`: {error}", path.display()),
+            Self::Busy(path) => write!(f, "another command is writing `{}`", path_in_line(path)),
+            Self::Io(path, error) => write!(f, "cannot write `{}`: {error}", path_in_line(path)),
         }
     }
 }
@@ -216,7 +222,7 @@ fn locked(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> 
     let begun = Instant::now();
     loop {
         if part.symlink_metadata().is_ok_and(|there| !there.is_file()) {
-            let what = format!("`{}` is no regular file", part.display());
+            let what = format!("`{}` is no regular file", path_in_line(part));
             return Err(failed(Error::new(ErrorKind::AlreadyExists, what)));
         }
         // Emptied only once it is ours.

@@ -1,6 +1,6 @@
 //! What is wrong with a file: place, fact, help.
 
-use crate::plain::{one_line, visible};
+use crate::plain::{one_line, path_in_line, visible};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::fmt;
 use std::io::Read;
@@ -151,8 +151,7 @@ const MARGIN: usize = 160;
 
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let path = self.source.path.display().to_string();
-        let path = visible(&path);
+        let path = path_in_line(&self.source.path);
         for (at, diagnostic) in self.list.iter().take(MAX_SHOWN).enumerate() {
             if at > 0 {
                 writeln!(f, "\n")?;

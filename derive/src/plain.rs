@@ -5,6 +5,7 @@
 //! Absent on purpose: quoting for Rust, HTML, LaTeX, CSV and JSON. Whoever writes one of these escapes for it, in one place each.
 
 use std::borrow::Cow;
+use std::path::Path;
 
 /// Whether a character has no place in a line of text: control characters, marks that turn the direction of writing and characters that
 /// nobody sees (which let a text read as another than it is), and line and paragraph separators.
@@ -43,6 +44,12 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
+/// A path as a message names it, on one line whatever the names of its folders are.
+#[must_use]
+pub fn path_in_line(path: &Path) -> String {
+    visible(&path.display().to_string()).replace('\n', "\\u{a}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -53,5 +60,6 @@ mod tests {
         assert_eq!(visible("plain — θ̇ 🎢\nand a line"), "plain — θ̇ 🎢\nand a line");
         assert_eq!(one_line("  two\r\n\twords "), "two words");
         assert_eq!(called('\u{1b}'), "U+001B");
+        assert_eq!(path_in_line(Path::new("a\nb\u{7}/é")), "a\\u{a}b\\u{7}/é");
     }
 }

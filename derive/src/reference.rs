@@ -14,6 +14,7 @@ use crate::algebra::parse::ParseError;
 use crate::diagnostic::{Source, shown};
 use crate::mechanics::{Formulation, QuantityError};
 use crate::model::text_hash;
+use crate::plain::path_in_line;
 use serde_json::{Map, Value};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -101,17 +102,17 @@ impl std::error::Error for ReferenceError {}
 impl fmt::Display for ReferenceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotJson { file, why } => write!(f, "{}: this is not JSON: {why}", file.display()),
-            Self::Form { file, key, expected } => write!(f, "{}: `{key}` must be {expected}", file.display()),
+            Self::NotJson { file, why } => write!(f, "{}: this is not JSON: {why}", path_in_line(file)),
+            Self::Form { file, key, expected } => write!(f, "{}: `{key}` must be {expected}", path_in_line(file)),
             Self::OtherText { file, recorded, current } => {
                 let recorded = shown(recorded);
-                write!(f, "{}: derived from the model text {recorded}, which now is {current}", file.display())
+                write!(f, "{}: derived from the model text {recorded}, which now is {current}", path_in_line(file))
             }
             Self::Quantity { file, name, error } => {
-                write!(f, "{}: `{}`: {} ({})", file.display(), shown(name), error.message, error.help)
+                write!(f, "{}: `{}`: {} ({})", path_in_line(file), shown(name), error.message, error.help)
             }
             Self::Formula { file, name, error } => {
-                write!(f, "{}: the value of `{}`: {}", file.display(), shown(name), error.message)
+                write!(f, "{}: the value of `{}`: {}", path_in_line(file), shown(name), error.message)
             }
         }
     }

@@ -10,7 +10,7 @@ mod values;
 
 use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
-use crate::model::Model;
+use crate::model::{Coordinate, Model};
 use crate::read::Reader;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -216,14 +216,11 @@ impl Scene {
     /// What its author may have meant otherwise, a line each.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
-        let starts = model.coordinates.iter().zip(&self.q).filter(|(c, _)| c.unit.is_plain());
-        // People write degrees with few decimals; multiples of π have many.
-        let is_short = |q: f64| (q - (100.0 * q).round() / 100.0).abs() <= f64::EPSILON * q.abs();
-        let turned = starts.filter(|(_, q)| q.abs() > std::f64::consts::TAU && is_short(**q));
-        let hint = |(c, q): (&crate::model::Coordinate, &f64)| {
+        let starts = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
+        let hint = |(c, q): (&Coordinate, &f64)| {
             format!("`{}` starts at {q} rad: if degrees are meant, write \"{q}*deg\"", c.name)
         };
-        turned.map(hint).collect()
+        starts.map(hint).collect()
     }
 }
 
@@ -244,6 +241,15 @@ pub struct State {
     pub q: Vec<f64>,
     /// Generalized speeds.
     pub u: Vec<f64>,
+}
+
+impl State {
+    /// What is probably not meant: an angle of more than a turn, written as people write degrees.
+    #[must_use]
+    pub fn hints(&self, model: &Model) -> Vec<String> {
+        let turned = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
+        turned.map(|(c, q)| format!("`{}` is {q} rad: if degrees are meant, write \"{q}*deg\"", c.name)).collect()
+    }
 }
 
 /// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`.

@@ -20,16 +20,16 @@ fn disk_lean() {
             states: q2_minus_90deg, u1
             u3 [1/s] = u3
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
-            c_4_u3 [1/s] = 4*u3
-            c_4_g [m/s^2] = 4*g
-            c_2_u3 [1/s] = 2*u3
-            u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+            u3_times_4 [1/s] = 4*u3
+            g_times_4 [m/s^2] = 4*g
+            u3_times_2 [1/s] = 2*u3
+            u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
             q2_minus_90deg' = -u1
-            u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + c_4_g) + u2*c_2_u3)/(4*sin(q2_minus_90deg)^2 - 5)
+            u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + g_times_4) + u2*u3_times_2)/(4*sin(q2_minus_90deg)^2 - 5)
             q2 -> pi/2 + q2_minus_90deg
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
-            energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
+            energy known; divided by: sin(q2_minus_90deg)
         "]],
     );
 }
@@ -49,22 +49,22 @@ fn disk_with_ten_outputs() {
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
             centre_q4 [kg*m] = q4 - sin(q1)*sin(q2)
             centre_q5 [kg*m] = cos(q1)*sin(q2) + q5
-            c_4_u3 [1/s] = 4*u3
-            c_4_g [m/s^2] = 4*g
-            c_2_u3 [1/s] = 2*u3
-            u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+            u3_times_4 [1/s] = 4*u3
+            g_times_4 [m/s^2] = 4*g
+            u3_times_2 [1/s] = 2*u3
+            u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
             u5 = p_q5 - u1*cos(q1)*sin(q2_minus_90deg) - u2*sin(q1)/tan(q2_minus_90deg)
             u4 = u1*sin(q1)*sin(q2_minus_90deg) - u2*cos(q1)/tan(q2_minus_90deg) + p_q4
             q2_minus_90deg' = -u1
             q3' = u3 + u2/tan(q2_minus_90deg)
             q1' = -u2/sin(q2_minus_90deg)
-            u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + c_4_g) + u2*c_2_u3)/(4*sin(q2_minus_90deg)^2 - 5)
+            u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + g_times_4) + u2*u3_times_2)/(4*sin(q2_minus_90deg)^2 - 5)
             q2 -> pi/2 + q2_minus_90deg
             q4 -> sin(q1)*cos(q2_minus_90deg) + p_q4*t + centre_q4
             q5 -> p_q5*t - cos(q1)*cos(q2_minus_90deg) + centre_q5
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
-            energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
+            energy known; divided by: sin(q2_minus_90deg)
         "]],
     );
 }
@@ -79,18 +79,18 @@ fn disk_contact_force_and_accelerations() {
             states: q2_minus_90deg, u1
             u3 [1/s] = u3
             H_a3_there_scaled [kg*m^2/s] = 2*u3*(1 - sin(q2)) - u2*cos(q2)
-            c_4_u3 [1/s] = 4*u3
-            c_4_g [m/s^2] = 4*g
-            c_2_u3 [1/s] = 2*u3
-            u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+            u3_times_4 [1/s] = 4*u3
+            g_times_4 [m/s^2] = 4*g
+            u3_times_2 [1/s] = 2*u3
+            u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
             q2_minus_90deg' = -u1
-            u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + c_4_g) + u2*c_2_u3)/(4*sin(q2_minus_90deg)^2 - 5)
+            u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + g_times_4) + u2*u3_times_2)/(4*sin(q2_minus_90deg)^2 - 5)
             N -> (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + u2*(2*u3*sin(q2_minus_90deg) + u2*cos(q2_minus_90deg))))/(sin(q2_minus_90deg)*(1 + 4*cos(q2_minus_90deg)^2))
             u1' -> (2*u2*u3 + cos(q2_minus_90deg)*(4*g + 4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg)))/(4*sin(q2_minus_90deg)^2 - 5)
             q1' -> -u2/sin(q2_minus_90deg)
             upright while pi/2 - abs(pi/2 + q2_minus_90deg) > 0
             contact while (u1^2 + g*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2*cos(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)*(2*u3*sin(q2_minus_90deg) + (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/tan(q2_minus_90d…
-            energy known; divided by: -sin(q2_minus_90deg); -sin(q2_minus_90deg)/4
+            energy known; divided by: sin(q2_minus_90deg)
         "]],
     );
 }
@@ -106,16 +106,16 @@ fn top_in_eulers_angles() {
             quadratures: phi, psi
             p_psi_there [kg*m^2/s] = I1*u2*sin(theta) + I3*u3*(cos(theta) - 1)
             p_phi [kg*m^2/s] = I3*u3
-            c_2_p_phi [1] = 2*I3*u3
-            c_m_l_g [kg*m^2/s^2] = m*l*g
-            u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+            p_phi_times_2 [1] = 2*I3*u3
+            m_l_g [kg*m^2/s^2] = m*l*g
+            u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
             u3 = p_phi/I3
             theta' = u1
             phi' = u3 - u2/tan(theta)
             psi' = u2/sin(theta)
-            u1' = (c_m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
+            u1' = (m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
             regular while sin(theta) > 0
-            energy known; divided by: sin(theta); I1*sin(theta)
+            energy known; divided by: sin(theta)
         "]],
     );
 }
@@ -157,23 +157,23 @@ fn free_body() {
             centre_x [kg*m] = 2*x
             centre_y [kg*m] = 2*y
             centre_z [kg*m] = 2*z
-            c_p_z_by_2 [1] = v3
-            c_p_y_by_2 [1] = v2
-            c_p_x_by_2 [1] = v1
-            c_w3_by_I1 [1/kg/m^2/s] = w3/I1
+            p_z_by_2 [1] = v3
+            p_y_by_2 [1] = v2
+            p_x_by_2 [1] = v1
+            per_I1_w3 [1/kg/m^2/s] = w3/I1
             w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
-            v3 = c_p_z_by_2
-            v2 = c_p_y_by_2
-            v1 = c_p_x_by_2
+            v3 = p_z_by_2
+            v2 = p_y_by_2
+            v1 = p_x_by_2
             theta' = w1
             phi' = w3 - w2/tan(theta)
             psi' = w2/sin(theta)
-            w1' = w2*(2*w2/tan(theta) - c_w3_by_I1)/2
+            w1' = w2*(2*w2/tan(theta) - per_I1_w3)/2
             x -> p_x*t/2 + centre_x/2
             y -> p_y*t/2 + centre_y/2
             z -> p_z*t/2 + centre_z/2
             regular while sin(theta) > 0
-            energy known; divided by: sin(theta); I1*sin(theta)
+            energy known; divided by: sin(theta)
         "]],
     );
 }
@@ -190,17 +190,17 @@ fn floating_chain_folding_angle() {
             p_x [kg*m/s] = m*(6*u1 - l*(2*u3*sin(theta1) + 3*u4*sin(theta2) + u5*sin(theta3)))/2
             H_n3_scaled [kg*m^2/s] = m*l^2*(u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(theta1 - …
             centre_x [kg*m] = m*(6*x + l*(2*cos(theta1) + 3*cos(theta2) + cos(theta3)))/2
-            c_H_n3_scaled_by_m_l_to_2 [1] = u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(theta1 - …
-            c_m_l_to_2_by_12 [kg*m^2] = m*l^2/12
-            u3 = (c_H_n3_scaled_by_m_l_to_2 - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_…
+            per_m_per_l_squared_H_n3_scaled [1] = u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(the…
+            m_l_squared_by_12 [kg*m^2] = m*l^2/12
+            u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(t…
             theta2_from_theta1' = u4_from_u3
             theta3_from_theta1' = u5_from_u3
             theta1' = u3
-            (c_m_l_to_2_by_12*(33 - 18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) - 18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos…
-            (c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 + 3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 - 3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 + 6*sin(theta2_from_theta1…
+            (m_l_squared_by_12*(33 - 18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) - 18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) + co…
+            (m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 + 3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 - 3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 + 6*sin(theta2_from_theta…
             theta2 - theta1 -> theta2_from_theta1
             x -> (p_x*t + centre_x)/(3*m) - l*(2*cos(theta1) + 3*cos(theta1 + theta2_from_theta1) + cos(theta1 + theta3_from_theta1))/6
-            energy known; divided by: m*l^2*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))/12
+            energy known; divided by: 13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))
         "]],
     );
 }
@@ -215,13 +215,13 @@ fn top_in_cardans_angles() {
             states: q1, q2, u1, u2
             quadratures: q3
             p_q3 [kg*m^2/s] = I3*u3
-            c_m_l_g [kg*m^2/s^2] = m*l*g
+            m_l_g [kg*m^2/s^2] = m*l*g
             u3 = p_q3/I3
             q1' = u1/cos(q2)
             q2' = u2
             q3' = u3 - u1*tan(q2)
-            (I1)*u1' = u2*(I1*u1*tan(q2) - I3*u3) + c_m_l_g*sin(q1)
-            (I1)*u2' = u1*(I3*u3 - I1*u1*tan(q2)) + c_m_l_g*cos(q1)*sin(q2)
+            (I1)*u1' = u2*(I1*u1*tan(q2) - I3*u3) + m_l_g*sin(q1)
+            (I1)*u2' = u1*(I3*u3 - I1*u1*tan(q2)) + m_l_g*cos(q1)*sin(q2)
             regular while pi/2 - abs(q2) > 0
             energy known; divided by: cos(q2)
         "]],
@@ -236,14 +236,14 @@ fn chaotic_pendulum_is_left_alone() {
         "",
         expect![[r"
             states: theta, phi, omega, alpha
-            c_3_lB [m] = 3*lB
-            c_2_mA_lA [kg*m] = 2*mA*lA
-            c_g_by_2 [m/s^2] = g/2
-            c_mA_lA_to_2 [kg*m^2] = mA*lA^2
-            c_3_lB_to_2_by_2 [m^2] = 3*lB^2/2
+            lB_times_3 [m] = 3*lB
+            mA_lA_times_2 [kg*m] = 2*mA*lA
+            g_by_2 [m/s^2] = g/2
+            mA_lA_squared [kg*m^2] = mA*lA^2
+            lB_squared_times_3_by_2 [m^2] = 3*lB^2/2
             theta' = omega
             phi' = alpha
-            (IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)*omega' = 2*omega*alpha*sin(phi)*cos(phi)*(IByy - IBxx) - c_g_by_2*sin(theta)*(c_3_lB + c_2_mA_lA)
+            (IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)*omega' = 2*omega*alpha*sin(phi)*cos(phi)*(IByy - IBxx) - g_by_2*sin(theta)*(lB_times_3 + mA_lA_times_2)
             (IBzz)*alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
             energy known; divided by: nothing
         "]],

@@ -97,9 +97,9 @@ fn two_masses_on_a_spring_move_by_their_distance() {
     let r = reduced(&two_masses(), "outputs = [\"y - x\"]\nfree = [\"m\", \"M\", \"k\"]");
     expect![[r"
         states: y_from_x, vy_from_vx
-        c_k_by_m_M [1/kg/s^2] = k/(m*M)
+        per_m_per_M_k [1/kg/s^2] = k/(m*M)
         y_from_x' = vy_from_vx
-        vy_from_vx' = -y_from_x*c_k_by_m_M*(m + M)
+        vy_from_vx' = -y_from_x*per_m_per_M_k*(m + M)
         y - x -> y_from_x
         energy known; divided by: nothing
     "]]
@@ -115,11 +115,11 @@ fn a_bead_on_an_arm_feels_its_angular_momentum() {
     expect![[r"
         states: r, vr
         p_turn [kg*m^2/s] = m*r^2*vturn
-        c_k_by_m [1/s^2] = k/m
+        per_m_k [1/s^2] = k/m
         vturn = p_turn/(m*r^2)
         r' = vr
-        vr' = r*(vturn^2 - c_k_by_m)
-        energy known; divided by: m*r^2
+        vr' = r*(vturn^2 - per_m_k)
+        energy known; divided by: r
     "]]
     .assert_eq(&show(&r));
     let r = reduced(&bead_on_an_arm(), "outputs = [\"turn\"]");
@@ -178,10 +178,10 @@ fn outputs_may_be_formulas_energies_rates_and_accelerations() {
     expect![[r"
         states: r, vr
         p_turn [kg*m^2/s] = m*r^2*vturn
-        c_k_by_m [1/s^2] = k/m
+        per_m_k [1/s^2] = k/m
         vturn = p_turn/(m*r^2)
         r' = vr
-        vr' = r*(vturn^2 - c_k_by_m)
+        vr' = r*(vturn^2 - per_m_k)
         square -> r^2*vturn^2
         vturn' -> -2*vturn*vr/r
         vr' -> r*(vturn^2 - k/m)
@@ -189,7 +189,7 @@ fn outputs_may_be_formulas_energies_rates_and_accelerations() {
         total_energy -> m*(r^2*vturn^2 + vr^2)/2
         kinetic_energy -> m*(r^2*vturn^2 + vr^2)/2
         potential_energy -> 0
-        energy known; divided by: m*r^2
+        energy known; divided by: r
     "]]
     .assert_eq(&show(&r));
 }

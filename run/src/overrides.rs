@@ -3,7 +3,6 @@
 use crate::error::Error;
 use crate::run::method;
 use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
-use tripos_traits::AbsoluteTolerance;
 
 /// What stands in the place of what a scene says of its integration; nothing changes what is not given.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -68,11 +67,11 @@ impl Overrides {
                 }
                 match option {
                     "rtol" => scene.integration.rtol = value,
-                    _ => scene.integration.atol = AbsoluteTolerance::Uniform(value),
+                    _ => scene.integration.atol = value.into(),
                 }
             }
         }
-        if scene.integration.rtol == 0.0 && scene.integration.smallest_atol() == 0.0 {
+        if scene.integration.rtol == 0.0 && scene.integration.atol.smallest() == 0.0 {
             let help = "give at least one tolerance above zero";
             return Err(Error::request("rtol and atol are both zero".to_owned(), help.to_owned()));
         }

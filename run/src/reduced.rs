@@ -4,6 +4,7 @@ use crate::code::{By, Code, compiled_scene, interpreted_scene, tape};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::start::known;
+use tripos_codegen::plan::{Costs, costs};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::reduce::{Quantity, Reduction, reduce, reduce_without_momenta};
@@ -76,6 +77,24 @@ impl Reduced {
             Some(code) => Ok(code),
             None => interpreted_scene(&self.reduction),
         }
+    }
+
+    /// Why these equations are no gain over the whole ones: they carry as many variables along, and a call costs as much or more. Nothing
+    /// if they are a gain.
+    ///
+    /// # Errors
+    /// [`Error`] if Kane's equations of the model cannot be had.
+    pub fn no_gain(&self, model: &Model) -> Result<Option<String>, Error> {
+        let whole = model.coordinates.len() + model.speeds.len();
+        if self.reduction.states.len() + self.reduction.quadratures.len() < whole {
+            return Ok(None);
+        }
+        let Costs { full, scene } = costs(model, &self.reduction).map_err(|error| model.diagnose(&error))?;
+        Ok((scene.weight() >= full.weight()).then(|| {
+            format!(
+                "the scene's own equations carry all {whole} variables and take {scene} a call, the whole ones {full}"
+            )
+        }))
     }
 
     /// The constants of the motion, with their values.

@@ -12,9 +12,7 @@ use tripos_derive::Formulation;
 use tripos_derive::mechanics::Distance;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::work_precision::error;
-use tripos_sim::{
-    AbsoluteTolerance, Eliminated, Lent, Method, Options, Output, RightHandSide, SimError, Solution, integrate,
-};
+use tripos_sim::{Eliminated, Lent, Method, Options, Output, RightHandSide, SimError, Solution, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
 /// States at some instants, known better than any run in doubles knows them.
@@ -139,8 +137,7 @@ impl Witness {
 
 fn options(rtol: f64) -> Options {
     let method = Method::Dop853;
-    let atol = AbsoluteTolerance::Uniform(rtol);
-    Options { method, rtol, atol, step_limit: MOST_STEPS, output: Output::Ends, ..Options::default() }
+    Options { method, step_limit: MOST_STEPS, output: Output::Ends, ..Options::tolerances(rtol, rtol) }
 }
 
 /// From instant to instant: each is the end of a run, where the solution is as good as the tolerance.

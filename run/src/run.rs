@@ -10,6 +10,7 @@ use crate::shown::Shown;
 use crate::trust;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Direction, Dynamics, Effect, Event, EventRecord, Method, Options, Output, SimError, Solution};
@@ -43,6 +44,8 @@ pub struct Run {
     pub energy_drift: Option<f64>,
     /// How much each first integral that was watched changed.
     pub drifts: Vec<Drift>,
+    /// What a reader may want to know of how the run was made; no reason to distrust it.
+    pub notes: Vec<String>,
     /// What a reader must know before trusting the numbers.
     pub warnings: Vec<String>,
 }
@@ -110,24 +113,32 @@ pub fn state_names(model: &Model) -> Vec<String> {
     coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
 }
 
-/// Runs a scene as it asks to be run: by the equations of this name, else by its own reduced ones. A numeric solve is one of whole
-/// equations.
+/// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced ones where these are
+/// a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
 ///
 /// # Errors
 /// [`Error`] if there are no such equations, or they cannot be run.
 pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Run, Error> {
-    let by = by.filter(|by| *by != "reduced");
     let numeric = scene.integration.solve == Some(Solve::Numeric);
-    if by.is_none() && !numeric {
-        return run_reduced(mechanism, scene);
+    let whole = |by| run(mechanism, scene, &by_or_first(mechanism, by)?);
+    match by.filter(|by| *by != "reduced") {
+        Some(by) => whole(Some(by)),
+        None if numeric => {
+            let mut done = whole(None)?;
+            let what = "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown";
+            done.warnings.insert(0, what.to_owned());
+            Ok(done)
+        }
+        None => {
+            let reduced = Reduced::new(mechanism, scene)?;
+            // Quadrature needs the one degree of freedom that only a reduction has.
+            let may_run_whole = by.is_none() && scene.integration.method != QUADRATURE;
+            match if may_run_whole { reduced.no_gain(mechanism)? } else { None } {
+                None => run_reduced(mechanism, scene, &reduced),
+                Some(why) => Ok(Run { notes: vec![format!("whole equations are run: {why}")], ..whole(None)? }),
+            }
+        }
     }
-    let mut done = run(mechanism, scene, &by_or_first(mechanism, by)?)?;
-    if by.is_none() {
-        let what =
-            "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown";
-        done.warnings.insert(0, what.to_owned());
-    }
-    Ok(done)
 }
 
 /// Runs a scene by one set of equations, and shows what it asks for.
@@ -147,12 +158,11 @@ pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_reduced(model: &Mechanism, scene: &Scene) -> Result<Run, Error> {
-    let reduced = Reduced::new(model, scene)?;
+pub fn run_reduced(model: &Mechanism, scene: &Scene, reduced: &Reduced) -> Result<Run, Error> {
     let code = reduced.code(model)?;
-    let singular = Problem::reduced(model, &reduced, scene, &code)?.singular_start()?;
+    let singular = Problem::reduced(model, reduced, scene, &code)?.singular_start()?;
     let (Some(singular), false) = (singular, reduced.constants().next().is_none()) else {
-        return run_own(model, scene, &reduced, &code);
+        return run_own(model, scene, reduced, &code);
     };
     let plain = Reduced::without_momenta(model, scene)?;
     let code = plain.code(model)?;
@@ -246,7 +256,7 @@ pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, 
 /// A scene that the simulator refuses.
 #[must_use]
 pub fn refused(scene: &Scene, error: &SimError) -> Error {
-    Error::request(error.to_string(), format!("check {}", scene.source.path.display()))
+    Error::request(error.to_string(), format!("check {}", path_in_line(&scene.source.path)))
 }
 
 /// How a scene is integrated, and at which instants it is sampled.
@@ -266,12 +276,10 @@ pub fn options_of_ends(scene: &Scene) -> Result<Options, Error> {
     Ok(Options {
         // Quadrature takes no steps: any method will do.
         method: if how.method == QUADRATURE { Method::Dop853 } else { method(&how.method)? },
-        rtol: how.rtol,
-        atol: how.atol.clone(),
         step: how.step,
         step_limit: how.step_limit,
         output: Output::Ends,
-        ..Options::default()
+        ..Options::tolerances(how.rtol, how.atol.clone())
     })
 }
 
@@ -346,6 +354,7 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
         names: shown(problem),
         end: problem.state(solution.t_end, &solution.y_end),
         energy_drift: Some(energy_drift),
+        notes: Vec::new(),
         warnings,
         solution,
     };

@@ -9,7 +9,6 @@ use crate::run::{method, refused};
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_sim::stability::growth;
 use tripos_sim::{Eliminated, Method, Options, RightHandSide, Solution, Stop};
-use tripos_traits::AbsoluteTolerance;
 
 /// How many times what the tolerances allow a conserved quantity may change before it can be an objection.
 const ALLOWED: f64 = 100.0;
@@ -72,7 +71,7 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
     let first = (system.kinetic_energy(p, &start[..n], &start[n..]) + system.potential_energy(p, &start[..n])).abs();
     let scale = solution.y.iter().fold(first, |m, y| m.max(first + potential(y)));
     let how = &scene.integration;
-    let allowed = how.smallest_atol() + how.rtol * scale;
+    let allowed = how.atol.smallest() + how.rtol * scale;
     // A run that ended where energy has no value says so by its stop.
     (drift > ALLOWED * allowed).then(|| {
         format!(
@@ -94,10 +93,7 @@ fn allowance(scene: &Scene, at: usize, value: f64) -> f64 {
     if scene.integration.step.is_some() {
         return FIXED * (1.0 + value.abs());
     }
-    let atol = match &scene.integration.atol {
-        AbsoluteTolerance::Uniform(atol) => *atol,
-        AbsoluteTolerance::Each(each) => each.get(at).copied().unwrap_or(0.0),
-    };
+    let atol = scene.integration.atol.of(at).unwrap_or(0.0);
     // No tolerance makes a number better known than to its rounding.
     (atol + scene.integration.rtol * value.abs()).max(f64::EPSILON * value.abs())
 }
@@ -148,7 +144,7 @@ fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String
         .min_by(|a, b| a.1.total_cmp(&b.1));
     let Some((t, rcond)) = worst else { return Ok(None) };
     let lost = f64::EPSILON / rcond.max(f64::MIN_POSITIVE);
-    let asked = problem.scene.integration.rtol.max(problem.scene.integration.smallest_atol());
+    let asked = problem.scene.integration.rtol.max(problem.scene.integration.atol.smallest());
     Ok((lost > asked).then(|| {
         let digits = (-lost.log10()).floor().max(0.0);
         format!(
@@ -226,12 +222,11 @@ fn horizon(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>,
         None => Box::new(problem.dynamics().map_err(|error| refused(scene, &error))?),
     };
     // Tight, whatever the run: of a motion that is wrong the growth is wrong too.
-    let (rtol, atol) = (1e-9, AbsoluteTolerance::Uniform(1e-9));
-    let options = Options { method: Method::Dop853, rtol, atol, step_limit: MOST_STEPS, ..Options::default() };
+    let options = Options { method: Method::Dop853, step_limit: MOST_STEPS, ..Options::tolerances(1e-9, 1e-9) };
     let span = (solution.t[0], solution.t_end);
     let growth = growth(rhs.as_mut(), span, start, &vec![1.0; start.len()], &options);
     let growth = growth.map_err(|error| refused(scene, &error))?;
-    let tolerance = scene.integration.rtol.max(scene.integration.smallest_atol()).max(f64::EPSILON);
+    let tolerance = scene.integration.rtol.max(scene.integration.atol.smallest()).max(f64::EPSILON);
     // What only the very end shows is the surface that the motion ends at.
     // Every step adds an error of its own, and the growth carries all of them on.
     let steps = solution.steps as f64;

@@ -10,7 +10,7 @@
 //!     Ok(())
 //! };
 //! let turn = Event::terminal("far side", Direction::Rising, |_t, y: &[f64]| y[1]);
-//! let options = Options { rtol: 1e-10, ..Options::default() };
+//! let options = Options::tolerances(1e-10, 1e-12);
 //! let solution = integrate(pendulum, (0.0, 10.0), &[1.0, 0.0], &options, &mut [turn])?;
 //!
 //! assert_eq!(solution.stop.code(), "event:far side");
@@ -88,5 +88,5 @@ pub use rhs::{Lent, RightHandSide, WithJacobian};
 pub use solution::{Solution, Stop};
 pub use tableau::{Fraction, Tableau};
 pub use tolerance::SMALLEST_RTOL;
-pub use tripos_traits::{AbsoluteTolerance, Direction, Method};
+pub use tripos_traits::{ATOL, AbsoluteTolerance, Direction, Method, RTOL};
 pub use warning::Warning;

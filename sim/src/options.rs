@@ -4,17 +4,16 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use tripos_traits::Real;
+use tripos_traits::{AbsoluteTolerance, Method, RTOL, Real};
 
 use crate::control;
 use crate::error::SimError;
-use tripos_traits::AbsoluteTolerance;
-use tripos_traits::Method;
 
 /// The lowest and the highest order that a method without a fixed one takes.
 pub(crate) const ORDERS: (usize, usize) = (2, 60);
 
-/// How to integrate. The default is that of `ode45`, with a limit of a million steps.
+/// How to integrate. The default is that of scene files: `ode45` to [`RTOL`] and [`AbsoluteTolerance::default`], with a limit of a
+/// million steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// The method.
@@ -46,8 +45,8 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             method: Method::default(),
-            rtol: 1e-3,
-            atol: AbsoluteTolerance::Uniform(1e-6),
+            rtol: RTOL,
+            atol: AbsoluteTolerance::default(),
             max_step: None,
             initial_step: None,
             step: None,
@@ -56,6 +55,19 @@ impl Default for Options {
             output: Output::Steps { refine: 4 },
             poll: None,
         }
+    }
+}
+
+impl Options {
+    /// The default but for its tolerances: relative, and absolute as one number or a list of one for each component.
+    ///
+    /// ```
+    /// use tripos_sim::{Method, Options};
+    /// let options = Options { method: Method::Dop853, ..Options::tolerances(1e-9, vec![1e-9, 1e-12]) };
+    /// ```
+    #[must_use]
+    pub fn tolerances(rtol: f64, atol: impl Into<AbsoluteTolerance>) -> Self {
+        Self { rtol, atol: atol.into(), ..Self::default() }
     }
 }
 

@@ -25,6 +25,11 @@ pub enum Stop {
         /// Name of the domain event.
         name: String,
     },
+    /// It started outside the domain in which its equations hold: no step was made.
+    StartsOutside {
+        /// Name of the domain event.
+        name: String,
+    },
     /// The error test fails although the step is down to rounding, 16 ulp of t.
     StepTooSmall {
         /// Size of the step that failed, in s.
@@ -59,7 +64,7 @@ impl Stop {
         match self {
             Self::End => "end".to_owned(),
             Self::Event { name } => format!("event:{name}"),
-            Self::LeftDomain { name } => format!("domain:{name}"),
+            Self::LeftDomain { name } | Self::StartsOutside { name } => format!("domain:{name}"),
             Self::StepTooSmall { .. } => "step-too-small".to_owned(),
             Self::StepLimit { .. } => "step-limit".to_owned(),
             Self::NotFinite { .. } => "not-finite".to_owned(),
@@ -73,7 +78,7 @@ impl Stop {
     /// end at (leaving the domain included).
     #[must_use]
     pub fn is_failure(&self) -> bool {
-        !matches!(self, Self::End | Self::Event { .. } | Self::LeftDomain { .. })
+        !matches!(self, Self::End | Self::Event { .. } | Self::LeftDomain { .. } | Self::StartsOutside { .. })
     }
 }
 
@@ -98,6 +103,9 @@ impl fmt::Display for Stop {
             Self::Event { name } => write!(f, "event `{name}`"),
             Self::LeftDomain { name } => {
                 write!(f, "left the domain of the equations: `{name}` no longer holds")
+            }
+            Self::StartsOutside { name } => {
+                write!(f, "the start is outside the domain of the equations: `{name}` does not hold there")
             }
             Self::StepTooSmall { step } => write!(f, "step {step:.1e} s is below rounding"),
             Self::StepLimit { limit } => write!(f, "the limit of {limit} steps is used up"),
@@ -198,6 +206,7 @@ mod tests {
             (Stop::End, "end", false),
             (Stop::Event { name: "hit".into() }, "event:hit", false),
             (Stop::LeftDomain { name: "N".into() }, "domain:N", false),
+            (Stop::StartsOutside { name: "N".into() }, "domain:N", false),
             (Stop::StepTooSmall { step: 1.0 }, "step-too-small", true),
             (Stop::StepLimit { limit: 1 }, "step-limit", true),
             (Stop::NotFinite { component: 0 }, "not-finite", true),

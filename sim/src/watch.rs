@@ -38,7 +38,7 @@ impl<'w, 'e> Watch<'w, 'e> {
             }
             let domain = event.effect == Effect::Domain;
             if domain && value < 0.0 {
-                return Some(Stop::LeftDomain { name: event.name.clone() });
+                return Some(Stop::StartsOutside { name: event.name.clone() });
             }
             let side_at_zero = i8::from(domain);
             self.memories.push(Memory { value, sign: 0, side: 0, begun: false, side_at_zero });

@@ -8,12 +8,9 @@ use std::ops::ControlFlow;
 #[cfg(feature = "clock")]
 use std::time::Instant;
 
-use tripos_traits::{DoubleDouble, Real, Scalar, larger};
+use tripos_traits::{DoubleDouble, Method, Real, Scalar, larger};
 
 use crate::options::{Options, Output};
-use tripos_traits::Method;
-
-use tripos_traits::AbsoluteTolerance;
 
 /// Times of repeated runs, in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,8 +55,7 @@ pub fn error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
 pub fn options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> Options {
     let order = method.order().filter(|_| !method.is_adaptive());
     let step = order.map(|order| 0.1 * length.abs() * tolerance.powf(1.0 / f64::from(order)));
-    let atol = AbsoluteTolerance::Uniform(tolerance);
-    Options { method, rtol: tolerance, atol, step, step_limit, output: Output::Ends, ..Options::default() }
+    Options { method, step, step_limit, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
 /// Times every job `repeats` times, in turn, so that whatever else the machine does falls on all of them alike.

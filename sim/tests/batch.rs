@@ -5,7 +5,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use tripos_sim::batch::{self, Outcome, Plan, Trajectory};
-use tripos_sim::{AbsoluteTolerance, Failure, SimError, Solution, Stop};
+use tripos_sim::{Failure, SimError, Solution, Stop};
 use tripos_traits::{InLanes, Lanes, Lengths, Rates, Scalar};
 
 /// Equations written once for every scalar; the state is q alone, or q and v.
@@ -44,13 +44,7 @@ equations!(Drain, 0, 1, 0, |_p, q, _v| ([-S::int(1) - q[0].sqrt()], []));
 equations!(Rotation, 1, 2, 0, |p, q, _v| ([-(p[0] * q[1]), p[0] * q[0]], []));
 
 fn plan(span: f64, tolerance: f64) -> Plan {
-    Plan {
-        span: (0.0, span),
-        rtol: tolerance,
-        atol: AbsoluteTolerance::Uniform(tolerance),
-        max_step: None,
-        step_limit: 100_000,
-    }
+    Plan { span: (0.0, span), rtol: tolerance, atol: tolerance.into(), max_step: None, step_limit: 100_000 }
 }
 
 /// The trajectory by itself, in plain doubles.

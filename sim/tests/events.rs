@@ -252,7 +252,10 @@ fn leaving_a_domain_ends_the_run_at_its_border() {
 fn a_start_outside_the_domain_is_a_run_of_no_steps() {
     let solution = watch(&[0.4], 1.0, (1.0, 0.25, 1.0), Event::domain("N > 0", value));
     assert_eq!((solution.stop.code().as_str(), solution.steps), ("domain:N > 0", 0));
-    assert_eq!((solution.t, solution.evaluations), (vec![0.0], 0));
+    assert_eq!((&solution.t, solution.evaluations), (&vec![0.0], 0));
+    // What never held cannot hold no longer.
+    assert_eq!(solution.stop, Stop::StartsOutside { name: "N > 0".into() });
+    assert!(solution.stop.to_string().ends_with("`N > 0` does not hold there"), "{}", solution.stop);
 }
 
 #[test]

@@ -16,7 +16,7 @@ fn value(_t: f64, y: &[f64]) -> f64 {
 
 #[test]
 fn a_run_continued_from_its_terminal_event_does_not_meet_it_again() {
-    let options = Options { rtol: 1e-6, ..Options::default() };
+    let options = Options::tolerances(1e-6, 1e-6);
     let (mut t, mut y) = (0.0, vec![1.0, 0.0]);
     for k in 0..10 {
         let event = Event::terminal("zero", Direction::Either, value);

@@ -1,9 +1,7 @@
 //! What is particular to Gauss–Legendre collocation: conservation, Newton's method, its error estimate.
 #![allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 
-use tripos_sim::{
-    AbsoluteTolerance, Failure, Method, Options, Output, RightHandSide, Solution, Stop, WithJacobian, integrate,
-};
+use tripos_sim::{Failure, Method, Options, Output, RightHandSide, Solution, Stop, WithJacobian, integrate};
 
 const TAU: f64 = std::f64::consts::TAU;
 
@@ -87,13 +85,8 @@ fn a_rigid_body_keeps_its_energy_and_momentum_to_rounding() {
 fn adaptive_steps_follow_the_tolerance() {
     for digits in 4..=12 {
         let tolerance = 10_f64.powi(-digits);
-        let options = Options {
-            method: Method::Gauss6,
-            rtol: tolerance,
-            atol: AbsoluteTolerance::Uniform(tolerance),
-            output: Output::Ends,
-            ..Options::default()
-        };
+        let options =
+            Options { method: Method::Gauss6, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) };
         let solution = integrate(kepler(), (0.0, 3.0 * TAU), &START, &options, &mut []).unwrap();
         let error = solution.y_end.iter().zip(START).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(error < 200.0 * tolerance && error > tolerance, "{tolerance:e}: {error:e}");

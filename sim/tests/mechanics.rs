@@ -1,7 +1,7 @@
 //! Equations of motion through `Dynamics`: hand-written systems with exact answers.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{AbsoluteTolerance, Direction, Dynamics, Event, Options, RightHandSide, SimError, integrate};
+use tripos_sim::{Direction, Dynamics, Event, Options, RightHandSide, SimError, integrate};
 use tripos_traits::{Lengths, System};
 
 /// What a small system must say; speeds are the coordinate rates.
@@ -138,7 +138,7 @@ impl Small for DoublePendulum {
 const PARAMETERS: [f64; 3] = [2.0, 1.0, 9.81];
 
 fn tight(rtol: f64) -> Options {
-    Options { rtol, atol: AbsoluteTolerance::Uniform(rtol), ..Options::default() }
+    Options::tolerances(rtol, rtol)
 }
 
 /// The time from rest at `amplitude` to rest at the other side and back, by a terminal event.
@@ -201,7 +201,7 @@ fn a_double_pendulum_swings_in_its_slow_mode() {
     let amplitude = 1e-5;
     let y0 = [amplitude, amplitude * 2_f64.sqrt(), 0.0, 0.0];
     let rhs = |t: f64, y: &[f64], dydt: &mut [f64]| dynamics.rhs(t, y, dydt);
-    let options = Options { atol: AbsoluteTolerance::Uniform(1e-16), ..tight(1e-10) };
+    let options = Options { atol: 1e-16.into(), ..tight(1e-10) };
     let solution = integrate(rhs, (0.0, 3.0), &y0, &options, &mut []).unwrap();
     let omega = ((2.0 - 2_f64.sqrt()) * 9.81).sqrt();
     // The neglected terms are of the order of amplitude².

@@ -3,6 +3,11 @@
 
 use tripos_sim::{AbsoluteTolerance, Failure, Options, Output, SimError, Solution, Stop, Warning, integrate};
 
+/// The tolerances of MATLAB where nothing is said.
+fn matlab() -> Options {
+    Options::tolerances(1e-3, 1e-6)
+}
+
 type Result = std::result::Result<(), Failure>;
 
 fn run(
@@ -37,7 +42,7 @@ fn counts_of_a_linear_equation_are_those_of_matlab() {
         dxdt[0] = -2.0 * x[0] + t;
         Ok(())
     };
-    let solution = run(rhs, (0.0, 10.0), &[0.0], &Options::default());
+    let solution = run(rhs, (0.0, 10.0), &[0.0], &matlab());
     let counts = (solution.steps, solution.rejected, solution.evaluations);
     assert_eq!((counts, solution.t.len()), ((14, 2, 97), 57));
 }
@@ -46,7 +51,7 @@ fn counts_of_a_linear_equation_are_those_of_matlab() {
 /// rtol^(1/5))), and the last one ends exactly at the end.
 #[test]
 fn the_first_step_follows_from_the_slope_and_the_last_ends_exactly() {
-    let options = Options { output: Output::Steps { refine: 1 }, ..Options::default() };
+    let options = Options { output: Output::Steps { refine: 1 }, ..matlab() };
     let solution = run(van_der_pol, (0.0, 20.0), &[2.0, 0.0], &options);
     let expected = 0.8 * 1e-3_f64.powf(0.2) / (2.0 / 1e-3); // f0 = (0, -2), threshold 1e-3
     assert!((solution.t[1] / expected - 1.0).abs() < 1e-14, "{}", solution.t[1]);
@@ -59,7 +64,7 @@ fn the_first_step_follows_from_the_slope_and_the_last_ends_exactly() {
 fn no_step_is_longer_than_a_tenth_of_the_span_or_as_told() {
     let longest = |max_step| {
         let output = Output::Steps { refine: 1 };
-        let options = Options { max_step, rtol: 0.1, output, ..Options::default() };
+        let options = Options { max_step, rtol: 0.1, output, ..matlab() };
         let t = run(oscillator, (0.0, 2.0), &[1.0, 0.0], &options).t;
         t.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max)
     };
@@ -75,7 +80,7 @@ fn step_ends(span: f64, initial: f64, max_step: f64, gap: std::ops::Range<f64>) 
         Ok(())
     };
     let output = Output::Steps { refine: 1 };
-    let options = Options { initial_step: Some(initial), max_step: Some(max_step), output, ..Options::default() };
+    let options = Options { initial_step: Some(initial), max_step: Some(max_step), output, ..matlab() };
     run(rhs, (0.0, span), &[1.0], &options).t
 }
 
@@ -102,8 +107,7 @@ fn output_does_not_change_the_steps() {
         Output::At(vec![0.0, 0.001, 7.0, 7.0, 20.0]),
         Output::Ends,
     ];
-    let solutions =
-        outputs.map(|output| run(van_der_pol, (0.0, 20.0), &[2.0, 0.0], &Options { output, ..Options::default() }));
+    let solutions = outputs.map(|output| run(van_der_pol, (0.0, 20.0), &[2.0, 0.0], &Options { output, ..matlab() }));
     for s in &solutions {
         assert_eq!((&s.y_end, s.steps), (&solutions[0].y_end, solutions[0].steps));
         assert_eq!(s.y.last(), Some(&s.y_end));
@@ -115,7 +119,7 @@ fn output_does_not_change_the_steps() {
 
 #[test]
 fn refinement_divides_every_step_evenly() {
-    let fine = run(oscillator, (0.0, 2.0), &[1.0, 0.0], &Options::default());
+    let fine = run(oscillator, (0.0, 2.0), &[1.0, 0.0], &matlab());
     assert_eq!(fine.t.len() as u64, 4 * fine.steps + 1);
     for step in fine.t.windows(5).step_by(4) {
         let middle = 0.5 * (step[0] + step[4]);
@@ -128,8 +132,7 @@ fn refinement_divides_every_step_evenly() {
 
 #[test]
 fn forth_and_back_returns_to_the_start() {
-    let tight = AbsoluteTolerance::Uniform(1e-12);
-    let options = Options { rtol: 1e-10, atol: tight, output: Output::Ends, ..Options::default() };
+    let options = Options { output: Output::Ends, ..Options::tolerances(1e-10, 1e-12) };
     let forth = run(van_der_pol, (1.0, 4.0), &[2.0, 0.0], &options);
     let back = run(van_der_pol, (4.0, 1.0), &forth.y_end, &options);
     assert_eq!(back.t, [4.0, 1.0]);
@@ -151,9 +154,9 @@ fn a_relative_tolerance_below_rounding_is_raised_with_a_warning() {
 
 #[test]
 fn either_tolerance_alone_controls_the_error() {
-    let uniform = AbsoluteTolerance::Uniform;
-    for (rtol, atol) in [(0.0, uniform(1e-9)), (1e-9, uniform(0.0)), (0.0, AbsoluteTolerance::Each(vec![1e-9, 1e-9]))] {
-        let options = Options { rtol, atol: atol.clone(), ..Options::default() };
+    let alone: [(f64, AbsoluteTolerance); 3] = [(0.0, 1e-9.into()), (1e-9, 0.0.into()), (0.0, vec![1e-9, 1e-9].into())];
+    for (rtol, atol) in alone {
+        let options = Options::tolerances(rtol, atol.clone());
         let solution = run(oscillator, (0.0, 1.0), &[1.0, 0.0], &options);
         assert_eq!(solution.stop, Stop::End);
         assert!(solution.steps < 100, "{}", solution.steps);
@@ -164,22 +167,22 @@ fn either_tolerance_alone_controls_the_error() {
 #[test]
 fn questions_without_sense_are_refused() {
     let ask = |span, y0: &[f64], options: &Options| integrate(oscillator, span, y0, options, &mut []).unwrap_err();
-    let fine = Options::default();
+    let fine = matlab();
     assert_eq!(ask((1.0, 1.0), &[1.0, 0.0], &fine), SimError::EmptySpan { t: 1.0 });
     for span in [(0.0, f64::NAN), (f64::INFINITY, 0.0), (-f64::MAX, f64::MAX)] {
         assert!(matches!(ask(span, &[1.0, 0.0], &fine), SimError::NotFinite { .. }));
     }
     assert!(matches!(ask((0.0, 1.0), &[1.0, f64::NAN], &fine), SimError::NotFinite { .. }));
-    let each = Options { atol: AbsoluteTolerance::Each(vec![1.0; 3]), ..Options::default() };
+    let each = Options { atol: vec![1.0; 3].into(), ..matlab() };
     assert!(matches!(ask((0.0, 1.0), &[1.0, 0.0], &each), SimError::Length { found: 3, .. }));
     for times in [vec![2.0], vec![-0.1], vec![0.5, 0.4], vec![f64::NAN]] {
-        let at = Options { output: Output::At(times), ..Options::default() };
+        let at = Options { output: Output::At(times), ..matlab() };
         assert!(matches!(ask((0.0, 1.0), &[1.0, 0.0], &at), SimError::OutputTime { .. }));
     }
     for options in [
-        Options { output: Output::Steps { refine: 0 }, ..Options::default() },
-        Options { max_step: Some(0.0), ..Options::default() },
-        Options { initial_step: Some(f64::NAN), ..Options::default() },
+        Options { output: Output::Steps { refine: 0 }, ..matlab() },
+        Options { max_step: Some(0.0), ..matlab() },
+        Options { initial_step: Some(f64::NAN), ..matlab() },
     ] {
         assert!(matches!(ask((0.0, 1.0), &[1.0, 0.0], &options), SimError::Option { .. }));
     }

@@ -3,7 +3,7 @@
 use crate::trees;
 
 use trees::{Number, dot, trees};
-use tripos_sim::{AbsoluteTolerance, DORMAND_PRINCE_54, Fraction, Options, Output, Solution, Tableau, integrate};
+use tripos_sim::{DORMAND_PRINCE_54, Fraction, Options, Output, Solution, Tableau, integrate};
 
 /// An exact fraction in lowest terms. Overflow panics, so that a test cannot pass by wrapping
 /// round.
@@ -123,14 +123,7 @@ fn dense_output_joins_smoothly() {
 
 /// Options that take every step with the same size, whatever its error.
 fn fixed(step: f64, output: Output) -> Options {
-    Options {
-        rtol: 1e9,
-        atol: AbsoluteTolerance::Uniform(1e9),
-        max_step: Some(step),
-        initial_step: Some(step),
-        output,
-        ..Options::default()
-    }
+    Options { max_step: Some(step), initial_step: Some(step), output, ..Options::tolerances(1e9, 1e9) }
 }
 
 const ECCENTRICITY: f64 = 0.5;

@@ -3,8 +3,7 @@
 
 use tripos_sim::projection::{Invariants, ProjectionReport};
 use tripos_sim::{
-    AbsoluteTolerance, Direction, Event, Failure, Method, Options, Output, RightHandSide, Solution, integrate,
-    integrate_projected,
+    Direction, Event, Failure, Method, Options, Output, RightHandSide, Solution, integrate, integrate_projected,
 };
 use tripos_traits::{DoubleDouble, Real};
 
@@ -31,7 +30,7 @@ fn invariants(factor: f64) -> Invariants<'static> {
 const START: [f64; 2] = [2.5, 0.0];
 
 fn options(method: Method, rtol: f64) -> Options {
-    Options { method, rtol, atol: AbsoluteTolerance::Uniform(rtol), output: Output::Ends, ..Options::default() }
+    Options { method, output: Output::Ends, ..Options::tolerances(rtol, rtol) }
 }
 
 fn projected(options: &Options, span: f64, factor: f64) -> (Solution, ProjectionReport) {

@@ -26,12 +26,10 @@ fn linear(a: [f64; 9]) -> impl RightHandSide<f64> {
 fn options(method: Method, tolerance: f64) -> Options {
     Options {
         method,
-        rtol: tolerance,
-        atol: AbsoluteTolerance::Uniform(tolerance),
         step: (method == Method::Rk4).then_some(1e-3),
         step_limit: 20_000,
         output: Output::Steps { refine: 3 },
-        ..Options::default()
+        ..Options::tolerances(tolerance, tolerance)
     }
 }
 
@@ -169,7 +167,7 @@ fn every_adaptive_method_heeds_the_tolerance_of_each_component() {
             let options = Options { rtol: 0.0, atol, ..options(method, 1e-9) };
             integrate(linear(a), (0.0, 5.0), &[1.0, 0.0, 1.0], &options, &mut []).unwrap()
         };
-        let steps = |fine: f64, coarse: f64| run(AbsoluteTolerance::Each(vec![fine, fine, coarse])).steps;
+        let steps = |fine: f64, coarse: f64| run(vec![fine, fine, coarse].into()).steps;
         let (both, oscillator, decay, none) = (steps(1e-9, 1e-9), steps(1e-9, 1e9), steps(1e9, 1e-9), steps(1e9, 1e9));
         assert!(none < oscillator && none < decay, "{method:?}: {none} {oscillator} {decay}");
         assert!(oscillator <= both && decay < both, "{method:?}: {oscillator} {decay} {both}");

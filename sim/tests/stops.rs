@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex};
 
-use tripos_sim::{AbsoluteTolerance, Failure, Method, Options, Output, Poll, Stop, integrate};
+use tripos_sim::{Failure, Method, Options, Output, Poll, Stop, integrate};
 
 /// y' = y², y(0) = 1 is 1 / (1 − t): the run must end just before t = 1, with a reason.
 #[test]
@@ -126,8 +126,7 @@ fn keeping_only_the_ends_keeps_two_points_of_many_steps() {
         dydt[1] = -y[0];
         Ok(())
     };
-    let atol = AbsoluteTolerance::Uniform(1e-12);
-    let options = Options { rtol: 1e-12, atol, output: Output::Ends, ..Options::default() };
+    let options = Options { output: Output::Ends, ..Options::tolerances(1e-12, 1e-12) };
     let solution = integrate(rhs, (0.0, 100.0), &[1.0, 0.0], &options, &mut []).unwrap();
     assert!(solution.steps > 5_000, "{solution}");
     assert_eq!((solution.t, solution.y.len()), (vec![0.0, 100.0], 2));

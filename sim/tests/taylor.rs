@@ -1,9 +1,7 @@
 //! Taylor's method on equations whose recurrences are written by hand.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{
-    AbsoluteTolerance, Direction, Event, Failure, Method, Options, Output, RightHandSide, SimError, Stop, integrate,
-};
+use tripos_sim::{Direction, Event, Failure, Method, Options, Output, RightHandSide, SimError, Stop, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// y' = y², whose solution through 1 at 0 is 1/(1 − t).
@@ -43,13 +41,7 @@ impl<S: Real> RightHandSide<S> for Oscillator {
 }
 
 fn adaptive(tolerance: f64) -> Options {
-    Options {
-        method: Method::Taylor,
-        rtol: tolerance,
-        atol: AbsoluteTolerance::Uniform(tolerance),
-        output: Output::Ends,
-        ..Options::default()
-    }
+    Options { method: Method::Taylor, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
 fn fixed(order: usize, step: f64) -> Options {
@@ -226,7 +218,7 @@ fn terms_that_vanish_do_not_pass_for_a_polynomial() {
 /// A tolerance relative to what is zero at the start says nothing about that component.
 #[test]
 fn a_component_without_a_weight_does_not_hold_the_run_up() {
-    let relative = Options { atol: AbsoluteTolerance::Uniform(0.0), ..adaptive(1e-9) };
+    let relative = Options { atol: 0.0.into(), ..adaptive(1e-9) };
     let end = integrate(Oscillator, (0.0, 3.0), &[0.0, 1.0], &relative, &mut []).unwrap();
     assert!(end.steps < 100 && (end.y_end[0] - 3.0_f64.sin()).abs() < 1e-8, "{end}");
 }

@@ -1,12 +1,11 @@
 //! Warnings: a run that chases rounding or kinks says so, and one that does not is silent.
 
-use tripos_sim::{AbsoluteTolerance, Method, Options, Output, Solution, Warning, integrate};
+use tripos_sim::{Method, Options, Output, Solution, Warning, integrate};
 
 const ADAPTIVE: [Method; 3] = [Method::Ode45, Method::Dopri5, Method::Dop853];
 
 fn options(method: Method, rtol: f64, atol: f64) -> Options {
-    let atol = AbsoluteTolerance::Uniform(atol);
-    Options { method, rtol, atol, output: Output::Ends, step_limit: 20_000, ..Options::default() }
+    Options { method, output: Output::Ends, step_limit: 20_000, ..Options::tolerances(rtol, atol) }
 }
 
 /// A circle of this radius.

@@ -1,26 +1,14 @@
 //! `tripos chart` and `tripos stability`: the committed figures are current, show what they must, and hostile requests are
 //! answered.
 
+use crate::support::{root, stderr, tripos};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
 
 const CHARTED: &str = "models/disk/scenes/report-10s.toml";
 const PASSED: &str = "models/disk/scenes/near-flat.toml";
 const FORMULATIONS: [&str; 3] = ["kane", "lagrange", "newton-euler"];
 const SOLVES: [&str; 2] = ["eliminated", "numeric"];
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
-
-fn tripos(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tripos")).args(arguments).current_dir(root()).output().unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
 
 /// One line of a table, by column.
 struct Line(BTreeMap<String, String>);

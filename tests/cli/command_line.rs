@@ -1,33 +1,8 @@
 //! The command as its users meet it: answers, exit statuses, messages.
 
+use crate::support::{json, root, status, stderr, stdout, tripos};
 use expect_test::expect;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
-
-fn tripos(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tripos")).args(arguments).current_dir(root()).output().unwrap()
-}
-
-fn status(output: &Output) -> i32 {
-    output.status.code().expect("ended by itself, not by a signal")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-fn json(output: &Output) -> serde_json::Value {
-    assert_eq!(status(output), 0, "{}", stderr(output));
-    serde_json::from_slice(&output.stdout).expect("standard output is the JSON alone")
-}
+use std::path::Path;
 
 fn write(folder: &Path, name: &str, text: &str) -> String {
     let path = folder.join(name);

@@ -2,31 +2,14 @@
 
 #![cfg(unix)]
 
+use crate::support::{SLIDER, command, root, status, stderr};
 use std::os::unix::fs::PermissionsExt;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
-
-fn command(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
-    command.args(arguments).current_dir(folder);
-    command
-}
-
-fn tripos(folder: &Path, arguments: &[&str]) -> Output {
+fn run_in(folder: &Path, arguments: &[&str]) -> Output {
     command(folder, arguments).output().unwrap()
-}
-
-fn status(output: &Output) -> i32 {
-    output.status.code().expect("ended by itself, not by a signal")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
 }
 
 fn text(path: impl AsRef<Path>) -> String {
@@ -40,22 +23,6 @@ fn names(folder: &Path) -> Vec<String> {
     list
 }
 
-const MODEL: &str = r#"
-name = "Slider"
-parameters.m = { unit = "kg", value = 1, positive = true }
-parameters.k = { unit = "N/m", value = 1 }
-coordinates.x = { unit = "m" }
-speeds.u = "x'"
-inertial = { frame = "A", origin = "O" }
-points.P = { from = "O", frame = "A", position = ["x", 0, 0] }
-particles.slider = { point = "P", mass = "m" }
-[forces.spring]
-on = "slider"
-at = "P"
-frame = "A"
-vector = ["-k*x", 0, 0]
-"#;
-
 const SCENE: &str = "model = \"model.toml\"\nspan = [0, 2]\n[start]\nx = 1\nu = 0\n";
 
 /// A scene that takes hours: by fixed steps, so that every one of them is kept.
@@ -65,7 +32,7 @@ const LONG: &str = "model = \"model.toml\"\nspan = [0, 100000]\n[start]\nx = 1\n
 /// A slider and a scene of it, in one folder.
 fn slider(scene: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("model.toml"), MODEL).unwrap();
+    std::fs::write(folder.path().join("model.toml"), SLIDER).unwrap();
     std::fs::write(folder.path().join("run.toml"), scene).unwrap();
     folder
 }
@@ -91,22 +58,22 @@ fn signal(child: &Child, name: &str) {
 fn no_command_writes_to_a_workspace_that_it_was_not_called_in() {
     let folder = tempfile::tempdir().unwrap();
     for arguments in [&["regenerate"][..], &["regenerate", "--check"]] {
-        let output = tripos(folder.path(), arguments);
+        let output = run_in(folder.path(), arguments);
         let message = stderr(&output);
         assert_eq!(status(&output), 2, "{arguments:?}: {message}");
         assert!(message.contains("no workspace: neither `") && message.contains("help: "), "{message}");
         assert!(message.contains(&*folder.path().to_string_lossy()), "where it looked: {message}");
         assert!(output.stdout.is_empty() && names(folder.path()).is_empty());
     }
-    let output = tripos(folder.path(), &["report"]);
+    let output = run_in(folder.path(), &["report"]);
     let message = stderr(&output);
     assert!(status(&output) == 2 && message.contains("no model is given"), "{message}");
     assert!(message.contains("help: give a model file") && names(folder.path()).is_empty(), "{message}");
-    let output = tripos(folder.path(), &["report", "models/disk"]);
+    let output = run_in(folder.path(), &["report", "models/disk"]);
     assert!(stderr(&output).contains("there is no model at `models/disk`"), "{}", stderr(&output));
     // A model of a workspace is known from anywhere.
     let model = root().join("models/pendulum");
-    let output = tripos(folder.path(), &["simulate", model.join("scenes/swing.toml").to_str().unwrap(), "--json"]);
+    let output = run_in(folder.path(), &["simulate", model.join("scenes/swing.toml").to_str().unwrap(), "--json"]);
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(json["compiled"], true);
 }
@@ -118,7 +85,7 @@ fn a_workspace_is_found_from_the_folders_in_it() {
     for inside in ["models/slider", "generated/src", "deep/down"] {
         std::fs::create_dir_all(folder.path().join(inside)).unwrap();
     }
-    std::fs::write(folder.path().join("models/slider/model.toml"), MODEL).unwrap();
+    std::fs::write(folder.path().join("models/slider/model.toml"), SLIDER).unwrap();
     let output =
         command(&folder.path().join("deep/down"), &["regenerate"]).env("TRIPOS_PYTHON", "none").output().unwrap();
     assert_eq!(status(&output), 0, "{}", stderr(&output));
@@ -139,30 +106,30 @@ fn nothing_is_written_over_what_is_read() {
             &["simulate", "run.toml", "--overwrite", "--csv", out],
             &["sweep", "run.toml", "--over", "k=1,2", "--overwrite", "--out", out],
         ] {
-            let output = tripos(folder.path(), arguments);
+            let output = run_in(folder.path(), arguments);
             assert_eq!(status(&output), 2, "{arguments:?}");
             assert!(stderr(&output).contains("would be written over"), "{}", stderr(&output));
         }
     }
     assert_eq!(
         (text(folder.path().join("run.toml")), text(folder.path().join("model.toml"))),
-        (SCENE.into(), MODEL.into())
+        (SCENE.into(), SLIDER.into())
     );
-    let output = tripos(folder.path(), &["simulate", "run.toml", "--csv", "notes.txt"]);
+    let output = run_in(folder.path(), &["simulate", "run.toml", "--csv", "notes.txt"]);
     assert!(status(&output) == 2 && stderr(&output).contains("does not end in `.csv`"), "{}", stderr(&output));
     assert_eq!((text(folder.path().join("notes.txt")).as_str(), names(folder.path())), ("precious", before));
-    let output = tripos(folder.path(), &["simulate", "run.toml", "--csv", "notes.txt", "--overwrite"]);
+    let output = run_in(folder.path(), &["simulate", "run.toml", "--csv", "notes.txt", "--overwrite"]);
     assert_eq!(status(&output), 0, "{}", stderr(&output));
     assert!(text(folder.path().join("notes.txt")).starts_with("t,x,u,"));
     // A table of the command's own kind is replaced without a word.
     for _ in 0..2 {
-        assert_eq!(status(&tripos(folder.path(), &["simulate", "run.toml", "--csv", "a.csv"])), 0);
+        assert_eq!(status(&run_in(folder.path(), &["simulate", "run.toml", "--csv", "a.csv"])), 0);
     }
     // A page that is the model under another name.
     std::os::unix::fs::symlink("model.toml", folder.path().join("index.html")).unwrap();
-    let output = tripos(folder.path(), &["report", ".", "--out", "."]);
+    let output = run_in(folder.path(), &["report", ".", "--out", "."]);
     assert!(status(&output) == 2 && stderr(&output).contains("would be written over"), "{}", stderr(&output));
-    assert_eq!(text(folder.path().join("model.toml")), MODEL);
+    assert_eq!(text(folder.path().join("model.toml")), SLIDER);
 }
 
 /// Goal: what cannot be written to its end leaves what was there. Method: the size of files is limited, so that the write fails in the
@@ -201,7 +168,7 @@ fn a_full_disk_leaves_the_old_file() {
         assert!(left.is_empty(), "{line}: {left:?}");
     }
     if Path::new("/dev/full").exists() {
-        let output = tripos(folder.path(), &["simulate", "run.toml", "--csv", "/dev/full"]);
+        let output = run_in(folder.path(), &["simulate", "run.toml", "--csv", "/dev/full"]);
         assert!(status(&output) == 2 && stderr(&output).contains("cannot write `/dev/full`"), "{}", stderr(&output));
     }
 }
@@ -209,13 +176,13 @@ fn a_full_disk_leaves_the_old_file() {
 #[test]
 fn pipes_and_write_protected_files_are_respected() {
     let folder = slider(SCENE);
-    let output = tripos(folder.path(), &["simulate", "run.toml", "--json", "--csv", "/dev/stdout"]);
+    let output = run_in(folder.path(), &["simulate", "run.toml", "--json", "--csv", "/dev/stdout"]);
     let answer = String::from_utf8(output.stdout.clone()).unwrap();
     assert!(status(&output) == 0 && answer.contains("\nt,x,u,kinetic_energy,potential_energy\n0,1,0,"), "{answer}");
     let path = folder.path().join("old.csv");
     std::fs::write(&path, "old").unwrap();
     std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o444)).unwrap();
-    let output = tripos(folder.path(), &["simulate", "run.toml", "--csv", "old.csv"]);
+    let output = run_in(folder.path(), &["simulate", "run.toml", "--csv", "old.csv"]);
     assert!(status(&output) == 2 && stderr(&output).contains("cannot write `old.csv`"), "{}", stderr(&output));
     assert_eq!(text(&path), "old");
 }
@@ -225,7 +192,7 @@ fn pipes_and_write_protected_files_are_respected() {
 fn a_kill_leaves_no_cut_file() {
     let folder = slider(&SCENE.replace("[0, 2]", "[0, 20000]"));
     let path = folder.path().join("a.csv");
-    assert_eq!(status(&tripos(folder.path(), &["simulate", "run.toml", "--csv", "a.csv"])), 0);
+    assert_eq!(status(&run_in(folder.path(), &["simulate", "run.toml", "--csv", "a.csv"])), 0);
     let whole = text(&path);
     assert!(whole.len() > 1_000_000);
     let mut cut = 0;
@@ -246,7 +213,7 @@ fn a_kill_leaves_no_cut_file() {
         assert!(text(&path) == whole, "killed after {wait} ms of writing");
     }
     assert!(cut > 0, "some were killed while they wrote");
-    assert_eq!(status(&tripos(folder.path(), &["simulate", "run.toml", "--csv", "a.csv"])), 0);
+    assert_eq!(status(&run_in(folder.path(), &["simulate", "run.toml", "--csv", "a.csv"])), 0);
     assert_eq!(names(folder.path()), ["a.csv", "model.toml", "run.toml"], "the next one takes over the part");
 }
 
@@ -329,7 +296,7 @@ fn an_interrupted_sweep_says_where_its_rows_are() {
 #[test]
 fn failures_are_json_where_json_was_asked_for() {
     let folder = slider(&SCENE.replace("x = 1", "x = \"1 +\""));
-    std::fs::write(folder.path().join("broken.toml"), MODEL.replace("\"x'\"", "\"y'\"")).unwrap();
+    std::fs::write(folder.path().join("broken.toml"), SLIDER.replace("\"x'\"", "\"y'\"")).unwrap();
     for (arguments, place) in [
         (&["prove", "broken.toml", "--json"][..], Some("broken.toml")),
         (&["diff", "broken.toml", "model.toml", "--json"], Some("broken.toml")),
@@ -341,7 +308,7 @@ fn failures_are_json_where_json_was_asked_for() {
         (&["prove", "none", "--json"], None),
         (&["simulate", "run.toml", "--no-such", "--json"], None),
     ] {
-        let output = tripos(folder.path(), arguments);
+        let output = run_in(folder.path(), arguments);
         let message = stderr(&output);
         assert_eq!(status(&output), 2, "{arguments:?}: {message}");
         let json: serde_json::Value =
@@ -359,7 +326,7 @@ fn failures_are_json_where_json_was_asked_for() {
             None => assert!(places.is_empty(), "{json:#}"),
         }
     }
-    let output = tripos(folder.path(), &["simulate", "run.toml"]);
+    let output = run_in(folder.path(), &["simulate", "run.toml"]);
     assert!(output.stdout.is_empty(), "without JSON there is none");
 }
 
@@ -373,7 +340,7 @@ fn the_page_has_the_scenes_beside_its_model() {
     std::fs::write(folder.path().join("scenes/run.toml"), format!("title = \"In the folder\"\n{inside}{figures}"))
         .unwrap();
     std::fs::write(folder.path().join("state.toml"), "[state]\nx = 1\nu = 0\n").unwrap();
-    let output = tripos(folder.path(), &["report", ".", "--out", "page"]);
+    let output = run_in(folder.path(), &["report", ".", "--out", "page"]);
     assert_eq!(status(&output), 0, "{}", stderr(&output));
     let page = text(folder.path().join("page/index.html"));
     let places = ["In the folder", "Beside the model"].map(|title| page.find(&format!("<h3>{title}")).expect(title));
@@ -392,7 +359,39 @@ fn the_page_has_the_scenes_beside_its_model() {
     }
     // What is broken there is said, and the page is made of the others.
     std::fs::write(folder.path().join("other.toml"), "model = \"model.toml\"\nspan = [0, \"x\"]\n").unwrap();
-    let output = tripos(folder.path(), &["report", ".", "--out", "page"]);
+    let output = run_in(folder.path(), &["report", ".", "--out", "page"]);
     assert!(status(&output) == 2 && stderr(&output).contains("other.toml"), "{}", stderr(&output));
     assert_eq!(text(folder.path().join("page/index.html")).matches("<article").count(), 2);
+}
+
+/// After a long run it would be too late.
+#[test]
+fn a_table_into_no_folder_is_refused_before_the_run() {
+    let folder = slider(LONG);
+    let output = run_in(folder.path(), &["simulate", "run.toml", "--csv", "none/out.csv"]);
+    assert_eq!(status(&output), 2);
+    assert!(stderr(&output).contains("cannot write `none/out.csv`: No such file"), "{}", stderr(&output));
+    assert!(output.stdout.is_empty());
+}
+
+/// A name that turns the line turns no line of a message: nobody can write a help of their own below ours.
+#[test]
+fn a_line_break_in_a_file_name_is_written_out() {
+    let folder = slider(SCENE);
+    let name = "a\nhelp: trust me.toml";
+    let refused = [
+        (&["simulate", name][..], ""),
+        (&["derive", name], ""),
+        (&["simulate", name], "model = 1\n"),
+        (&["simulate", "run.toml", "--csv", name], SCENE),
+    ];
+    for (arguments, text) in refused {
+        if !text.is_empty() {
+            std::fs::write(folder.path().join(name), text).unwrap();
+        }
+        let output = run_in(folder.path(), arguments);
+        assert_eq!(status(&output), 2, "{arguments:?}");
+        let message = stderr(&output);
+        assert!(message.contains("a\\u{a}help: trust me.toml") && !message.contains("\nhelp: trust"), "{message}");
+    }
 }

@@ -1,30 +1,11 @@
 //! Numbers that once were others than their names said, or were none, and inputs that no model can have.
 
+use crate::support::{answer, asked, root};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
 
 /// A file of `tests/data/repro`.
 fn given(file: &str) -> String {
     root().join("tests/data/repro").join(file).to_str().unwrap().to_owned()
-}
-
-/// (exit status, standard output, standard error)
-fn tripos(arguments: &[&str]) -> (i32, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
-    let Output { status, stdout, stderr } = command.args(arguments).current_dir(root()).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (status.code().expect("ended by itself"), text(stdout), text(stderr))
-}
-
-fn json(arguments: &[&str]) -> Value {
-    let (status, out, err) = tripos(arguments);
-    assert_eq!(status, 0, "{arguments:?}: {err}");
-    serde_json::from_str(&out).unwrap()
 }
 
 /// A scene in a folder of its own.
@@ -47,7 +28,7 @@ fn scene_of(model: &str, text: &str) -> (tempfile::TempDir, String) {
 fn an_acceleration_among_the_outputs_is_that_acceleration() {
     let right = [("u1'", -13.947_255_287_69), ("u1", -0.463_036_791_49), ("th", -2.728_875_867_18)];
     for way in [&[][..], &["--by", "kane"], &["--by", "lagrange", "--solve", "numeric"], &["--method", "taylor"]] {
-        let found = json(&[&["simulate", &given("outputs/s.toml"), "--json"], way].concat());
+        let found = asked(&[&["simulate", &given("outputs/s.toml"), "--json"], way].concat());
         for (name, value) in right {
             let x = found["state"][name].as_f64().unwrap();
             assert!((x - value).abs() < 1e-8, "{way:?}: {name} = {x}, not {value}");
@@ -59,7 +40,7 @@ fn an_acceleration_among_the_outputs_is_that_acceleration() {
 #[test]
 fn a_watched_reaction_leaves_the_way_to_accelerations_alone() {
     for method in ["taylor", "gauss6", "dop853"] {
-        let run = json(&[
+        let run = asked(&[
             "simulate",
             &given("reaction_domain/s.toml"),
             "--method",
@@ -76,7 +57,7 @@ fn a_watched_reaction_leaves_the_way_to_accelerations_alone() {
 
 #[test]
 fn a_start_where_a_momentum_loses_its_hold_is_run_without_it() {
-    let (status, out, err) = tripos(&["simulate", &given("pole_start/s.toml"), "--json"]);
+    let (status, out, err) = answer(&["simulate", &given("pole_start/s.toml"), "--json"]);
     assert_eq!(status, 0, "{err}");
     assert!(
         err.contains("no momentum is held, since the rate of `phi` has no value at the start, where sin("),
@@ -94,7 +75,7 @@ fn what_a_run_shows_without_a_value_is_no_result() {
     // In a plane through the axis the azimuth has no rate at the lowest point: 0/0 of the held momentum.
     let text = "span = [0, 5]\n[start]\ntheta = 1\nphi = 0\n\"theta'\" = 0\n\"phi'\" = 0\n[integration]\nmethod = \"dop853\"\n";
     let (_folder, path) = scene_of("spherical_pendulum", text);
-    let (status, out, err) = tripos(&["simulate", &path, "--json"]);
+    let (status, out, err) = answer(&["simulate", &path, "--json"]);
     assert_eq!(status, 3, "{out}{err}");
     assert!(err.contains("`u2` has no value at t = 0.53") && err.contains("where sin(theta) = 0"), "{err}");
     let run: Value = serde_json::from_str(&out).unwrap();
@@ -103,7 +84,7 @@ fn what_a_run_shows_without_a_value_is_no_result() {
     let text = "span = [0, 5]\noutputs = [\"sqrt(theta)\"]\n[start]\ntheta = 1\nomega = 0\n";
     let (_folder, path) = scene_of("pendulum", text);
     for way in [&[][..], &["--by", "kane"]] {
-        let (status, _, err) = tripos(&[&["simulate", path.as_str()], way].concat());
+        let (status, _, err) = answer(&[&["simulate", path.as_str()], way].concat());
         assert!(status == 3 && err.contains("`sqrt(theta)` has no value at t = "), "{way:?}: {err}");
     }
 }
@@ -120,9 +101,9 @@ fn steps_that_stability_keeps_short_are_said_to_be() {
     let scene = folder.path().join("s.toml");
     std::fs::write(&scene, "model = \"model.toml\"\nspan = [0, 10]\n[start]\nx = 1\nv = 0\n").unwrap();
     let scene = scene.to_str().unwrap();
-    let (status, _, err) = tripos(&["simulate", scene]);
+    let (status, _, err) = answer(&["simulate", scene]);
     assert!(status == 0 && err.contains("stiff: what decays at 1.0e4 1/s keeps the steps of ode45"), "{err}");
-    let (status, _, err) = tripos(&["simulate", scene, "--method", "gauss6"]);
+    let (status, _, err) = answer(&["simulate", scene, "--method", "gauss6"]);
     assert!(status == 0 && !err.contains("stiff"), "{err}");
 }
 
@@ -131,7 +112,7 @@ fn a_sweep_shows_what_its_scene_asks_for() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("rows.csv");
     let table = table.to_str().unwrap();
-    let (status, _, err) = tripos(&["sweep", &given("outputs/s.toml"), "--over", "m=0.5,0.6", "--out", table]);
+    let (status, _, err) = answer(&["sweep", &given("outputs/s.toml"), "--over", "m=0.5,0.6", "--out", table]);
     assert_eq!(status, 0, "{err}");
     let mut rows = csv::Reader::from_path(table).unwrap();
     let headers = rows.headers().unwrap().clone();
@@ -146,12 +127,12 @@ fn an_absolute_tolerance_alone_raises_no_false_alarm() {
     let text =
         "span = [0, 5]\n[start]\ntheta = 1\nomega = 0\n[integration]\nmethod = \"dop853\"\nrtol = 0\natol = 1e-14\n";
     let (_folder, path) = scene_of("pendulum", text);
-    let (status, _, err) = tripos(&["simulate", &path]);
+    let (status, _, err) = answer(&["simulate", &path]);
     assert!(status == 0 && !err.contains("do not trust"), "{err}");
     // An energy of 5e-16 J is what is left of 10 J and −10 J: it is not known better than to their rounding.
     let text = "span = [0, 10]\n[start]\ntheta = 1e-8\nomega = 0\n[integration]\nmethod = \"dop853\"\nrtol = 1e-10\natol = 1e-18\n";
     let (_folder, path) = scene_of("pendulum", text);
-    let (status, _, err) = tripos(&["simulate", &path]);
+    let (status, _, err) = answer(&["simulate", &path]);
     assert!(status == 0 && !err.contains("do not trust"), "{err}");
 }
 
@@ -159,7 +140,7 @@ fn an_absolute_tolerance_alone_raises_no_false_alarm() {
 fn no_run_has_a_body_that_cannot_be() {
     // Without mass nothing resists: no way to accelerations may say otherwise.
     for way in [&[][..], &["--by", "kane"], &["--by", "lagrange"], &["--by", "newton-euler", "--solve", "numeric"]] {
-        let (status, out, err) = tripos(&[&["simulate", &given("massless/s.toml")], way].concat());
+        let (status, out, err) = answer(&[&["simulate", &given("massless/s.toml")], way].concat());
         assert_eq!(status, 2, "{way:?}: {out}{err}");
         assert!(err.contains("`omega` moves no mass of its own where m = 0"), "{way:?}: {err}");
     }
@@ -173,18 +154,18 @@ fn no_run_has_a_body_that_cannot_be() {
         "model = \"model.toml\"\nspan = [0, 1]\n[parameters]\nm = -1\n[start]\ntheta = 1\nomega = 0\n",
     )
     .unwrap();
-    let (status, _, err) = tripos(&["simulate", scene.to_str().unwrap()]);
+    let (status, _, err) = answer(&["simulate", scene.to_str().unwrap()]);
     assert!(status == 2 && err.contains("the mass of `bob` is -1") && err.contains("s.toml:4:5"), "{err}");
     std::fs::write(&state, "[parameters]\nm = -1\n[state]\ntheta = 1\nomega = 0\n").unwrap();
     let model = folder.path().join("model.toml");
     let evaluate = ["evaluate", model.to_str().unwrap(), "--by", "kane", "--at", state.to_str().unwrap()];
-    let (status, _, err) = tripos(&evaluate);
+    let (status, _, err) = answer(&evaluate);
     assert!(status == 2 && err.contains("the mass of `bob` is -1"), "{err}");
     // Each point of a sweep is a scene.
     let table = folder.path().join("rows.csv");
     std::fs::write(&scene, "model = \"model.toml\"\nspan = [0, 1]\n[start]\ntheta = 1\nomega = 0\n").unwrap();
     let sweep = ["sweep", scene.to_str().unwrap(), "--over", "m=-1,0,1", "--out", table.to_str().unwrap()];
-    let (status, _, err) = tripos(&sweep);
+    let (status, _, err) = answer(&sweep);
     let rows = std::fs::read_to_string(&table).unwrap();
     assert_eq!(status, 3, "{err}");
     assert_eq!(rows.matches("no-start").count(), 2, "{rows}");
@@ -200,7 +181,7 @@ fn numbers_beyond_doubles_are_refused_where_they_stand() {
     let out = folder.path().join("swing");
     let model = given("panic/model.toml");
     for arguments in [&["emit", &model, "--out", out.to_str().unwrap()][..], &["derive", &model], &["prove", &model]] {
-        let (status, _, err) = tripos(arguments);
+        let (status, _, err) = answer(arguments);
         assert_eq!(status, 2, "{arguments:?}: {err}");
         assert!(err.contains("a number of about 10^400 is beyond double precision"), "{err}");
         assert!(err.contains("model.toml:"), "{err}");
@@ -211,22 +192,31 @@ fn numbers_beyond_doubles_are_refused_where_they_stand() {
 fn slips_of_the_pen_are_answered_with_what_to_write() {
     let degrees = "span = [0, 1]\n[start]\ntheta = \"90 deg\"\nomega = 0\n";
     let (_folder, path) = scene_of("pendulum", degrees);
-    let (status, _, err) = tripos(&["simulate", &path]);
+    let (status, _, err) = answer(&["simulate", &path]);
     assert!(status == 2 && err.contains("`90*deg`"), "{err}");
     for degrees in ["90", "-90.5", "7.25"] {
         let text = format!("span = [0, 1]\n[start]\ntheta = {degrees}\nomega = 0\n");
         let (_folder, path) = scene_of("pendulum", &text);
-        let (status, _, err) = tripos(&["simulate", &path]);
+        let (status, _, err) = answer(&["simulate", &path]);
         let hint = format!("`theta` starts at {degrees} rad: if degrees are meant, write \"{degrees}*deg\"");
         assert!(status == 0 && err.contains(&hint), "{err}");
     }
-    let (_folder, path) = scene_of("pendulum", "span = [0, 1]\n[start]\ntheta = \"7*pi/3\"\nomega = 0\n");
-    assert!(!tripos(&["simulate", &path]).2.contains("degrees"));
+    let (folder, path) = scene_of("pendulum", "span = [0, 1]\n[start]\ntheta = \"7*pi/3\"\nomega = 0\n");
+    assert!(!answer(&["simulate", &path]).2.contains("degrees"));
+    let out = folder.path().join("out.csv");
+    let sweep = |over| answer(&["sweep", &path, "--over", over, "--out", out.to_str().unwrap(), "--overwrite"]);
+    let (status, _, err) = sweep("theta=0:90:3");
+    assert!(status == 0 && err.contains("`theta` goes to 90 rad: if degrees are meant, write 90*deg"), "{err}");
+    assert!(!sweep("theta=0:90*deg:3").2.contains("degrees") && !sweep("omega=0:90:3").2.contains("degrees"));
+    let state = folder.path().join("state.toml");
+    std::fs::write(&state, "[state]\ntheta = 90\nomega = 0\n").unwrap();
+    let (status, _, err) = answer(&["evaluate", "models/pendulum", "--by", "kane", "--at", state.to_str().unwrap()]);
+    assert!(status == 0 && err.contains("`theta` is 90 rad: if degrees are meant, write \"90*deg\""), "{err}");
     let (_folder, path) = scene_of(
         "pendulum",
         "span = [0, 1]\n[start]\ntheta = \"10*deg\"\nomega = 0\n[integration]\nmethod = \"quadrature\"\n",
     );
-    let (status, _, err) = tripos(&["simulate", &path, "--step", "0.1"]);
+    let (status, _, err) = answer(&["simulate", &path, "--step", "0.1"]);
     assert!(status == 2 && err.contains("quadrature takes no steps"), "{err}");
 }
 
@@ -245,7 +235,7 @@ fn constants_are_exact_or_refused() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("model.toml"), model(force)).unwrap();
         std::fs::write(folder.path().join("s.toml"), scene).unwrap();
-        tripos(&["simulate", folder.path().join("s.toml").to_str().unwrap(), "--json"])
+        answer(&["simulate", folder.path().join("s.toml").to_str().unwrap(), "--json"])
     };
     for force in
         ["-k*x*cos(pi*10^20)", "-k*x*sin(pi*10^20 + pi/2)", "-k*x*2*sin(10^20*pi + 5*pi/6)", "-k*x*sin(10^-9)*10^9"]
@@ -272,7 +262,7 @@ fn constants_of_scenes_are_known_or_refused_too() {
     let run = |start: &str, output: &str| {
         let text = format!("span = [0, 1e-6]\noutputs = [\"{output}\"]\n[start]\ntheta = \"{start}\"\nomega = 0\n");
         let (_folder, path) = scene_of("pendulum", &text);
-        tripos(&["simulate", &path, "--json"])
+        answer(&["simulate", &path, "--json"])
     };
     for (start, output) in [("sin(10^30)", "theta"), ("(exp(10^-40) - 1)*10^40", "theta"), ("1", "theta*sin(10^30)")] {
         let (status, _, err) = run(start, output);
@@ -296,12 +286,12 @@ fn settings_that_a_method_ignores_are_refused() {
         let text =
             format!("span = [0, 5]\n[start]\ntheta = 1\nomega = 0\n[integration]\nmethod = \"quadrature\"\n{more}\n");
         let (_folder, path) = scene_of("pendulum", &text);
-        let (status, _, err) = tripos(&["simulate", &path]);
+        let (status, _, err) = answer(&["simulate", &path]);
         assert!(status == 2 && err.contains(what), "{err}");
     }
     let (_folder, path) = scene_of("pendulum", "span = [0, 5]\n[start]\ntheta = 1\nomega = 0\n");
     for more in [["--step", "0.1"], ["--project", "energy"]] {
-        let (status, _, err) = tripos(&[&["simulate", &path, "--method", "quadrature"][..], &more].concat());
+        let (status, _, err) = answer(&[&["simulate", &path, "--method", "quadrature"][..], &more].concat());
         assert!(status == 2 && err.contains("quadrature"), "{err}");
     }
 }
@@ -319,7 +309,7 @@ fn an_integral_that_is_not_there_raises_no_alarm() {
     let text = "model = \"model.toml\"\nspan = [0, 2]\n[start]\nx = 1\ny = 0.2\nu = 0.1\nw = 0\n[integration]\nmethod = \"dop853\"\nrtol = 1e-9\natol = 1e-12\n";
     let path = folder.path().join("s.toml");
     std::fs::write(&path, text).unwrap();
-    let (status, out, err) = tripos(&["simulate", path.to_str().unwrap(), "--by", "kane", "--json"]);
+    let (status, out, err) = answer(&["simulate", path.to_str().unwrap(), "--by", "kane", "--json"]);
     assert!(status == 0 && err.is_empty(), "{err}");
     let run: Value = serde_json::from_str(&out).unwrap();
     assert!((run["state"]["y"].as_f64().unwrap() - 0.2 * (18_f64.sqrt() * 2.0).cos()).abs() < 1e-6, "{out}");
@@ -333,13 +323,13 @@ fn what_overflows_or_has_no_value_is_a_failure() {
     let table = folder.path().join("t.csv");
     let scene = root().join("models/pendulum/scenes/swing.toml");
     let (scene, out) = (scene.to_str().unwrap(), table.to_str().unwrap());
-    let (status, _, err) = tripos(&["sweep", scene, "--over", "l=1,1e200", "--out", out]);
+    let (status, _, err) = answer(&["sweep", scene, "--over", "l=1,1e200", "--out", out]);
     let rows = std::fs::read_to_string(&table).unwrap();
     assert!(status == 3 && rows.contains("has no value that doubles can hold"), "{err}{rows}");
 
     let text = "span = [0, 5]\noutputs = [\"sqrt(theta)\"]\n[start]\ntheta = 1\nomega = 0\n";
     let (_folder, path) = scene_of("pendulum", text);
     let charts = folder.path().join("charts");
-    let (status, _, err) = tripos(&["chart", &path, "--quick", "--out", charts.to_str().unwrap()]);
+    let (status, _, err) = answer(&["chart", &path, "--quick", "--out", charts.to_str().unwrap()]);
     assert!(status == 3 && err.contains("has no value at t = 5 s: there is nothing to compare"), "{err}");
 }

@@ -1,25 +1,14 @@
 //! The page of `tripos report` as a whole: proofs, errata and printed runs beside the derived ones.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use crate::support::{SLIDER, stderr, tripos};
+use std::process::Output;
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
-
-fn tripos(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tripos")).args(arguments).current_dir(root()).output().unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-fn json(output: &Output) -> serde_json::Value {
+/// Exit status and page.
+/// What is said in JSON, whatever the answer is.
+fn parsed(output: &Output) -> serde_json::Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// Exit status and page.
 fn page(model: &str) -> (Option<i32>, String, Output) {
     let folder = tempfile::tempdir().unwrap();
     let output = tripos(&["report", model, "--out", folder.path().to_str().unwrap()]);
@@ -32,7 +21,7 @@ fn page(model: &str) -> (Option<i32>, String, Output) {
 fn the_page_of_the_disk_has_every_erratum_integral_and_printed_run() {
     let (status, page, output) = page("models/disk");
     assert_eq!(status, Some(0), "{}", stderr(&output));
-    let difference = json(&tripos(&["diff", "models/disk", "models/disk/report.toml", "--json"]));
+    let difference = parsed(&tripos(&["diff", "models/disk", "models/disk/report.toml", "--json"]));
     let (_, errata) = page.split_once("<table class=\"errata\">").expect("there are errata");
     let (errata, rest) = errata.split_once("</table>").unwrap();
     let (_, all) = rest.split_once("All entries").unwrap();
@@ -57,7 +46,7 @@ fn the_page_of_the_disk_has_every_erratum_integral_and_printed_run() {
         // In each scene: among the runs, the first integrals and the extremes.
         assert_eq!(page.matches(&row).count(), 3 * scenes, "{row}");
     }
-    let proof = json(&tripos(&["prove", "models/disk", "--json"]));
+    let proof = parsed(&tripos(&["prove", "models/disk", "--json"]));
     let integrals = proof["integrals"].as_array().unwrap().len();
     assert_eq!(integrals, 6);
     for at in 1..=integrals {
@@ -126,29 +115,13 @@ fn the_page_of_the_disk_says_where_determinants_vanish() {
     assert!(page.contains(never));
 }
 
-const MODEL: &str = r#"
-name = "Slider"
-parameters.m = { unit = "kg", value = 1, positive = true }
-parameters.k = { unit = "N/m", value = 1 }
-coordinates.x = { unit = "m" }
-speeds.u = "x'"
-inertial = { frame = "A", origin = "O" }
-points.P = { from = "O", frame = "A", position = ["x", 0, 0] }
-particles.slider = { point = "P", mass = "m" }
-[forces.spring]
-on = "slider"
-at = "P"
-frame = "A"
-vector = ["-k*x", 0, 0]
-"#;
-
 const SCENE: &str = "span = [0, 2]\n[start]\nx = 1\nu = 0\n";
 
 /// A slider with this report beside it.
 fn slider(report: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::create_dir(folder.path().join("scenes")).unwrap();
-    for (name, text) in [("model.toml", MODEL), ("report.toml", report), ("scenes/run.toml", SCENE)] {
+    for (name, text) in [("model.toml", SLIDER), ("report.toml", report), ("scenes/run.toml", SCENE)] {
         std::fs::write(folder.path().join(name), text).unwrap();
     }
     folder

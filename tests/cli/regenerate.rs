@@ -2,12 +2,9 @@
 
 #![cfg(unix)]
 
-use std::path::{Path, PathBuf};
+use crate::support::root;
+use std::path::PathBuf;
 use std::process::{Command, Output};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
 
 /// A workspace with one model, and beside it a `python` that answers with the file `answer.json`.
 struct Workspace(tempfile::TempDir);

@@ -1,26 +1,7 @@
 //! `tripos scene`, and runs by a scene's own equations.
 
+use crate::support::{answer, asked, root};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
-
-/// (exit status, standard output, standard error)
-fn tripos(arguments: &[&str]) -> (i32, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
-    let Output { status, stdout, stderr } = command.args(arguments).current_dir(root()).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (status.code().expect("ended by itself"), text(stdout), text(stderr))
-}
-
-fn json(arguments: &[&str]) -> Value {
-    let (status, out, err) = tripos(arguments);
-    assert_eq!(status, 0, "{err}");
-    serde_json::from_str(&out).unwrap()
-}
 
 fn names(value: &Value) -> Vec<&str> {
     value.as_array().unwrap().iter().map(|v| v.as_str().unwrap()).collect()
@@ -46,7 +27,7 @@ const REPORT: &str = "models/disk/scenes/report-10s.toml";
 
 #[test]
 fn the_ledger_of_the_lean_scene_says_what_is_left_of_ten_states() {
-    let ledger = json(&["scene", LEAN, "--json"]);
+    let ledger = asked(&["scene", LEAN, "--json"]);
     assert_eq!(names(&ledger["states"]), ["q2", "u1"]);
     assert!(ledger["quadratures"].as_array().unwrap().is_empty());
     let [full, scene] = ["full", "scene"].map(|key| ledger["operations"][key].as_u64().unwrap());
@@ -57,7 +38,7 @@ fn the_ledger_of_the_lean_scene_says_what_is_left_of_ten_states() {
             omitted.iter().find(|o| o["what"] == state).unwrap_or_else(|| panic!("{state} is not in the account"));
         assert!(["why", "proof"].iter().all(|key| !entry[key].as_str().unwrap().is_empty()), "{entry}");
     }
-    let (status, text, _) = tripos(&["scene", LEAN]);
+    let (status, text, _) = answer(&["scene", LEAN]);
     assert!(status == 0 && text.contains("kept, of 10 states") && text.contains("left out"), "{text}");
 }
 
@@ -66,7 +47,7 @@ fn the_ledger_of_the_lean_scene_says_what_is_left_of_ten_states() {
 fn ten_outputs_after_ten_seconds_are_exact_to_1e_12() {
     let taylor = ["--method", "taylor", "--rtol", "1e-15", "--atol", "1e-15", "--project", "energy"];
     for how in [&taylor[..], &["--method", "quadrature"]] {
-        let run = json(&[&["simulate", REPORT, "--json"][..], how].concat());
+        let run = asked(&[&["simulate", REPORT, "--json"][..], how].concat());
         assert_eq!((run["formulation"].as_str(), run["compiled"].as_bool()), (Some("reduced"), Some(true)));
         for (name, exact) in CERTIFIED {
             let error = (run["state"][name].as_f64().unwrap() - exact).abs() / (1.0 + exact.abs());
@@ -91,10 +72,10 @@ fn edited_outputs_are_there_in_the_next_run() {
         std::fs::write(&path, format!("model = {:?}\n{text}", model.to_str().unwrap())).unwrap();
     };
     write("[\"q2\", \"u1\"]");
-    let lean = json(&["simulate", scene, "--json"]);
+    let lean = asked(&["simulate", scene, "--json"]);
     assert_eq!((lean["state"].as_object().unwrap().len(), lean["compiled"].as_bool()), (2, Some(true)));
     write("[\"q1\", \"N\", \"u1'\", { name = \"height\", value = \"R*cos(q2)\" }, \"total_energy\"]");
-    let more = json(&["simulate", scene, "--json"]);
+    let more = asked(&["simulate", scene, "--json"]);
     let shown: std::collections::BTreeSet<&str> =
         more["state"].as_object().unwrap().keys().map(String::as_str).collect();
     assert_eq!(shown, ["q1", "N", "u1'", "height", "total_energy"].into());
@@ -113,11 +94,11 @@ fn what_equations_do_not_contain_is_refused_with_what_to_do() {
     let text = text.replace("outputs = [\"q2\", \"u1\"]", "outputs = [\"bounce\"]");
     std::fs::write(&path, format!("model = {:?}\n{text}", root().join("models/disk/model.toml").to_str().unwrap()))
         .unwrap();
-    let (status, _, err) = tripos(&["scene", path.to_str().unwrap()]);
+    let (status, _, err) = answer(&["scene", path.to_str().unwrap()]);
     assert!(status == 2 && err.contains("bounce") && err.contains("impact is not in the equations"), "{err}");
-    let (status, _, err) = tripos(&["simulate", REPORT, "--by", "kane", "--method", "quadrature"]);
+    let (status, _, err) = answer(&["simulate", REPORT, "--by", "kane", "--method", "quadrature"]);
     assert!(status == 2 && err.contains("one degree of freedom"), "{err}");
-    let (status, _, err) = tripos(&["simulate", REPORT, "--by", "kane", "--project", "energy"]);
+    let (status, _, err) = answer(&["simulate", REPORT, "--by", "kane", "--project", "energy"]);
     assert!(status == 2 && err.contains("own equations"), "{err}");
 }
 
@@ -131,7 +112,7 @@ fn an_event_on_a_coordinate_that_time_would_carry_is_found() {
     let event = "[[events]]\nname = \"there\"\nzero = \"q4 - 5.2*R\"\nterminal = true\n";
     std::fs::write(&path, format!("model = {:?}\n{text}\n{event}", model.to_str().unwrap())).unwrap();
     let at = |more: &[&str]| {
-        let run = json(&[&["simulate", path.to_str().unwrap(), "--json"][..], more].concat());
+        let run = asked(&[&["simulate", path.to_str().unwrap(), "--json"][..], more].concat());
         assert_eq!(run["stop"], "event:there", "{run}");
         run["t"].as_f64().unwrap()
     };
@@ -146,7 +127,7 @@ fn a_table_has_the_energies_of_the_whole_model() {
     let first = |name: &str, more: &[&str]| -> Vec<f64> {
         let path = folder.path().join(name);
         let scene = "models/spherical_pendulum/scenes/wide.toml";
-        let (status, _, err) = tripos(&[&["simulate", scene, "--csv", path.to_str().unwrap()][..], more].concat());
+        let (status, _, err) = answer(&[&["simulate", scene, "--csv", path.to_str().unwrap()][..], more].concat());
         assert_eq!(status, 0, "{err}");
         let text = std::fs::read_to_string(&path).unwrap();
         let line = text.lines().nth(1).unwrap();
@@ -155,4 +136,78 @@ fn a_table_has_the_energies_of_the_whole_model() {
     let (own, kane) = (first("own.csv", &[]), first("kane.csv", &["--by", "kane"]));
     assert!(own.len() == kane.len() && own[5] > 0.2, "{own:?}");
     assert!(own.iter().zip(&kane).all(|(a, b)| (a - b).abs() < 1e-13), "{own:?}\n{kane:?}");
+}
+
+/// A scene whose own equations carry as much and cost as much as the whole ones gains nothing by them.
+#[test]
+fn whole_equations_run_where_the_scene_s_own_are_no_gain() {
+    let fall = "models/cart_pendulum_3/scenes/fall.toml";
+    let whole = asked(&["simulate", fall, "--until", "0.5", "--json"]);
+    let why = whole["notes"][0].as_str().unwrap();
+    assert!(why.starts_with("whole equations are run: the scene's own equations carry all 8 variables"), "{why}");
+    assert_eq!(
+        (&whole["formulation"], &asked(&["scene", fall, "--json"])["runs_whole"]),
+        (&"kane".into(), &why[25..].into())
+    );
+    let own = asked(&["simulate", fall, "--until", "0.5", "--by", "reduced", "--json"]);
+    assert_eq!((&own["formulation"], &own["notes"]), (&"reduced".into(), &Value::Array(Vec::new())));
+    for (name, x) in whole["state"].as_object().unwrap() {
+        let difference = x.as_f64().unwrap() - own["state"][name].as_f64().unwrap();
+        assert!(difference.abs() < 1e-7, "{name}: {difference:e}");
+    }
+    assert_eq!(asked(&["scene", LEAN, "--json"])["runs_whole"], Value::Null);
+}
+
+const FURUTA: &str = r#"
+name = "Furuta pendulum"
+[parameters]
+J = { unit = "kg*m^2", value = 0.01, positive = true }
+L1 = { unit = "m", value = 0.2, positive = true }
+l2 = { unit = "m", value = 0.15, positive = true }
+m2 = { unit = "kg", value = 0.1, positive = true }
+g = { unit = "m/s^2", value = 9.81, positive = true }
+b = { unit = "N*m*s", value = 0.002 }
+[coordinates]
+q1 = { unit = "rad" }
+q2 = { unit = "rad" }
+[speeds]
+u1 = "q1'"
+u2 = "q2'"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+A = { from = "N", axis = 3, angle = "q1" }
+B = { from = "A", axis = 1, angle = "q2" }
+[points]
+P = { from = "O", frame = "A", position = ["L1", 0, 0] }
+C = { from = "P", frame = "B", position = [0, 0, "-l2"] }
+[bodies.arm]
+frame = "A"
+centre = "O"
+mass = 0
+inertia = { diagonal = ["J/2", "J/2", "J"] }
+[bodies.rod]
+frame = "B"
+centre = "C"
+mass = "m2"
+inertia = { diagonal = ["m2*l2^2/3", "m2*l2^2/3", 0] }
+[gravity]
+frame = "N"
+acceleration = [0, 0, "-g"]
+"#;
+
+/// The momentum about the pivot determines the arm's speed by its inertia there, which positive parameters let be zero nowhere; and what
+/// is computed once is called by what it is.
+#[test]
+fn what_is_zero_nowhere_is_no_singular_place() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("model.toml"), FURUTA).unwrap();
+    let scene = "model = \"model.toml\"\nspan = [0, 1]\n[start]\nq1 = 0\nq2 = 1\nu1 = 0\nu2 = 0\n";
+    std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
+    let ledger = asked(&["scene", folder.path().join("scene.toml").to_str().unwrap(), "--json"]);
+    assert_eq!((&ledger["singular_where"], names(&ledger["states"])), (&Value::Array(Vec::new()), vec!["q2", "u2"]));
+    let constants = ledger["constants"].as_array().unwrap();
+    let called = |name: &str| constants.iter().find(|c| c["name"] == name).map(|c| c["is"].clone());
+    assert_eq!(called("L1_squared_times_3"), Some("3*L1^2".into()), "{constants:?}");
 }

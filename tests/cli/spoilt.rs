@@ -6,7 +6,8 @@
 mod files;
 
 use crate::support::copy;
-use files::{Random, corpus, count, is_model, spoilt};
+pub use files::Random;
+use files::{corpus, count, is_model, spoilt};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 

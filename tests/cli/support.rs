@@ -1,19 +1,76 @@
 //! What tests of the command have in common.
 
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+
+/// A model that is read in no time: a mass on a spring, which moves as cos t from x = 1.
+pub const SLIDER: &str = r#"
+name = "Slider"
+parameters.m = { unit = "kg", value = 1, positive = true }
+parameters.k = { unit = "N/m", value = 1 }
+coordinates.x = { unit = "m" }
+speeds.u = "x'"
+inertial = { frame = "A", origin = "O" }
+points.P = { from = "O", frame = "A", position = ["x", 0, 0] }
+particles.slider = { point = "P", mass = "m" }
+[forces.spring]
+on = "slider"
+at = "P"
+frame = "A"
+vector = ["-k*x", 0, 0]
+"#;
 
 /// The folder of the workspace.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
 }
 
+/// The command, to be run in a folder.
+pub fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
+    command.args(arguments).current_dir(folder);
+    command
+}
+
+/// What the command gives in the folder of the workspace.
+pub fn tripos(arguments: &[&str]) -> Output {
+    command(&root(), arguments).output().unwrap()
+}
+
 /// The command in a folder: exit status, standard output, standard error.
 pub fn tripos_in(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
-    let Output { status, stdout, stderr } = command.args(arguments).current_dir(folder).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (status.code().expect("ended by itself"), text(stdout), text(stderr))
+    let output = command(folder, arguments).output().unwrap();
+    (status(&output), stdout(&output), stderr(&output))
+}
+
+/// The command in the folder of the workspace: exit status, standard output, standard error.
+pub fn answer(arguments: &[&str]) -> (i32, String, String) {
+    tripos_in(&root(), arguments)
+}
+
+/// The exit status of a command that was not killed.
+pub fn status(output: &Output) -> i32 {
+    output.status.code().expect("ended by itself, not by a signal")
+}
+
+pub fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+pub fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// Standard output of a command that succeeds and says nothing but JSON there.
+pub fn json(output: &Output) -> Value {
+    assert_eq!(status(output), 0, "{}", stderr(output));
+    serde_json::from_slice(&output.stdout).expect("standard output is the JSON alone")
+}
+
+/// What a command that succeeds says in JSON.
+pub fn asked(arguments: &[&str]) -> Value {
+    json(&tripos(arguments))
 }
 
 /// Every file and folder of a folder.

@@ -1,33 +1,12 @@
 //! Sweeps: rows are runs, files do not depend on how they were made, and no input breaks one.
 
+use crate::support::{command, root, status, stderr, tripos};
 use expect_test::expect;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
+use std::process::Stdio;
 use std::time::Duration;
 
 const REPORT: &str = "models/disk/scenes/report-10s.toml";
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
-
-fn command(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
-    command.args(arguments).current_dir(root());
-    command
-}
-
-fn tripos(arguments: &[&str]) -> Output {
-    command(arguments).output().unwrap()
-}
-
-fn status(output: &Output) -> i32 {
-    output.status.code().expect("ended by itself, not by a signal")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
 
 fn text_of(path: impl AsRef<Path>) -> String {
     std::fs::read_to_string(path).unwrap()
@@ -381,7 +360,7 @@ fn an_interrupted_sweep_leaves_no_file_that_looks_whole() {
     let folder = tempfile::tempdir().unwrap();
     let (out, part) = (folder.path().join("out.csv"), folder.path().join("out.csv.part"));
     let arguments = ["sweep", REPORT, "--until", "0.5", "--out", out.to_str().unwrap(), "--over"];
-    let mut long = command(&[&arguments[..], &["q2=0.1:1:1000000000"]].concat());
+    let mut long = command(&root(), &[&arguments[..], &["q2=0.1:1:1000000000"]].concat());
     let mut long = long.stderr(Stdio::null()).spawn().unwrap();
     let rows = || std::fs::read_to_string(&part).map_or(0, |text| text.lines().count());
     while rows() < 10 {

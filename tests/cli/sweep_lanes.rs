@@ -1,21 +1,13 @@
 //! Sweeps in lanes: the runs of a scene on which nothing is watched share the registers of the processor, and nothing else.
 
+use crate::support::{root, tripos};
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
 type Row = HashMap<String, String>;
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
-
 /// A pendulum without events; the span follows the length, so that points differ in it.
 const SCENE: &str = "span = [0, \"10*sqrt(l/g)\"]\n[start]\ntheta = 2\nomega = 0\n[integration]\nmethod = \"dop853\"\nrtol = 1e-9\natol = 1e-11\n";
-
-fn tripos(arguments: &[&str]) -> std::process::Output {
-    Command::new(env!("CARGO_BIN_EXE_tripos")).args(arguments).current_dir(root()).output().unwrap()
-}
 
 fn scene(folder: &Path, text: &str) -> String {
     let path = folder.join("scene.toml");

@@ -10,14 +10,13 @@ mod judge;
 mod multipliers;
 mod mutants;
 mod printed;
-mod random;
 mod report;
 mod rewritings;
 mod tree;
 
+use crate::support::Random;
 use mutants::{Kind, Mutant, Place, choose};
 use printed::Printed;
-use random::Random;
 use report::{Judged, Report};
 use rustc_hash::FxHashMap;
 use std::fmt::Write;

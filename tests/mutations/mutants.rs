@@ -1,8 +1,8 @@
 //! Six ways to spoil a formula, one place at a time.
 
 use super::printed::{Printed, System};
-use super::random::Random;
 use super::tree::{call, edits, name, number, power, product, quotient, sum, text};
+use crate::support::Random;
 use rustc_hash::FxHashSet;
 use tripos_derive::algebra::view::View;
 

@@ -1,8 +1,8 @@
 //! The same formula, written differently.
 
 use super::printed::{Printed, System};
-use super::random::Random;
 use super::tree::{call, edits_within, minus, name, number, power, product, quotient, sum, text};
+use crate::support::Random;
 use tripos_derive::algebra::view::View;
 
 /// An identity: what a node may be replaced by. `a`, `b` are symbols and `y` an angle to write it with.

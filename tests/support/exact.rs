@@ -18,6 +18,20 @@ type Dd = DoubleDouble;
 /// (q, u) at a time after the start, s, in the order of the model.
 pub type Motion = Box<dyn Fn(Dd) -> Vec<Dd>>;
 
+/// The scenes with a closed form.
+pub const CLOSED_FORMS: [(&str, &str); 10] = [
+    ("pendulum", "swing"),
+    ("pendulum", "over"),
+    ("spherical_pendulum", "wide"),
+    ("spherical_pendulum", "narrow"),
+    ("heavy_top", "looping"),
+    ("euler_top", "looping"),
+    ("euler_top", "cusps"),
+    ("free_body", "steady"),
+    ("free_body", "tumbling"),
+    ("floating_chain", "straight"),
+];
+
 /// The names of a model's coordinates and speeds, each with its value t seconds after the start of the scene; nothing where no
 /// closed form is known.
 pub fn exact(model: &str, scene: &str, t: f64) -> Option<Vec<(String, f64)>> {

@@ -3,9 +3,11 @@
 #![allow(dead_code, reason = "each test uses its part")]
 
 pub mod exact;
+mod random;
 pub mod reduced;
 pub mod stability;
 
+pub use random::Random;
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::evaluate::Numeric;
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
@@ -72,18 +74,4 @@ pub fn largest_terms(arena: &Arena, inputs: &[Expr], values: &[f64], outputs: &[
         largest.insert(e, magnitude);
     }
     outputs.iter().map(|e| largest[e]).collect()
-}
-
-/// A seeded generator (SplitMix64): the same states on every machine.
-pub struct Random(pub u64);
-
-impl Random {
-    /// Uniform between two bounds.
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        low + (high - low) * ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }

@@ -4,7 +4,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::reduce::{Quantity, Reduction};
 use tripos_derive::scene::Scene;
-use tripos_sim::{AbsoluteTolerance, Failure, Method, Options, Output, integrate};
+use tripos_sim::{Failure, Method, Options, Output, integrate};
 
 /// A reduced system with the numbers of a scene.
 pub struct Reduced {
@@ -52,9 +52,8 @@ impl Reduced {
             dy[self.coordinates..].copy_from_slice(&solve(matrix.to_vec(), forcing.to_vec()));
             Ok::<(), Failure>(())
         };
-        let atol = AbsoluteTolerance::Uniform(tolerance);
-        let options =
-            Options { method: Method::Dop853, rtol: tolerance, atol, output: Output::Ends, ..Options::default() };
+        let tolerances = Options::tolerances(tolerance, tolerance);
+        let options = Options { method: Method::Dop853, output: Output::Ends, ..tolerances };
         // A system without states is known at all times.
         let y = if self.start.is_empty() {
             Vec::new()

@@ -1,30 +1,10 @@
 //! Files spoilt at random, for the tests of what reads them.
 
+#[path = "random.rs"]
+mod random;
+
+pub use random::Random;
 use std::path::{Path, PathBuf};
-
-/// A seeded generator (SplitMix64): the same files on every machine.
-pub struct Random(pub u64);
-
-impl Random {
-    /// The next number.
-    pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// A number below `count`.
-    pub fn below(&mut self, count: usize) -> usize {
-        usize::try_from(self.next() % count.max(1) as u64).expect("small")
-    }
-
-    /// One of these.
-    pub fn one<'a>(&mut self, list: &[&'a str]) -> &'a str {
-        list[self.below(list.len())]
-    }
-}
 
 /// What words are replaced by.
 pub const PIECES: [&str; 40] = [

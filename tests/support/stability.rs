@@ -2,7 +2,7 @@
 
 use super::compiled;
 use tripos_sim::work_precision::error;
-use tripos_sim::{AbsoluteTolerance, Dynamics, Eliminated, Event, Method, Options, Output, Solution, integrate};
+use tripos_sim::{Dynamics, Eliminated, Event, Method, Options, Output, Solution, integrate};
 use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar};
 
 /// A number to 32 digits from its decimals.
@@ -100,8 +100,7 @@ impl Equations {
 
 /// Adaptive, the same relative and absolute tolerance, only the ends kept.
 pub fn options(method: Method, tolerance: f64) -> Options {
-    let atol = AbsoluteTolerance::Uniform(tolerance);
-    Options { method, rtol: tolerance, atol, step_limit: 5_000_000, output: Output::Ends, ..Options::default() }
+    Options { method, step_limit: 5_000_000, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
 /// Equal steps.

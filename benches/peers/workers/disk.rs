@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{self, Scene, Stated};
-use tripos_sim::{AbsoluteTolerance, Failure, Method, Options, Output, RightHandSide};
+use tripos_sim::{Failure, Method, Options, Output, RightHandSide};
 use tripos_traits::{DoubleDouble, Real, System};
 
 /// Coordinates; as many rates follow them in a state.
@@ -79,13 +79,7 @@ impl<E: System<f64>> RightHandSide for Known<E> {
 
 /// Ends only, at rtol = atol = `tolerance`.
 pub fn options(method: Method, tolerance: f64) -> Options {
-    Options {
-        method,
-        rtol: tolerance,
-        atol: AbsoluteTolerance::Uniform(tolerance),
-        output: Output::Ends,
-        ..Options::default()
-    }
+    Options { method, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
 /// Each so that reading it gives the same number.

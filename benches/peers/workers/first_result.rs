@@ -4,7 +4,7 @@
 #[allow(non_snake_case)]
 mod disk;
 
-use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, Output, Stop, integrate};
+use tripos_sim::{Eliminated, Lent, Method, Options, Output, Stop, integrate};
 
 fn main() {
     let numbers: Vec<f64> = std::env::args().skip(1).map(|word| word.parse().expect("a number")).collect();
@@ -12,10 +12,8 @@ fn main() {
     let (tolerance, start) = rest.split_last().expect("a tolerance");
     let options = Options {
         method: Method::Dop853,
-        rtol: *tolerance,
-        atol: AbsoluteTolerance::Uniform(*tolerance),
         output: Output::Ends,
-        ..Options::default()
+        ..Options::tolerances(*tolerance, *tolerance)
     };
     let mut rhs = Eliminated::new(&disk::lagrange::Lagrange, parameters).expect("solved for");
     let run = integrate(Lent(&mut rhs), (0.0, 10.0), start, &options, &mut []).expect("a run");

@@ -15,7 +15,7 @@ use std::time::Instant;
 use disk::{Known, N, SPAN, numbers, numbers_of, options, read, serve};
 use tripos_models::disk::{kane, lagrange};
 use tripos_sim::batch::{self, Plan, Trajectory};
-use tripos_sim::{AbsoluteTolerance, Eliminated, Lent, Method, Options, RightHandSide, Solution, Stop, integrate};
+use tripos_sim::{Eliminated, Lent, Method, Options, RightHandSide, Solution, Stop, integrate};
 use tripos_traits::{Derivative, DoubleDouble, InLanes, Real, System};
 
 /// The methods that runs can be made by, in the order of the rows of the results.
@@ -81,8 +81,8 @@ fn side_by_side(equations: &Equations<'_, f64>, starts: &[f64], tolerance: f64) 
     let starts: Vec<Vec<f64>> = starts.chunks_exact(2 * N).map(|start| equations.state(start)).collect();
     let parameters = &equations.parameters;
     let trajectories: Vec<Trajectory<'_>> = starts.iter().map(|start| Trajectory { parameters, start }).collect();
-    let (atol, step_limit) = (AbsoluteTolerance::Uniform(tolerance), Options::default().step_limit);
-    let plan = Plan { span: (0.0, SPAN), rtol: tolerance, atol, max_step: None, step_limit };
+    let step_limit = Options::default().step_limit;
+    let plan = Plan { span: (0.0, SPAN), rtol: tolerance, atol: tolerance.into(), max_step: None, step_limit };
     let in_lanes = InLanes::of(&Derivative(lagrange::Lagrange));
     let outcomes = batch::integrate(in_lanes, &plan, &trajectories).expect("the question makes sense");
     let steps = outcomes.iter().map(|outcome| outcome.steps + outcome.rejected).sum();

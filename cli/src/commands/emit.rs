@@ -5,6 +5,7 @@ use crate::workspace::model_file;
 use std::path::{Path, PathBuf};
 use tripos::code::formulation;
 use tripos_codegen::emit::{PlaceError, emit as emission, place};
+use tripos_derive::plain::path_in_line;
 
 /// Writes the module, and says what became of each file.
 pub fn emit(model: &Path, out: &Path, formulations: &[String]) -> Result<u8, Failure> {
@@ -19,7 +20,7 @@ pub fn emit(model: &Path, out: &Path, formulations: &[String]) -> Result<u8, Fai
             Failure::Request(error.to_string(), "give another folder, or move the file away".to_owned())
         }
         PlaceError::Write(error) => error.into(),
-        PlaceError::Io(path, error) => Failure::Output(path.display().to_string(), error),
+        PlaceError::Io(path, error) => Failure::Output(path_in_line(&path), error),
     })?;
     let lines: Vec<String> = placed.iter().map(|file| format!("{file}\n")).collect();
     print(&lines.concat())?;
@@ -35,7 +36,7 @@ fn module(out: &Path) -> Result<String, Failure> {
     let named =
         if out.file_name().is_some() { out.to_owned() } else { out.canonicalize().unwrap_or_else(|_| PathBuf::new()) };
     named.file_name().map(|name| name.to_string_lossy().into_owned()).ok_or_else(|| {
-        let what = format!("`{}` has no name that a module could have", out.display());
+        let what = format!("`{}` has no name that a module could have", path_in_line(out));
         Failure::Request(what, "give a folder whose name is a Rust module, as in `--out src/pendulum`".to_owned())
     })
 }

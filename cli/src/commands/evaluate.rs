@@ -32,6 +32,7 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
     let by = equations(&model, by)?;
     let derivation = derivation(&model, &by)?;
     let state = load_state(&Source::read(at)?, &mut model)?;
+    state.hints(&model).iter().for_each(|hint| warn(hint));
     let values = values(&model, &by, &derivation, &state)?;
     if as_json {
         let object = |list: &[(String, f64)]| {

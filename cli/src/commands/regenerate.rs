@@ -11,6 +11,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos_codegen::workspace::{Difference, Freshness, freshness, model_folders, write};
 use tripos_derive::diagnostic::nearest;
+use tripos_derive::plain::path_in_line;
 
 /// Says what differs; exit status 1 if anything does.
 pub fn check(models: &[PathBuf]) -> Result<u8, Failure> {
@@ -47,7 +48,7 @@ fn sound(found: &Freshness, mut asked: Vec<String>) -> Vec<String> {
 fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<String>), Failure> {
     let (folder, committed) = (root.join("models"), root.join("generated/src"));
     let unreadable = |error| {
-        let what = format!("cannot read {}: {error}", folder.display());
+        let what = format!("cannot read {}: {error}", path_in_line(&folder));
         Failure::Request(what, "run this in a checkout that has models/ and generated/".to_owned())
     };
     let all = model_folders(&folder).map_err(unreadable)?;
@@ -56,7 +57,7 @@ fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<Stri
         // `disk`, or the folder as a shell completes it.
         let name = model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         if !all.contains(&name) {
-            let what = format!("there is no model `{}` in {}", model.display(), folder.display());
+            let what = format!("there is no model `{}` in {}", path_in_line(model), path_in_line(&folder));
             return Err(Failure::Request(what, nearest(&name, all.iter().map(String::as_str))));
         }
         asked.push(name);

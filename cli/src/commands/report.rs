@@ -29,6 +29,7 @@ use tripos::study::{Printed, Study};
 use tripos_codegen::scene_files::{is_same, scene_files};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
+use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{FigureKind, QUADRATURE, Scene, Solve, load, model_path};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
@@ -94,7 +95,7 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
 fn usual_model() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     let root = workspace_around(&here).ok_or_else(|| {
-        let what = format!("no model is given, and `{}` is in no workspace that has one", here.display());
+        let what = format!("no model is given, and `{}` is in no workspace that has one", path_in_line(&here));
         let help = "give a model file, or a folder that holds `model.toml`, as in `tripos report FOLDER`".to_owned();
         Failure::Request(what, help)
     })?;
@@ -108,7 +109,7 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
     for file in scene_files(model_file) {
         let scene = Source::read(&file).and_then(|source| {
             if !is_same(&model_path(&source)?, model_file) {
-                let message = format!("this scene is of another model than {}", model_file.display());
+                let message = format!("this scene is of another model than {}", path_in_line(model_file));
                 let help = "move it to the scenes of its own model, or leave its `model` out";
                 return Err(Diagnostics::new(source, vec![Diagnostic::of_file(message, help)]));
             }
@@ -196,7 +197,7 @@ impl<'a> Work<'a> {
             let (mut doubts, mut stopped) = (Vec::new(), false);
             let own = runs.own.iter().map(|own| &own.run);
             for run in runs.derived.iter().map(|(run, _)| run).chain(own) {
-                let place = format!("{} by {}", scene.source.path.display(), run.by.name);
+                let place = format!("{} by {}", path_in_line(&scene.source.path), run.by.name);
                 stopped |= run.failure().is_some();
                 doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
             }
@@ -205,7 +206,7 @@ impl<'a> Work<'a> {
                 break;
             }
             let section = section?;
-            let path = scene.source.path.display();
+            let path = path_in_line(&scene.source.path);
             doubts.extend(section.not_drawn.iter().map(|why| format!("{path}: {why}")));
             done.sections.push(section);
             done.doubts.extend(doubts);
@@ -216,7 +217,7 @@ impl<'a> Work<'a> {
 
     /// Runs everything. Printed equations may fail as they like: that is shown, and nothing else comes of it.
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
-        let message = |by: &By| format!("running {} by {}", scene.source.path.display(), by.name);
+        let message = |by: &By| format!("running {} by {}", path_in_line(&scene.source.path), by.name);
         let own = Own::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
         let mut runs = Runs { derived: Vec::new(), own, printed: Vec::new(), not_run: Vec::new() };
         // Quadrature and projection are of a scene's own equations alone.
@@ -314,7 +315,7 @@ impl<'a> Work<'a> {
         let mut shown = Vec::new();
         for figure in &scene.figures {
             let (kind, caption) = (figure.kind, figure.caption.as_str());
-            bar.set_message(format!("{} of {}", kind.name(), scene.source.path.display()));
+            bar.set_message(format!("{} of {}", kind.name(), path_in_line(&scene.source.path)));
             shown.extend(match kind {
                 FigureKind::Energy => {
                     let panel = figures::energy(&curves(&runs, |own| own.has_energy));

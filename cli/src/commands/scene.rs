@@ -18,10 +18,14 @@ pub fn scene(path: &Path, json: bool) -> Result<u8, Failure> {
     let (model, scene) = read_scene(path)?;
     let reduced = Reduced::new(&model, &scene)?;
     let costs = costs(&model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
+    let no_gain = reduced.no_gain(&model)?;
     if json {
-        print_json(&as_json(&model, &scene, &reduced, costs))?;
+        let mut value = as_json(&model, &scene, &reduced, costs);
+        value["runs_whole"] = json!(no_gain);
+        print_json(&value)?;
     } else {
-        print(&as_text(&model, &scene, &reduced, costs))?;
+        let why = no_gain.map(|why| format!("\nrun by whole equations, unless with --by reduced: {why}\n"));
+        print(&(as_text(&model, &scene, &reduced, costs) + &why.unwrap_or_default()))?;
     }
     Ok(0)
 }

@@ -12,6 +12,7 @@ use tripos::Mechanism;
 use tripos::invariants::Drift;
 use tripos::run::{Run, method_words, simulate as simulate_scene};
 use tripos_derive::diagnostic::Source;
+use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load, model_path};
 use tripos_sim::Stop;
 
@@ -26,9 +27,8 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     follow::show(scene.span);
     let run = simulate_scene(&model, &scene, request.how.by.as_deref())?;
     follow::hide();
-    for warning in &run.warnings {
-        warn(warning);
-    }
+    run.notes.iter().for_each(|note| say(&format!("note: {note}")));
+    run.warnings.iter().for_each(|warning| warn(warning));
     let failure = run.failure();
     if let Some(failure) = failure.as_ref().filter(|_| request.json || !run.solution.stop.is_failure()) {
         say(failure);
@@ -85,6 +85,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "drift": drift,
         "projection": projection(run),
         "events": events,
+        "notes": run.notes,
         "warnings": run.warnings,
     })
 }
@@ -158,12 +159,17 @@ fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
     table(path, &header, rows)
 }
 
-/// Refuses to write samples over what is read, or over what looks like no table of samples.
+/// Refuses to write samples over what is read, over what looks like no table of samples, and where there is no folder: after a long
+/// run that would be too late.
 fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     keep_inputs(model, Some(scene), [path])?;
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    if let Some(Err(error)) = folder.map(std::fs::metadata) {
+        return Err(Failure::Output(path_in_line(path), error));
+    }
     let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
     if path.is_file() && !is_table && !overwrite && !path.starts_with("/dev") {
-        let what = format!("`{}` is there already, and its name does not end in `.csv`", path.display());
+        let what = format!("`{}` is there already, and its name does not end in `.csv`", path_in_line(path));
         return Err(Failure::Request(what, "give another --csv, or --overwrite to replace it".to_owned()));
     }
     Ok(())

@@ -26,6 +26,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let (mut model, mut scene) = read_scene(&request.scene)?;
     keep_inputs(&model, Some(&scene), [request.out.as_path()])?;
     let grid = Grid::read(&request.over, &scene, &mut model).map_err(Failure::Inputs)?;
+    grid.hints(&model).iter().for_each(|hint| warn(hint));
     let shard = Shard::read(&request.shard)?;
     let threads = threads(request.threads)?;
     let how_else = request.how.overrides();

@@ -55,6 +55,15 @@ pub struct Coordinate {
     pub about: String,
 }
 
+impl Coordinate {
+    /// Whether an angle above a turn was probably meant in degrees: people write these with few decimals, and multiples of π have many.
+    #[must_use]
+    pub fn looks_like_degrees(&self, q: f64) -> bool {
+        let is_short = (q - (100.0 * q).round() / 100.0).abs() <= f64::EPSILON * q.abs();
+        self.unit.is_plain() && q.abs() > std::f64::consts::TAU && is_short
+    }
+}
+
 /// A generalized speed.
 #[derive(Clone, Debug)]
 pub struct Speed {

@@ -5,7 +5,6 @@
 
 use crate::algebra::calculus::Substitution;
 use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::print::text;
 use crate::algebra::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
@@ -75,7 +74,7 @@ impl Hoist {
         let symbol = match self.constants.iter().find(|(_, known)| *known == value) {
             Some((symbol, _)) => *symbol,
             None => {
-                let symbol = fresh_symbol(arena, &name(&text(arena, value)));
+                let symbol = fresh_symbol(arena, &name(arena, &fixed, &magnitude));
                 self.constants.push((symbol, value));
                 symbol
             }
@@ -88,9 +87,24 @@ impl Hoist {
     }
 }
 
-/// `c_2_u3` for 2*u3.
-fn name(formula: &str) -> String {
-    let words = formula.replace('/', "_by_").replace('^', "_to_");
-    let words: Vec<&str> = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|w| !w.is_empty()).collect();
-    format!("c_{}", words.join("_"))
+/// `u3_times_2` for 2 u₃, `l_squared_m_times_4_by_3` for 4/3 l² m: the product as it is said.
+fn name(arena: &Arena, factors: &[(Expr, i32)], k: &Rational) -> String {
+    let word = |(base, n): &(Expr, i32)| {
+        let name = arena.symbol_name(*base).unwrap_or_default();
+        let inverse = if *n < 0 { "per_" } else { "" };
+        match n.unsigned_abs() {
+            1 => format!("{inverse}{name}"),
+            2 => format!("{inverse}{name}_squared"),
+            3 => format!("{inverse}{name}_cubed"),
+            n => format!("{inverse}{name}_to_{n}"),
+        }
+    };
+    let mut name = factors.iter().map(word).collect::<Vec<_>>().join("_");
+    let k = k.to_big();
+    for (joint, number) in [("times", k.numer()), ("by", k.denom())] {
+        if *number != 1.into() {
+            name = format!("{name}_{joint}_{number}");
+        }
+    }
+    name
 }

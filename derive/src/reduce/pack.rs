@@ -11,6 +11,7 @@ use super::wanted::Wanted;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::print::text;
+use crate::algebra::range::never_zero;
 use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::{Derivation, Equations, Formulation};
@@ -274,7 +275,8 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     let present: Vec<Expr> = all().map(|v| v.symbol).collect();
     let divides = |d: &&Expr| present.iter().any(|s| arena.mentions(**d, *s));
     let definitions = flow.used(arena, &terms);
-    let mut divisors: Vec<Expr> = level.divisors.iter().chain(&ground.kane.divisors).filter(divides).copied().collect();
+    let divisors: Vec<Expr> = level.divisors.iter().chain(&ground.kane.divisors).filter(divides).copied().collect();
+    let mut divisors: Vec<Expr> = divisors.into_iter().filter_map(|d| part_with_zeros(arena, d)).collect();
     divisors.sort_unstable();
     divisors.dedup();
     Equations {
@@ -298,6 +300,19 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
         potential_energy,
         divisors,
     }
+}
+
+/// What of a divisor can be zero: without its number and without factors that are proved to be zero nowhere, such as an inertia; none
+/// if nothing of it can be.
+fn part_with_zeros(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
+    let (_, divisor) = arena.split_content(divisor);
+    let factors = match arena.node(divisor) {
+        Node::Product(factors) => factors.to_vec(),
+        _ => vec![(divisor, 1)],
+    };
+    let above = factors.into_iter().filter(|(_, n)| *n > 0).map(|(base, _)| base);
+    let open: Vec<Expr> = above.filter(|base| !never_zero(arena, *base)).collect();
+    (!open.is_empty()).then(|| arena.product(&open))
 }
 
 fn model(ground: Ground, flow: &Flow, constants: &[Quantity], equations: &Equations) -> crate::Model {

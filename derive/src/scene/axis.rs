@@ -86,6 +86,18 @@ impl Grid {
         self.axes.iter().map(|axis| axis.name.as_str()).collect()
     }
 
+    /// What is probably not meant: an angle that goes to more than a turn, written as people write degrees.
+    #[must_use]
+    pub fn hints(&self, model: &Model) -> Vec<String> {
+        let of = |axis: &Axis| {
+            let Varied::Coordinate(at) = axis.place else { return None };
+            let ends = [axis.value(0).double, axis.value(axis.count - 1).double];
+            let q = ends.into_iter().find(|q| model.coordinates[at].looks_like_degrees(*q))?;
+            Some(format!("`{}` goes to {q} rad: if degrees are meant, write {q}*deg", axis.name))
+        };
+        self.axes.iter().filter_map(of).collect()
+    }
+
     /// Number of points, at most [`MOST_POINTS`].
     #[must_use]
     pub fn count(&self) -> u64 {

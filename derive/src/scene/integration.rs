@@ -6,7 +6,7 @@ use crate::algebra::exact::pi;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mechanics::Distance;
 use toml::de::{DeTable, DeValue};
-use tripos_traits::{AbsoluteTolerance, Method};
+use tripos_traits::{ATOL, AbsoluteTolerance, Method, RTOL};
 
 /// The methods of integration by name, as the simulator knows them.
 pub const METHODS: [&str; Method::ALL.len() + 1] = {
@@ -92,14 +92,6 @@ pub struct Integration {
     pub may_measure: bool,
 }
 
-impl Integration {
-    /// The smallest absolute tolerance of a component.
-    #[must_use]
-    pub fn smallest_atol(&self) -> f64 {
-        self.atol.smallest()
-    }
-}
-
 const KEYS: [&str; 10] =
     ["method", "solve", "rtol", "atol", "step", "step_limit", "samples", "domain", "project", "distance"];
 
@@ -110,7 +102,7 @@ impl<'a> Values<'a, '_> {
         if let Some(section) = section {
             self.reader.allow(section, "`integration`", &KEYS);
         }
-        let rtol = self.size(section, "rtol", p).unwrap_or(1e-6);
+        let rtol = self.size(section, "rtol", p).unwrap_or(RTOL);
         let atol = self.absolute(section, p);
         if rtol == 0.0 && atol == AbsoluteTolerance::Uniform(0.0) {
             let help = "give at least one tolerance above zero";
@@ -164,22 +156,21 @@ impl<'a> Values<'a, '_> {
 
     /// One number, or a table with one for each coordinate and speed; what it leaves out has the default.
     fn absolute(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> AbsoluteTolerance {
-        const DEFAULT: f64 = 1e-9;
         let Some(value) = section.and_then(|s| self.reader.get(s, "atol")) else {
-            return AbsoluteTolerance::Uniform(DEFAULT);
+            return AbsoluteTolerance::default();
         };
         if !matches!(value.get_ref(), DeValue::Table(_)) {
-            return AbsoluteTolerance::Uniform(self.size(section, "atol", p).unwrap_or(DEFAULT));
+            return AbsoluteTolerance::Uniform(self.size(section, "atol", p).unwrap_or(ATOL));
         }
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
         let names: Vec<String> = coordinates.chain(self.model.speeds.iter().map(|s| s.name.clone())).collect();
-        let mut each = vec![DEFAULT; names.len()];
+        let mut each = vec![ATOL; names.len()];
         let Some(table) = self.reader.table(value, "`atol`", "atol = { q1 = 1e-9 }") else {
             return AbsoluteTolerance::Each(each);
         };
         for (name, _) in self.reader.entries(table) {
             match names.iter().position(|known| *known == name.text) {
-                Some(at) => each[at] = self.size(Some(table), &name.text, p).unwrap_or(DEFAULT),
+                Some(at) => each[at] = self.size(Some(table), &name.text, p).unwrap_or(ATOL),
                 None => {
                     let help = nearest(&name.text, names.iter().map(String::as_str));
                     let message = format!("the model has no coordinate or speed `{}`", name.text);

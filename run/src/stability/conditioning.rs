@@ -91,10 +91,8 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let options = Options {
         method: tripos_sim::Method::Dop853,
-        rtol: 1e-12,
-        atol: tripos_sim::AbsoluteTolerance::Uniform(1e-12),
         output: Output::Steps { refine: 50 },
-        ..Options::default()
+        ..Options::tolerances(1e-12, 1e-12)
     };
     let run = uninterrupted(problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?)?;
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(Vec::new()) };

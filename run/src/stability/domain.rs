@@ -7,7 +7,7 @@ use crate::follow::uninterrupted;
 use crate::problem::Problem;
 use crate::run::{Balance, events, options, refused};
 use tripos_derive::Formulation;
-use tripos_sim::{AbsoluteTolerance, Method, Options, Output};
+use tripos_sim::{Method, Options, Output};
 
 /// Runs with and without the domain, if the model has one and the motion leaves it.
 ///
@@ -32,7 +32,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             let tight = Options {
                 method,
                 rtol: 1e-12,
-                atol: AbsoluteTolerance::Uniform(1e-12),
+                atol: 1e-12.into(),
                 step: None,
                 output: Output::Steps { refine: 1 },
                 ..options(study.scene)?

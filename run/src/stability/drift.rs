@@ -10,7 +10,7 @@ use crate::problem::{Problem, instants};
 use crate::run::refused;
 use tripos_derive::Formulation;
 use tripos_sim::stability::{Trend, trend};
-use tripos_sim::{AbsoluteTolerance, Method, Options, Output};
+use tripos_sim::{Method, Options, Output};
 use tripos_traits::larger;
 
 /// How many spans of the scene a long run takes.
@@ -56,12 +56,10 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             }
             let options = Options {
                 method,
-                rtol: 1e-6,
-                atol: AbsoluteTolerance::Uniform(1e-8),
                 step: is_fixed.then(|| (to - from).abs() / FIXED),
                 step_limit: limit,
                 output: Output::At(samples.clone()),
-                ..Options::default()
+                ..Options::tolerances(1e-6, 1e-8)
             };
             let run =
                 uninterrupted(problem.integrate_over(long, &y0, &options, &mut []).map_err(|e| refused(scene, &e))?)?;
@@ -117,11 +115,9 @@ fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings
     for (tolerance, case) in [(1e-12, "1e-12"), (1e-18, "1e-18")] {
         let options = Options {
             method: Method::Dop853,
-            rtol: 0.0,
-            atol: AbsoluteTolerance::Uniform(tolerance),
             step_limit: if study.quick { 50_000 } else { 1_000_000 },
             output: Output::Ends,
-            ..Options::default()
+            ..Options::tolerances(0.0, tolerance)
         };
         let run = uninterrupted(problem.integrate(y0, &options, &mut []).map_err(|e| refused(study.scene, &e))?)?;
         let said: Vec<String> = run.warnings.iter().map(|w| w.described(&problem.variables())).collect();

@@ -11,7 +11,7 @@ use crate::run::refused;
 use tripos_derive::Formulation;
 use tripos_sim::stability::growth;
 use tripos_sim::work_precision::error;
-use tripos_sim::{AbsoluteTolerance, Eliminated, Method, Options, Output};
+use tripos_sim::{Eliminated, Method, Options, Output};
 use tripos_traits::larger;
 
 /// Instants at which runs are compared with the reference.
@@ -55,13 +55,10 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         found.times.iter().zip(&found.logarithms).map(|(t, l)| (*t, f64::EPSILON * l.exp())).collect(),
     )];
     for (at, tolerance) in TOLERANCES.into_iter().enumerate() {
-        let atol = AbsoluteTolerance::Uniform(tolerance);
         let options = Options {
             method: Method::Dop853,
-            rtol: tolerance,
-            atol,
             output: Output::At(times.clone()),
-            ..Options::default()
+            ..Options::tolerances(tolerance, tolerance)
         };
         let run = uninterrupted(problem.integrate(&y0, &options, &mut []).map_err(|e| refused(scene, &e))?)?;
         let errors: Vec<(f64, f64)> = run

@@ -16,14 +16,12 @@ mod threads;
 #[cfg(feature = "threads")]
 pub use threads::integrate_on_all_cores;
 
-use tripos_traits::{InLanes, Lanes, Rates, lane_width};
+use tripos_traits::{AbsoluteTolerance, InLanes, Lanes, Method, Rates, lane_width};
 
 use crate::error::SimError;
 use crate::options::{self, Options, Output};
 use crate::pace::Pace;
 use crate::solution::Stop;
-use tripos_traits::AbsoluteTolerance;
-use tripos_traits::Method;
 
 /// One trajectory to be integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,8 +5,9 @@
 //! mass matrix, forcing and kinematic equations. And two more scalars: [`DoubleDouble`], a number of 32 digits, and
 //! [`Lanes`], several doubles side by side.
 //!
-//! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have; without
-//! it the crate needs no standard library, and lanes give the same numbers more slowly.
+//! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have, and brings
+//! [`AbsoluteTolerance`], which scene files and the simulator have in common; without it the crate needs no standard library, and
+//! lanes give the same numbers more slowly.
 //!
 //! Beside them the words that scenes and the simulator share: [`Method`], [`Direction`], absolute tolerances, and maxima that know
 //! what NaN is ([`larger`]).
@@ -18,6 +19,8 @@
 #[cfg(feature = "std")]
 #[macro_use]
 extern crate std;
+#[cfg(feature = "std")]
+extern crate alloc;
 
 mod circular;
 mod direction;
@@ -41,4 +44,4 @@ pub use method::Method;
 pub use scalar::{Real, Scalar, series};
 pub use system::{CompiledModel, CompiledScene, CompiledSystem, Derivative, InLanes, Lengths, Rates, System};
 #[cfg(feature = "std")]
-pub use tolerance::AbsoluteTolerance;
+pub use tolerance::{ATOL, AbsoluteTolerance, RTOL};

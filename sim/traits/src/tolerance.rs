@@ -1,13 +1,20 @@
-//! What errors are acceptable.
+//! How large an error a step may have, for scene files and for programs alike.
 
-use std::vec::Vec;
+use alloc::vec::Vec;
+
+/// The relative tolerance where nothing is said.
+pub const RTOL: f64 = 1e-6;
+/// The absolute tolerance where nothing is said, in the units of the state.
+pub const ATOL: f64 = 1e-9;
 
 /// Absolute tolerance: the error that is acceptable in a component however small it is.
+///
+/// A number is a tolerance of all components, a list one of each: `1e-9.into()`, `vec![1e-9, 1e-6].into()`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AbsoluteTolerance {
     /// The same for every component.
     Uniform(f64),
-    /// One for each component of the state, each in its own unit.
+    /// One for each component of the state, each in its own unit: coordinates, then speeds.
     Each(Vec<f64>),
 }
 
@@ -19,5 +26,33 @@ impl AbsoluteTolerance {
             Self::Uniform(atol) => *atol,
             Self::Each(each) => each.iter().copied().fold(f64::INFINITY, f64::min),
         }
+    }
+
+    /// That of one component; none if there is no such component.
+    #[must_use]
+    pub fn of(&self, component: usize) -> Option<f64> {
+        match self {
+            Self::Uniform(atol) => Some(*atol),
+            Self::Each(each) => each.get(component).copied(),
+        }
+    }
+}
+
+/// [`ATOL`] for every component.
+impl Default for AbsoluteTolerance {
+    fn default() -> Self {
+        Self::Uniform(ATOL)
+    }
+}
+
+impl From<f64> for AbsoluteTolerance {
+    fn from(atol: f64) -> Self {
+        Self::Uniform(atol)
+    }
+}
+
+impl From<Vec<f64>> for AbsoluteTolerance {
+    fn from(each: Vec<f64>) -> Self {
+        Self::Each(each)
     }
 }

@@ -6,6 +6,7 @@
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 #![allow(clippy::cast_possible_truncation, reason = "parts of whole numbers")]
 
+use crate::random::Random;
 use astro_float_num::{BigFloat, Consts, RoundingMode};
 use std::cell::RefCell;
 use tripos_traits::{DoubleDouble, Real, Scalar};
@@ -41,18 +42,7 @@ fn relative_error(got: DoubleDouble, wanted: &BigFloat) -> f64 {
     error(got, wanted, wanted)
 }
 
-/// Numbers that look random and are the same in each run: xorshift64*, Vigna (2016).
-struct Random(u64);
-
 impl Random {
-    /// In [0, 1), to 53 bits.
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / 9_007_199_254_740_992.0
-    }
-
     /// In [a, b], both parts filled.
     fn between(&mut self, a: f64, b: f64) -> DoubleDouble {
         let hi = a + (b - a) * self.unit();
@@ -60,7 +50,7 @@ impl Random {
     }
 
     /// Of either sign, its size between 10ᵃ and 10ᵇ.
-    fn of_size(&mut self, a: f64, b: f64) -> DoubleDouble {
+    fn wide_of_size(&mut self, a: f64, b: f64) -> DoubleDouble {
         let size = 10_f64.powf(a + (b - a) * self.unit());
         let x = DoubleDouble::sum(size, size * (self.unit() - 0.5) * f64::EPSILON);
         if self.unit() < 0.5 { -x } else { x }
@@ -101,7 +91,7 @@ fn sums_products_and_quotients_are_within_two_units() {
     let mut random = Random(1);
     let mut largest = [0.0_f64; 4];
     for _ in 0..arguments() {
-        let (a, b) = (random.of_size(-3.0, 3.0), random.of_size(-3.0, 3.0));
+        let (a, b) = (random.wide_of_size(-3.0, 3.0), random.wide_of_size(-3.0, 3.0));
         let (x, y) = (exactly(a), exactly(b));
         let errors = [
             relative_error(a + b, &x.add(&y, BITS, NEAREST)),
@@ -131,20 +121,20 @@ fn a_difference_of_neighbours_keeps_its_digits() {
 
 #[test]
 fn sqrt_is_within_two_units() {
-    assert!(largest_error(SQRT, |random| random.of_size(-200.0, 200.0).abs()) < 2.0);
+    assert!(largest_error(SQRT, |random| random.wide_of_size(-200.0, 200.0).abs()) < 2.0);
 }
 
 #[test]
 fn exp_is_within_two_units_over_its_range() {
     assert!(largest_error(EXP, |random| random.between(-600.0, 700.0)) < 2.0);
-    assert!(largest_error(EXP, |random| random.of_size(-20.0, 0.0)) < 2.0);
+    assert!(largest_error(EXP, |random| random.wide_of_size(-20.0, 0.0)) < 2.0);
 }
 
 #[test]
 fn ln_is_within_two_units_also_next_to_1() {
-    assert!(largest_error(LN, |random| random.of_size(-250.0, 250.0).abs()) < 2.0);
+    assert!(largest_error(LN, |random| random.wide_of_size(-250.0, 250.0).abs()) < 2.0);
     assert!(largest_error(LN, |random| random.between(0.5, 2.0)) < 2.0);
-    assert!(largest_error(LN, |random| random.of_size(-25.0, -1.0) + DoubleDouble::int(1)) < 2.0);
+    assert!(largest_error(LN, |random| random.wide_of_size(-25.0, -1.0) + DoubleDouble::int(1)) < 2.0);
 }
 
 /// The relative error, so that it holds next to multiples of π too.
@@ -152,7 +142,7 @@ fn ln_is_within_two_units_also_next_to_1() {
 fn sine_and_cosine_are_within_two_units_up_to_1e5() {
     for function in [SIN, COS] {
         assert!(largest_error(function, |random| random.between(-1.0, 1.0)) < 2.0);
-        assert!(largest_error(function, |random| random.of_size(-25.0, 5.0)) < 2.0);
+        assert!(largest_error(function, |random| random.wide_of_size(-25.0, 5.0)) < 2.0);
     }
 }
 
@@ -161,7 +151,7 @@ fn sine_and_cosine_next_to_quarter_turns_are_within_two_units() {
     for function in [SIN, COS] {
         let near_quarter_turn = |random: &mut Random| {
             let quarters = DoubleDouble::from_f64((random.unit() * 60_000.0).floor());
-            quarters * DoubleDouble::pi() / DoubleDouble::int(2) + random.of_size(-20.0, -3.0)
+            quarters * DoubleDouble::pi() / DoubleDouble::int(2) + random.wide_of_size(-20.0, -3.0)
         };
         assert!(largest_error(function, near_quarter_turn) < 2.0);
     }
@@ -171,7 +161,7 @@ fn sine_and_cosine_next_to_quarter_turns_are_within_two_units() {
 fn sine_and_cosine_are_within_1e31_absolute_up_to_2_to_the_40() {
     let mut random = Random(3);
     for _ in 0..arguments() {
-        let x = random.of_size(5.0, 12.0);
+        let x = random.wide_of_size(5.0, 12.0);
         let (sin, cos) = x.sin_cos();
         let one = BigFloat::from_f64(1.0, BITS);
         let wanted = CONSTANTS.with_borrow_mut(|c| (SIN.1(&exactly(x), c), COS.1(&exactly(x), c)));
@@ -184,7 +174,7 @@ fn sine_and_cosine_are_within_1e31_absolute_up_to_2_to_the_40() {
 fn sine_and_cosine_of_astronomical_angles_have_the_digits_of_f64() {
     let mut random = Random(4);
     for _ in 0..300 {
-        let x = random.of_size(12.1, 60.0);
+        let x = random.wide_of_size(12.1, 60.0);
         let (sin, _) = x.sin_cos();
         let wanted = nearest_f64(&CONSTANTS.with_borrow_mut(|c| exactly(x).sin(640, NEAREST, c)));
         assert!((sin.to_f64() - wanted).abs() < 64.0 * f64::EPSILON, "{x}: {sin} {wanted}");
@@ -193,18 +183,18 @@ fn sine_and_cosine_of_astronomical_angles_have_the_digits_of_f64() {
 
 #[test]
 fn inverse_circular_functions_are_within_three_units() {
-    assert!(largest_error(ATAN, |random| random.of_size(-20.0, 20.0)) < 3.0);
+    assert!(largest_error(ATAN, |random| random.wide_of_size(-20.0, 20.0)) < 3.0);
     assert!(largest_error(ASIN, |random| random.between(-1.0, 1.0)) < 3.0);
-    assert!(largest_error(ASIN, |random| random.of_size(-20.0, 0.0)) < 3.0);
+    assert!(largest_error(ASIN, |random| random.wide_of_size(-20.0, 0.0)) < 3.0);
     assert!(largest_error(ACOS, |random| random.between(-1.0, 1.0)) < 3.0);
-    assert!(largest_error(ACOS, |random| DoubleDouble::int(1) - random.of_size(-25.0, 0.0).abs()) < 3.0);
-    assert!(largest_error(ASIN, |random| random.of_size(-25.0, 0.0).abs() - DoubleDouble::int(1)) < 3.0);
+    assert!(largest_error(ACOS, |random| DoubleDouble::int(1) - random.wide_of_size(-25.0, 0.0).abs()) < 3.0);
+    assert!(largest_error(ASIN, |random| random.wide_of_size(-25.0, 0.0).abs() - DoubleDouble::int(1)) < 3.0);
 }
 
 #[test]
 fn hyperbolic_functions_are_within_three_units_also_next_to_0() {
     for function in [SINH, COSH, TANH] {
-        assert!(largest_error(function, |random| random.of_size(-25.0, 1.0)) < 3.0);
+        assert!(largest_error(function, |random| random.wide_of_size(-25.0, 1.0)) < 3.0);
         assert!(largest_error(function, |random| random.between(-45.0, 45.0)) < 3.0);
     }
     assert!(largest_error(SINH, |random| random.between(600.0, 710.4)) < 3.0);
@@ -235,7 +225,7 @@ fn functions_satisfy_their_identities() {
 fn powers_and_inverse_powers_cancel() {
     let mut random = Random(7);
     for _ in 0..arguments() {
-        let x = random.of_size(-3.0, 3.0);
+        let x = random.wide_of_size(-3.0, 3.0);
         let rest = x.powi(7) * x.powi(-7) - DoubleDouble::int(1);
         assert!(rest.abs().to_f64() < 12.0 * DoubleDouble::EPSILON, "{x}");
     }
@@ -287,7 +277,7 @@ fn display_prints_32_digits_that_read_back() {
     assert_eq!((-DoubleDouble::INFINITY).to_string(), "-inf");
     let mut random = Random(6);
     for _ in 0..arguments() {
-        let x = random.of_size(-15.0, 15.0);
+        let x = random.wide_of_size(-15.0, 15.0);
         let back = DoubleDouble::decimal(&format!("{x:.32}"));
         assert!(((back - x) / x).abs().to_f64() < 4.0 * DoubleDouble::EPSILON, "{x} {back}");
     }

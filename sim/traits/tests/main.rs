@@ -3,3 +3,4 @@
 mod circular;
 mod double_double;
 mod lanes;
+mod random;

@@ -3,42 +3,8 @@
 //! Links hang on one another by hinges and slides about any axis, each with a full inertia tensor; speeds mix the rates of the links
 //! before; springs, dampers and gravity act; every reaction of every joint is named.
 
+use crate::spoilt::Random;
 use std::fmt::Write;
-
-/// A seeded generator (SplitMix64): the same mechanisms on every machine.
-pub struct Random(u64);
-
-impl Random {
-    pub fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(41))
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    pub fn below(&mut self, count: usize) -> usize {
-        usize::try_from(self.next() % count as u64).expect("small")
-    }
-
-    fn chance(&mut self, percent: usize) -> bool {
-        self.below(100) < percent
-    }
-
-    /// A decimal of three digits.
-    fn decimal(&mut self, low: f64, high: f64) -> f64 {
-        let share = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
-        ((low + (high - low) * share) * 1000.0).round() / 1000.0
-    }
-
-    fn one<'a, T>(&mut self, list: &'a [T]) -> &'a T {
-        &list[self.below(list.len())]
-    }
-}
 
 struct Link {
     axis: usize,
@@ -47,6 +13,15 @@ struct Link {
     mixed: Option<String>,
     spring: bool,
     damper: bool,
+}
+
+/// The frame that holds the axis of a link's joint: that before it; for a hinge the link's own does, too.
+fn frame_of_joint(i: usize, link: &Link) -> String {
+    match i {
+        _ if link.is_hinge => format!("F{i}"),
+        0 => "N".to_owned(),
+        i => format!("F{}", i - 1),
+    }
 }
 
 pub struct Mechanism {
@@ -172,14 +147,7 @@ impl Mechanism {
         let against = if i == 0 { String::new() } else { format!("against = \"B{}\"\n", i - 1) };
         let (kind, lever) = if link.is_hinge { ("torques", "*l^2") } else { ("forces", "") };
         let place = if link.is_hinge { String::new() } else { format!("at = \"S{i}\"\n") };
-        // The frame before the joint holds the axis; for a hinge the link's own does, too.
-        let frame = if link.is_hinge {
-            format!("F{i}")
-        } else if i == 0 {
-            "N".to_owned()
-        } else {
-            format!("F{}", i - 1)
-        };
+        let frame = frame_of_joint(i, link);
         for (wanted, name, law) in
             [(link.spring, "s", format!("-k{i}*q{i}{lever}")), (link.damper, "d", format!("-c{i}*q{i}'{lever}"))]
         {
@@ -196,13 +164,7 @@ impl Mechanism {
     /// What the joint prevents: forces along every axis but a slide's, torques about every axis but a hinge's.
     fn reactions(out: &mut String, i: usize, link: &Link, joint: &str, axes: &dyn Fn(usize, &str) -> String) {
         let against = if i == 0 { String::new() } else { format!("against = \"B{}\"\n", i - 1) };
-        let frame = if link.is_hinge {
-            format!("F{i}")
-        } else if i == 0 {
-            "N".to_owned()
-        } else {
-            format!("F{}", i - 1)
-        };
+        let frame = frame_of_joint(i, link);
         for k in 0..3 {
             let direction = axes(k, "1").replace('"', "");
             if link.is_hinge || k != link.axis {

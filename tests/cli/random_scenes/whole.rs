@@ -8,7 +8,7 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::Equations;
 use tripos_derive::scene::{Scene, load};
 use tripos_derive::{Formulation, Model, derive};
-use tripos_sim::{AbsoluteTolerance, Method, Options, Output, integrate};
+use tripos_sim::{Method, Options, Output, integrate};
 
 /// Instants at which event functions are looked at.
 const INSTANTS: usize = 400;
@@ -75,10 +75,8 @@ impl Whole {
         };
         let options = Options {
             method: Method::Dop853,
-            rtol: 1e-13,
-            atol: AbsoluteTolerance::Uniform(1e-13),
             output: Output::At(instants.to_vec()),
-            ..Options::default()
+            ..Options::tolerances(1e-13, 1e-13)
         };
         let span = (instants[0], *instants.last().unwrap());
         if span.0 - span.1 == 0.0 {

@@ -18,6 +18,7 @@ use tripos_derive::diff::{
     Change, Declaration, Derived, Edit, ModelDifference, Property, Section, Setting, diff_models, diff_scenes,
 };
 use tripos_derive::mechanics::derive_all;
+use tripos_derive::plain::path_in_line;
 use tripos_derive::prove::prove;
 
 /// Lines of one kind that are shown before the rest is counted.
@@ -139,7 +140,7 @@ fn scene_json(scene: &SceneChange) -> Value {
 }
 
 fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> String {
-    let mut out = format!("{} -> {}\n", old.source.path.display(), new.source.path.display());
+    let mut out = format!("{} -> {}\n", path_in_line(&old.source.path), path_in_line(&new.source.path));
     let (count, compared) = (difference.changes.len(), entries(difference.compared));
     if difference.has_same_equations() {
         let _ = writeln!(out, "equations of motion: the same, {compared} compared by meaning");

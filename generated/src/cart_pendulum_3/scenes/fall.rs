@@ -3,7 +3,7 @@
 //! Generated from `models/cart_pendulum_3/scenes/fall.toml`. Do not edit; run `tripos regenerate`.
 //! Outputs: q0, q1, q2, q3, u0, u1, u2, u3.
 //! States: q1, q2, q3, u1, u2, u3. Quadratures: u0, q0.
-//! c_m3_l2 = m3*l2: m3*l2.
+//! m3_l2 = m3*l2: m3*l2.
 //! Parameters that the scene fixes: F = 2.75.
 //! Cost: accelerations 129 operations, 3 sines and cosines; derivative 129 operations, 3 sines and cosines.
 //! Singular nowhere.
@@ -31,7 +31,7 @@ pub struct Parameters<S> {
     /// acceleration of free fall, m/s^2
     pub g: S,
     /// m3*l2, kg*m
-    pub c_m3_l2: S,
+    pub m3_l2: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -51,7 +51,7 @@ impl<S: Scalar> Parameters<S> {
             l1: p[5],
             l2: p[6],
             g: p[7],
-            c_m3_l2: p[8],
+            m3_l2: p[8],
         }
     }
 }
@@ -66,7 +66,7 @@ pub const PARAMETERS: [&str; 9] = [
     "l1",
     "l2",
     "g",
-    "c_m3_l2",
+    "m3_l2",
 ];
 
 /// Names of the outputs.
@@ -78,7 +78,7 @@ pub const OUTPUTS: [&str; 8] = ["q0", "q1", "q2", "q3", "u0", "u1", "u2", "u3"];
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
-    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, c_m3_l2 } = *p;
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, m3_l2 } = *p;
     let [q1, q2, q3, _] = *q;
     let [u1, u2, u3, _] = *u;
     // Sines and cosines.
@@ -87,26 +87,26 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
     // m3*l2; used 2 times
-    let m3_l2 = m3 * l2;
+    let m3_l2_2 = m3 * l2;
     // Elimination, step by step.
     // d1 = m3*l2^2
-    let d1 = l2 * m3_l2;
+    let d1 = l2 * m3_l2_2;
     // Shared terms.
     // 1/d1; used 2 times
     let d1_inv = S::int(1) / d1;
     // Elimination, step by step.
-    // l2_ = -c_m3_l2*cos(q3)/d1
-    let l2_ = -c_m3_l2 * d1_inv * c3;
+    // l2_ = -m3_l2*cos(q3)/d1
+    let l2_ = -m3_l2 * d1_inv * c3;
     // Shared terms.
     // m2 + m3; used 2 times
     let m2_plus_m3 = m2 + m3;
     // m1 + m2_plus_m3; used 2 times
     let s3_part = m1 + m2_plus_m3;
-    // l2_*c_m3_l2; used 4 times
-    let l2__c_m3_l2 = l2_ * c_m3_l2;
+    // l2_*m3_l2; used 4 times
+    let l2__m3_l2 = l2_ * m3_l2;
     // Elimination, step by step.
-    // s3 = m0 + m1 + m2 + m3 + l2_*c_m3_l2*cos(q3)
-    let s3 = l2__c_m3_l2.mul_add(c3, m0 + s3_part);
+    // s3 = m0 + m1 + m2 + m3 + l2_*m3_l2*cos(q3)
+    let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
     // sin(q1)*sin(q3) + cos(q1)*cos(q3)
     let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
@@ -115,8 +115,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // l0*s3_part; used 3 times
     let l0_s3_part = l0 * s3_part;
     // Elimination, step by step.
-    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + l2_*c_m3_l2*cos(q1 - q3))
-    let s4 = (-l0_s3_part).mul_add(c1, -l2__c_m3_l2 * l0_cos_q1_minus_q3);
+    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + l2_*m3_l2*cos(q1 - q3))
+    let s4 = (-l0_s3_part).mul_add(c1, -l2__m3_l2 * l0_cos_q1_minus_q3);
     // Shared terms.
     // l1*m2_plus_m3; used 4 times
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
@@ -125,8 +125,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // l1*cos(q2 - q3); used 4 times
     let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
     // Elimination, step by step.
-    // s5 = -l1*(cos(q2)*(m2 + m3) + l2_*c_m3_l2*cos(q2 - q3))
-    let s5 = (-l2__c_m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
+    // s5 = -l1*(cos(q2)*(m2 + m3) + l2_*m3_l2*cos(q2 - q3))
+    let s5 = (-l2__m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
     // Shared terms.
     // u1^2; used 3 times
     let u1_sq = u1 * u1;
@@ -144,60 +144,59 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let r6_part = u2_sq.mul_add(l1_sin_q2_minus_q3, u1_sq * l0_sin_q1_minus_q3);
     // g*sin(q3) + r6_part; used 4 times
     let r6_part_2 = g.mul_add(s3_2, r6_part);
-    // u3^2*c_m3_l2; used 3 times
-    let u3_sq_c_m3_l2 = u3 * u3 * c_m3_l2;
+    // u3^2*m3_l2; used 3 times
+    let u3_sq_m3_l2 = u3 * u3 * m3_l2;
     // l1_m2_plus_m3*sin(q2); used 2 times
     let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
     // l0_s3_part*sin(q1); used 2 times
     let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r6 = 11/4 - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - c_m3_l2*(u3^2*sin(q3) +
+    // r6 = 11/4 - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - m3_l2*(u3^2*sin(q3) +
     //   l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
-    let r6 = (-l2__c_m3_l2).mul_add(r6_part_2, S::ratio(11, 4)) - u3_sq_c_m3_l2 * s3_2
+    let r6 = (-l2__m3_l2).mul_add(r6_part_2, S::ratio(11, 4)) - u3_sq_m3_l2 * s3_2
         - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_s3_part;
     // Shared terms.
-    // m3_l2*d1_inv; used 3 times
-    let m3_l2_d1_inv = m3_l2 * d1_inv;
+    // m3_l2_2*d1_inv; used 3 times
+    let m3_l2_2_d1_inv = m3_l2_2 * d1_inv;
     // Elimination, step by step.
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
-    let l7 = l0_cos_q1_minus_q3 * m3_l2_d1_inv;
+    let l7 = l0_cos_q1_minus_q3 * m3_l2_2_d1_inv;
     // Shared terms.
-    // l7*c_m3_l2; used 3 times
-    let l7_c_m3_l2 = l7 * c_m3_l2;
+    // l7*m3_l2; used 3 times
+    let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // s8 = l0*(l0*(m1 + m2 + m3) - l7*c_m3_l2*cos(q1 - q3))
-    let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_c_m3_l2, l0 * l0_s3_part);
+    // s8 = l0*(l0*(m1 + m2 + m3) - l7*m3_l2*cos(q1 - q3))
+    let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
     // sin(q1)*sin(q2) + cos(q1)*cos(q2)
     let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
     // l0*l1_m2_plus_m3; used 2 times
     let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // Elimination, step by step.
-    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - l7*c_m3_l2*cos(q2 - q3))
-    let s9 = (-l1_cos_q2_minus_q3)
-        .mul_add(l7_c_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
+    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - l7*m3_l2*cos(q2 - q3))
+    let s9 = (-l1_cos_q2_minus_q3).mul_add(l7_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
     // Shared terms.
     // sin(q1)*cos(q2) - cos(q1)*sin(q2)
     let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
     // sin(q1 - q2)*l0_l1_m2_plus_m3; used 2 times
     let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3)) - c_m3_l2*(l0*u3^2*sin(q1 - q3)
-    //   + l7*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
-    let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_sq_c_m3_l2, g * s1_l0_s3_part)
-        - r6_part_2 * l7_c_m3_l2 - u2_sq * r10_part;
+    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3)) - m3_l2*(l0*u3^2*sin(q1 - q3) +
+    //   l7*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
+    let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_sq_m3_l2, g * s1_l0_s3_part)
+        - r6_part_2 * l7_m3_l2 - u2_sq * r10_part;
     // l11 = m3*l1*l2*cos(q2 - q3)/d1
-    let l11 = l1_cos_q2_minus_q3 * m3_l2_d1_inv;
+    let l11 = l1_cos_q2_minus_q3 * m3_l2_2_d1_inv;
     // Shared terms.
-    // l11*c_m3_l2; used 2 times
-    let l11_c_m3_l2 = l11 * c_m3_l2;
+    // l11*m3_l2; used 2 times
+    let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s12 = l1*(l1*(m2 + m3) - l11*c_m3_l2*cos(q2 - q3))
-    let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_c_m3_l2, l1 * l1_m2_plus_m3);
-    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - c_m3_l2*(l1*u3^2*sin(q2 - q3) +
-    //   l11*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
-    let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_sq_c_m3_l2, g * s2_l1_m2_plus_m3)
-        + u1_sq * r10_part - r6_part_2 * l11_c_m3_l2;
+    // s12 = l1*(l1*(m2 + m3) - l11*m3_l2*cos(q2 - q3))
+    let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
+    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - m3_l2*(l1*u3^2*sin(q2 - q3) + l11*(g*sin(q3)
+    //   + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
+    let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_sq_m3_l2, g * s2_l1_m2_plus_m3)
+        + u1_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
     // 1/s3; used 3 times
     let s3_inv = S::int(1) / s3;
@@ -238,7 +237,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let u0_dot = s3_inv * (r6 + u0_dot_part_2);
     // u3' = m3*l2*(g*sin(q3) + cos(q3)*(r6 - s5*r23/s22 + s4*(s16*r23/s22 - r17)/s15)/s3 + l0*(u1^2*sin(q1
     //   - q3) + cos(q1 - q3)*(s16*r23/s22 - r17)/s15) + l1*(u2^2*sin(q2 - q3) - r23*cos(q2 - q3)/s22))/d1
-    let u3_dot = m3_l2_d1_inv * u0_dot.mul_add(c3, r6_part_2) - u2_dot * l11
+    let u3_dot = m3_l2_2_d1_inv * u0_dot.mul_add(c3, r6_part_2) - u2_dot * l11
         + l7 * u0_dot_part;
     // u1' = (r17 - s16*r23/s22)/s15
     let u1_dot = -u0_dot_part;
@@ -255,7 +254,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 4],
     u: &[S; 4],
 ) -> ([S; 4], [S; 4]) {
-    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, c_m3_l2 } = *p;
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, m3_l2 } = *p;
     let [q1, q2, q3, _] = *q;
     let [u1, u2, u3, u0] = *u;
     // Sines and cosines.
@@ -264,26 +263,26 @@ pub fn derivative<S: Scalar>(
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
     // m3*l2; used 2 times
-    let m3_l2 = m3 * l2;
+    let m3_l2_2 = m3 * l2;
     // Elimination, step by step.
     // d1 = m3*l2^2
-    let d1 = l2 * m3_l2;
+    let d1 = l2 * m3_l2_2;
     // Shared terms.
     // 1/d1; used 2 times
     let d1_inv = S::int(1) / d1;
     // Elimination, step by step.
-    // l2_ = -c_m3_l2*cos(q3)/d1
-    let l2_ = -c_m3_l2 * d1_inv * c3;
+    // l2_ = -m3_l2*cos(q3)/d1
+    let l2_ = -m3_l2 * d1_inv * c3;
     // Shared terms.
     // m2 + m3; used 2 times
     let m2_plus_m3 = m2 + m3;
     // m1 + m2_plus_m3; used 2 times
     let s3_part = m1 + m2_plus_m3;
-    // l2_*c_m3_l2; used 4 times
-    let l2__c_m3_l2 = l2_ * c_m3_l2;
+    // l2_*m3_l2; used 4 times
+    let l2__m3_l2 = l2_ * m3_l2;
     // Elimination, step by step.
-    // s3 = m0 + m1 + m2 + m3 + l2_*c_m3_l2*cos(q3)
-    let s3 = l2__c_m3_l2.mul_add(c3, m0 + s3_part);
+    // s3 = m0 + m1 + m2 + m3 + l2_*m3_l2*cos(q3)
+    let s3 = l2__m3_l2.mul_add(c3, m0 + s3_part);
     // Shared terms.
     // sin(q1)*sin(q3) + cos(q1)*cos(q3)
     let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
@@ -292,8 +291,8 @@ pub fn derivative<S: Scalar>(
     // l0*s3_part; used 3 times
     let l0_s3_part = l0 * s3_part;
     // Elimination, step by step.
-    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + l2_*c_m3_l2*cos(q1 - q3))
-    let s4 = (-l0_s3_part).mul_add(c1, -l2__c_m3_l2 * l0_cos_q1_minus_q3);
+    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + l2_*m3_l2*cos(q1 - q3))
+    let s4 = (-l0_s3_part).mul_add(c1, -l2__m3_l2 * l0_cos_q1_minus_q3);
     // Shared terms.
     // l1*m2_plus_m3; used 4 times
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
@@ -302,8 +301,8 @@ pub fn derivative<S: Scalar>(
     // l1*cos(q2 - q3); used 4 times
     let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
     // Elimination, step by step.
-    // s5 = -l1*(cos(q2)*(m2 + m3) + l2_*c_m3_l2*cos(q2 - q3))
-    let s5 = (-l2__c_m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
+    // s5 = -l1*(cos(q2)*(m2 + m3) + l2_*m3_l2*cos(q2 - q3))
+    let s5 = (-l2__m3_l2).mul_add(l1_cos_q2_minus_q3, -l1_m2_plus_m3 * c2);
     // Shared terms.
     // u1^2; used 3 times
     let u1_sq = u1 * u1;
@@ -321,60 +320,59 @@ pub fn derivative<S: Scalar>(
     let r6_part = u2_sq.mul_add(l1_sin_q2_minus_q3, u1_sq * l0_sin_q1_minus_q3);
     // g*sin(q3) + r6_part; used 4 times
     let r6_part_2 = g.mul_add(s3_2, r6_part);
-    // u3^2*c_m3_l2; used 3 times
-    let u3_sq_c_m3_l2 = u3 * u3 * c_m3_l2;
+    // u3^2*m3_l2; used 3 times
+    let u3_sq_m3_l2 = u3 * u3 * m3_l2;
     // l1_m2_plus_m3*sin(q2); used 2 times
     let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
     // l0_s3_part*sin(q1); used 2 times
     let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r6 = 11/4 - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - c_m3_l2*(u3^2*sin(q3) +
+    // r6 = 11/4 - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - m3_l2*(u3^2*sin(q3) +
     //   l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
-    let r6 = (-l2__c_m3_l2).mul_add(r6_part_2, S::ratio(11, 4)) - u3_sq_c_m3_l2 * s3_2
+    let r6 = (-l2__m3_l2).mul_add(r6_part_2, S::ratio(11, 4)) - u3_sq_m3_l2 * s3_2
         - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_s3_part;
     // Shared terms.
-    // m3_l2*d1_inv; used 3 times
-    let m3_l2_d1_inv = m3_l2 * d1_inv;
+    // m3_l2_2*d1_inv; used 3 times
+    let m3_l2_2_d1_inv = m3_l2_2 * d1_inv;
     // Elimination, step by step.
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
-    let l7 = l0_cos_q1_minus_q3 * m3_l2_d1_inv;
+    let l7 = l0_cos_q1_minus_q3 * m3_l2_2_d1_inv;
     // Shared terms.
-    // l7*c_m3_l2; used 3 times
-    let l7_c_m3_l2 = l7 * c_m3_l2;
+    // l7*m3_l2; used 3 times
+    let l7_m3_l2 = l7 * m3_l2;
     // Elimination, step by step.
-    // s8 = l0*(l0*(m1 + m2 + m3) - l7*c_m3_l2*cos(q1 - q3))
-    let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_c_m3_l2, l0 * l0_s3_part);
+    // s8 = l0*(l0*(m1 + m2 + m3) - l7*m3_l2*cos(q1 - q3))
+    let s8 = (-l0_cos_q1_minus_q3).mul_add(l7_m3_l2, l0 * l0_s3_part);
     // Shared terms.
     // sin(q1)*sin(q2) + cos(q1)*cos(q2)
     let cos_q1_minus_q2 = c1.mul_add(c2, s1 * s2);
     // l0*l1_m2_plus_m3; used 2 times
     let l0_l1_m2_plus_m3 = l0 * l1_m2_plus_m3;
     // Elimination, step by step.
-    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - l7*c_m3_l2*cos(q2 - q3))
-    let s9 = (-l1_cos_q2_minus_q3)
-        .mul_add(l7_c_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
+    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - l7*m3_l2*cos(q2 - q3))
+    let s9 = (-l1_cos_q2_minus_q3).mul_add(l7_m3_l2, cos_q1_minus_q2 * l0_l1_m2_plus_m3);
     // Shared terms.
     // sin(q1)*cos(q2) - cos(q1)*sin(q2)
     let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
     // sin(q1 - q2)*l0_l1_m2_plus_m3; used 2 times
     let r10_part = sin_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3)) - c_m3_l2*(l0*u3^2*sin(q1 - q3)
-    //   + l7*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
-    let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_sq_c_m3_l2, g * s1_l0_s3_part)
-        - r6_part_2 * l7_c_m3_l2 - u2_sq * r10_part;
+    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3)) - m3_l2*(l0*u3^2*sin(q1 - q3) +
+    //   l7*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
+    let r10 = (-l0_sin_q1_minus_q3).mul_add(u3_sq_m3_l2, g * s1_l0_s3_part)
+        - r6_part_2 * l7_m3_l2 - u2_sq * r10_part;
     // l11 = m3*l1*l2*cos(q2 - q3)/d1
-    let l11 = l1_cos_q2_minus_q3 * m3_l2_d1_inv;
+    let l11 = l1_cos_q2_minus_q3 * m3_l2_2_d1_inv;
     // Shared terms.
-    // l11*c_m3_l2; used 2 times
-    let l11_c_m3_l2 = l11 * c_m3_l2;
+    // l11*m3_l2; used 2 times
+    let l11_m3_l2 = l11 * m3_l2;
     // Elimination, step by step.
-    // s12 = l1*(l1*(m2 + m3) - l11*c_m3_l2*cos(q2 - q3))
-    let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_c_m3_l2, l1 * l1_m2_plus_m3);
-    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - c_m3_l2*(l1*u3^2*sin(q2 - q3) +
-    //   l11*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
-    let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_sq_c_m3_l2, g * s2_l1_m2_plus_m3)
-        + u1_sq * r10_part - r6_part_2 * l11_c_m3_l2;
+    // s12 = l1*(l1*(m2 + m3) - l11*m3_l2*cos(q2 - q3))
+    let s12 = (-l1_cos_q2_minus_q3).mul_add(l11_m3_l2, l1 * l1_m2_plus_m3);
+    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - m3_l2*(l1*u3^2*sin(q2 - q3) + l11*(g*sin(q3)
+    //   + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
+    let r13 = (-l1_sin_q2_minus_q3).mul_add(u3_sq_m3_l2, g * s2_l1_m2_plus_m3)
+        + u1_sq * r10_part - r6_part_2 * l11_m3_l2;
     // Shared terms.
     // 1/s3; used 3 times
     let s3_inv = S::int(1) / s3;
@@ -415,7 +413,7 @@ pub fn derivative<S: Scalar>(
     let u0_dot = s3_inv * (r6 + u0_dot_part_2);
     // u3' = m3*l2*(g*sin(q3) + cos(q3)*(r6 - s5*r23/s22 + s4*(s16*r23/s22 - r17)/s15)/s3 + l0*(u1^2*sin(q1
     //   - q3) + cos(q1 - q3)*(s16*r23/s22 - r17)/s15) + l1*(u2^2*sin(q2 - q3) - r23*cos(q2 - q3)/s22))/d1
-    let u3_dot = m3_l2_d1_inv * u0_dot.mul_add(c3, r6_part_2) - u2_dot * l11
+    let u3_dot = m3_l2_2_d1_inv * u0_dot.mul_add(c3, r6_part_2) - u2_dot * l11
         + l7 * u0_dot_part;
     // u1' = (r17 - s16*r23/s22)/s15
     let u1_dot = -u0_dot_part;
@@ -439,7 +437,7 @@ pub fn derivative<S: Scalar>(
 /// 504 operations, 3 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]; 8] {
-    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, c_m3_l2 } = *p;
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, m3_l2 } = *p;
     let [q1, q2, q3, _] = *q;
     let [u1, u2, u3, _] = *u;
     let zero = S::int(0);
@@ -449,47 +447,47 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
     // m3*l2; used 2 times
-    let m3_l2 = m3 * l2;
+    let m3_l2_2 = m3 * l2;
     // Elimination, step by step.
     // d1 = m3*l2^2
-    let d1 = l2 * m3_l2;
+    let d1 = l2 * m3_l2_2;
     // Shared terms.
     // 1/d1; used 3 times
     let d1_inv = S::int(1) / d1;
-    // c_m3_l2*cos(q3); used 4 times
-    let c3_c_m3_l2 = c_m3_l2 * c3;
+    // m3_l2*cos(q3); used 4 times
+    let c3_m3_l2 = m3_l2 * c3;
     // Elimination, step by step.
-    // l2_ = -c_m3_l2*cos(q3)/d1
-    let l2_ = -d1_inv * c3_c_m3_l2;
+    // l2_ = -m3_l2*cos(q3)/d1
+    let l2_ = -d1_inv * c3_m3_l2;
     // Shared terms.
     // m2 + m3; used 2 times
     let m2_plus_m3 = m2 + m3;
     // m1 + m2_plus_m3; used 4 times
     let s3_part = m1 + m2_plus_m3;
     // Elimination, step by step.
-    // s3 = m0 + m1 + m2 + m3 + l2_*c_m3_l2*cos(q3)
-    let s3 = l2_.mul_add(c3_c_m3_l2, m0) + s3_part;
+    // s3 = m0 + m1 + m2 + m3 + l2_*m3_l2*cos(q3)
+    let s3 = l2_.mul_add(c3_m3_l2, m0) + s3_part;
     // Shared terms.
     // sin(q1)*sin(q3) + cos(q1)*cos(q3); used 3 times
     let cos_q1_minus_q3 = c1.mul_add(c3, s1 * s3_2);
-    // l0*c_m3_l2; used 2 times
-    let l0_c_m3_l2 = l0 * c_m3_l2;
-    // cos(q1 - q3)*l0_c_m3_l2; used 7 times
-    let s4_part = cos_q1_minus_q3 * l0_c_m3_l2;
+    // l0*m3_l2; used 2 times
+    let l0_m3_l2 = l0 * m3_l2;
+    // cos(q1 - q3)*l0_m3_l2; used 7 times
+    let s4_part = cos_q1_minus_q3 * l0_m3_l2;
     // l0*s3_part; used 3 times
     let l0_s3_part = l0 * s3_part;
     // l0_s3_part*cos(q1); used 2 times
     let c1_l0_s3_part = l0_s3_part * c1;
     // Elimination, step by step.
-    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + l2_*c_m3_l2*cos(q1 - q3))
+    // s4 = -l0*(cos(q1)*(m1 + m2 + m3) + l2_*m3_l2*cos(q1 - q3))
     let s4 = (-l2_).mul_add(s4_part, -c1_l0_s3_part);
     // Shared terms.
     // sin(q2)*sin(q3) + cos(q2)*cos(q3); used 3 times
     let cos_q2_minus_q3 = c2.mul_add(c3, s2 * s3_2);
-    // l1*c_m3_l2; used 2 times
-    let l1_c_m3_l2 = l1 * c_m3_l2;
-    // cos(q2 - q3)*l1_c_m3_l2; used 9 times
-    let s5_part = cos_q2_minus_q3 * l1_c_m3_l2;
+    // l1*m3_l2; used 2 times
+    let l1_m3_l2 = l1 * m3_l2;
+    // cos(q2 - q3)*l1_m3_l2; used 9 times
+    let s5_part = cos_q2_minus_q3 * l1_m3_l2;
     // l1*m2_plus_m3; used 6 times
     let l1_m2_plus_m3 = l1 * m2_plus_m3;
     // l1_m2_plus_m3*cos(q2); used 2 times
@@ -497,7 +495,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l2_*s5_part + c2_l1_m2_plus_m3; used 2 times
     let s5_part_2 = l2_.mul_add(s5_part, c2_l1_m2_plus_m3);
     // Elimination, step by step.
-    // s5 = -l1*(cos(q2)*(m2 + m3) + l2_*c_m3_l2*cos(q2 - q3))
+    // s5 = -l1*(cos(q2)*(m2 + m3) + l2_*m3_l2*cos(q2 - q3))
     let s5 = -s5_part_2;
     // Shared terms.
     // sin(q2)*cos(q3) - cos(q2)*sin(q3); used 3 times
@@ -512,30 +510,30 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let u1_l0_u1 = u1 * l0_u1;
     // l1*sin(q2 - q3)*u2_sq + sin(q1 - q3)*u1_l0_u1
     let r6_part = sin_q1_minus_q3.mul_add(u1_l0_u1, l1 * sin_q2_minus_q3 * u2_sq);
-    // c_m3_l2*(g*sin(q3) + r6_part); used 8 times
-    let r6_part_2 = c_m3_l2 * g.mul_add(s3_2, r6_part);
+    // m3_l2*(g*sin(q3) + r6_part); used 8 times
+    let r6_part_2 = m3_l2 * g.mul_add(s3_2, r6_part);
     // u3^2; used 6 times
     let u3_sq = u3 * u3;
-    // c_m3_l2*sin(q3); used 4 times
-    let s3_2_c_m3_l2 = c_m3_l2 * s3_2;
+    // m3_l2*sin(q3); used 4 times
+    let s3_2_m3_l2 = m3_l2 * s3_2;
     // l1_m2_plus_m3*sin(q2); used 3 times
     let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
     // s3_part*sin(q1); used 2 times
     let s1_s3_part = s3_part * s1;
     // Elimination, step by step.
-    // r6 = 11/4 - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - c_m3_l2*(u3^2*sin(q3) +
+    // r6 = 11/4 - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - m3_l2*(u3^2*sin(q3) +
     //   l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
-    let r6 = (-l2_).mul_add(r6_part_2, S::ratio(11, 4)) - u3_sq * s3_2_c_m3_l2
+    let r6 = (-l2_).mul_add(r6_part_2, S::ratio(11, 4)) - u3_sq * s3_2_m3_l2
         - u2_sq * s2_l1_m2_plus_m3 - u1_l0_u1 * s1_s3_part;
     // Shared terms.
-    // m3_l2*d1_inv; used 10 times
-    let m3_l2_d1_inv = m3_l2 * d1_inv;
+    // m3_l2_2*d1_inv; used 10 times
+    let m3_l2_2_d1_inv = m3_l2_2 * d1_inv;
     // l0*cos(q1 - q3); used 2 times
     let l0_cos_q1_minus_q3 = l0 * cos_q1_minus_q3;
     // Elimination, step by step.
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
-    let l7 = m3_l2_d1_inv * l0_cos_q1_minus_q3;
-    // s8 = l0*(l0*(m1 + m2 + m3) - l7*c_m3_l2*cos(q1 - q3))
+    let l7 = m3_l2_2_d1_inv * l0_cos_q1_minus_q3;
+    // s8 = l0*(l0*(m1 + m2 + m3) - l7*m3_l2*cos(q1 - q3))
     let s8 = (-l7).mul_add(s4_part, l0 * l0_s3_part);
     // Shared terms.
     // sin(q1)*sin(q2) + cos(q1)*cos(q2); used 2 times
@@ -545,11 +543,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // cos(q1 - q2)*l0_l1_m2_plus_m3; used 2 times
     let s9_part = cos_q1_minus_q2 * l0_l1_m2_plus_m3;
     // Elimination, step by step.
-    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - l7*c_m3_l2*cos(q2 - q3))
+    // s9 = l1*(l0*cos(q1 - q2)*(m2 + m3) - l7*m3_l2*cos(q2 - q3))
     let s9 = (-l7).mul_add(s5_part, s9_part);
     // Shared terms.
-    // sin(q1 - q3)*l0_c_m3_l2; used 4 times
-    let r10_part = sin_q1_minus_q3 * l0_c_m3_l2;
+    // sin(q1 - q3)*l0_m3_l2; used 4 times
+    let r10_part = sin_q1_minus_q3 * l0_m3_l2;
     // sin(q1)*cos(q2) - cos(q1)*sin(q2); used 3 times
     let sin_q1_minus_q2 = (-c1).mul_add(s2, s1 * c2);
     // sin(q1 - q2)*l0_l1_m2_plus_m3; used 3 times
@@ -557,30 +555,30 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l0_s3_part*sin(q1); used 2 times
     let s1_l0_s3_part = l0_s3_part * s1;
     // Elimination, step by step.
-    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3)) - c_m3_l2*(l0*u3^2*sin(q1 - q3)
-    //   + l7*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
+    // r10 = l0*(g*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q1 - q2)*(m2 + m3)) - m3_l2*(l0*u3^2*sin(q1 - q3) +
+    //   l7*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r10 = (-l7).mul_add(r6_part_2, g * s1_l0_s3_part) - u3_sq * r10_part
         - u2_sq * r10_part_2;
     // Shared terms.
-    // l1*m3_l2_d1_inv; used 2 times
-    let l1_m3_l2_d1_inv = l1 * m3_l2_d1_inv;
+    // l1*m3_l2_2_d1_inv; used 2 times
+    let l1_m3_l2_2_d1_inv = l1 * m3_l2_2_d1_inv;
     // Elimination, step by step.
     // l11 = m3*l1*l2*cos(q2 - q3)/d1
-    let l11 = cos_q2_minus_q3 * l1_m3_l2_d1_inv;
+    let l11 = cos_q2_minus_q3 * l1_m3_l2_2_d1_inv;
     // Shared terms.
     // l11*s5_part; used 2 times
     let l11_s5_part = l11 * s5_part;
     // Elimination, step by step.
-    // s12 = l1*(l1*(m2 + m3) - l11*c_m3_l2*cos(q2 - q3))
+    // s12 = l1*(l1*(m2 + m3) - l11*m3_l2*cos(q2 - q3))
     let s12 = l1.mul_add(l1_m2_plus_m3, -l11_s5_part);
     // Shared terms.
-    // sin(q2 - q3)*l1_c_m3_l2; used 5 times
-    let r13_part = sin_q2_minus_q3 * l1_c_m3_l2;
+    // sin(q2 - q3)*l1_m3_l2; used 5 times
+    let r13_part = sin_q2_minus_q3 * l1_m3_l2;
     // l1_m2_plus_m3*u1_l0_u1; used 2 times
     let r13_part_2 = l1_m2_plus_m3 * u1_l0_u1;
     // Elimination, step by step.
-    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - c_m3_l2*(l1*u3^2*sin(q2 - q3) +
-    //   l11*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
+    // r13 = l1*(m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - m3_l2*(l1*u3^2*sin(q2 - q3) + l11*(g*sin(q3)
+    //   + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r13 = (-l11).mul_add(r6_part_2, g * s2_l1_m2_plus_m3) - u3_sq * r13_part
         + sin_q1_minus_q2 * r13_part_2;
     // Shared terms.
@@ -615,44 +613,44 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l2_*r10_part; used 2 times
     let l2__r10_part = l2_ * r10_part;
     // Elimination, step by step.
-    // s4_by_q1 = l0*(sin(q1)*(m1 + m2 + m3) + l2_*c_m3_l2*sin(q1 - q3))
+    // s4_by_q1 = l0*(sin(q1)*(m1 + m2 + m3) + l2_*m3_l2*sin(q1 - q3))
     let s4_by_q1 = s1_l0_s3_part + l2__r10_part;
     // Shared terms.
     // u1^2*s4_part; used 3 times
     let u1_sq_s4_part = u1 * u1 * s4_part;
     // Elimination, step by step.
-    // r6_by_q1 = -l0*u1^2*(cos(q1)*(m1 + m2 + m3) + l2_*c_m3_l2*cos(q1 - q3))
+    // r6_by_q1 = -l0*u1^2*(cos(q1)*(m1 + m2 + m3) + l2_*m3_l2*cos(q1 - q3))
     let r6_by_q1 = (-l2_).mul_add(u1_sq_s4_part, -s3_part * u1_l0_u1 * c1);
     // Shared terms.
     // l0*sin(q1 - q3); used 3 times
     let l0_sin_q1_minus_q3 = l0 * sin_q1_minus_q3;
     // Elimination, step by step.
     // l7_by_q3 = m3*l0*l2*sin(q1 - q3)/d1
-    let l7_by_q3 = m3_l2_d1_inv * l0_sin_q1_minus_q3;
+    let l7_by_q3 = m3_l2_2_d1_inv * l0_sin_q1_minus_q3;
     // l7_by_q1 = -m3*l0*l2*sin(q1 - q3)/d1
     let l7_by_q1 = -l7_by_q3;
     // Shared terms.
     // l7*r10_part; used 2 times
     let l7_r10_part = l7 * r10_part;
     // Elimination, step by step.
-    // s8_by_q1 = l0*c_m3_l2*(l7*sin(q1 - q3) - l7_by_q1*cos(q1 - q3))
+    // s8_by_q1 = l0*m3_l2*(l7*sin(q1 - q3) - l7_by_q1*cos(q1 - q3))
     let s8_by_q1 = (-l7_by_q1).mul_add(s4_part, l7_r10_part);
-    // s9_by_q1 = -l1*(l0*sin(q1 - q2)*(m2 + m3) + c_m3_l2*l7_by_q1*cos(q2 - q3))
+    // s9_by_q1 = -l1*(l0*sin(q1 - q2)*(m2 + m3) + m3_l2*l7_by_q1*cos(q2 - q3))
     let s9_by_q1 = (-l7_by_q1).mul_add(s5_part, -r10_part_2);
     // Shared terms.
     // s4_part*u3_sq; used 2 times
     let s4_part_u3_sq = s4_part * u3_sq;
     // Elimination, step by step.
-    // r10_by_q1 = l0*(g*cos(q1)*(m1 + m2 + m3) - l1*u2^2*cos(q1 - q2)*(m2 + m3) - c_m3_l2*(u3^2*cos(q1 -
-    //   q3) + u1^2*(l7*cos(q1 - q3) + l7_by_q1*sin(q1 - q3)))) - c_m3_l2*l7_by_q1*(g*sin(q3) +
-    //   l1*u2^2*sin(q2 - q3))
+    // r10_by_q1 = l0*(g*cos(q1)*(m1 + m2 + m3) - l1*u2^2*cos(q1 - q2)*(m2 + m3) - m3_l2*(u3^2*cos(q1 - q3)
+    //   + u1^2*(l7*cos(q1 - q3) + l7_by_q1*sin(q1 - q3)))) - m3_l2*l7_by_q1*(g*sin(q3) + l1*u2^2*sin(q2 -
+    //   q3))
     let r10_by_q1 = (-l7_by_q1).mul_add(r6_part_2, g * c1_l0_s3_part) - u2_sq * s9_part
         - l7 * u1_sq_s4_part - s4_part_u3_sq;
     // Shared terms.
     // cos(q1 - q2)*r13_part_2; used 2 times
     let r13_by_q1_part = cos_q1_minus_q2 * r13_part_2;
     // Elimination, step by step.
-    // r13_by_q1 = l0*u1^2*(l1*cos(q1 - q2)*(m2 + m3) - l11*c_m3_l2*cos(q1 - q3))
+    // r13_by_q1 = l0*u1^2*(l1*cos(q1 - q2)*(m2 + m3) - l11*m3_l2*cos(q1 - q3))
     let r13_by_q1 = (-l11).mul_add(u1_sq_s4_part, r13_by_q1_part);
     // Shared terms.
     // l14*s15_inv; used 15 times
@@ -722,28 +720,29 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // Shared terms.
     // l14*cos(q3) + l0_cos_q1_minus_q3; used 3 times
     let u3_dot_by_q1_part = l14.mul_add(c3, l0_cos_q1_minus_q3);
-    // m3_l2_d1_inv*s15_inv; used 2 times
-    let m3_l2_d1_inv_s15_inv = m3_l2_d1_inv * s15_inv;
-    // u3_dot_by_q1_part*m3_l2_d1_inv_s15_inv; used 6 times
-    let u3_dot_by_q1_part_2 = u3_dot_by_q1_part * m3_l2_d1_inv_s15_inv;
+    // m3_l2_2_d1_inv*s15_inv; used 2 times
+    let u3_dot_by_q1_part_2 = m3_l2_2_d1_inv * s15_inv;
+    // u3_dot_by_q1_part*u3_dot_by_q1_part_2; used 6 times
+    let u3_dot_by_q1_part_3 = u3_dot_by_q1_part * u3_dot_by_q1_part_2;
     // s3_inv*cos(q3); used 2 times
     let c3_s3_inv = s3_inv * c3;
     // l14_s15_inv*u3_dot_by_q1_part + c3_s3_inv; used 2 times
-    let u3_dot_by_q1_part_3 = l14_s15_inv.mul_add(u3_dot_by_q1_part, c3_s3_inv);
-    // m3_l2_d1_inv*u3_dot_by_q1_part_3; used 5 times
-    let u3_dot_by_q1_part_4 = m3_l2_d1_inv * u3_dot_by_q1_part_3;
+    let u3_dot_by_q1_part_4 = l14_s15_inv.mul_add(u3_dot_by_q1_part, c3_s3_inv);
+    // m3_l2_2_d1_inv*u3_dot_by_q1_part_4; used 5 times
+    let u3_dot_by_q1_part_5 = m3_l2_2_d1_inv * u3_dot_by_q1_part_4;
     // l1*cos(q2 - q3); used 2 times
     let l1_cos_q2_minus_q3 = l1 * cos_q2_minus_q3;
     // l18*cos(q3) - l21*u3_dot_by_q1_part
-    let u3_dot_by_q1_part_5 = (-l21).mul_add(u3_dot_by_q1_part, l18 * c3);
-    // m3_l2_d1_inv*(l1_cos_q2_minus_q3 + u3_dot_by_q1_part_5); used 4 times
-    let u3_dot_by_q1_part_6 = m3_l2_d1_inv * (l1_cos_q2_minus_q3 + u3_dot_by_q1_part_5);
-    // s22_inv*u3_dot_by_q1_part_6; used 3 times
-    let u3_dot_by_q1_part_7 = s22_inv * u3_dot_by_q1_part_6;
+    let u3_dot_by_q1_part_6 = (-l21).mul_add(u3_dot_by_q1_part, l18 * c3);
+    // m3_l2_2_d1_inv*(l1_cos_q2_minus_q3 + u3_dot_by_q1_part_6); used 4 times
+    let u3_dot_by_q1_part_7 = m3_l2_2_d1_inv
+        * (l1_cos_q2_minus_q3 + u3_dot_by_q1_part_6);
+    // s22_inv*u3_dot_by_q1_part_7; used 3 times
+    let u3_dot_by_q1_part_8 = s22_inv * u3_dot_by_q1_part_7;
     // cos(q1 - q3)*u1_l0_u1; used 2 times
-    let u3_dot_by_q1_part_8 = cos_q1_minus_q3 * u1_l0_u1;
-    // u0_dot_by_q1_part*m3_l2_d1_inv_s15_inv; used 3 times
-    let u3_dot_by_q1_part_9 = u0_dot_by_q1_part * m3_l2_d1_inv_s15_inv;
+    let u3_dot_by_q1_part_9 = cos_q1_minus_q3 * u1_l0_u1;
+    // u0_dot_by_q1_part*u3_dot_by_q1_part_2; used 3 times
+    let u3_dot_by_q1_part_10 = u0_dot_by_q1_part * u3_dot_by_q1_part_2;
     // Elimination, step by step.
     // u3_dot_by_q1 = m3*l2*(cos(q3)*(s4_by_q1*(s16*r23/s22 - r17)/s15 + r6_by_q1 + s4*(r17 -
     //   s16*r23/s22)*(s8_by_q1 - s4_by_q1*(s4/s3 + l14))/s15^2 + s5*r23*s22_by_q1/s22^2 - s5*r23_by_q1/s22 +
@@ -753,11 +752,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   cos(q1 - q3)*(r6*s4_by_q1/s3 - r23*(s5*s4_by_q1/s3 - s9_by_q1)/s22 + l14*r6_by_q1 - r10_by_q1 -
     //   s16*r23*s22_by_q1/s22^2 + s16*r23_by_q1/s22)/s15) + l1*(r23*s22_by_q1*cos(q2 - q3)/s22^2 -
     //   r23_by_q1*cos(q2 - q3)/s22))/d1
-    let u3_dot_by_q1 = u0_dot_by_q1_part_7 * u3_dot_by_q1_part_2
-        + r6_by_q1 * u3_dot_by_q1_part_4 + u0_dot_by_q1_part_10 * u3_dot_by_q1_part_7
-        + m3_l2_d1_inv * u3_dot_by_q1_part_8
-        + u3_dot_by_q1_part_9
-            * s4_by_q1.mul_add(u3_dot_by_q1_part_3, -l0_sin_q1_minus_q3);
+    let u3_dot_by_q1 = u0_dot_by_q1_part_7 * u3_dot_by_q1_part_3
+        + r6_by_q1 * u3_dot_by_q1_part_5 + u0_dot_by_q1_part_10 * u3_dot_by_q1_part_8
+        + m3_l2_2_d1_inv * u3_dot_by_q1_part_9
+        + u3_dot_by_q1_part_10
+            * s4_by_q1.mul_add(u3_dot_by_q1_part_4, -l0_sin_q1_minus_q3);
     // Shared terms.
     // l21*s22_inv; used 10 times
     let l21_s22_inv = l21 * s22_inv;
@@ -772,34 +771,34 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l2_*r13_part; used 2 times
     let l2__r13_part = l2_ * r13_part;
     // Elimination, step by step.
-    // s5_by_q2 = l1*(sin(q2)*(m2 + m3) + l2_*c_m3_l2*sin(q2 - q3))
+    // s5_by_q2 = l1*(sin(q2)*(m2 + m3) + l2_*m3_l2*sin(q2 - q3))
     let s5_by_q2 = s2_l1_m2_plus_m3 + l2__r13_part;
-    // r6_by_q2 = -l1*u2^2*(cos(q2)*(m2 + m3) + l2_*c_m3_l2*cos(q2 - q3))
+    // r6_by_q2 = -l1*u2^2*(cos(q2)*(m2 + m3) + l2_*m3_l2*cos(q2 - q3))
     let r6_by_q2 = -s5_part_2 * u2_sq;
     // Shared terms.
     // l7*r13_part; used 2 times
     let l7_r13_part = l7 * r13_part;
     // Elimination, step by step.
-    // s9_by_q2 = l1*(l0*sin(q1 - q2)*(m2 + m3) + l7*c_m3_l2*sin(q2 - q3))
+    // s9_by_q2 = l1*(l0*sin(q1 - q2)*(m2 + m3) + l7*m3_l2*sin(q2 - q3))
     let s9_by_q2 = r10_part_2 + l7_r13_part;
-    // r10_by_q2 = l1*u2^2*(l0*cos(q1 - q2)*(m2 + m3) - l7*c_m3_l2*cos(q2 - q3))
+    // r10_by_q2 = l1*u2^2*(l0*cos(q1 - q2)*(m2 + m3) - l7*m3_l2*cos(q2 - q3))
     let r10_by_q2 = s9 * u2_sq;
     // l11_by_q3 = m3*l1*l2*sin(q2 - q3)/d1
-    let l11_by_q3 = sin_q2_minus_q3 * l1_m3_l2_d1_inv;
+    let l11_by_q3 = sin_q2_minus_q3 * l1_m3_l2_2_d1_inv;
     // l11_by_q2 = -m3*l1*l2*sin(q2 - q3)/d1
     let l11_by_q2 = -l11_by_q3;
     // Shared terms.
     // l11*r13_part; used 3 times
     let l11_r13_part = l11 * r13_part;
     // Elimination, step by step.
-    // s12_by_q2 = l1*c_m3_l2*(l11*sin(q2 - q3) - l11_by_q2*cos(q2 - q3))
+    // s12_by_q2 = l1*m3_l2*(l11*sin(q2 - q3) - l11_by_q2*cos(q2 - q3))
     let s12_by_q2 = (-l11_by_q2).mul_add(s5_part, l11_r13_part);
     // Shared terms.
     // s5_part*u3_sq; used 2 times
     let s5_part_u3_sq = s5_part * u3_sq;
     // Elimination, step by step.
-    // r13_by_q2 = -c_m3_l2*l11_by_q2*(g*sin(q3) + l0*u1^2*sin(q1 - q3)) - l1*((m2 + m3)*(l0*u1^2*cos(q1 -
-    //   q2) - g*cos(q2)) + c_m3_l2*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) + l11_by_q2*sin(q2 - q3))))
+    // r13_by_q2 = -m3_l2*l11_by_q2*(g*sin(q3) + l0*u1^2*sin(q1 - q3)) - l1*((m2 + m3)*(l0*u1^2*cos(q1 -
+    //   q2) - g*cos(q2)) + m3_l2*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) + l11_by_q2*sin(q2 - q3))))
     let r13_by_q2 = (-l11_by_q2).mul_add(r6_part_2, g * c2_l1_m2_plus_m3)
         - u2_sq * l11_s5_part - r13_by_q1_part - s5_part_u3_sq;
     // Shared terms.
@@ -834,44 +833,44 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   s5*r23*s22_by_q2/s22^2 + s5*r23_by_q2/s22 - s4*(l14*r6_by_q2 - r23*(l14*s5_by_q2 - s9_by_q2)/s22 -
     //   r10_by_q2 - s16*r23*s22_by_q2/s22^2 + s16*r23_by_q2/s22)/s15)/s3 + l1*(r23_by_q2*cos(q2 - q3)/s22 -
     //   u2^2*cos(q2 - q3) - r23*sin(q2 - q3)/s22 - r23*s22_by_q2*cos(q2 - q3)/s22^2))/d1
-    let u3_dot_by_q2 = u3_dot_by_q1_part_2.mul_add(u0_dot_by_q2_part, l11 * u2_sq)
-        - u3_dot_by_q1_part_4 * u0_dot_by_q2_part_2
-        + u3_dot_by_q1_part_7 * u0_dot_by_q2_part_3 + u3_dot_by_q2_part;
+    let u3_dot_by_q2 = u3_dot_by_q1_part_3.mul_add(u0_dot_by_q2_part, l11 * u2_sq)
+        - u3_dot_by_q1_part_5 * u0_dot_by_q2_part_2
+        + u3_dot_by_q1_part_8 * u0_dot_by_q2_part_3 + u3_dot_by_q2_part;
     // u1_dot_by_q2 = (r10_by_q2 - l14*r6_by_q2 - (r23*(s9_by_q2 - l14*s5_by_q2 - s16*s22_by_q2/s22) +
     //   s16*r23_by_q2)/s22)/s15
     let u1_dot_by_q2 = (-s15_inv)
         .mul_add(u0_dot_by_q2_part, l14_s15_inv * u0_dot_by_q2_part_2)
         + l21_s22_inv * u0_dot_by_q2_part_3;
-    // l2__by_q3 = c_m3_l2*sin(q3)/d1
-    let l2__by_q3 = d1_inv * s3_2_c_m3_l2;
-    // s3_by_q3 = c_m3_l2*(l2__by_q3*cos(q3) - l2_*sin(q3))
-    let s3_by_q3 = (-l2_).mul_add(s3_2_c_m3_l2, l2__by_q3 * c3_c_m3_l2);
-    // s4_by_q3 = -l0*c_m3_l2*(l2_*sin(q1 - q3) + l2__by_q3*cos(q1 - q3))
+    // l2__by_q3 = m3_l2*sin(q3)/d1
+    let l2__by_q3 = d1_inv * s3_2_m3_l2;
+    // s3_by_q3 = m3_l2*(l2__by_q3*cos(q3) - l2_*sin(q3))
+    let s3_by_q3 = (-l2_).mul_add(s3_2_m3_l2, l2__by_q3 * c3_m3_l2);
+    // s4_by_q3 = -l0*m3_l2*(l2_*sin(q1 - q3) + l2__by_q3*cos(q1 - q3))
     let s4_by_q3 = (-l2__by_q3).mul_add(s4_part, -l2__r10_part);
-    // s5_by_q3 = -l1*c_m3_l2*(l2_*sin(q2 - q3) + l2__by_q3*cos(q2 - q3))
+    // s5_by_q3 = -l1*m3_l2*(l2_*sin(q2 - q3) + l2__by_q3*cos(q2 - q3))
     let s5_by_q3 = (-l2__by_q3).mul_add(s5_part, -l2__r13_part);
     // Shared terms.
-    // u2_sq*l1_cos_q2_minus_q3 + u3_dot_by_q1_part_8
-    let r6_by_q3_part = u2_sq.mul_add(l1_cos_q2_minus_q3, u3_dot_by_q1_part_8);
+    // u2_sq*l1_cos_q2_minus_q3 + u3_dot_by_q1_part_9
+    let r6_by_q3_part = u2_sq.mul_add(l1_cos_q2_minus_q3, u3_dot_by_q1_part_9);
     // g*cos(q3) - r6_by_q3_part; used 2 times
     let r6_by_q3_part_2 = g.mul_add(c3, -r6_by_q3_part);
-    // c_m3_l2*r6_by_q3_part_2; used 3 times
-    let r6_by_q3_part_3 = c_m3_l2 * r6_by_q3_part_2;
+    // m3_l2*r6_by_q3_part_2; used 3 times
+    let r6_by_q3_part_3 = m3_l2 * r6_by_q3_part_2;
     // Elimination, step by step.
-    // r6_by_q3 = -c_m3_l2*(u3^2*cos(q3) + l2_*(g*cos(q3) - l0*u1^2*cos(q1 - q3) - l1*u2^2*cos(q2 - q3)) +
+    // r6_by_q3 = -m3_l2*(u3^2*cos(q3) + l2_*(g*cos(q3) - l0*u1^2*cos(q1 - q3) - l1*u2^2*cos(q2 - q3)) +
     //   l2__by_q3*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
-    let r6_by_q3 = (-c3_c_m3_l2).mul_add(u3_sq, -l2__by_q3 * r6_part_2)
+    let r6_by_q3 = (-c3_m3_l2).mul_add(u3_sq, -l2__by_q3 * r6_part_2)
         - l2_ * r6_by_q3_part_3;
-    // s8_by_q3 = -l0*c_m3_l2*(l7*sin(q1 - q3) + l7_by_q3*cos(q1 - q3))
+    // s8_by_q3 = -l0*m3_l2*(l7*sin(q1 - q3) + l7_by_q3*cos(q1 - q3))
     let s8_by_q3 = (-l7_by_q3).mul_add(s4_part, -l7_r10_part);
-    // s9_by_q3 = -l1*c_m3_l2*(l7*sin(q2 - q3) + l7_by_q3*cos(q2 - q3))
+    // s9_by_q3 = -l1*m3_l2*(l7*sin(q2 - q3) + l7_by_q3*cos(q2 - q3))
     let s9_by_q3 = (-l7_by_q3).mul_add(s5_part, -l7_r13_part);
-    // r10_by_q3 = c_m3_l2*(l0*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) - l7_by_q3*sin(q1 - q3))) +
+    // r10_by_q3 = m3_l2*(l0*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) - l7_by_q3*sin(q1 - q3))) +
     //   l1*u2^2*(l7*cos(q2 - q3) - l7_by_q3*sin(q2 - q3)) - g*(l7*cos(q3) + l7_by_q3*sin(q3)))
     let r10_by_q3 = (-l7_by_q3).mul_add(r6_part_2, s4_part_u3_sq) - l7 * r6_by_q3_part_3;
-    // s12_by_q3 = -l1*c_m3_l2*(l11*sin(q2 - q3) + l11_by_q3*cos(q2 - q3))
+    // s12_by_q3 = -l1*m3_l2*(l11*sin(q2 - q3) + l11_by_q3*cos(q2 - q3))
     let s12_by_q3 = (-l11_by_q3).mul_add(s5_part, -l11_r13_part);
-    // r13_by_q3 = c_m3_l2*(l1*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) - l11_by_q3*sin(q2 - q3))) +
+    // r13_by_q3 = m3_l2*(l1*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) - l11_by_q3*sin(q2 - q3))) +
     //   l0*u1^2*(l11*cos(q1 - q3) - l11_by_q3*sin(q1 - q3)) - g*(l11*cos(q3) + l11_by_q3*sin(q3)))
     let r13_by_q3 = (-l11_by_q3).mul_add(r6_part_2, s5_part_u3_sq)
         - l11 * r6_by_q3_part_3;
@@ -930,12 +929,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   q3)*(r17_by_q3 - r17*s15_by_q3/s15 - (r23*s16_by_q3 + s16*(r23_by_q3 - r23*(s15_by_q3/s15 +
     //   s22_by_q3/s22)))/s22))/s15) - l1*(r23*sin(q2 - q3)/s22 + cos(q2 - q3)*(u2^2 + (r23_by_q3 -
     //   r23*s22_by_q3/s22)/s22)))/d1
-    let u3_dot_by_q3 = -u3_dot_by_q2_part + l0_sin_q1_minus_q3 * u3_dot_by_q1_part_9
-        + m3_l2_d1_inv * (-u0_dot_by_q1_part_4).mul_add(s3_2, r6_by_q3_part_2)
-        - u3_dot_by_q1_part_2 * u0_dot_by_q3_part_2
-        + u3_dot_by_q1_part_7 * u0_dot_by_q3_part_3
+    let u3_dot_by_q3 = -u3_dot_by_q2_part + l0_sin_q1_minus_q3 * u3_dot_by_q1_part_10
+        + m3_l2_2_d1_inv * (-u0_dot_by_q1_part_4).mul_add(s3_2, r6_by_q3_part_2)
+        - u3_dot_by_q1_part_3 * u0_dot_by_q3_part_2
+        + u3_dot_by_q1_part_8 * u0_dot_by_q3_part_3
         + c3_s3_inv
-            * m3_l2_d1_inv.mul_add(u0_dot_by_q3_part_5, s4_by_q3 * u3_dot_by_q1_part_9);
+            * m3_l2_2_d1_inv
+                .mul_add(u0_dot_by_q3_part_5, s4_by_q3 * u3_dot_by_q1_part_10);
     // u1_dot_by_q3 = (r17_by_q3 - r17*s15_by_q3/s15 - (r23*s16_by_q3 + s16*(r23_by_q3 - r23*(s15_by_q3/s15
     //   + s22_by_q3/s22)))/s22)/s15
     let u1_dot_by_q3 = l21_s22_inv
@@ -948,11 +948,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // 2*l0_u1; used 3 times
     let l0_u1_scaled = S::int(2) * l0_u1;
     // Elimination, step by step.
-    // r6_by_u1 = -2*l0*u1*(sin(q1)*(m1 + m2 + m3) + l2_*c_m3_l2*sin(q1 - q3))
+    // r6_by_u1 = -2*l0*u1*(sin(q1)*(m1 + m2 + m3) + l2_*m3_l2*sin(q1 - q3))
     let r6_by_u1 = (-s1_s3_part).mul_add(l0_u1_scaled, -l2_ * u1_r10_part_scaled);
-    // r10_by_u1 = -2*l0*u1*l7*c_m3_l2*sin(q1 - q3)
+    // r10_by_u1 = -2*l0*u1*l7*m3_l2*sin(q1 - q3)
     let r10_by_u1 = -l7 * u1_r10_part_scaled;
-    // r13_by_u1 = 2*l0*u1*(l1*sin(q1 - q2)*(m2 + m3) - l11*c_m3_l2*sin(q1 - q3))
+    // r13_by_u1 = 2*l0*u1*(l1*sin(q1 - q2)*(m2 + m3) - l11*m3_l2*sin(q1 - q3))
     let r13_by_u1 = (-l11)
         .mul_add(u1_r10_part_scaled, sin_q1_minus_q2 * l1_m2_plus_m3 * l0_u1_scaled);
     // Shared terms.
@@ -972,9 +972,9 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   r13_by_u1)/s22)/s15)/s3 + l0*(2*u1*sin(q1 - q3) + cos(q1 - q3)*(l14*r6_by_u1 - r10_by_u1 -
     //   s16*(l18*r6_by_u1 - l21*(l14*r6_by_u1 - r10_by_u1) - r13_by_u1)/s22)/s15))/d1
     let u3_dot_by_u1 = (-r10_by_u1)
-        .mul_add(u3_dot_by_q1_part_2, r6_by_u1 * u3_dot_by_q1_part_4)
-        - u2_dot_by_u1 * u3_dot_by_q1_part_6
-        + sin_q1_minus_q3 * m3_l2_d1_inv * l0_u1_scaled;
+        .mul_add(u3_dot_by_q1_part_3, r6_by_u1 * u3_dot_by_q1_part_5)
+        - u2_dot_by_u1 * u3_dot_by_q1_part_7
+        + sin_q1_minus_q3 * m3_l2_2_d1_inv * l0_u1_scaled;
     // Shared terms.
     // s15_inv + l21*l21_s22_inv; used 3 times
     let u1_dot_by_u1_part = l21.mul_add(l21_s22_inv, s15_inv);
@@ -987,11 +987,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // 2*u2; used 4 times
     let u2_scaled = S::int(2) * u2;
     // Elimination, step by step.
-    // r6_by_u2 = -2*l1*u2*(sin(q2)*(m2 + m3) + l2_*c_m3_l2*sin(q2 - q3))
+    // r6_by_u2 = -2*l1*u2*(sin(q2)*(m2 + m3) + l2_*m3_l2*sin(q2 - q3))
     let r6_by_u2 = -s5_by_q2 * u2_scaled;
-    // r10_by_u2 = -2*l1*u2*(l0*sin(q1 - q2)*(m2 + m3) + l7*c_m3_l2*sin(q2 - q3))
+    // r10_by_u2 = -2*l1*u2*(l0*sin(q1 - q2)*(m2 + m3) + l7*m3_l2*sin(q2 - q3))
     let r10_by_u2 = -s9_by_q2 * u2_scaled;
-    // r13_by_u2 = -2*l1*u2*l11*c_m3_l2*sin(q2 - q3)
+    // r13_by_u2 = -2*l1*u2*l11*m3_l2*sin(q2 - q3)
     let r13_by_u2 = -l11_r13_part * u2_scaled;
     // Shared terms.
     // r13_by_u2 + r6_by_u2*r23_by_q1_part; used 2 times
@@ -1010,8 +1010,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   l21*(l14*r6_by_u2 - r10_by_u2) - r13_by_u2)/s22)/s15 + l1*(2*u2*sin(q2 - q3) + cos(q2 -
     //   q3)*(l18*r6_by_u2 - l21*(l14*r6_by_u2 - r10_by_u2) - r13_by_u2)/s22))/d1
     let u3_dot_by_u2 = (-r10_by_u2)
-        .mul_add(u3_dot_by_q1_part_2, r6_by_u2 * u3_dot_by_q1_part_4)
-        - u2_dot_by_u2 * u3_dot_by_q1_part_6 + l11_by_q3 * u2_scaled;
+        .mul_add(u3_dot_by_q1_part_3, r6_by_u2 * u3_dot_by_q1_part_5)
+        - u2_dot_by_u2 * u3_dot_by_q1_part_7 + l11_by_q3 * u2_scaled;
     // u1_dot_by_u2 = (r10_by_u2 - l14*r6_by_u2 + s16*(l18*r6_by_u2 - l21*(l14*r6_by_u2 - r10_by_u2) -
     //   r13_by_u2)/s22)/s15
     let u1_dot_by_u2 = (-r6_by_u2).mul_add(l14_s15_inv, r10_by_u2 * u1_dot_by_u1_part)
@@ -1020,11 +1020,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // 2*u3; used 2 times
     let u3_scaled = S::int(2) * u3;
     // Elimination, step by step.
-    // r6_by_u3 = -2*u3*c_m3_l2*sin(q3)
-    let r6_by_u3 = -s3_2_c_m3_l2 * u3_scaled;
-    // r10_by_u3 = -2*l0*u3*c_m3_l2*sin(q1 - q3)
+    // r6_by_u3 = -2*u3*m3_l2*sin(q3)
+    let r6_by_u3 = -s3_2_m3_l2 * u3_scaled;
+    // r10_by_u3 = -2*l0*u3*m3_l2*sin(q1 - q3)
     let r10_by_u3 = -u3 * r10_part_scaled;
-    // r13_by_u3 = -2*l1*u3*c_m3_l2*sin(q2 - q3)
+    // r13_by_u3 = -2*l1*u3*m3_l2*sin(q2 - q3)
     let r13_by_u3 = -r13_part * u3_scaled;
     // Shared terms.
     // r13_by_u3 + r6_by_u3*r23_by_q1_part; used 2 times
@@ -1043,8 +1043,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   r13_by_u3)/s22 - l0*cos(q1 - q3)*(r10_by_u3 - l14*r6_by_u3 + s16*(l18*r6_by_u3 - l21*(l14*r6_by_u3 -
     //   r10_by_u3) - r13_by_u3)/s22)/s15)/d1
     let u3_dot_by_u3 = (-r10_by_u3)
-        .mul_add(u3_dot_by_q1_part_2, r6_by_u3 * u3_dot_by_q1_part_4)
-        - u2_dot_by_u3 * u3_dot_by_q1_part_6;
+        .mul_add(u3_dot_by_q1_part_3, r6_by_u3 * u3_dot_by_q1_part_5)
+        - u2_dot_by_u3 * u3_dot_by_q1_part_7;
     // u1_dot_by_u3 = (r10_by_u3 - l14*r6_by_u3 + s16*(l18*r6_by_u3 - l21*(l14*r6_by_u3 - r10_by_u3) -
     //   r13_by_u3)/s22)/s15
     let u1_dot_by_u3 = (-r6_by_u3).mul_add(l14_s15_inv, r10_by_u3 * u1_dot_by_u1_part)
@@ -1249,13 +1249,13 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> 
     // m2 + m3; used 6 times
     let m2_plus_m3 = m2 + m3;
     // m3*l2; used 3 times
-    let m3_l2 = m3 * l2;
-    // u3*m3_l2; used 4 times
-    let u3_m3_l2 = u3 * m3_l2;
-    // u3_m3_l2*cos(q3); used 2 times
-    let c3_u3_m3_l2 = u3_m3_l2 * c3;
-    // c3_u3_m3_l2 - u0*m2_plus_m3; used 3 times
-    let energy_part = (-u0).mul_add(m2_plus_m3, c3_u3_m3_l2);
+    let m3_l2_2 = m3 * l2;
+    // u3*m3_l2_2; used 4 times
+    let u3_m3_l2_2 = u3 * m3_l2_2;
+    // u3_m3_l2_2*cos(q3); used 2 times
+    let c3_u3_m3_l2_2 = u3_m3_l2_2 * c3;
+    // c3_u3_m3_l2_2 - u0*m2_plus_m3; used 3 times
+    let energy_part = (-u0).mul_add(m2_plus_m3, c3_u3_m3_l2_2);
     // l0*u1; used 4 times
     let l0_u1 = l0 * u1;
     // l0_u1*cos(q1); used 5 times
@@ -1266,18 +1266,18 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> 
     let c2_l1_u2 = l1_u2 * c2;
     // c1_l0_u1 + c2_l1_u2; used 3 times
     let energy_part_2 = c1_l0_u1 + c2_l1_u2;
-    // u0*u3_m3_l2 - g*m3_l2; used 2 times
-    let energy_part_3 = (-g).mul_add(m3_l2, u0 * u3_m3_l2);
+    // u0*u3_m3_l2_2 - g*m3_l2_2; used 2 times
+    let energy_part_3 = (-g).mul_add(m3_l2_2, u0 * u3_m3_l2_2);
     // m2_plus_m3*l1_u2; used 4 times
     let m2_plus_m3_l1_u2 = m2_plus_m3 * l1_u2;
     // m1*u0 - m2_plus_m3_l1_u2*cos(q2); used 2 times
     let energy_part_4 = (-m2_plus_m3_l1_u2).mul_add(c2, m1 * u0);
     // l0_u1*sin(q1); used 4 times
     let s1_l0_u1 = l0_u1 * s1;
-    // u3_m3_l2*sin(q3); used 4 times
-    let s3_2_u3_m3_l2 = u3_m3_l2 * s3_2;
-    // m2_plus_m3*s1_l0_u1 + s3_2_u3_m3_l2; used 3 times
-    let energy_part_5 = m2_plus_m3.mul_add(s1_l0_u1, s3_2_u3_m3_l2);
+    // u3_m3_l2_2*sin(q3); used 4 times
+    let s3_2_u3_m3_l2_2 = u3_m3_l2_2 * s3_2;
+    // m2_plus_m3*s1_l0_u1 + s3_2_u3_m3_l2_2; used 3 times
+    let energy_part_5 = m2_plus_m3.mul_add(s1_l0_u1, s3_2_u3_m3_l2_2);
     // l1_u2*sin(q2); used 3 times
     let s2_l1_u2 = l1_u2 * s2;
     // l1*cos(q2); used 2 times
@@ -1290,16 +1290,16 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> 
     let l0_energy_part_6 = l0 * energy_part_6;
     // g*l0_energy_part_6; used 2 times
     let g_l0_energy_part_6 = g * l0_energy_part_6;
-    // l2*u3_m3_l2; used 2 times
-    let l2_u3_m3_l2 = l2 * u3_m3_l2;
+    // l2*u3_m3_l2_2; used 2 times
+    let l2_u3_m3_l2_2 = l2 * u3_m3_l2_2;
     // l0_u1^2*energy_part_6 + u0^2*(m0 + energy_part_6)
     let energy_part_7 = l0_u1 * l0_u1 * energy_part_6 + u0 * u0 * (m0 + energy_part_6);
-    // l1_u2*m2_plus_m3_l1_u2 + u3*l2_u3_m3_l2
-    let energy_part_8 = u3.mul_add(l2_u3_m3_l2, l1_u2 * m2_plus_m3_l1_u2);
+    // l1_u2*m2_plus_m3_l1_u2 + u3*l2_u3_m3_l2_2
+    let energy_part_8 = u3.mul_add(l2_u3_m3_l2_2, l1_u2 * m2_plus_m3_l1_u2);
     // energy_part_7 + energy_part_8
     let energy_part_9 = energy_part_7 + energy_part_8;
-    // m2_plus_m3_l1_u2*sin(q2) + s3_2_u3_m3_l2; used 2 times
-    let energy_by_q1_part = m2_plus_m3_l1_u2.mul_add(s2, s3_2_u3_m3_l2);
+    // m2_plus_m3_l1_u2*sin(q2) + s3_2_u3_m3_l2_2; used 2 times
+    let energy_by_q1_part = m2_plus_m3_l1_u2.mul_add(s2, s3_2_u3_m3_l2_2);
     // energy_part - energy_part_4; used 3 times
     let energy_by_q1_part_2 = energy_part - energy_part_4;
     // energy_part + m2_plus_m3*c1_l0_u1; used 2 times
@@ -1314,7 +1314,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> 
     //   l1*u2*(m2 + m3)*(l1*u2 - 2*u0*cos(q2))/2 + m3*l2*u3*(2*l0*u1*cos(q1 - q3) - 2*u0*cos(q3) +
     //   2*l1*u2*cos(q2 - q3) + l2*u3)/2
     let energy = energy_part.mul_add(energy_part_2, -S::ratio(11, 4) * q0)
-        - energy_part_3 * c3 - c1_l0_u1 * energy_part_4 + s1_l0_u1 * s3_2_u3_m3_l2
+        - energy_part_3 * c3 - c1_l0_u1 * energy_part_4 + s1_l0_u1 * s3_2_u3_m3_l2_2
         + energy_part_5 * s2_l1_u2 + l1_c2 * g_m2_plus_m3 + g_l0_energy_part_6 * c1
         + S::ratio(1, 2) * energy_part_9;
     // d(T + V)/d(q1) = -l0*(g*sin(q1)*(m1 + m2 + m3) + u1*(l1*u2*sin(q1 - q2)*(m2 + m3) - u0*sin(q1)*(m1 +
@@ -1326,8 +1326,8 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> 
     let energy_by_q2 = (-s2_l1_u2).mul_add(energy_by_q2_part, c2_l1_u2 * energy_part_5)
         - g_m2_plus_m3 * l1_s2;
     // d(T + V)/d(q3) = m3*l2*(u3*(u0*sin(q3) + l0*u1*sin(q1 - q3) + l1*u2*sin(q2 - q3)) - g*sin(q3))
-    let energy_by_q3 = (-energy_part_2).mul_add(s3_2_u3_m3_l2, energy_part_3 * s3_2)
-        + c3_u3_m3_l2 * energy_by_q3_part;
+    let energy_by_q3 = (-energy_part_2).mul_add(s3_2_u3_m3_l2_2, energy_part_3 * s3_2)
+        + c3_u3_m3_l2_2 * energy_by_q3_part;
     // d(T + V)/d(q0) = -11/4
     let energy_by_q0 = -S::ratio(11, 4);
     // d(T + V)/d(u1) = l0*((m1 + m2 + m3)*(l0*u1 - u0*cos(q1)) + l1*u2*cos(q1 - q2)*(m2 + m3) +
@@ -1338,8 +1338,8 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> 
     let energy_by_u2 = l1_c2.mul_add(energy_by_q2_part, l1 * m2_plus_m3_l1_u2)
         + energy_part_5 * l1_s2;
     // d(T + V)/d(u3) = m3*l2*(l0*u1*cos(q1 - q3) - u0*cos(q3) + l1*u2*cos(q2 - q3) + l2*u3)
-    let energy_by_u3 = l2_u3_m3_l2
-        + m3_l2 * (-c3 * (u0 - energy_part_2) + energy_by_q3_part * s3_2);
+    let energy_by_u3 = l2_u3_m3_l2_2
+        + m3_l2_2 * (-c3 * (u0 - energy_part_2) + energy_by_q3_part * s3_2);
     // d(T + V)/d(u0) = u0*(m0 + m1 + m2 + m3) - l0*u1*cos(q1)*(m1 + m2 + m3) - l1*u2*cos(q2)*(m2 + m3) -
     //   m3*l2*u3*cos(q3)
     let energy_by_u0 = (-c1_l0_u1).mul_add(energy_part_6, m0 * u0) - energy_by_q1_part_2;
@@ -1364,78 +1364,78 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 8]],
     history: &mut [Factors<S, 56>],
 ) {
-    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, c_m3_l2 } = *p;
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, m3_l2 } = *p;
     let [q1_0, q2_0, q3_0, _, u1_0, u2_0, u3_0, u0_0] = series[0];
     // Shared terms.
     // m1 + m2 + m3; used 4 times
     let m1_plus_m2_plus_m3_part = m1 + m2 + m3;
     // m2 + m3; used 5 times
     let m2_plus_m3_2 = m2 + m3;
-    // c_m3_l2^2/(m3*l2^2); used 2 times
-    let weight_2_part = c_m3_l2 * c_m3_l2 / (m3 * l2 * l2);
+    // m3_l2^2/(m3*l2^2); used 2 times
+    let minus_m3_l2_2_by_m3_l2_2_part = m3_l2 * m3_l2 / (m3 * l2 * l2);
     // l0*l1*(m2 + m3); used 2 times
     let l0_l1_m2_plus_m3_2 = l0 * l1 * m2_plus_m3_2;
     // Constant in time.
     // weight = m0 + m1 + m2 + m3
     let weight = m0 + m1 + m2 + m3;
-    // weight_2 = -c_m3_l2^2/(m3*l2^2)
-    let weight_2 = -weight_2_part;
+    // minus_m3_l2_2_by_m3_l2_2 = -m3_l2^2/(m3*l2^2)
+    let minus_m3_l2_2_by_m3_l2_2 = -minus_m3_l2_2_by_m3_l2_2_part;
     // m1_plus_m2_plus_m3 = m1 + m2 + m3
     let m1_plus_m2_plus_m3 = m1_plus_m2_plus_m3_part;
     // m2_plus_m3 = m2 + m3
     let m2_plus_m3 = m2_plus_m3_2;
-    // weight_3 = -l0*(m1 + m2 + m3)
-    let weight_3 = -l0 * m1_plus_m2_plus_m3_part;
+    // weight_2 = -l0*(m1 + m2 + m3)
+    let weight_2 = -l0 * m1_plus_m2_plus_m3_part;
     // minus_l1_m2_plus_m3 = -l1*(m2 + m3)
     let minus_l1_m2_plus_m3 = -l1 * m2_plus_m3_2;
-    // c_m3_l2_2_by_m3_l2_2 = c_m3_l2^2/(m3*l2^2)
-    let c_m3_l2_2_by_m3_l2_2 = weight_2_part;
-    // minus_c_m3_l2 = -c_m3_l2
-    let minus_c_m3_l2 = -c_m3_l2;
+    // m3_l2_2_by_m3_l2_2 = m3_l2^2/(m3*l2^2)
+    let m3_l2_2_by_m3_l2_2 = minus_m3_l2_2_by_m3_l2_2_part;
+    // minus_m3_l2 = -m3_l2
+    let minus_m3_l2 = -m3_l2;
     // l0_2_m1_plus_m2_plus_m3 = l0^2*(m1 + m2 + m3)
     let l0_2_m1_plus_m2_plus_m3 = l0 * l0 * m1_plus_m2_plus_m3_part;
-    // minus_l0_2_c_m3_l2_by_l2 = -l0^2*c_m3_l2/l2
-    let minus_l0_2_c_m3_l2_by_l2 = -l0 * l0 * c_m3_l2 / l2;
+    // minus_l0_2_m3_l2_by_l2 = -l0^2*m3_l2/l2
+    let minus_l0_2_m3_l2_by_l2 = -l0 * l0 * m3_l2 / l2;
     // minus_l0_2 = -l0^2
     let minus_l0_2 = -l0 * l0;
     // l0_l1_m2_plus_m3 = l0*l1*(m2 + m3)
     let l0_l1_m2_plus_m3 = l0_l1_m2_plus_m3_2;
-    // weight_4 = -l0*l1*c_m3_l2/l2
-    let weight_4 = -l0 * l1 * c_m3_l2 / l2;
+    // minus_l0_l1_m3_l2_by_l2 = -l0*l1*m3_l2/l2
+    let minus_l0_l1_m3_l2_by_l2 = -l0 * l1 * m3_l2 / l2;
     // minus_l0_l1 = -l0*l1
     let minus_l0_l1 = -l0 * l1;
     // minus_l0_l1_m2_plus_m3 = -l0*l1*(m2 + m3)
     let minus_l0_l1_m2_plus_m3 = -l0_l1_m2_plus_m3_2;
     // l0_g_m1_plus_m2_plus_m3 = l0*g*(m1 + m2 + m3)
     let l0_g_m1_plus_m2_plus_m3 = l0 * g * m1_plus_m2_plus_m3_part;
-    // minus_l0_c_m3_l2_by_l2 = -l0*c_m3_l2/l2
-    let minus_l0_c_m3_l2_by_l2 = -l0 * c_m3_l2 / l2;
-    // minus_l0_c_m3_l2 = -l0*c_m3_l2
-    let minus_l0_c_m3_l2 = -l0 * c_m3_l2;
+    // minus_l0_m3_l2_by_l2 = -l0*m3_l2/l2
+    let minus_l0_m3_l2_by_l2 = -l0 * m3_l2 / l2;
+    // minus_l0_m3_l2 = -l0*m3_l2
+    let minus_l0_m3_l2 = -l0 * m3_l2;
     // l1_2_m2_plus_m3 = l1^2*(m2 + m3)
     let l1_2_m2_plus_m3 = l1 * l1 * m2_plus_m3_2;
-    // minus_l1_2_c_m3_l2_by_l2 = -l1^2*c_m3_l2/l2
-    let minus_l1_2_c_m3_l2_by_l2 = -l1 * l1 * c_m3_l2 / l2;
+    // minus_l1_2_m3_l2_by_l2 = -l1^2*m3_l2/l2
+    let minus_l1_2_m3_l2_by_l2 = -l1 * l1 * m3_l2 / l2;
     // minus_l1_2 = -l1^2
     let minus_l1_2 = -l1 * l1;
     // l1_g_m2_plus_m3 = l1*g*(m2 + m3)
     let l1_g_m2_plus_m3 = l1 * g * m2_plus_m3_2;
-    // minus_l1_c_m3_l2_by_l2 = -l1*c_m3_l2/l2
-    let minus_l1_c_m3_l2_by_l2 = -l1 * c_m3_l2 / l2;
-    // minus_l1_c_m3_l2 = -l1*c_m3_l2
-    let minus_l1_c_m3_l2 = -l1 * c_m3_l2;
+    // minus_l1_m3_l2_by_l2 = -l1*m3_l2/l2
+    let minus_l1_m3_l2_by_l2 = -l1 * m3_l2 / l2;
+    // minus_l1_m3_l2 = -l1*m3_l2
+    let minus_l1_m3_l2 = -l1 * m3_l2;
     // minus_l0 = -l0
     let minus_l0 = -l0;
     // minus_l1 = -l1
     let minus_l1 = -l1;
-    // weight_5 = 1/l2
-    let weight_5 = S::int(1) / l2;
+    // weight_3 = 1/l2
+    let weight_3 = S::int(1) / l2;
     // Order 0.
     let (s3_2_0, c3_0) = q3_0.sin_cos();
     // cos_q3_p2 = c3*c3
     let cos_q3_p2_0 = c3_0 * c3_0;
-    // s3_part = weight + weight_2*cos_q3_p2
-    let s3_part_0 = cos_q3_p2_0.mul_add(weight_2, weight);
+    // s3_part = weight + minus_m3_l2_2_by_m3_l2_2*cos_q3_p2
+    let s3_part_0 = cos_q3_p2_0.mul_add(minus_m3_l2_2_by_m3_l2_2, weight);
     let over_s3_part = S::int(1) / s3_part_0;
     let (s1_0, c1_0) = q1_0.sin_cos();
     // q1_minus_q3 = q1 - q3
@@ -1443,16 +1443,17 @@ pub fn taylor<S: Scalar>(
     let (sin_q1_minus_q3_0, cos_q1_minus_q3_0) = q1_minus_q3_0.sin_cos();
     // s4_part = cos_q1_minus_q3*c3
     let s4_part_0 = cos_q1_minus_q3_0 * c3_0;
-    // s4_part_2 = m1_plus_m2_plus_m3*c1 + weight_2*s4_part
-    let s4_part_2_0 = s4_part_0.mul_add(weight_2, m1_plus_m2_plus_m3 * c1_0);
+    // s4_part_2 = m1_plus_m2_plus_m3*c1 + minus_m3_l2_2_by_m3_l2_2*s4_part
+    let s4_part_2_0 = s4_part_0
+        .mul_add(minus_m3_l2_2_by_m3_l2_2, m1_plus_m2_plus_m3 * c1_0);
     let (s2_0, c2_0) = q2_0.sin_cos();
     // q2_minus_q3 = q2 - q3
     let q2_minus_q3_0 = q2_0 - q3_0;
     let (sin_q2_minus_q3_0, cos_q2_minus_q3_0) = q2_minus_q3_0.sin_cos();
     // s5_part = cos_q2_minus_q3*c3
     let s5_part_0 = cos_q2_minus_q3_0 * c3_0;
-    // s5_part_2 = m2_plus_m3*c2 + weight_2*s5_part
-    let s5_part_2_0 = s5_part_0.mul_add(weight_2, m2_plus_m3 * c2_0);
+    // s5_part_2 = m2_plus_m3*c2 + minus_m3_l2_2_by_m3_l2_2*s5_part
+    let s5_part_2_0 = s5_part_0.mul_add(minus_m3_l2_2_by_m3_l2_2, m2_plus_m3 * c2_0);
     // u1_p2 = u1*u1
     let u1_p2_0 = u1_0 * u1_0;
     // u1_p2_sin_q1 = s1*u1_p2
@@ -1473,18 +1474,18 @@ pub fn taylor<S: Scalar>(
     let u3_p2_0 = u3_0 * u3_0;
     // u3_p2_sin_q3 = s3_2*u3_p2
     let u3_p2_sin_q3_0 = s3_2_0 * u3_p2_0;
-    // r6_part_5 = 11/4 + weight_3*u1_p2_sin_q1 + minus_l1_m2_plus_m3*u2_p2_sin_q2 +
-    //   c_m3_l2_2_by_m3_l2_2*r6_part_4 + minus_c_m3_l2*u3_p2_sin_q3
+    // r6_part_5 = 11/4 + weight_2*u1_p2_sin_q1 + minus_l1_m2_plus_m3*u2_p2_sin_q2 +
+    //   m3_l2_2_by_m3_l2_2*r6_part_4 + minus_m3_l2*u3_p2_sin_q3
     let r6_part_5_0 = r6_part_4_0
         .mul_add(
-            c_m3_l2_2_by_m3_l2_2,
+            m3_l2_2_by_m3_l2_2,
             u3_p2_sin_q3_0
                 .mul_add(
-                    minus_c_m3_l2,
+                    minus_m3_l2,
                     u2_p2_sin_q2_0
                         .mul_add(
                             minus_l1_m2_plus_m3,
-                            u1_p2_sin_q1_0.mul_add(weight_3, S::ratio(11, 4)),
+                            u1_p2_sin_q1_0.mul_add(weight_2, S::ratio(11, 4)),
                         ),
                 ),
         );
@@ -1513,36 +1514,37 @@ pub fn taylor<S: Scalar>(
     let l14_part_0 = s4_part_2_0 * over_s3_part;
     // s15_part = s4_part_2*l14_part
     let s15_part_0 = s4_part_2_0 * l14_part_0;
-    // s8_minus_s4_l14 = l0_2_m1_plus_m2_plus_m3 + minus_l0_2_c_m3_l2_by_l2*cos_q1_minus_q3_p2 +
+    // s8_minus_s4_l14 = l0_2_m1_plus_m2_plus_m3 + minus_l0_2_m3_l2_by_l2*cos_q1_minus_q3_p2 +
     //   minus_l0_2*s15_part
     let s8_minus_s4_l14_0 = s15_part_0
         .mul_add(
             minus_l0_2,
-            cos_q1_minus_q3_p2_0
-                .mul_add(minus_l0_2_c_m3_l2_by_l2, l0_2_m1_plus_m2_plus_m3),
+            cos_q1_minus_q3_p2_0.mul_add(minus_l0_2_m3_l2_by_l2, l0_2_m1_plus_m2_plus_m3),
         );
     let over_s8_minus_s4_l14 = S::int(1) / s8_minus_s4_l14_0;
     // s16_part = s5_part_2*l14_part
     let s16_part_0 = s5_part_2_0 * l14_part_0;
-    // s9_minus_s5_l14 = l0_l1_m2_plus_m3*cos_q1_minus_q2 + weight_4*s9_part + minus_l0_l1*s16_part
+    // s9_minus_s5_l14 = l0_l1_m2_plus_m3*cos_q1_minus_q2 + minus_l0_l1_m3_l2_by_l2*s9_part +
+    //   minus_l0_l1*s16_part
     let s9_minus_s5_l14_0 = s16_part_0
         .mul_add(
             minus_l0_l1,
-            s9_part_0.mul_add(weight_4, l0_l1_m2_plus_m3 * cos_q1_minus_q2_0),
+            s9_part_0
+                .mul_add(minus_l0_l1_m3_l2_by_l2, l0_l1_m2_plus_m3 * cos_q1_minus_q2_0),
         );
     // r17_part = r6_part_5*l14_part
     let r17_part_0 = r6_part_5_0 * l14_part_0;
     // r10_minus_r6_l14 = minus_l0_l1_m2_plus_m3*r10_part + l0_g_m1_plus_m2_plus_m3*s1 +
-    //   minus_l0_c_m3_l2_by_l2*r10_part_2 + minus_l0_c_m3_l2*r10_part_3 + l0*r17_part
+    //   minus_l0_m3_l2_by_l2*r10_part_2 + minus_l0_m3_l2*r10_part_3 + l0*r17_part
     let r10_minus_r6_l14_0 = r17_part_0
         .mul_add(
             l0,
             r10_part_2_0
                 .mul_add(
-                    minus_l0_c_m3_l2_by_l2,
+                    minus_l0_m3_l2_by_l2,
                     r10_part_3_0
                         .mul_add(
-                            minus_l0_c_m3_l2,
+                            minus_l0_m3_l2,
                             r10_part_0
                                 .mul_add(
                                     minus_l0_l1_m2_plus_m3,
@@ -1561,27 +1563,27 @@ pub fn taylor<S: Scalar>(
     let l21_part_0 = s9_minus_s5_l14_0 * over_s8_minus_s4_l14;
     // s22_part = s9_minus_s5_l14*l21_part
     let s22_part_0 = s9_minus_s5_l14_0 * l21_part_0;
-    // s19_minus_s16_l21 = l1_2_m2_plus_m3 + minus_l1_2_c_m3_l2_by_l2*cos_q2_minus_q3_p2 +
+    // s19_minus_s16_l21 = l1_2_m2_plus_m3 + minus_l1_2_m3_l2_by_l2*cos_q2_minus_q3_p2 +
     //   minus_l1_2*s19_part - s22_part
     let s19_minus_s16_l21_0 = s19_part_0
         .mul_add(
             minus_l1_2,
-            cos_q2_minus_q3_p2_0.mul_add(minus_l1_2_c_m3_l2_by_l2, l1_2_m2_plus_m3),
+            cos_q2_minus_q3_p2_0.mul_add(minus_l1_2_m3_l2_by_l2, l1_2_m2_plus_m3),
         ) - s22_part_0;
     let over_s19_minus_s16_l21 = S::int(1) / s19_minus_s16_l21_0;
     // r23_part = r10_minus_r6_l14*l21_part
     let r23_part_0 = r10_minus_r6_l14_0 * l21_part_0;
-    // r20_minus_r17_l21 = l0_l1_m2_plus_m3*r13_part + l1_g_m2_plus_m3*s2 +
-    //   minus_l1_c_m3_l2_by_l2*r13_part_2 + minus_l1_c_m3_l2*r13_part_3 + l1*r20_part - r23_part
+    // r20_minus_r17_l21 = l0_l1_m2_plus_m3*r13_part + l1_g_m2_plus_m3*s2 + minus_l1_m3_l2_by_l2*r13_part_2
+    //   + minus_l1_m3_l2*r13_part_3 + l1*r20_part - r23_part
     let r20_minus_r17_l21_0 = r20_part_0
         .mul_add(
             l1,
             r13_part_2_0
                 .mul_add(
-                    minus_l1_c_m3_l2_by_l2,
+                    minus_l1_m3_l2_by_l2,
                     r13_part_3_0
                         .mul_add(
-                            minus_l1_c_m3_l2,
+                            minus_l1_m3_l2,
                             r13_part_0.mul_add(l0_l1_m2_plus_m3, l1_g_m2_plus_m3 * s2_0),
                         ),
                 ),
@@ -1627,7 +1629,7 @@ pub fn taylor<S: Scalar>(
     let q0_1 = u0_0;
     let u1_1 = u1_dot_2_0;
     let u2_1 = u2_dot_2_0;
-    let u3_1 = weight_5 * u3_dot_part_4_0;
+    let u3_1 = weight_3 * u3_dot_part_4_0;
     let u0_1 = u0_dot_2_0;
     if series.len() > 1 {
         series[1] = [q1_1, q2_1, q3_1, q0_1, u1_1, u2_1, u3_1, u0_1];
@@ -1635,21 +1637,22 @@ pub fn taylor<S: Scalar>(
     let s3_2_1 = q3_1 * c3_0;
     let c3_1 = -q3_1 * s3_2_0;
     let cos_q3_p2_1 = c3_1 * (c3_0 + c3_0);
-    let s3_part_1 = weight_2 * cos_q3_p2_1;
+    let s3_part_1 = minus_m3_l2_2_by_m3_l2_2 * cos_q3_p2_1;
     let s1_1 = q1_1 * c1_0;
     let c1_1 = -q1_1 * s1_0;
     let q1_minus_q3_1 = q1_1 - q3_1;
     let sin_q1_minus_q3_1 = q1_minus_q3_1 * cos_q1_minus_q3_0;
     let cos_q1_minus_q3_1 = -q1_minus_q3_1 * sin_q1_minus_q3_0;
     let s4_part_1 = cos_q1_minus_q3_1.mul_add(c3_0, c3_1 * cos_q1_minus_q3_0);
-    let s4_part_2_1 = s4_part_1.mul_add(weight_2, m1_plus_m2_plus_m3 * c1_1);
+    let s4_part_2_1 = s4_part_1
+        .mul_add(minus_m3_l2_2_by_m3_l2_2, m1_plus_m2_plus_m3 * c1_1);
     let s2_1 = q2_1 * c2_0;
     let c2_1 = -q2_1 * s2_0;
     let q2_minus_q3_1 = q2_1 - q3_1;
     let sin_q2_minus_q3_1 = q2_minus_q3_1 * cos_q2_minus_q3_0;
     let cos_q2_minus_q3_1 = -q2_minus_q3_1 * sin_q2_minus_q3_0;
     let s5_part_1 = cos_q2_minus_q3_1.mul_add(c3_0, c3_1 * cos_q2_minus_q3_0);
-    let s5_part_2_1 = s5_part_1.mul_add(weight_2, m2_plus_m3 * c2_1);
+    let s5_part_2_1 = s5_part_1.mul_add(minus_m3_l2_2_by_m3_l2_2, m2_plus_m3 * c2_1);
     let u1_p2_1 = u1_1 * (u1_0 + u1_0);
     let u1_p2_sin_q1_1 = u1_p2_1.mul_add(s1_0, s1_1 * u1_p2_0);
     let u2_p2_1 = u2_1 * (u2_0 + u2_0);
@@ -1662,12 +1665,12 @@ pub fn taylor<S: Scalar>(
     let u3_p2_sin_q3_1 = u3_p2_1.mul_add(s3_2_0, s3_2_1 * u3_p2_0);
     let r6_part_5_1 = r6_part_4_1
         .mul_add(
-            c_m3_l2_2_by_m3_l2_2,
+            m3_l2_2_by_m3_l2_2,
             u3_p2_sin_q3_1
                 .mul_add(
-                    minus_c_m3_l2,
+                    minus_m3_l2,
                     u2_p2_sin_q2_1
-                        .mul_add(minus_l1_m2_plus_m3, weight_3 * u1_p2_sin_q1_1),
+                        .mul_add(minus_l1_m2_plus_m3, weight_2 * u1_p2_sin_q1_1),
                 ),
         );
     let cos_q1_minus_q3_p2_1 = cos_q1_minus_q3_1
@@ -1691,12 +1694,13 @@ pub fn taylor<S: Scalar>(
         .mul_add(-(l14_part_0 * over_s3_part), s4_part_2_1 * over_s3_part);
     let s15_part_1 = l14_part_1.mul_add(s4_part_2_0, s4_part_2_1 * l14_part_0);
     let s8_minus_s4_l14_1 = s15_part_1
-        .mul_add(minus_l0_2, minus_l0_2_c_m3_l2_by_l2 * cos_q1_minus_q3_p2_1);
+        .mul_add(minus_l0_2, minus_l0_2_m3_l2_by_l2 * cos_q1_minus_q3_p2_1);
     let s16_part_1 = l14_part_1.mul_add(s5_part_2_0, s5_part_2_1 * l14_part_0);
     let s9_minus_s5_l14_1 = s16_part_1
         .mul_add(
             minus_l0_l1,
-            s9_part_1.mul_add(weight_4, l0_l1_m2_plus_m3 * cos_q1_minus_q2_1),
+            s9_part_1
+                .mul_add(minus_l0_l1_m3_l2_by_l2, l0_l1_m2_plus_m3 * cos_q1_minus_q2_1),
         );
     let r17_part_1 = r6_part_5_1.mul_add(l14_part_0, l14_part_1 * r6_part_5_0);
     let r10_minus_r6_l14_1 = r17_part_1
@@ -1704,10 +1708,10 @@ pub fn taylor<S: Scalar>(
             l0,
             r10_part_2_1
                 .mul_add(
-                    minus_l0_c_m3_l2_by_l2,
+                    minus_l0_m3_l2_by_l2,
                     r10_part_3_1
                         .mul_add(
-                            minus_l0_c_m3_l2,
+                            minus_l0_m3_l2,
                             r10_part_1
                                 .mul_add(
                                     minus_l0_l1_m2_plus_m3,
@@ -1728,8 +1732,7 @@ pub fn taylor<S: Scalar>(
     let s22_part_1 = l21_part_1
         .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14_1 * l21_part_0);
     let s19_minus_s16_l21_1 = s19_part_1
-        .mul_add(minus_l1_2, minus_l1_2_c_m3_l2_by_l2 * cos_q2_minus_q3_p2_1)
-        - s22_part_1;
+        .mul_add(minus_l1_2, minus_l1_2_m3_l2_by_l2 * cos_q2_minus_q3_p2_1) - s22_part_1;
     let r23_part_1 = l21_part_1
         .mul_add(r10_minus_r6_l14_0, r10_minus_r6_l14_1 * l21_part_0);
     let r20_minus_r17_l21_1 = r20_part_1
@@ -1737,10 +1740,10 @@ pub fn taylor<S: Scalar>(
             l1,
             r13_part_2_1
                 .mul_add(
-                    minus_l1_c_m3_l2_by_l2,
+                    minus_l1_m3_l2_by_l2,
                     r13_part_3_1
                         .mul_add(
-                            minus_l1_c_m3_l2,
+                            minus_l1_m3_l2,
                             r13_part_1.mul_add(l0_l1_m2_plus_m3, l1_g_m2_plus_m3 * s2_1),
                         ),
                 ),
@@ -1939,7 +1942,7 @@ pub fn taylor<S: Scalar>(
     let mut q0_rate = u0_1;
     let mut u1_rate = u1_dot_2_1;
     let mut u2_rate = u2_dot_2_1;
-    let mut u3_rate = weight_5 * u3_dot_part_4_1;
+    let mut u3_rate = weight_3 * u3_dot_part_4_1;
     let mut u0_rate = u0_dot_2_1;
     for order in 2..series.len() {
         let over_k = S::ratio(1, order as i64);
@@ -2159,8 +2162,8 @@ pub fn taylor<S: Scalar>(
         let c3 = -q3.mul_add(s3_2_0, sums[1] * over_k);
         // cos_q3_p2 = c3*c3
         let cos_q3_p2 = c3.mul_add(c3_0 + c3_0, sums[2]);
-        // s3_part = weight + weight_2*cos_q3_p2
-        let s3_part = weight_2 * cos_q3_p2;
+        // s3_part = weight + minus_m3_l2_2_by_m3_l2_2*cos_q3_p2
+        let s3_part = minus_m3_l2_2_by_m3_l2_2 * cos_q3_p2;
         // s1 = sin(q1)
         let s1 = q1.mul_add(c1_0, sums[3] * over_k);
         // c1 = cos(q1)
@@ -2174,8 +2177,9 @@ pub fn taylor<S: Scalar>(
         // s4_part = cos_q1_minus_q3*c3
         let s4_part = cos_q1_minus_q3
             .mul_add(c3_0, c3.mul_add(cos_q1_minus_q3_0, sums[7]));
-        // s4_part_2 = m1_plus_m2_plus_m3*c1 + weight_2*s4_part
-        let s4_part_2 = s4_part.mul_add(weight_2, m1_plus_m2_plus_m3 * c1);
+        // s4_part_2 = m1_plus_m2_plus_m3*c1 + minus_m3_l2_2_by_m3_l2_2*s4_part
+        let s4_part_2 = s4_part
+            .mul_add(minus_m3_l2_2_by_m3_l2_2, m1_plus_m2_plus_m3 * c1);
         // s2 = sin(q2)
         let s2 = q2.mul_add(c2_0, sums[8] * over_k);
         // c2 = cos(q2)
@@ -2189,8 +2193,8 @@ pub fn taylor<S: Scalar>(
         // s5_part = cos_q2_minus_q3*c3
         let s5_part = cos_q2_minus_q3
             .mul_add(c3_0, c3.mul_add(cos_q2_minus_q3_0, sums[12]));
-        // s5_part_2 = m2_plus_m3*c2 + weight_2*s5_part
-        let s5_part_2 = s5_part.mul_add(weight_2, m2_plus_m3 * c2);
+        // s5_part_2 = m2_plus_m3*c2 + minus_m3_l2_2_by_m3_l2_2*s5_part
+        let s5_part_2 = s5_part.mul_add(minus_m3_l2_2_by_m3_l2_2, m2_plus_m3 * c2);
         // u1_p2 = u1*u1
         let u1_p2 = u1.mul_add(u1_0 + u1_0, sums[13]);
         // u1_p2_sin_q1 = s1*u1_p2
@@ -2213,16 +2217,16 @@ pub fn taylor<S: Scalar>(
         let u3_p2 = u3.mul_add(u3_0 + u3_0, sums[20]);
         // u3_p2_sin_q3 = s3_2*u3_p2
         let u3_p2_sin_q3 = u3_p2.mul_add(s3_2_0, s3_2.mul_add(u3_p2_0, sums[21]));
-        // r6_part_5 = 11/4 + weight_3*u1_p2_sin_q1 + minus_l1_m2_plus_m3*u2_p2_sin_q2 +
-        //   c_m3_l2_2_by_m3_l2_2*r6_part_4 + minus_c_m3_l2*u3_p2_sin_q3
+        // r6_part_5 = 11/4 + weight_2*u1_p2_sin_q1 + minus_l1_m2_plus_m3*u2_p2_sin_q2 +
+        //   m3_l2_2_by_m3_l2_2*r6_part_4 + minus_m3_l2*u3_p2_sin_q3
         let r6_part_5 = r6_part_4
             .mul_add(
-                c_m3_l2_2_by_m3_l2_2,
+                m3_l2_2_by_m3_l2_2,
                 u3_p2_sin_q3
                     .mul_add(
-                        minus_c_m3_l2,
+                        minus_m3_l2,
                         u2_p2_sin_q2
-                            .mul_add(minus_l1_m2_plus_m3, weight_3 * u1_p2_sin_q1),
+                            .mul_add(minus_l1_m2_plus_m3, weight_2 * u1_p2_sin_q1),
                     ),
             );
         // cos_q1_minus_q3_p2 = cos_q1_minus_q3*cos_q1_minus_q3
@@ -2270,33 +2274,35 @@ pub fn taylor<S: Scalar>(
         // s15_part = s4_part_2*l14_part
         let s15_part = l14_part
             .mul_add(s4_part_2_0, s4_part_2.mul_add(l14_part_0, sums[34]));
-        // s8_minus_s4_l14 = l0_2_m1_plus_m2_plus_m3 + minus_l0_2_c_m3_l2_by_l2*cos_q1_minus_q3_p2 +
+        // s8_minus_s4_l14 = l0_2_m1_plus_m2_plus_m3 + minus_l0_2_m3_l2_by_l2*cos_q1_minus_q3_p2 +
         //   minus_l0_2*s15_part
         let s8_minus_s4_l14 = s15_part
-            .mul_add(minus_l0_2, minus_l0_2_c_m3_l2_by_l2 * cos_q1_minus_q3_p2);
+            .mul_add(minus_l0_2, minus_l0_2_m3_l2_by_l2 * cos_q1_minus_q3_p2);
         // s16_part = s5_part_2*l14_part
         let s16_part = l14_part
             .mul_add(s5_part_2_0, s5_part_2.mul_add(l14_part_0, sums[35]));
-        // s9_minus_s5_l14 = l0_l1_m2_plus_m3*cos_q1_minus_q2 + weight_4*s9_part + minus_l0_l1*s16_part
+        // s9_minus_s5_l14 = l0_l1_m2_plus_m3*cos_q1_minus_q2 + minus_l0_l1_m3_l2_by_l2*s9_part +
+        //   minus_l0_l1*s16_part
         let s9_minus_s5_l14 = s16_part
             .mul_add(
                 minus_l0_l1,
-                s9_part.mul_add(weight_4, l0_l1_m2_plus_m3 * cos_q1_minus_q2),
+                s9_part
+                    .mul_add(minus_l0_l1_m3_l2_by_l2, l0_l1_m2_plus_m3 * cos_q1_minus_q2),
             );
         // r17_part = r6_part_5*l14_part
         let r17_part = r6_part_5
             .mul_add(l14_part_0, l14_part.mul_add(r6_part_5_0, sums[36]));
         // r10_minus_r6_l14 = minus_l0_l1_m2_plus_m3*r10_part + l0_g_m1_plus_m2_plus_m3*s1 +
-        //   minus_l0_c_m3_l2_by_l2*r10_part_2 + minus_l0_c_m3_l2*r10_part_3 + l0*r17_part
+        //   minus_l0_m3_l2_by_l2*r10_part_2 + minus_l0_m3_l2*r10_part_3 + l0*r17_part
         let r10_minus_r6_l14 = r17_part
             .mul_add(
                 l0,
                 r10_part_2
                     .mul_add(
-                        minus_l0_c_m3_l2_by_l2,
+                        minus_l0_m3_l2_by_l2,
                         r10_part_3
                             .mul_add(
-                                minus_l0_c_m3_l2,
+                                minus_l0_m3_l2,
                                 r10_part
                                     .mul_add(
                                         minus_l0_l1_m2_plus_m3,
@@ -2326,25 +2332,24 @@ pub fn taylor<S: Scalar>(
         // s22_part = s9_minus_s5_l14*l21_part
         let s22_part = l21_part
             .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14.mul_add(l21_part_0, sums[41]));
-        // s19_minus_s16_l21 = l1_2_m2_plus_m3 + minus_l1_2_c_m3_l2_by_l2*cos_q2_minus_q3_p2 +
+        // s19_minus_s16_l21 = l1_2_m2_plus_m3 + minus_l1_2_m3_l2_by_l2*cos_q2_minus_q3_p2 +
         //   minus_l1_2*s19_part - s22_part
         let s19_minus_s16_l21 = s19_part
-            .mul_add(minus_l1_2, minus_l1_2_c_m3_l2_by_l2 * cos_q2_minus_q3_p2)
-            - s22_part;
+            .mul_add(minus_l1_2, minus_l1_2_m3_l2_by_l2 * cos_q2_minus_q3_p2) - s22_part;
         // r23_part = r10_minus_r6_l14*l21_part
         let r23_part = l21_part
             .mul_add(r10_minus_r6_l14_0, r10_minus_r6_l14.mul_add(l21_part_0, sums[42]));
         // r20_minus_r17_l21 = l0_l1_m2_plus_m3*r13_part + l1_g_m2_plus_m3*s2 +
-        //   minus_l1_c_m3_l2_by_l2*r13_part_2 + minus_l1_c_m3_l2*r13_part_3 + l1*r20_part - r23_part
+        //   minus_l1_m3_l2_by_l2*r13_part_2 + minus_l1_m3_l2*r13_part_3 + l1*r20_part - r23_part
         let r20_minus_r17_l21 = r20_part
             .mul_add(
                 l1,
                 r13_part_2
                     .mul_add(
-                        minus_l1_c_m3_l2_by_l2,
+                        minus_l1_m3_l2_by_l2,
                         r13_part_3
                             .mul_add(
-                                minus_l1_c_m3_l2,
+                                minus_l1_m3_l2,
                                 r13_part.mul_add(l0_l1_m2_plus_m3, l1_g_m2_plus_m3 * s2),
                             ),
                     ),
@@ -2406,7 +2411,7 @@ pub fn taylor<S: Scalar>(
         q0_rate = u0;
         u1_rate = u1_dot_2;
         u2_rate = u2_dot_2;
-        u3_rate = weight_5 * u3_dot_part_4;
+        u3_rate = weight_3 * u3_dot_part_4;
         u0_rate = u0_dot_2;
         // Factors of the convolutions: left, right.
         history[order] = [
@@ -2677,7 +2682,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "fall",
-    key: "7a09789111217a6f",
+    key: "7876eff3d59e7a8e",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

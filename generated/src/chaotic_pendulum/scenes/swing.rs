@@ -3,11 +3,11 @@
 //! Generated from `models/chaotic_pendulum/scenes/swing.toml`. Do not edit; run `tripos regenerate`.
 //! Outputs: theta, phi, omega, alpha.
 //! States: theta, phi, omega, alpha. Quadratures: none.
-//! c_3_lB = 3*lB: 3*lB.
-//! c_2_mA_lA = 2*mA*lA: 2*mA*lA.
-//! c_g_by_2 = g/2: g/2.
-//! c_mA_lA_to_2 = mA*lA^2: mA*lA^2.
-//! c_3_lB_to_2_by_2 = 3*lB^2/2: 3*lB^2/2.
+//! lB_times_3 = 3*lB: 3*lB.
+//! mA_lA_times_2 = 2*mA*lA: 2*mA*lA.
+//! g_by_2 = g/2: g/2.
+//! mA_lA_squared = mA*lA^2: mA*lA^2.
+//! lB_squared_times_3_by_2 = 3*lB^2/2: 3*lB^2/2.
 //! Parameters that the scene fixes: mB = 1.5.
 //! Cost: accelerations 22 operations, 2 sines and cosines; derivative 22 operations, 2 sines and cosines.
 //! Singular nowhere.
@@ -35,15 +35,15 @@ pub struct Parameters<S> {
     /// acceleration of free fall, m/s^2
     pub g: S,
     /// 3*lB, m
-    pub c_3_lB: S,
+    pub lB_times_3: S,
     /// 2*mA*lA, kg*m
-    pub c_2_mA_lA: S,
+    pub mA_lA_times_2: S,
     /// g/2, m/s^2
-    pub c_g_by_2: S,
+    pub g_by_2: S,
     /// mA*lA^2, kg*m^2
-    pub c_mA_lA_to_2: S,
+    pub mA_lA_squared: S,
     /// 3*lB^2/2, m^2
-    pub c_3_lB_to_2_by_2: S,
+    pub lB_squared_times_3_by_2: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -63,11 +63,11 @@ impl<S: Scalar> Parameters<S> {
             IByy: p[5],
             IBzz: p[6],
             g: p[7],
-            c_3_lB: p[8],
-            c_2_mA_lA: p[9],
-            c_g_by_2: p[10],
-            c_mA_lA_to_2: p[11],
-            c_3_lB_to_2_by_2: p[12],
+            lB_times_3: p[8],
+            mA_lA_times_2: p[9],
+            g_by_2: p[10],
+            mA_lA_squared: p[11],
+            lB_squared_times_3_by_2: p[12],
         }
     }
 }
@@ -82,11 +82,11 @@ pub const PARAMETERS: [&str; 13] = [
     "IByy",
     "IBzz",
     "g",
-    "c_3_lB",
-    "c_2_mA_lA",
-    "c_g_by_2",
-    "c_mA_lA_to_2",
-    "c_3_lB_to_2_by_2",
+    "lB_times_3",
+    "mA_lA_times_2",
+    "g_by_2",
+    "mA_lA_squared",
+    "lB_squared_times_3_by_2",
 ];
 
 /// Names of the outputs.
@@ -103,11 +103,11 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
         IBxx,
         IByy,
         IBzz,
-        c_3_lB,
-        c_2_mA_lA,
-        c_g_by_2,
-        c_mA_lA_to_2,
-        c_3_lB_to_2_by_2,
+        lB_times_3,
+        mA_lA_times_2,
+        g_by_2,
+        mA_lA_squared,
+        lB_squared_times_3_by_2,
         ..
     } = *p;
     let [theta, phi] = *q;
@@ -119,12 +119,12 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
     // omega*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
     let omega_dot_part = omega * sin_phi * cos_phi * (IBxx - IByy);
     // Elimination, step by step.
-    // omega' = -(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + c_g_by_2*sin(theta)*(c_3_lB +
-    //   c_2_mA_lA))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
-    let omega_dot = -(c_g_by_2 * sin_theta * (c_3_lB + c_2_mA_lA)
+    // omega' = -(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + g_by_2*sin(theta)*(lB_times_3 +
+    //   mA_lA_times_2))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
+    let omega_dot = -(g_by_2 * sin_theta * (lB_times_3 + mA_lA_times_2)
         + S::int(2) * alpha * omega_dot_part)
-        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + c_mA_lA_to_2
-            + c_3_lB_to_2_by_2);
+        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + mA_lA_squared
+            + lB_squared_times_3_by_2);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part / IBzz;
     [omega_dot, alpha_dot]
@@ -145,11 +145,11 @@ pub fn derivative<S: Scalar>(
         IBxx,
         IByy,
         IBzz,
-        c_3_lB,
-        c_2_mA_lA,
-        c_g_by_2,
-        c_mA_lA_to_2,
-        c_3_lB_to_2_by_2,
+        lB_times_3,
+        mA_lA_times_2,
+        g_by_2,
+        mA_lA_squared,
+        lB_squared_times_3_by_2,
         ..
     } = *p;
     let [theta, phi] = *q;
@@ -161,12 +161,12 @@ pub fn derivative<S: Scalar>(
     // omega*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
     let omega_dot_part = omega * sin_phi * cos_phi * (IBxx - IByy);
     // Elimination, step by step.
-    // omega' = -(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + c_g_by_2*sin(theta)*(c_3_lB +
-    //   c_2_mA_lA))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
-    let omega_dot = -(c_g_by_2 * sin_theta * (c_3_lB + c_2_mA_lA)
+    // omega' = -(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + g_by_2*sin(theta)*(lB_times_3 +
+    //   mA_lA_times_2))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
+    let omega_dot = -(g_by_2 * sin_theta * (lB_times_3 + mA_lA_times_2)
         + S::int(2) * alpha * omega_dot_part)
-        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + c_mA_lA_to_2
-            + c_3_lB_to_2_by_2);
+        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + mA_lA_squared
+            + lB_squared_times_3_by_2);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_part / IBzz;
     // Values.
@@ -187,11 +187,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
         IBxx,
         IByy,
         IBzz,
-        c_3_lB,
-        c_2_mA_lA,
-        c_g_by_2,
-        c_mA_lA_to_2,
-        c_3_lB_to_2_by_2,
+        lB_times_3,
+        mA_lA_times_2,
+        g_by_2,
+        mA_lA_squared,
+        lB_squared_times_3_by_2,
         ..
     } = *p;
     let [theta, phi] = *q;
@@ -205,15 +205,15 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let cos_phi_sq = cos_phi * cos_phi;
     // sin(phi)^2; used 2 times
     let sin_phi_sq = sin_phi * sin_phi;
-    // 1/(IAxx + c_mA_lA_to_2 + c_3_lB_to_2_by_2 + IByy*cos_phi_sq + IBxx*sin_phi_sq); used 3 times
+    // 1/(IAxx + mA_lA_squared + lB_squared_times_3_by_2 + IByy*cos_phi_sq + IBxx*sin_phi_sq); used 3 times
     let omega_dot_by_theta_part = S::int(1)
-        / (IByy.mul_add(cos_phi_sq, IAxx + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+        / (IByy.mul_add(cos_phi_sq, IAxx + mA_lA_squared + lB_squared_times_3_by_2)
             + IBxx * sin_phi_sq);
-    // c_g_by_2*(c_3_lB + c_2_mA_lA); used 2 times
-    let omega_dot_by_theta_part_2 = c_g_by_2 * (c_3_lB + c_2_mA_lA);
+    // g_by_2*(lB_times_3 + mA_lA_times_2); used 2 times
+    let omega_dot_by_theta_part_2 = g_by_2 * (lB_times_3 + mA_lA_times_2);
     // Elimination, step by step.
-    // omega_dot_by_theta = -c_g_by_2*cos(theta)*(c_3_lB + c_2_mA_lA)/(IAxx + IBxx*sin(phi)^2 +
-    //   IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    // omega_dot_by_theta = -g_by_2*cos(theta)*(lB_times_3 + mA_lA_times_2)/(IAxx + IBxx*sin(phi)^2 +
+    //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
     let omega_dot_by_theta = -omega_dot_by_theta_part * omega_dot_by_theta_part_2
         * cos_theta;
     // Shared terms.
@@ -233,10 +233,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let sin_phi_cos_phi_scaled = S::int(2) * sin_phi_cos_phi;
     // Elimination, step by step.
     // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) -
-    //   IByy*sin(phi)*cos(phi))*(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + c_g_by_2*sin(theta)*(c_3_lB
-    //   + c_2_mA_lA))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)^2 -
-    //   2*(omega*alpha*sin(phi)^2*(IByy - IBxx) + omega*alpha*cos(phi)^2*(IBxx - IByy))/(IAxx +
-    //   IBxx*sin(phi)^2 + IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    //   IByy*sin(phi)*cos(phi))*(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) +
+    //   g_by_2*sin(theta)*(lB_times_3 + mA_lA_times_2))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 +
+    //   mA_lA_squared + lB_squared_times_3_by_2)^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) +
+    //   omega*alpha*cos(phi)^2*(IBxx - IByy))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + mA_lA_squared +
+    //   lB_squared_times_3_by_2)
     let omega_dot_by_phi = omega_dot_by_phi_part
         * (omega_dot_by_theta_part * omega_dot_by_phi_part_2
             * omega_dot_by_phi_part_4
@@ -250,12 +251,12 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let alpha_dot_by_phi = omega * alpha_dot_by_phi_part
         * cos_phi_sq.mul_add(S::int(2), -S::int(1));
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
-    //   IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
     let omega_dot_by_omega = -alpha * omega_dot_by_phi_part * omega_dot_by_phi_part_2;
     // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot_by_omega = sin_phi_cos_phi_scaled * alpha_dot_by_phi_part;
     // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
-    //   IByy*cos(phi)^2 + c_mA_lA_to_2 + c_3_lB_to_2_by_2)
+    //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
     let omega_dot_by_alpha = -omega_dot_by_phi_part * sin_phi_cos_phi
         * omega_dot_by_phi_part_3;
     // Entries that are not zero.
@@ -416,21 +417,21 @@ pub fn taylor<S: Scalar>(
         IBxx,
         IByy,
         IBzz,
-        c_3_lB,
-        c_2_mA_lA,
-        c_g_by_2,
-        c_mA_lA_to_2,
-        c_3_lB_to_2_by_2,
+        lB_times_3,
+        mA_lA_times_2,
+        g_by_2,
+        mA_lA_squared,
+        lB_squared_times_3_by_2,
         ..
     } = *p;
     let [theta_0, phi_0, omega_0, alpha_0] = series[0];
     // Constant in time.
-    // weight = IAxx + c_mA_lA_to_2 + c_3_lB_to_2_by_2
-    let weight = IAxx + c_mA_lA_to_2 + c_3_lB_to_2_by_2;
+    // weight = IAxx + mA_lA_squared + lB_squared_times_3_by_2
+    let weight = IAxx + mA_lA_squared + lB_squared_times_3_by_2;
     // weight_2 = 2*IBxx - 2*IByy
     let weight_2 = (-IByy).mul_add(S::int(2), S::int(2) * IBxx);
-    // weight_3 = c_g_by_2*(c_3_lB + c_2_mA_lA)
-    let weight_3 = c_g_by_2 * (c_3_lB + c_2_mA_lA);
+    // weight_3 = g_by_2*(lB_times_3 + mA_lA_times_2)
+    let weight_3 = g_by_2 * (lB_times_3 + mA_lA_times_2);
     // ibxx_minus_ibyy_by_ibzz = (IBxx - IByy)/IBzz
     let ibxx_minus_ibyy_by_ibzz = (IBxx - IByy) / IBzz;
     // Order 0.
@@ -799,7 +800,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "swing",
-    key: "d9382b40e9b9bcc1",
+    key: "0d77bdd328746538",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

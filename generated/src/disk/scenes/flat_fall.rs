@@ -9,12 +9,12 @@
 //! H_a3_there_scaled = 2*u3*(1 - sin(q2)) - u2*cos(q2): -4 times the angular momentum about a3 through the mass centre, what is left of it on the singular surface.
 //! centre_q4 = q4 - sin(q1)*sin(q2): q4 - sin(q1)*cos(q2_minus_90deg) at the start.
 //! centre_q5 = cos(q1)*sin(q2) + q5: q5 + cos(q1)*cos(q2_minus_90deg) at the start.
-//! c_4_u3 = 4*u3: 4*u3.
-//! c_4_g = 4*g: 4*g.
-//! c_2_u3 = 2*u3: 2*u3.
+//! u3_times_4 = 4*u3: 4*u3.
+//! g_times_4 = 4*g: 4*g.
+//! u3_times_2 = 2*u3: 2*u3.
 //! Parameters that the scene fixes: M = 1, R = 1.
 //! Cost: accelerations 19 operations, 2 sines and cosines; derivative 23 operations, 2 sines and cosines.
-//! Singular where -sin(q2_minus_90deg) = 0 and where -sin(q2_minus_90deg)/4 = 0.
+//! Singular where sin(q2_minus_90deg) = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
@@ -37,11 +37,11 @@ pub struct Parameters<S> {
     /// q5 + cos(q1)*cos(q2_minus_90deg) at the start, kg*m
     pub centre_q5: S,
     /// 4*u3, 1/s
-    pub c_4_u3: S,
+    pub u3_times_4: S,
     /// 4*g, m/s^2
-    pub c_4_g: S,
+    pub g_times_4: S,
     /// 2*u3, 1/s
-    pub c_2_u3: S,
+    pub u3_times_2: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -60,9 +60,9 @@ impl<S: Scalar> Parameters<S> {
             H_a3_there_scaled: p[4],
             centre_q4: p[5],
             centre_q5: p[6],
-            c_4_u3: p[7],
-            c_4_g: p[8],
-            c_2_u3: p[9],
+            u3_times_4: p[7],
+            g_times_4: p[8],
+            u3_times_2: p[9],
         }
     }
 }
@@ -76,9 +76,9 @@ pub const PARAMETERS: [&str; 10] = [
     "H_a3_there_scaled",
     "centre_q4",
     "centre_q5",
-    "c_4_u3",
-    "c_4_g",
-    "c_2_u3",
+    "u3_times_4",
+    "g_times_4",
+    "u3_times_2",
 ];
 
 /// Names of the outputs.
@@ -101,7 +101,7 @@ pub const OUTPUTS: [&str; 10] = [
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 1] {
-    let Parameters { H_a3_there_scaled, c_4_u3, c_4_g, c_2_u3, .. } = *p;
+    let Parameters { H_a3_there_scaled, u3_times_4, g_times_4, u3_times_2, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -112,19 +112,19 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S
     // Sines and cosines.
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = u2_part
         * (H_a3_there_scaled
-            - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
+            - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     // Shared terms.
     // 4*sin(q2_minus_90deg); used 2 times
     let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
     // Elimination, step by step.
-    // u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + c_4_g) +
-    //   u2*c_2_u3)/(4*sin(q2_minus_90deg)^2 - 5)
+    // u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + g_times_4) +
+    //   u2*u3_times_2)/(4*sin(q2_minus_90deg)^2 - 5)
     let u1_dot = (cos_q2_minus_90deg
-        * (c_4_g + u2 * u2 * u2_part + u1 * u1 * sin_q2_minus_90deg_scaled)
-        + u2 * c_2_u3)
+        * (g_times_4 + u2 * u2 * u2_part + u1 * u1 * sin_q2_minus_90deg_scaled)
+        + u2 * u3_times_2)
         / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
     [u1_dot]
 }
@@ -139,7 +139,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 1],
 ) -> ([S; 3], [S; 1]) {
-    let Parameters { u3, H_a3_there_scaled, c_4_u3, c_4_g, c_2_u3, .. } = *p;
+    let Parameters { u3, H_a3_there_scaled, u3_times_4, g_times_4, u3_times_2, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -150,21 +150,21 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = u2_part
         * (H_a3_there_scaled
-            - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
+            - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     // Shared terms.
     // u2*u2_part; used 3 times
     let u2_u2_part = u2 * u2_part;
     // 4*sin(q2_minus_90deg); used 2 times
     let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
     // Elimination, step by step.
-    // u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + c_4_g) +
-    //   u2*c_2_u3)/(4*sin(q2_minus_90deg)^2 - 5)
+    // u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + g_times_4) +
+    //   u2*u3_times_2)/(4*sin(q2_minus_90deg)^2 - 5)
     let u1_dot = (cos_q2_minus_90deg
-        * (u2.mul_add(u2_u2_part, c_4_g) + u1 * u1 * sin_q2_minus_90deg_scaled)
-        + u2 * c_2_u3)
+        * (u2.mul_add(u2_u2_part, g_times_4) + u1 * u1 * sin_q2_minus_90deg_scaled)
+        + u2 * u3_times_2)
         / sin_q2_minus_90deg_scaled.mul_add(sin_q2_minus_90deg, -S::int(5));
     // Values.
     // q2_minus_90deg' = -u1
@@ -181,7 +181,7 @@ pub fn derivative<S: Scalar>(
 /// 56 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]; 4] {
-    let Parameters { H_a3_there_scaled, c_4_u3, c_4_g, c_2_u3, .. } = *p;
+    let Parameters { H_a3_there_scaled, u3_times_4, g_times_4, u3_times_2, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     let zero = S::int(0);
@@ -199,19 +199,19 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]
     // 1/sin(q2_minus_90deg); used 5 times
     let u2_part_2 = S::int(1) / sin_q2_minus_90deg;
     // Elimination, step by step.
-    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
-    let u2 = u2_part_2 * (-c_4_u3).mul_add(u2_part, H_a3_there_scaled);
+    // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    let u2 = u2_part_2 * (-u3_times_4).mul_add(u2_part, H_a3_there_scaled);
     // Shared terms.
     // 1/(sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2))
     let u2_by_q2_minus_90deg_part = S::int(1)
         / (sin_q2_minus_90deg_by_2 * cos_q2_minus_90deg_by_2);
     // Elimination, step by step.
-    // u2_by_q2_minus_90deg = -(H_a3_there_scaled + sin(q2_minus_90deg/2)^2*(c_4_u3 -
+    // u2_by_q2_minus_90deg = -(H_a3_there_scaled + sin(q2_minus_90deg/2)^2*(u3_times_4 -
     //   2*H_a3_there_scaled))/(4*sin(q2_minus_90deg/2)^2*cos(q2_minus_90deg/2)^2)
     let u2_by_q2_minus_90deg = -S::ratio(1, 4) * u2_by_q2_minus_90deg_part
         * u2_by_q2_minus_90deg_part
         * (H_a3_there_scaled
-            + u2_part * (-H_a3_there_scaled).mul_add(S::int(2), c_4_u3));
+            + u2_part * (-H_a3_there_scaled).mul_add(S::int(2), u3_times_4));
     // Shared terms.
     // 4*sin(q2_minus_90deg); used 3 times
     let sin_q2_minus_90deg_scaled = S::int(4) * sin_q2_minus_90deg;
@@ -222,22 +222,22 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]
     let u2_u2_part_2 = u2 * u2_part_2;
     // u1^2; used 2 times
     let u1_sq = u1 * u1;
-    // u2^2 + sin(q2_minus_90deg)*(c_4_g + sin_q2_minus_90deg_scaled*u1_sq); used 2 times
+    // u2^2 + sin(q2_minus_90deg)*(g_times_4 + sin_q2_minus_90deg_scaled*u1_sq); used 2 times
     let u1_dot_by_q2_minus_90deg_part_2 = sin_q2_minus_90deg
-        * sin_q2_minus_90deg_scaled.mul_add(u1_sq, c_4_g) + u2 * u2;
+        * sin_q2_minus_90deg_scaled.mul_add(u1_sq, g_times_4) + u2 * u2;
     // 8*u1_dot_by_q2_minus_90deg_part; used 2 times
     let u1_dot_by_q2_minus_90deg_part_3 = S::int(8) * u1_dot_by_q2_minus_90deg_part;
     // Elimination, step by step.
-    // u1_dot_by_q2_minus_90deg = (u2^2 + sin(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + c_4_g) -
-    //   c_2_u3*u2_by_q2_minus_90deg - cos(q2_minus_90deg)*(cos(q2_minus_90deg)*(4*u1^2 -
-    //   u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + sin(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + c_4_g))/(5
-    //   - 4*sin(q2_minus_90deg)^2)) + 2*u2*(4*c_2_u3*sin(q2_minus_90deg)/(5 - 4*sin(q2_minus_90deg)^2) +
-    //   u2_by_q2_minus_90deg/sin(q2_minus_90deg))))/(5 - 4*sin(q2_minus_90deg)^2)
+    // u1_dot_by_q2_minus_90deg = (u2^2 + sin(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + g_times_4) -
+    //   u3_times_2*u2_by_q2_minus_90deg - cos(q2_minus_90deg)*(cos(q2_minus_90deg)*(4*u1^2 -
+    //   u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + sin(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) +
+    //   g_times_4))/(5 - 4*sin(q2_minus_90deg)^2)) + 2*u2*(4*u3_times_2*sin(q2_minus_90deg)/(5 -
+    //   4*sin(q2_minus_90deg)^2) + u2_by_q2_minus_90deg/sin(q2_minus_90deg))))/(5 - 4*sin(q2_minus_90deg)^2)
     let u1_dot_by_q2_minus_90deg = u1_dot_by_q2_minus_90deg_part
-        * (-u1_dot_by_q2_minus_90deg_part_2 + c_2_u3 * u2_by_q2_minus_90deg
+        * (-u1_dot_by_q2_minus_90deg_part_2 + u3_times_2 * u2_by_q2_minus_90deg
             + cos_q2_minus_90deg
                 * (S::int(2) * u2
-                    * (-(c_2_u3 * sin_q2_minus_90deg_scaled))
+                    * (-(u3_times_2 * sin_q2_minus_90deg_scaled))
                         .mul_add(
                             u1_dot_by_q2_minus_90deg_part,
                             u2_by_q2_minus_90deg * u2_part_2,
@@ -272,7 +272,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]
 /// 11 operations, 2 sines and cosines.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
-    let Parameters { u3, H_a3_there_scaled, c_4_u3, .. } = *p;
+    let Parameters { u3, H_a3_there_scaled, u3_times_4, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -283,10 +283,10 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
     // Sines and cosines.
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = u2_part
         * (H_a3_there_scaled
-            - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
+            - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     // Shared terms.
     // u2*u2_part; used 2 times
     let u2_u2_part = u2 * u2_part;
@@ -321,15 +321,15 @@ pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
 /// 18 operations, 2 sines and cosines.
 #[must_use]
 pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
-    let Parameters { g, u3, p_q4, p_q5, H_a3_there_scaled, c_4_u3, .. } = *p;
+    let Parameters { g, u3, p_q4, p_q5, H_a3_there_scaled, u3_times_4, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     // Sines and cosines.
     let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = (H_a3_there_scaled
-        - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2)
+        - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2)
         / sin_q2_minus_90deg;
     // Shared terms.
     // p_q4^2 + p_q5^2
@@ -353,7 +353,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
         H_a3_there_scaled,
         centre_q4,
         centre_q5,
-        c_4_u3,
+        u3_times_4,
         ..
     } = *p;
     let [q2_minus_90deg, q3, q1] = *q;
@@ -367,10 +367,10 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
     // Sines and cosines.
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step.
-    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = u2_part
         * (H_a3_there_scaled
-            - c_4_u3 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
+            - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     // Shared terms.
     // u1*sin(q2_minus_90deg); used 2 times
     let u5_part = u1 * sin_q2_minus_90deg;
@@ -410,7 +410,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
 /// 39 operations, 2 sines and cosines.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 5] {
-    let Parameters { g, u3, p_q4, p_q5, H_a3_there_scaled, c_4_u3, .. } = *p;
+    let Parameters { g, u3, p_q4, p_q5, H_a3_there_scaled, u3_times_4, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
     let zero = S::int(0);
@@ -423,12 +423,12 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     let (sin_q2_minus_90deg_by_2, cos_q2_minus_90deg_by_2) = q2_minus_90deg_scaled
         .sin_cos();
     // Shared terms.
-    // c_4_u3*sin(q2_minus_90deg/2); used 2 times
-    let u2_part = c_4_u3 * sin_q2_minus_90deg_by_2;
+    // u3_times_4*sin(q2_minus_90deg/2); used 2 times
+    let u2_part = u3_times_4 * sin_q2_minus_90deg_by_2;
     // 1/sin(q2_minus_90deg); used 2 times
     let u2_part_2 = S::int(1) / sin_q2_minus_90deg;
     // Elimination, step by step.
-    // u2 = (H_a3_there_scaled - c_4_u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
+    // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = u2_part_2 * (-u2_part).mul_add(sin_q2_minus_90deg_by_2, H_a3_there_scaled);
     // Shared terms.
     // u1*(4*sin(q2_minus_90deg)^2 - 5); used 2 times
@@ -444,8 +444,8 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     let energy = S::ratio(1, 4) * u3 * u3 - g * (S::int(1) + sin_q2_minus_90deg)
         + S::ratio(1, 2) * energy_part_2 + S::ratio(1, 8) * energy_part_3;
     // d(T + V)/d(q2_minus_90deg) = -g*cos(q2_minus_90deg) - u1^2*sin(q2_minus_90deg)*cos(q2_minus_90deg) -
-    //   u2*(c_4_u3*sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2)/sin(q2_minus_90deg) + (H_a3_there_scaled -
-    //   c_4_u3*sin(q2_minus_90deg/2)^2)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)))/4
+    //   u2*(u3_times_4*sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2)/sin(q2_minus_90deg) + (H_a3_there_scaled
+    //   - u3_times_4*sin(q2_minus_90deg/2)^2)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)))/4
     let energy_by_q2_minus_90deg = -cos_q2_minus_90deg
         * (g + u1 * u1 * sin_q2_minus_90deg)
         - S::ratio(1, 4) * u2 * u2_part_2
@@ -525,11 +525,11 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 4]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { u3, H_a3_there_scaled, c_4_u3, c_4_g, c_2_u3, .. } = *p;
+    let Parameters { u3, H_a3_there_scaled, u3_times_4, g_times_4, u3_times_2, .. } = *p;
     let [q2_minus_90deg_0, _, _, u1_0] = series[0];
     // Constant in time.
-    // minus_c_4_u3 = -c_4_u3
-    let minus_c_4_u3 = -c_4_u3;
+    // minus_u3_times_4 = -u3_times_4
+    let minus_u3_times_4 = -u3_times_4;
     // Order 0.
     let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
     let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
@@ -539,8 +539,8 @@ pub fn taylor<S: Scalar>(
         .sin_cos();
     // u2_part = sin_q2_minus_90deg_by_2*sin_q2_minus_90deg_by_2
     let u2_part_0 = sin_q2_minus_90deg_by_2_0 * sin_q2_minus_90deg_by_2_0;
-    // u2_part_2 = H_a3_there_scaled + minus_c_4_u3*u2_part
-    let u2_part_2_0 = u2_part_0.mul_add(minus_c_4_u3, H_a3_there_scaled);
+    // u2_part_2 = H_a3_there_scaled + minus_u3_times_4*u2_part
+    let u2_part_2_0 = u2_part_0.mul_add(minus_u3_times_4, H_a3_there_scaled);
     // u2_part_3 = u2_part_2/sin_q2_minus_90deg
     let u2_part_3_0 = u2_part_2_0 * over_sin_q2_minus_90deg;
     // u1_dot_part = u2_part_3/sin_q2_minus_90deg
@@ -556,12 +556,13 @@ pub fn taylor<S: Scalar>(
     // u1_dot_part_5 = -5 + 4*u1_dot_part_3
     let u1_dot_part_5_0 = u1_dot_part_3_0.mul_add(S::int(4), -S::int(5));
     let over_u1_dot_part_5 = S::int(1) / u1_dot_part_5_0;
-    // u1_dot_part_6 = c_4_g + u1_dot_part_2 + 4*u1_dot_part_4
-    let u1_dot_part_6_0 = u1_dot_part_4_0.mul_add(S::int(4), c_4_g) + u1_dot_part_2_0;
+    // u1_dot_part_6 = g_times_4 + u1_dot_part_2 + 4*u1_dot_part_4
+    let u1_dot_part_6_0 = u1_dot_part_4_0.mul_add(S::int(4), g_times_4)
+        + u1_dot_part_2_0;
     // u1_dot_part_7 = cos_q2_minus_90deg*u1_dot_part_6
     let u1_dot_part_7_0 = cos_q2_minus_90deg_0 * u1_dot_part_6_0;
-    // u1_dot_part_8 = u1_dot_part_7 + c_2_u3*u2_part_3
-    let u1_dot_part_8_0 = c_2_u3 * u2_part_3_0 + u1_dot_part_7_0;
+    // u1_dot_part_8 = u1_dot_part_7 + u3_times_2*u2_part_3
+    let u1_dot_part_8_0 = u3_times_2 * u2_part_3_0 + u1_dot_part_7_0;
     // u1_dot_2 = u1_dot_part_8/u1_dot_part_5
     let u1_dot_2_0 = u1_dot_part_8_0 * over_u1_dot_part_5;
     // q3_part = cos_q2_minus_90deg*u1_dot_part
@@ -583,7 +584,7 @@ pub fn taylor<S: Scalar>(
     let cos_q2_minus_90deg_by_2_1 = -q2_minus_90deg_by_2_1 * sin_q2_minus_90deg_by_2_0;
     let u2_part_1 = sin_q2_minus_90deg_by_2_1
         * (sin_q2_minus_90deg_by_2_0 + sin_q2_minus_90deg_by_2_0);
-    let u2_part_2_1 = minus_c_4_u3 * u2_part_1;
+    let u2_part_2_1 = minus_u3_times_4 * u2_part_1;
     let u2_part_3_1 = sin_q2_minus_90deg_1
         .mul_add(
             -(u2_part_3_0 * over_sin_q2_minus_90deg),
@@ -605,7 +606,7 @@ pub fn taylor<S: Scalar>(
     let u1_dot_part_6_1 = S::int(4) * u1_dot_part_4_1 + u1_dot_part_2_1;
     let u1_dot_part_7_1 = u1_dot_part_6_1
         .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u1_dot_part_6_0);
-    let u1_dot_part_8_1 = c_2_u3 * u2_part_3_1 + u1_dot_part_7_1;
+    let u1_dot_part_8_1 = u3_times_2 * u2_part_3_1 + u1_dot_part_7_1;
     let u1_dot_2_1 = u1_dot_part_5_1
         .mul_add(
             -(u1_dot_2_0 * over_u1_dot_part_5),
@@ -775,8 +776,8 @@ pub fn taylor<S: Scalar>(
         // u2_part = sin_q2_minus_90deg_by_2*sin_q2_minus_90deg_by_2
         let u2_part = sin_q2_minus_90deg_by_2
             .mul_add(sin_q2_minus_90deg_by_2_0 + sin_q2_minus_90deg_by_2_0, sums[4]);
-        // u2_part_2 = H_a3_there_scaled + minus_c_4_u3*u2_part
-        let u2_part_2 = minus_c_4_u3 * u2_part;
+        // u2_part_2 = H_a3_there_scaled + minus_u3_times_4*u2_part
+        let u2_part_2 = minus_u3_times_4 * u2_part;
         // u2_part_3 = u2_part_2/sin_q2_minus_90deg
         let u2_part_3 = u2_part_2
             .mul_add(
@@ -807,7 +808,7 @@ pub fn taylor<S: Scalar>(
             );
         // u1_dot_part_5 = -5 + 4*u1_dot_part_3
         let u1_dot_part_5 = S::int(4) * u1_dot_part_3;
-        // u1_dot_part_6 = c_4_g + u1_dot_part_2 + 4*u1_dot_part_4
+        // u1_dot_part_6 = g_times_4 + u1_dot_part_2 + 4*u1_dot_part_4
         let u1_dot_part_6 = S::int(4) * u1_dot_part_4 + u1_dot_part_2;
         // u1_dot_part_7 = cos_q2_minus_90deg*u1_dot_part_6
         let u1_dot_part_7 = u1_dot_part_6
@@ -815,8 +816,8 @@ pub fn taylor<S: Scalar>(
                 cos_q2_minus_90deg_0,
                 cos_q2_minus_90deg.mul_add(u1_dot_part_6_0, sums[11]),
             );
-        // u1_dot_part_8 = u1_dot_part_7 + c_2_u3*u2_part_3
-        let u1_dot_part_8 = c_2_u3 * u2_part_3 + u1_dot_part_7;
+        // u1_dot_part_8 = u1_dot_part_7 + u3_times_2*u2_part_3
+        let u1_dot_part_8 = u3_times_2 * u2_part_3 + u1_dot_part_7;
         // u1_dot_2 = u1_dot_part_8/u1_dot_part_5
         let u1_dot_2 = u1_dot_part_8
             .mul_add(
@@ -1010,7 +1011,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "flat-fall",
-    key: "6306476ae25bc808",
+    key: "e4dd5b052b92b121",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

@@ -5,11 +5,11 @@
 //! States: q2, u1. Quadratures: none.
 //! u3 = u3: generalized speed, constant with the momentum p_q3 = ∂L/∂q3'.
 //! H_a3_scaled = u2*cos(q2) + 2*u3*sin(q2): 4 times the angular momentum about a3 through the mass centre.
-//! c_2_u3 = 2*u3: 2*u3.
-//! c_4_g = 4*g: 4*g.
+//! u3_times_2 = 2*u3: 2*u3.
+//! g_times_4 = 4*g: 4*g.
 //! Parameters that the scene fixes: M = 1, R = 1.
 //! Cost: accelerations 17 operations, 1 sine and cosine; derivative 18 operations, 1 sine and cosine.
-//! Singular where cos(q2) = 0 and where cos(q2)/4 = 0.
+//! Singular where cos(q2) = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
@@ -24,9 +24,9 @@ pub struct Parameters<S> {
     /// 4 times the angular momentum about a3 through the mass centre, kg*m^2/s
     pub H_a3_scaled: S,
     /// 2*u3, 1/s
-    pub c_2_u3: S,
+    pub u3_times_2: S,
     /// 4*g, m/s^2
-    pub c_4_g: S,
+    pub g_times_4: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -41,14 +41,14 @@ impl<S: Scalar> Parameters<S> {
             g: p[0],
             u3: p[1],
             H_a3_scaled: p[2],
-            c_2_u3: p[3],
-            c_4_g: p[4],
+            u3_times_2: p[3],
+            g_times_4: p[4],
         }
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 5] = ["g", "u3", "H_a3_scaled", "c_2_u3", "c_4_g"];
+pub const PARAMETERS: [&str; 5] = ["g", "u3", "H_a3_scaled", "u3_times_2", "g_times_4"];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 2] = ["q2", "u1"];
@@ -59,7 +59,7 @@ pub const OUTPUTS: [&str; 2] = ["q2", "u1"];
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 1] {
-    let Parameters { H_a3_scaled, c_2_u3, c_4_g, .. } = *p;
+    let Parameters { H_a3_scaled, u3_times_2, g_times_4, .. } = *p;
     let [q2] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -68,15 +68,15 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S
     // 1/cos(q2); used 2 times
     let c2_inv = S::int(1) / c2;
     // Elimination, step by step.
-    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
-    let u2 = c2_inv * (-c_2_u3).mul_add(s2, H_a3_scaled);
+    // u2 = (H_a3_scaled - u3_times_2*sin(q2))/cos(q2)
+    let u2 = c2_inv * (-u3_times_2).mul_add(s2, H_a3_scaled);
     // Shared terms.
     // 4*cos(q2); used 2 times
     let c2_scaled = S::int(4) * c2;
     // Elimination, step by step.
-    // u1' = (sin(q2)*(4*u1^2*cos(q2) + u2^2/cos(q2) - c_4_g) - u2*c_2_u3)/(5 - 4*cos(q2)^2)
-    let u1_dot = (s2 * (c_4_g - u2 * u2 * c2_inv - u1 * u1 * c2_scaled) + u2 * c_2_u3)
-        / c2_scaled.mul_add(c2, -S::int(5));
+    // u1' = (sin(q2)*(4*u1^2*cos(q2) + u2^2/cos(q2) - g_times_4) - u2*u3_times_2)/(5 - 4*cos(q2)^2)
+    let u1_dot = (s2 * (g_times_4 - u2 * u2 * c2_inv - u1 * u1 * c2_scaled)
+        + u2 * u3_times_2) / c2_scaled.mul_add(c2, -S::int(5));
     [u1_dot]
 }
 
@@ -90,7 +90,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 1],
     u: &[S; 1],
 ) -> ([S; 1], [S; 1]) {
-    let Parameters { H_a3_scaled, c_2_u3, c_4_g, .. } = *p;
+    let Parameters { H_a3_scaled, u3_times_2, g_times_4, .. } = *p;
     let [q2] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -99,15 +99,15 @@ pub fn derivative<S: Scalar>(
     // 1/cos(q2); used 2 times
     let c2_inv = S::int(1) / c2;
     // Elimination, step by step.
-    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
-    let u2 = c2_inv * (-c_2_u3).mul_add(s2, H_a3_scaled);
+    // u2 = (H_a3_scaled - u3_times_2*sin(q2))/cos(q2)
+    let u2 = c2_inv * (-u3_times_2).mul_add(s2, H_a3_scaled);
     // Shared terms.
     // 4*cos(q2); used 2 times
     let c2_scaled = S::int(4) * c2;
     // Elimination, step by step.
-    // u1' = (sin(q2)*(4*u1^2*cos(q2) + u2^2/cos(q2) - c_4_g) - u2*c_2_u3)/(5 - 4*cos(q2)^2)
-    let u1_dot = (s2 * (c_4_g - u2 * u2 * c2_inv - u1 * u1 * c2_scaled) + u2 * c_2_u3)
-        / c2_scaled.mul_add(c2, -S::int(5));
+    // u1' = (sin(q2)*(4*u1^2*cos(q2) + u2^2/cos(q2) - g_times_4) - u2*u3_times_2)/(5 - 4*cos(q2)^2)
+    let u1_dot = (s2 * (g_times_4 - u2 * u2 * c2_inv - u1 * u1 * c2_scaled)
+        + u2 * u3_times_2) / c2_scaled.mul_add(c2, -S::int(5));
     // Values.
     // q2' = -u1
     let q2_dot_value = -u1;
@@ -119,7 +119,7 @@ pub fn derivative<S: Scalar>(
 /// 42 operations, 1 sine and cosine.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [[S; 2]; 2] {
-    let Parameters { H_a3_scaled, c_2_u3, c_4_g, .. } = *p;
+    let Parameters { H_a3_scaled, u3_times_2, g_times_4, .. } = *p;
     let [q2] = *q;
     let [u1] = *u;
     let zero = S::int(0);
@@ -129,14 +129,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [[S; 2]
     // 1/cos(q2); used 3 times
     let c2_inv = S::int(1) / c2;
     // Elimination, step by step.
-    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
-    let u2 = c2_inv * (-c_2_u3).mul_add(s2, H_a3_scaled);
+    // u2 = (H_a3_scaled - u3_times_2*sin(q2))/cos(q2)
+    let u2 = c2_inv * (-u3_times_2).mul_add(s2, H_a3_scaled);
     // Shared terms.
     // c2_inv^2; used 2 times
     let c2_inv_sq = c2_inv * c2_inv;
     // Elimination, step by step.
-    // u2_by_q2 = (H_a3_scaled*sin(q2) - c_2_u3)/cos(q2)^2
-    let u2_by_q2 = c2_inv_sq * H_a3_scaled.mul_add(s2, -c_2_u3);
+    // u2_by_q2 = (H_a3_scaled*sin(q2) - u3_times_2)/cos(q2)^2
+    let u2_by_q2 = c2_inv_sq * H_a3_scaled.mul_add(s2, -u3_times_2);
     // Shared terms.
     // 4*cos(q2); used 3 times
     let c2_scaled = S::int(4) * c2;
@@ -146,19 +146,21 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [[S; 2]
     let u1_sq = u1 * u1;
     // u2^2; used 2 times
     let u2_sq = u2 * u2;
-    // cos(q2)*(c2_scaled*u1_sq - c_4_g) + u2_sq; used 2 times
-    let u1_dot_by_q2_part_2 = c2 * c2_scaled.mul_add(u1_sq, -c_4_g) + u2_sq;
+    // cos(q2)*(c2_scaled*u1_sq - g_times_4) + u2_sq; used 2 times
+    let u1_dot_by_q2_part_2 = c2 * c2_scaled.mul_add(u1_sq, -g_times_4) + u2_sq;
     // 8*u1_dot_by_q2_part; used 2 times
     let u1_dot_by_q2_part_scaled = S::int(8) * u1_dot_by_q2_part;
     // Elimination, step by step.
-    // u1_dot_by_q2 = (u2^2 + cos(q2)*(4*u1^2*cos(q2) - c_4_g) - c_2_u3*u2_by_q2 +
-    //   sin(q2)*(2*u2*(4*c_2_u3*cos(q2)/(5 - 4*cos(q2)^2) + u2_by_q2/cos(q2)) - sin(q2)*(4*u1^2 -
-    //   u2^2/cos(q2)^2 + 8*(u2^2 + cos(q2)*(4*u1^2*cos(q2) - c_4_g))/(5 - 4*cos(q2)^2))))/(5 - 4*cos(q2)^2)
+    // u1_dot_by_q2 = (u2^2 + cos(q2)*(4*u1^2*cos(q2) - g_times_4) - u3_times_2*u2_by_q2 +
+    //   sin(q2)*(2*u2*(4*u3_times_2*cos(q2)/(5 - 4*cos(q2)^2) + u2_by_q2/cos(q2)) - sin(q2)*(4*u1^2 -
+    //   u2^2/cos(q2)^2 + 8*(u2^2 + cos(q2)*(4*u1^2*cos(q2) - g_times_4))/(5 - 4*cos(q2)^2))))/(5 -
+    //   4*cos(q2)^2)
     let u1_dot_by_q2 = u1_dot_by_q2_part
-        * (-u1_dot_by_q2_part_2 + c_2_u3 * u2_by_q2
+        * (-u1_dot_by_q2_part_2 + u3_times_2 * u2_by_q2
             + s2
                 * (S::int(2) * u2
-                    * (-u2_by_q2).mul_add(c2_inv, c_2_u3 * c2_scaled * u1_dot_by_q2_part)
+                    * (-u2_by_q2)
+                        .mul_add(c2_inv, u3_times_2 * c2_scaled * u1_dot_by_q2_part)
                     + s2
                         * ((-c2_inv_sq).mul_add(u2_sq, S::int(4) * u1_sq)
                             - u1_dot_by_q2_part_2 * u1_dot_by_q2_part_scaled)));
@@ -206,13 +208,13 @@ pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> 
 /// 11 operations, 1 sine and cosine.
 #[must_use]
 pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 1]) -> S {
-    let Parameters { g, u3, H_a3_scaled, c_2_u3, .. } = *p;
+    let Parameters { g, u3, H_a3_scaled, u3_times_2, .. } = *p;
     let [q2] = *q;
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Elimination, step by step.
-    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
-    let u2 = (-c_2_u3).mul_add(s2, H_a3_scaled) / c2;
+    // u2 = (H_a3_scaled - u3_times_2*sin(q2))/cos(q2)
+    let u2 = (-u3_times_2).mul_add(s2, H_a3_scaled) / c2;
     // Values.
     // V = g*(cos(q2) - 1) + u2^2/8 + u3^2/4
     let energy = g * (c2 - S::int(1)) + S::ratio(1, 8) * u2 * u2
@@ -240,7 +242,7 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 1], u: &[S; 1]) -> 
 /// 30 operations, 1 sine and cosine.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
-    let Parameters { g, u3, H_a3_scaled, c_2_u3, .. } = *p;
+    let Parameters { g, u3, H_a3_scaled, u3_times_2, .. } = *p;
     let [q2] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -249,8 +251,8 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> 
     // 1/cos(q2); used 2 times
     let c2_inv = S::int(1) / c2;
     // Elimination, step by step.
-    // u2 = (H_a3_scaled - c_2_u3*sin(q2))/cos(q2)
-    let u2 = c2_inv * (-c_2_u3).mul_add(s2, H_a3_scaled);
+    // u2 = (H_a3_scaled - u3_times_2*sin(q2))/cos(q2)
+    let u2 = c2_inv * (-u3_times_2).mul_add(s2, H_a3_scaled);
     // Shared terms.
     // u1*(4*cos(q2)^2 - 5); used 2 times
     let energy_part = u1 * (S::int(4) * c2 * c2 - S::int(5));
@@ -260,10 +262,10 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> 
     // T + V = g*(cos(q2) - 1) + u1^2*(5 - 4*cos(q2)^2)/8 + u2^2/8 + u3^2/4
     let energy = g * (c2 - S::int(1)) + S::ratio(1, 4) * u3 * u3
         + S::ratio(1, 8) * energy_part_2;
-    // d(T + V)/d(q2) = u1^2*sin(q2)*cos(q2) - g*sin(q2) - u2*(c_2_u3 + tan(q2)*(c_2_u3*sin(q2) -
+    // d(T + V)/d(q2) = u1^2*sin(q2)*cos(q2) - g*sin(q2) - u2*(u3_times_2 + tan(q2)*(u3_times_2*sin(q2) -
     //   H_a3_scaled)/cos(q2))/4
     let energy_by_q2 = s2 * (u1 * u1 * c2 - g)
-        + S::ratio(1, 4) * u2 * (u2 * c2_inv).mul_add(s2, -c_2_u3);
+        + S::ratio(1, 4) * u2 * (u2 * c2_inv).mul_add(s2, -u3_times_2);
     // d(T + V)/d(u1) = u1*(5 - 4*cos(q2)^2)/4
     let energy_by_u1 = -S::ratio(1, 4) * energy_part;
     [energy, energy_by_q2, energy_by_u1]
@@ -321,18 +323,18 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 2]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { H_a3_scaled, c_2_u3, c_4_g, .. } = *p;
+    let Parameters { H_a3_scaled, u3_times_2, g_times_4, .. } = *p;
     let [q2_0, u1_0] = series[0];
     // Constant in time.
-    // minus_c_2_u3 = -c_2_u3
-    let minus_c_2_u3 = -c_2_u3;
-    // minus_c_4_g = -c_4_g
-    let minus_c_4_g = -c_4_g;
+    // minus_u3_times_2 = -u3_times_2
+    let minus_u3_times_2 = -u3_times_2;
+    // minus_g_times_4 = -g_times_4
+    let minus_g_times_4 = -g_times_4;
     // Order 0.
     let (s2_0, c2_0) = q2_0.sin_cos();
     let over_c2 = S::int(1) / c2_0;
-    // u2_part = H_a3_scaled + minus_c_2_u3*s2
-    let u2_part_0 = s2_0.mul_add(minus_c_2_u3, H_a3_scaled);
+    // u2_part = H_a3_scaled + minus_u3_times_2*s2
+    let u2_part_0 = s2_0.mul_add(minus_u3_times_2, H_a3_scaled);
     // u2_part_2 = u2_part/c2
     let u2_part_2_0 = u2_part_0 * over_c2;
     // cos_q2_p2 = c2*c2
@@ -348,13 +350,13 @@ pub fn taylor<S: Scalar>(
     // u1_dot_part_3 = -5 + 4*cos_q2_p2
     let u1_dot_part_3_0 = cos_q2_p2_0.mul_add(S::int(4), -S::int(5));
     let over_u1_dot_part_3 = S::int(1) / u1_dot_part_3_0;
-    // u1_dot_part_4 = minus_c_4_g + u1_dot_part_2 + 4*u1_p2_cos_q2
-    let u1_dot_part_4_0 = u1_p2_cos_q2_0.mul_add(S::int(4), minus_c_4_g)
+    // u1_dot_part_4 = minus_g_times_4 + u1_dot_part_2 + 4*u1_p2_cos_q2
+    let u1_dot_part_4_0 = u1_p2_cos_q2_0.mul_add(S::int(4), minus_g_times_4)
         + u1_dot_part_2_0;
     // u1_dot_part_5 = s2*u1_dot_part_4
     let u1_dot_part_5_0 = s2_0 * u1_dot_part_4_0;
-    // u1_dot_part_6 = u1_dot_part_5 + minus_c_2_u3*u2_part_2
-    let u1_dot_part_6_0 = minus_c_2_u3 * u2_part_2_0 + u1_dot_part_5_0;
+    // u1_dot_part_6 = u1_dot_part_5 + minus_u3_times_2*u2_part_2
+    let u1_dot_part_6_0 = minus_u3_times_2 * u2_part_2_0 + u1_dot_part_5_0;
     // u1_dot_part_7 = u1_dot_part_6/u1_dot_part_3
     let u1_dot_part_7_0 = u1_dot_part_6_0 * over_u1_dot_part_3;
     // Order 1: the rates, and what follows from them.
@@ -365,7 +367,7 @@ pub fn taylor<S: Scalar>(
     }
     let s2_1 = q2_1 * c2_0;
     let c2_1 = -q2_1 * s2_0;
-    let u2_part_1 = minus_c_2_u3 * s2_1;
+    let u2_part_1 = minus_u3_times_2 * s2_1;
     let u2_part_2_1 = c2_1.mul_add(-(u2_part_2_0 * over_c2), u2_part_1 * over_c2);
     let cos_q2_p2_1 = c2_1 * (c2_0 + c2_0);
     let u1_dot_part_1 = c2_1.mul_add(-(u1_dot_part_0 * over_c2), u2_part_2_1 * over_c2);
@@ -376,7 +378,7 @@ pub fn taylor<S: Scalar>(
     let u1_dot_part_3_1 = S::int(4) * cos_q2_p2_1;
     let u1_dot_part_4_1 = S::int(4) * u1_p2_cos_q2_1 + u1_dot_part_2_1;
     let u1_dot_part_5_1 = u1_dot_part_4_1.mul_add(s2_0, s2_1 * u1_dot_part_4_0);
-    let u1_dot_part_6_1 = minus_c_2_u3 * u2_part_2_1 + u1_dot_part_5_1;
+    let u1_dot_part_6_1 = minus_u3_times_2 * u2_part_2_1 + u1_dot_part_5_1;
     let u1_dot_part_7_1 = u1_dot_part_3_1
         .mul_add(
             -(u1_dot_part_7_0 * over_u1_dot_part_3),
@@ -473,8 +475,8 @@ pub fn taylor<S: Scalar>(
         let s2 = q2.mul_add(c2_0, sums[0] * over_k);
         // c2 = cos(q2)
         let c2 = -q2.mul_add(s2_0, sums[1] * over_k);
-        // u2_part = H_a3_scaled + minus_c_2_u3*s2
-        let u2_part = minus_c_2_u3 * s2;
+        // u2_part = H_a3_scaled + minus_u3_times_2*s2
+        let u2_part = minus_u3_times_2 * s2;
         // u2_part_2 = u2_part/c2
         let u2_part_2 = u2_part
             .mul_add(over_c2, -(c2.mul_add(u2_part_2_0, sums[2]) * over_c2));
@@ -492,13 +494,13 @@ pub fn taylor<S: Scalar>(
         let u1_p2_cos_q2 = u1_p2.mul_add(c2_0, c2.mul_add(u1_p2_0, sums[7]));
         // u1_dot_part_3 = -5 + 4*cos_q2_p2
         let u1_dot_part_3 = S::int(4) * cos_q2_p2;
-        // u1_dot_part_4 = minus_c_4_g + u1_dot_part_2 + 4*u1_p2_cos_q2
+        // u1_dot_part_4 = minus_g_times_4 + u1_dot_part_2 + 4*u1_p2_cos_q2
         let u1_dot_part_4 = S::int(4) * u1_p2_cos_q2 + u1_dot_part_2;
         // u1_dot_part_5 = s2*u1_dot_part_4
         let u1_dot_part_5 = u1_dot_part_4
             .mul_add(s2_0, s2.mul_add(u1_dot_part_4_0, sums[8]));
-        // u1_dot_part_6 = u1_dot_part_5 + minus_c_2_u3*u2_part_2
-        let u1_dot_part_6 = minus_c_2_u3 * u2_part_2 + u1_dot_part_5;
+        // u1_dot_part_6 = u1_dot_part_5 + minus_u3_times_2*u2_part_2
+        let u1_dot_part_6 = minus_u3_times_2 * u2_part_2 + u1_dot_part_5;
         // u1_dot_part_7 = u1_dot_part_6/u1_dot_part_3
         let u1_dot_part_7 = u1_dot_part_6
             .mul_add(
@@ -671,7 +673,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "lean",
-    key: "57b6c2681df1c4b3",
+    key: "5e319e0cc5e9e6d5",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

@@ -5,10 +5,10 @@
 //! States: theta, u1. Quadratures: phi, psi.
 //! p_psi_there = I1*u2*sin(theta) + I3*u3*(cos(theta) - 1): momentum p_psi = ∂L/∂psi', what is left of it on the singular surface.
 //! p_phi = I3*u3: momentum p_phi = ∂L/∂phi'.
-//! c_2_p_phi = 2*I3*u3: 2*p_phi.
-//! c_m_l_g = m*l*g: m*l*g.
+//! p_phi_times_2 = 2*I3*u3: 2*p_phi.
+//! m_l_g = m*l*g: m*l*g.
 //! Cost: accelerations 18 operations, 2 sines and cosines; derivative 19 operations, 2 sines and cosines.
-//! Singular where sin(theta) = 0 and where I1*sin(theta) = 0.
+//! Singular where sin(theta) = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
@@ -31,9 +31,9 @@ pub struct Parameters<S> {
     /// momentum p_phi = ∂L/∂phi', kg*m^2/s
     pub p_phi: S,
     /// 2*p_phi, 1
-    pub c_2_p_phi: S,
+    pub p_phi_times_2: S,
     /// m*l*g, kg*m^2/s^2
-    pub c_m_l_g: S,
+    pub m_l_g: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -52,8 +52,8 @@ impl<S: Scalar> Parameters<S> {
             g: p[4],
             p_psi_there: p[5],
             p_phi: p[6],
-            c_2_p_phi: p[7],
-            c_m_l_g: p[8],
+            p_phi_times_2: p[7],
+            m_l_g: p[8],
         }
     }
 }
@@ -67,8 +67,8 @@ pub const PARAMETERS: [&str; 9] = [
     "g",
     "p_psi_there",
     "p_phi",
-    "c_2_p_phi",
-    "c_m_l_g",
+    "p_phi_times_2",
+    "m_l_g",
 ];
 
 /// Names of the outputs.
@@ -80,7 +80,7 @@ pub const OUTPUTS: [&str; 6] = ["psi", "theta", "phi", "u1", "u2", "u3"];
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [S; 1] {
-    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, c_m_l_g, .. } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, m_l_g, .. } = *p;
     let [theta, _, _] = *q;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -92,15 +92,15 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [
     // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
     let u2 = i1_inv * sin_theta_inv
-        * (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2);
+        * (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2);
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
-    // u1' = (c_m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
+    // u1' = (m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
     let u1_dot = i1_inv
         * (u2 * (-I3).mul_add(u3, I1 * u2 * sin_theta_inv * cos_theta)
-            + c_m_l_g * sin_theta);
+            + m_l_g * sin_theta);
     [u1_dot]
 }
 
@@ -114,7 +114,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 1],
 ) -> ([S; 3], [S; 1]) {
-    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, c_m_l_g, .. } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, m_l_g, .. } = *p;
     let [theta, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -127,9 +127,9 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
     let u2 = i1_inv * sin_theta_inv
-        * (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2);
+        * (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2);
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
     // Shared terms.
@@ -138,9 +138,8 @@ pub fn derivative<S: Scalar>(
     // u2_sin_theta_inv*cos(theta); used 2 times
     let u1_dot_part = u2_sin_theta_inv * cos_theta;
     // Elimination, step by step.
-    // u1' = (c_m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
-    let u1_dot = i1_inv
-        * (u2 * (-I3).mul_add(u3, I1 * u1_dot_part) + c_m_l_g * sin_theta);
+    // u1' = (m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
+    let u1_dot = i1_inv * (u2 * (-I3).mul_add(u3, I1 * u1_dot_part) + m_l_g * sin_theta);
     // Values.
     // theta' = u1
     let theta_dot_value = u1;
@@ -156,7 +155,7 @@ pub fn derivative<S: Scalar>(
 /// 35 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
-    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, c_m_l_g, .. } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, m_l_g, .. } = *p;
     let [theta, _, _] = *q;
     let zero = S::int(0);
     // Sines and cosines.
@@ -169,14 +168,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     // Shared terms.
     // sin(theta/2)^2; used 2 times
     let sin_theta_by_2_sq = sin_theta_by_2 * sin_theta_by_2;
-    // c_2_p_phi*sin_theta_by_2_sq; used 2 times
-    let u2_part = c_2_p_phi * sin_theta_by_2_sq;
+    // p_phi_times_2*sin_theta_by_2_sq; used 2 times
+    let u2_part = p_phi_times_2 * sin_theta_by_2_sq;
     // 1/I1; used 3 times
     let i1_inv = S::int(1) / I1;
     // 1/sin(theta); used 4 times
     let sin_theta_inv = S::int(1) / sin_theta;
     // Elimination, step by step.
-    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
+    // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
     let u2 = i1_inv * sin_theta_inv * (p_psi_there + u2_part);
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
@@ -185,7 +184,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     let u2_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
     // Elimination, step by step.
     // u2_by_theta = (p_psi_there*(2*sin(theta/2)^2 - 1) +
-    //   c_2_p_phi*sin(theta/2)^2)/(4*I1*sin(theta/2)^2*cos(theta/2)^2)
+    //   p_phi_times_2*sin(theta/2)^2)/(4*I1*sin(theta/2)^2*cos(theta/2)^2)
     let u2_by_theta = S::ratio(1, 4) * i1_inv * u2_by_theta_part * u2_by_theta_part
         * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1)) + u2_part);
     // Shared terms.
@@ -194,9 +193,9 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     // u2_by_theta*cos(theta); used 2 times
     let u1_dot_by_theta_part = u2_by_theta * cos_theta;
     // Elimination, step by step.
-    // u1_dot_by_theta = (c_m_l_g*cos(theta) - I3*u3*u2_by_theta)/I1 + u2*(2*u2_by_theta*cos(theta) -
+    // u1_dot_by_theta = (m_l_g*cos(theta) - I3*u3*u2_by_theta)/I1 + u2*(2*u2_by_theta*cos(theta) -
     //   u2/sin(theta))/sin(theta)
-    let u1_dot_by_theta = i1_inv * (-(I3 * u3)).mul_add(u2_by_theta, c_m_l_g * cos_theta)
+    let u1_dot_by_theta = i1_inv * (-(I3 * u3)).mul_add(u2_by_theta, m_l_g * cos_theta)
         + u2_sin_theta_inv * u1_dot_by_theta_part.mul_add(S::int(2), -u2_sin_theta_inv);
     // Entries that are not zero.
     // d(theta')/d(u1) = 1
@@ -220,7 +219,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
 /// 11 operations, 2 sines and cosines.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
-    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, .. } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, .. } = *p;
     let [theta, _, _] = *q;
     let [u1] = *u;
     // Sines and cosines.
@@ -231,9 +230,9 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
     // Sines and cosines.
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
-    let u2 = sin_theta_inv * (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2)
-        / I1;
+    // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = sin_theta_inv
+        * (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2) / I1;
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
     // Shared terms.
@@ -267,14 +266,14 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> 
 /// 17 operations, 2 sines and cosines.
 #[must_use]
 pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
-    let Parameters { m, l, I1, I3, g, p_psi_there, p_phi, c_2_p_phi, .. } = *p;
+    let Parameters { m, l, I1, I3, g, p_psi_there, p_phi, p_phi_times_2, .. } = *p;
     let [theta, _, _] = *q;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
-    let u2 = (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2)
+    // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2)
         / (I1 * sin_theta);
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
@@ -292,15 +291,15 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
 /// 7 operations, 2 sines and cosines.
 #[must_use]
 pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 1]) -> [S; 6] {
-    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, .. } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, .. } = *p;
     let [theta, phi, psi] = *q;
     let [u1] = *u;
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step.
-    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
-    let u2 = (p_psi_there + c_2_p_phi * sin_theta_by_2 * sin_theta_by_2)
+    // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2)
         / (I1 * sin_theta);
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
@@ -321,7 +320,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 1]) -> [
 /// 37 operations, 2 sines and cosines.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 5] {
-    let Parameters { m, l, I1, I3, g, p_psi_there, p_phi, c_2_p_phi, .. } = *p;
+    let Parameters { m, l, I1, I3, g, p_psi_there, p_phi, p_phi_times_2, .. } = *p;
     let [theta, _, _] = *q;
     let [u1] = *u;
     let zero = S::int(0);
@@ -336,26 +335,26 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     // sin(theta/2)^2; used 3 times
     let sin_theta_by_2_sq = sin_theta_by_2 * sin_theta_by_2;
     // Elimination, step by step.
-    // u2 = (p_psi_there + c_2_p_phi*sin(theta/2)^2)/(I1*sin(theta))
-    let u2 = c_2_p_phi.mul_add(sin_theta_by_2_sq, p_psi_there) / (I1 * sin_theta);
+    // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
+    let u2 = p_phi_times_2.mul_add(sin_theta_by_2_sq, p_psi_there) / (I1 * sin_theta);
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
     // Shared terms.
     // m*l*g; used 2 times
-    let m_l_g = m * l * g;
+    let m_l_g_2 = m * l * g;
     // I1*(u1^2 + u2^2) + I3*u3^2
     let energy_part = I1 * u2.mul_add(u2, u1 * u1) + I3 * u3 * u3;
     // 1/(sin(theta/2)*cos(theta/2))
     let energy_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
     // Values.
     // T + V = m*l*g*cos(theta) + I1*u1^2/2 + I1*u2^2/2 + I3*u3^2/2
-    let energy = m_l_g.mul_add(cos_theta, S::ratio(1, 2) * energy_part);
+    let energy = m_l_g_2.mul_add(cos_theta, S::ratio(1, 2) * energy_part);
     // d(T + V)/d(theta) = (sin(theta/2)^2*(8*m*l*g*sin(theta/2)*cos(theta/2)*(sin(theta/2)^2 - 1) +
-    //   u2*(2*p_psi_there + c_2_p_phi)) - u2*p_psi_there)/(4*sin(theta/2)^2*cos(theta/2)^2)
+    //   u2*(2*p_psi_there + p_phi_times_2)) - u2*p_psi_there)/(4*sin(theta/2)^2*cos(theta/2)^2)
     let energy_by_theta = S::ratio(1, 4) * energy_by_theta_part * energy_by_theta_part
         * (sin_theta_by_2_sq
-            * (u2 * p_psi_there.mul_add(S::int(2), c_2_p_phi)
-                + S::int(8) * m_l_g * sin_theta_by_2 * cos_theta_by_2
+            * (u2 * p_psi_there.mul_add(S::int(2), p_phi_times_2)
+                + S::int(8) * m_l_g_2 * sin_theta_by_2 * cos_theta_by_2
                     * (sin_theta_by_2_sq - S::int(1))) - u2 * p_psi_there);
     // d(T + V)/d(u1) = I1*u1
     let energy_by_u1 = I1 * u1;
@@ -423,7 +422,7 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 4]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { I1, I3, p_psi_there, p_phi, c_2_p_phi, c_m_l_g, .. } = *p;
+    let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, m_l_g, .. } = *p;
     let [theta_0, _, _, u1_0] = series[0];
     // Shared terms.
     // 1/I1; used 2 times
@@ -431,8 +430,8 @@ pub fn taylor<S: Scalar>(
     // Constant in time.
     // weight = 1/I1
     let weight = i1_inv;
-    // minus_c_m_l_g = -c_m_l_g
-    let minus_c_m_l_g = -c_m_l_g;
+    // minus_m_l_g = -m_l_g
+    let minus_m_l_g = -m_l_g;
     // p_phi_by_i3 = p_phi/I3
     let p_phi_by_i3 = p_phi / I3;
     // minus_1_by_i1 = -1/I1
@@ -445,8 +444,8 @@ pub fn taylor<S: Scalar>(
     let (sin_theta_by_2_0, cos_theta_by_2_0) = theta_by_2_0.sin_cos();
     // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
     let sin_theta_by_2_p2_0 = sin_theta_by_2_0 * sin_theta_by_2_0;
-    // u2_part = p_psi_there + c_2_p_phi*sin_theta_by_2_p2
-    let u2_part_0 = sin_theta_by_2_p2_0.mul_add(c_2_p_phi, p_psi_there);
+    // u2_part = p_psi_there + p_phi_times_2*sin_theta_by_2_p2
+    let u2_part_0 = sin_theta_by_2_p2_0.mul_add(p_phi_times_2, p_psi_there);
     // u2_part_2 = u2_part/sin_theta
     let u2_part_2_0 = u2_part_0 * over_sin_theta;
     // u1_dot_part = u2_part_2/sin_theta
@@ -457,8 +456,8 @@ pub fn taylor<S: Scalar>(
     let u1_dot_part_3_0 = p_phi - u1_dot_part_2_0;
     // u1_dot_part_4 = u2_part_2*u1_dot_part_3
     let u1_dot_part_4_0 = u2_part_2_0 * u1_dot_part_3_0;
-    // u1_dot_part_5 = weight*u1_dot_part_4 + minus_c_m_l_g*sin_theta
-    let u1_dot_part_5_0 = u1_dot_part_4_0.mul_add(weight, minus_c_m_l_g * sin_theta_0);
+    // u1_dot_part_5 = weight*u1_dot_part_4 + minus_m_l_g*sin_theta
+    let u1_dot_part_5_0 = u1_dot_part_4_0.mul_add(weight, minus_m_l_g * sin_theta_0);
     // phi_dot_2 = p_phi_by_i3 + minus_1_by_i1*u1_dot_part_2
     let phi_dot_2_0 = u1_dot_part_2_0.mul_add(minus_1_by_i1, p_phi_by_i3);
     // Order 1: the rates, and what follows from them.
@@ -475,7 +474,7 @@ pub fn taylor<S: Scalar>(
     let sin_theta_by_2_1 = theta_by_2_1 * cos_theta_by_2_0;
     let cos_theta_by_2_1 = -theta_by_2_1 * sin_theta_by_2_0;
     let sin_theta_by_2_p2_1 = sin_theta_by_2_1 * (sin_theta_by_2_0 + sin_theta_by_2_0);
-    let u2_part_1 = c_2_p_phi * sin_theta_by_2_p2_1;
+    let u2_part_1 = p_phi_times_2 * sin_theta_by_2_p2_1;
     let u2_part_2_1 = sin_theta_1
         .mul_add(-(u2_part_2_0 * over_sin_theta), u2_part_1 * over_sin_theta);
     let u1_dot_part_1 = sin_theta_1
@@ -485,7 +484,7 @@ pub fn taylor<S: Scalar>(
     let u1_dot_part_3_1 = -u1_dot_part_2_1;
     let u1_dot_part_4_1 = u1_dot_part_3_1
         .mul_add(u2_part_2_0, u2_part_2_1 * u1_dot_part_3_0);
-    let u1_dot_part_5_1 = u1_dot_part_4_1.mul_add(weight, minus_c_m_l_g * sin_theta_1);
+    let u1_dot_part_5_1 = u1_dot_part_4_1.mul_add(weight, minus_m_l_g * sin_theta_1);
     let phi_dot_2_1 = minus_1_by_i1 * u1_dot_part_2_1;
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
@@ -608,8 +607,8 @@ pub fn taylor<S: Scalar>(
         // sin_theta_by_2_p2 = sin_theta_by_2*sin_theta_by_2
         let sin_theta_by_2_p2 = sin_theta_by_2
             .mul_add(sin_theta_by_2_0 + sin_theta_by_2_0, sums[4]);
-        // u2_part = p_psi_there + c_2_p_phi*sin_theta_by_2_p2
-        let u2_part = c_2_p_phi * sin_theta_by_2_p2;
+        // u2_part = p_psi_there + p_phi_times_2*sin_theta_by_2_p2
+        let u2_part = p_phi_times_2 * sin_theta_by_2_p2;
         // u2_part_2 = u2_part/sin_theta
         let u2_part_2 = u2_part
             .mul_add(
@@ -630,8 +629,8 @@ pub fn taylor<S: Scalar>(
         // u1_dot_part_4 = u2_part_2*u1_dot_part_3
         let u1_dot_part_4 = u1_dot_part_3
             .mul_add(u2_part_2_0, u2_part_2.mul_add(u1_dot_part_3_0, sums[8]));
-        // u1_dot_part_5 = weight*u1_dot_part_4 + minus_c_m_l_g*sin_theta
-        let u1_dot_part_5 = u1_dot_part_4.mul_add(weight, minus_c_m_l_g * sin_theta);
+        // u1_dot_part_5 = weight*u1_dot_part_4 + minus_m_l_g*sin_theta
+        let u1_dot_part_5 = u1_dot_part_4.mul_add(weight, minus_m_l_g * sin_theta);
         // phi_dot_2 = p_phi_by_i3 + minus_1_by_i1*u1_dot_part_2
         let phi_dot_2 = minus_1_by_i1 * u1_dot_part_2;
         theta_rate = u1;
@@ -799,7 +798,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "cusps",
-    key: "3ddd30a8ec69a5b1",
+    key: "573cf29a7066e328",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

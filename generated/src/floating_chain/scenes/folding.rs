@@ -8,13 +8,13 @@
 //! H_n3_scaled = m*l^2*(u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + cos(theta1 - theta3)*(1 + 3*cos(theta1 - theta2)))): 12 times the angular momentum about n3 through the mass centre.
 //! centre_x = m*(6*x + l*(2*cos(theta1) + 3*cos(theta2) + cos(theta3)))/2: m*(6*x + l*(2*cos(theta1) + 3*cos(theta1 + theta2_from_theta1) + cos(theta1 + theta3_from_theta1)))/2 at the start.
 //! centre_y = m*(6*y + l*(2*sin(theta1) + 3*sin(theta2) + sin(theta3)))/2: m*(6*y + l*(2*sin(theta1) + 3*sin(theta1 + theta2_from_theta1) + sin(theta1 + theta3_from_theta1)))/2 at the start.
-//! c_H_n3_scaled_by_m_l_to_2 = u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + cos(theta1 - theta3)*(1 + 3*cos(theta1 - theta2))): H_n3_scaled/(m*l^2).
-//! c_l_by_6 = l/6: l/6.
-//! c_p_y_by_3_m = u2 + l*(2*u3*cos(theta1) + 3*u4*cos(theta2) + u5*cos(theta3))/6: p_y/(3*m).
-//! c_p_x_by_3_m = u1 - l*(2*u3*sin(theta1) + 3*u4*sin(theta2) + u5*sin(theta3))/6: p_x/(3*m).
-//! c_m_l_to_2_by_12 = m*l^2/12: m*l^2/12.
+//! per_m_per_l_squared_H_n3_scaled = u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + cos(theta1 - theta3)*(1 + 3*cos(theta1 - theta2))): H_n3_scaled/(m*l^2).
+//! l_by_6 = l/6: l/6.
+//! per_m_p_y_by_3 = u2 + l*(2*u3*cos(theta1) + 3*u4*cos(theta2) + u5*cos(theta3))/6: p_y/(3*m).
+//! per_m_p_x_by_3 = u1 - l*(2*u3*sin(theta1) + 3*u4*sin(theta2) + u5*sin(theta3))/6: p_x/(3*m).
+//! m_l_squared_by_12 = m*l^2/12: m*l^2/12.
 //! Cost: accelerations 295 operations, 2 sines and cosines; derivative 295 operations, 2 sines and cosines.
-//! Singular where m*l^2*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))/12 = 0.
+//! Singular where 13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)) = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
@@ -37,15 +37,15 @@ pub struct Parameters<S> {
     /// m*(6*y + l*(2*sin(theta1) + 3*sin(theta1 + theta2_from_theta1) + sin(theta1 + theta3_from_theta1)))/2 at the start, kg*m
     pub centre_y: S,
     /// H_n3_scaled/(m*l^2), 1
-    pub c_H_n3_scaled_by_m_l_to_2: S,
+    pub per_m_per_l_squared_H_n3_scaled: S,
     /// l/6, m
-    pub c_l_by_6: S,
+    pub l_by_6: S,
     /// p_y/(3*m), 1
-    pub c_p_y_by_3_m: S,
+    pub per_m_p_y_by_3: S,
     /// p_x/(3*m), 1
-    pub c_p_x_by_3_m: S,
+    pub per_m_p_x_by_3: S,
     /// m*l^2/12, kg*m^2
-    pub c_m_l_to_2_by_12: S,
+    pub m_l_squared_by_12: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -64,11 +64,11 @@ impl<S: Scalar> Parameters<S> {
             H_n3_scaled: p[4],
             centre_x: p[5],
             centre_y: p[6],
-            c_H_n3_scaled_by_m_l_to_2: p[7],
-            c_l_by_6: p[8],
-            c_p_y_by_3_m: p[9],
-            c_p_x_by_3_m: p[10],
-            c_m_l_to_2_by_12: p[11],
+            per_m_per_l_squared_H_n3_scaled: p[7],
+            l_by_6: p[8],
+            per_m_p_y_by_3: p[9],
+            per_m_p_x_by_3: p[10],
+            m_l_squared_by_12: p[11],
         }
     }
 }
@@ -82,11 +82,11 @@ pub const PARAMETERS: [&str; 12] = [
     "H_n3_scaled",
     "centre_x",
     "centre_y",
-    "c_H_n3_scaled_by_m_l_to_2",
-    "c_l_by_6",
-    "c_p_y_by_3_m",
-    "c_p_x_by_3_m",
-    "c_m_l_to_2_by_12",
+    "per_m_per_l_squared_H_n3_scaled",
+    "l_by_6",
+    "per_m_p_y_by_3",
+    "per_m_p_x_by_3",
+    "m_l_squared_by_12",
 ];
 
 /// Names of the outputs.
@@ -109,7 +109,7 @@ pub const OUTPUTS: [&str; 10] = [
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 2] {
-    let Parameters { c_H_n3_scaled_by_m_l_to_2, c_m_l_to_2_by_12, .. } = *p;
+    let Parameters { per_m_per_l_squared_H_n3_scaled, m_l_squared_by_12, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     // Sines and cosines.
@@ -136,13 +136,14 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     let u3_part_8 = S::int(1)
         / (u3_part.mul_add(u3_part_5, S::int(13)) + u3_part_6 + u3_part_7_scaled);
     // Elimination, step by step.
-    // u3 = (c_H_n3_scaled_by_m_l_to_2 - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1)
-    //   + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 +
-    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(1 +
-    //   3*cos(theta2_from_theta1))))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
+    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3 = u3_part_8
-        * (c_H_n3_scaled_by_m_l_to_2
+        * (per_m_per_l_squared_H_n3_scaled
             - u4_from_u3 * (u3_part.mul_add(u3_part_2, S::int(7)) + u3_part_4)
             - u5_from_u3
                 * (S::int(3) + cos_theta3_from_theta1 * (S::int(1) + u3_part_2)
@@ -282,7 +283,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
                 * r1__part_7.mul_add(u4_from_u3_sq, u5_from_u3_sq_scaled) + r1__part_10)
         - u3_part_3 * u3_part_2.mul_add(r1__part_8, r1__part_10);
     // Elimination, step by step.
-    // r1_ = c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    // r1_ = m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -310,7 +311,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))) +
-    //   c_m_l_to_2_by_12*(u3*(cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(u3*(13 +
+    //   m_l_squared_by_12*(u3*(cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(u3*(13 +
     //   6*cos(theta2_from_theta1)) + 6*u4_from_u3*(3 + cos(theta2_from_theta1)) + 6*u5_from_u3 +
     //   2*cos(theta3_from_theta1)*(2*u3 + u4_from_u3 + 2*u5_from_u3 + 6*cos(theta2_from_theta1)*(u3 +
     //   u4_from_u3 + u5_from_u3))) + 2*sin(theta3_from_theta1)*(8*u3 + 9*u4_from_u3 + 8*u5_from_u3 -
@@ -329,7 +330,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     //   u5_from_u3^2 + 3*cos(theta2_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let r1_ = c_m_l_to_2_by_12 * u3_part_8
+    let r1_ = m_l_squared_by_12 * u3_part_8
         * (r1__part_30_inv
             * (-S::int(12) + S::int(9) * u3_part_7
                 + cos_theta3_from_theta1 * (u3_part_4 - r1__part_12)
@@ -365,12 +366,12 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     // u5_from_u3' = r1_*(33 - 18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
     let u5_from_u3_dot = S::ratio(1, 4) * r1_ * r1__part_30
-        / (c_m_l_to_2_by_12
+        / (m_l_squared_by_12
             * (S::int(9)
                 + cos_theta3_from_theta1
                     * (-S::int(9) * cos_theta2_from_theta1
@@ -449,7 +450,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 2],
 ) -> ([S; 3], [S; 2]) {
-    let Parameters { c_H_n3_scaled_by_m_l_to_2, c_m_l_to_2_by_12, .. } = *p;
+    let Parameters { per_m_per_l_squared_H_n3_scaled, m_l_squared_by_12, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     // Sines and cosines.
@@ -476,13 +477,14 @@ pub fn derivative<S: Scalar>(
     let u3_part_8 = S::int(1)
         / (u3_part.mul_add(u3_part_5, S::int(13)) + u3_part_6 + u3_part_7_scaled);
     // Elimination, step by step.
-    // u3 = (c_H_n3_scaled_by_m_l_to_2 - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1)
-    //   + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 +
-    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(1 +
-    //   3*cos(theta2_from_theta1))))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
+    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3 = u3_part_8
-        * (c_H_n3_scaled_by_m_l_to_2
+        * (per_m_per_l_squared_H_n3_scaled
             - u4_from_u3 * (u3_part.mul_add(u3_part_2, S::int(7)) + u3_part_4)
             - u5_from_u3
                 * (S::int(3) + cos_theta3_from_theta1 * (S::int(1) + u3_part_2)
@@ -622,7 +624,7 @@ pub fn derivative<S: Scalar>(
                 * r1__part_7.mul_add(u4_from_u3_sq, u5_from_u3_sq_scaled) + r1__part_10)
         - u3_part_3 * u3_part_2.mul_add(r1__part_8, r1__part_10);
     // Elimination, step by step.
-    // r1_ = c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    // r1_ = m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -650,7 +652,7 @@ pub fn derivative<S: Scalar>(
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))) +
-    //   c_m_l_to_2_by_12*(u3*(cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(u3*(13 +
+    //   m_l_squared_by_12*(u3*(cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(u3*(13 +
     //   6*cos(theta2_from_theta1)) + 6*u4_from_u3*(3 + cos(theta2_from_theta1)) + 6*u5_from_u3 +
     //   2*cos(theta3_from_theta1)*(2*u3 + u4_from_u3 + 2*u5_from_u3 + 6*cos(theta2_from_theta1)*(u3 +
     //   u4_from_u3 + u5_from_u3))) + 2*sin(theta3_from_theta1)*(8*u3 + 9*u4_from_u3 + 8*u5_from_u3 -
@@ -669,7 +671,7 @@ pub fn derivative<S: Scalar>(
     //   u5_from_u3^2 + 3*cos(theta2_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let r1_ = c_m_l_to_2_by_12 * u3_part_8
+    let r1_ = m_l_squared_by_12 * u3_part_8
         * (r1__part_30_inv
             * (-S::int(12) + S::int(9) * u3_part_7
                 + cos_theta3_from_theta1 * (u3_part_4 - r1__part_12)
@@ -705,12 +707,12 @@ pub fn derivative<S: Scalar>(
     // u5_from_u3' = r1_*(33 - 18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
     let u5_from_u3_dot = S::ratio(1, 4) * r1_ * r1__part_30
-        / (c_m_l_to_2_by_12
+        / (m_l_squared_by_12
             * (S::int(9)
                 + cos_theta3_from_theta1
                     * (-S::int(9) * cos_theta2_from_theta1
@@ -792,7 +794,7 @@ pub fn derivative<S: Scalar>(
 /// 1104 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]; 5] {
-    let Parameters { c_H_n3_scaled_by_m_l_to_2, c_m_l_to_2_by_12, .. } = *p;
+    let Parameters { per_m_per_l_squared_H_n3_scaled, m_l_squared_by_12, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     let zero = S::int(0);
@@ -826,13 +828,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u3_part_12 = S::int(1)
         / (u3_part.mul_add(u3_part_8, S::int(13)) + u3_part_9 + u3_part_11);
     // Elimination, step by step.
-    // u3 = (c_H_n3_scaled_by_m_l_to_2 - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1)
-    //   + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 +
-    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(1 +
-    //   3*cos(theta2_from_theta1))))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
+    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3 = u3_part_12
-        * ((-u4_from_u3).mul_add(u3_part_5, c_H_n3_scaled_by_m_l_to_2)
+        * ((-u4_from_u3).mul_add(u3_part_5, per_m_per_l_squared_H_n3_scaled)
             - u5_from_u3 * u3_part_7);
     // Shared terms.
     // 13 + u3_part_8; used 5 times
@@ -1062,10 +1065,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   r1__part_26*r1__part_27
     let r1__part_77 = r1__part_22.mul_add(cos_theta3_from_theta1, u3 * r1__part_17)
         - u3_part_3 * r1__part_24 - r1__part_26 * r1__part_27;
-    // c_m_l_to_2_by_12*u3_part_12; used 6 times
-    let r1__part_78 = c_m_l_to_2_by_12 * u3_part_12;
+    // m_l_squared_by_12*u3_part_12; used 6 times
+    let r1__part_78 = m_l_squared_by_12 * u3_part_12;
     // Elimination, step by step.
-    // r1_ = c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    // r1_ = m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -1093,7 +1096,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))) +
-    //   c_m_l_to_2_by_12*(u3*(cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(u3*(13 +
+    //   m_l_squared_by_12*(u3*(cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(u3*(13 +
     //   6*cos(theta2_from_theta1)) + 6*u4_from_u3*(3 + cos(theta2_from_theta1)) + 6*u5_from_u3 +
     //   2*cos(theta3_from_theta1)*(2*u3 + u4_from_u3 + 2*u5_from_u3 + 6*cos(theta2_from_theta1)*(u3 +
     //   u4_from_u3 + u5_from_u3))) + 2*sin(theta3_from_theta1)*(8*u3 + 9*u4_from_u3 + 8*u5_from_u3 -
@@ -1126,8 +1129,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     // 1/(9 + u5_from_u3_dot_part_4*cos(theta3_from_theta1)); used 2 times
     let u5_from_u3_dot_part_5 = S::int(1)
         / u5_from_u3_dot_part_4.mul_add(cos_theta3_from_theta1, S::int(9));
-    // u5_from_u3_dot_part_5/c_m_l_to_2_by_12; used 2 times
-    let u5_from_u3_dot_part_6 = u5_from_u3_dot_part_5 / c_m_l_to_2_by_12;
+    // u5_from_u3_dot_part_5/m_l_squared_by_12; used 2 times
+    let u5_from_u3_dot_part_6 = u5_from_u3_dot_part_5 / m_l_squared_by_12;
     // r1__part_75*u5_from_u3_dot_part_6; used 2 times
     let u5_from_u3_dot_part_7 = r1__part_75 * u5_from_u3_dot_part_6;
     // u5_from_u3_dot_part_7/4; used 5 times
@@ -1136,14 +1139,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     // u5_from_u3' = r1_*(33 - 18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
     let u5_from_u3_dot = r1_ * u5_from_u3_dot_part_8;
     // Shared terms.
-    // 2*c_H_n3_scaled_by_m_l_to_2; used 4 times
-    let u3_by_theta2_from_theta1_part = S::int(2) * c_H_n3_scaled_by_m_l_to_2;
+    // 2*per_m_per_l_squared_H_n3_scaled; used 4 times
+    let u3_by_theta2_from_theta1_part = S::int(2) * per_m_per_l_squared_H_n3_scaled;
     // 5*u5_from_u3; used 2 times
     let u5_from_u3_scaled_3 = S::int(5) * u5_from_u3;
     // u4_from_u3 - u3_by_theta2_from_theta1_part; used 2 times
@@ -1157,10 +1160,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u3_part_12_sq = u3_part_12 * u3_part_12;
     // Elimination, step by step.
     // u3_by_theta2_from_theta1 = -3*(sin(theta2_from_theta1)*(u4_from_u3 + 6*u5_from_u3 -
-    //   2*c_H_n3_scaled_by_m_l_to_2 - cos(theta3_from_theta1)*(u4_from_u3*(1 + 2*cos(theta3_from_theta1)) +
-    //   5*u5_from_u3 + 2*c_H_n3_scaled_by_m_l_to_2)) + sin(theta3_from_theta1)*(6*u5_from_u3 +
+    //   2*per_m_per_l_squared_H_n3_scaled - cos(theta3_from_theta1)*(u4_from_u3*(1 +
+    //   2*cos(theta3_from_theta1)) + 5*u5_from_u3 + 2*per_m_per_l_squared_H_n3_scaled)) +
+    //   sin(theta3_from_theta1)*(6*u5_from_u3 +
     //   cos(theta2_from_theta1)*(u4_from_u3*(2*cos(theta3_from_theta1) - 1) + 7*u5_from_u3 +
-    //   2*c_H_n3_scaled_by_m_l_to_2)))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   2*per_m_per_l_squared_H_n3_scaled)))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2
     let u3_by_theta2_from_theta1 = -S::int(3) * u3_part_12_sq
         * (sin_theta2_from_theta1
@@ -1241,7 +1245,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     // r1_*u3_part_12; used 2 times
     let r1__u3_part_12 = r1_ * u3_part_12;
     // Elimination, step by step.
-    // r1__by_theta2_from_theta1 = 6*c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) -
+    // r1__by_theta2_from_theta1 = 6*m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) -
     //   12 + 3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -1270,7 +1274,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)))^2*(18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1)
     //   - 33 - cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))) + 18*c_m_l_to_2_by_12*(12 -
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))) + 18*m_l_squared_by_12*(12 -
     //   9*sin(theta2_from_theta1)*sin(theta3_from_theta1) -
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
@@ -1304,7 +1308,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))^2) +
-    //   3*c_m_l_to_2_by_12*(3*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   3*m_l_squared_by_12*(3*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*sin(theta3_from_theta1)*cos(theta3_from_theta1) + sin(theta2_from_theta1)*(3
     //   + 3*cos(theta2_from_theta1) - 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) -
     //   cos(theta3_from_theta1)*(2 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -1334,7 +1338,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))) +
-    //   6*c_m_l_to_2_by_12*(sin(theta2_from_theta1)*(1 + cos(theta3_from_theta1)) -
+    //   6*m_l_squared_by_12*(sin(theta2_from_theta1)*(1 + cos(theta3_from_theta1)) -
     //   cos(theta2_from_theta1)*sin(theta3_from_theta1))*(u3*(cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(u3*(13
     //   + 6*cos(theta2_from_theta1)) + 6*u4_from_u3*(3 + cos(theta2_from_theta1)) + 6*u5_from_u3 +
     //   2*cos(theta3_from_theta1)*(2*u3 + u4_from_u3 + 2*u5_from_u3 + 6*cos(theta2_from_theta1)*(u3 +
@@ -1354,7 +1358,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   u5_from_u3^2 + 3*cos(theta2_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2 +
-    //   c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    //   m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -1403,7 +1407,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))) +
-    //   c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)^2*(u4_from_u3^2 + u5_from_u3^2) -
+    //   m_l_squared_by_12*(9*sin(theta2_from_theta1)^2*(u4_from_u3^2 + u5_from_u3^2) -
     //   3*cos(theta2_from_theta1)*(3*u4_from_u3^2 + u5_from_u3^2 + 3*cos(theta2_from_theta1)*(u4_from_u3^2 +
     //   u5_from_u3^2)) + 3*cos(theta3_from_theta1)*(cos(theta2_from_theta1)*(3*u4_from_u3^2*(3 +
     //   cos(theta2_from_theta1)) + 3*u5_from_u3^2 + cos(theta3_from_theta1)*(u4_from_u3^2 + 2*u5_from_u3^2 +
@@ -1549,7 +1553,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)))))*(cos(theta2_from_theta1)*(sin(theta2_from_theta1)*cos(theta3_from_theta1)
     //   - cos(theta2_from_theta1)*sin(theta3_from_theta1)) +
     //   sin(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1))))^2) +
@@ -1558,14 +1562,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)*(sin(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
     //   cos(theta2_from_theta1)*(sin(theta2_from_theta1)*(1 + cos(theta3_from_theta1)) -
-    //   cos(theta2_from_theta1)*sin(theta3_from_theta1))))/(2*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*sin(theta3_from_theta1))))/(2*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1))))) + r1__by_theta2_from_theta1*(33 -
     //   18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
@@ -1817,11 +1821,12 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u3_by_theta3_from_theta1_part = S::int(7) + u3_part_8;
     // Elimination, step by step.
     // u3_by_theta3_from_theta1 = -(sin(theta3_from_theta1)*(14*u4_from_u3 - 7*u5_from_u3 -
-    //   2*c_H_n3_scaled_by_m_l_to_2 + 3*cos(theta2_from_theta1)*(3*u4_from_u3 - 3*u5_from_u3*(3 +
-    //   2*cos(theta2_from_theta1)) - 2*c_H_n3_scaled_by_m_l_to_2)) + 3*sin(theta2_from_theta1)*(2*u4_from_u3
-    //   + cos(theta3_from_theta1)*(u5_from_u3*(7 + 6*cos(theta2_from_theta1)) - u4_from_u3 +
-    //   2*c_H_n3_scaled_by_m_l_to_2)))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2
+    //   2*per_m_per_l_squared_H_n3_scaled + 3*cos(theta2_from_theta1)*(3*u4_from_u3 - 3*u5_from_u3*(3 +
+    //   2*cos(theta2_from_theta1)) - 2*per_m_per_l_squared_H_n3_scaled)) +
+    //   3*sin(theta2_from_theta1)*(2*u4_from_u3 + cos(theta3_from_theta1)*(u5_from_u3*(7 +
+    //   6*cos(theta2_from_theta1)) - u4_from_u3 + 2*per_m_per_l_squared_H_n3_scaled)))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2
     let u3_by_theta3_from_theta1 = -u3_part_12_sq
         * (sin_theta3_from_theta1
             * (u4_from_u3_scaled_3
@@ -1887,7 +1892,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                     sin_theta3_from_theta1,
                 );
     // Elimination, step by step.
-    // r1__by_theta3_from_theta1 = 2*c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) -
+    // r1__by_theta3_from_theta1 = 2*m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) -
     //   12 + 3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -1917,7 +1922,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))) +
-    //   c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*cos(theta3_from_theta1) + sin(theta3_from_theta1)*(7 -
+    //   m_l_squared_by_12*(9*sin(theta2_from_theta1)*cos(theta3_from_theta1) + sin(theta3_from_theta1)*(7 -
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 9*cos(theta3_from_theta1)) +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*cos(theta3_from_theta1) -
     //   sin(theta3_from_theta1)*(2 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -1947,7 +1952,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))) +
-    //   c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    //   m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -1981,7 +1986,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))^2) +
-    //   2*c_m_l_to_2_by_12*(sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*sin(theta3_from_theta1) -
+    //   2*m_l_squared_by_12*(sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*sin(theta3_from_theta1) -
     //   3*sin(theta2_from_theta1)*cos(theta3_from_theta1))*(u3*(cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(u3*(13
     //   + 6*cos(theta2_from_theta1)) + 6*u4_from_u3*(3 + cos(theta2_from_theta1)) + 6*u5_from_u3 +
     //   2*cos(theta3_from_theta1)*(2*u3 + u4_from_u3 + 2*u5_from_u3 + 6*cos(theta2_from_theta1)*(u3 +
@@ -2001,7 +2006,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   u5_from_u3^2 + 3*cos(theta2_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2 -
-    //   c_m_l_to_2_by_12*(sin(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(3*u4_from_u3^2*(3 +
+    //   m_l_squared_by_12*(sin(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(3*u4_from_u3^2*(3 +
     //   cos(theta2_from_theta1)) + 3*u5_from_u3^2 + cos(theta3_from_theta1)*(u4_from_u3^2 + 2*u5_from_u3^2 +
     //   6*cos(theta2_from_theta1)*(u4_from_u3^2 + u5_from_u3^2))) + sin(theta3_from_theta1)*(9*u4_from_u3^2
     //   + 8*u5_from_u3^2 - 3*cos(theta2_from_theta1)*(u4_from_u3^2 + 2*u5_from_u3^2 +
@@ -2043,7 +2048,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   9*u3_by_theta3_from_theta1*cos(theta2_from_theta1)*(5 + 2*cos(theta2_from_theta1)))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
-    //   c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    //   m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -2170,7 +2175,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1))) +
     //   cos(theta3_from_theta1)*(5*sin(theta3_from_theta1) +
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*cos(theta3_from_theta1) -
-    //   cos(theta2_from_theta1)*sin(theta3_from_theta1))))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*sin(theta3_from_theta1))))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1))))^2) -
@@ -2180,14 +2185,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))) +
     //   9*cos(theta3_from_theta1)*(sin(theta3_from_theta1) +
     //   2*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*cos(theta3_from_theta1) -
-    //   cos(theta2_from_theta1)*sin(theta3_from_theta1))))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*sin(theta3_from_theta1))))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1))))) + r1__by_theta3_from_theta1*(33 -
     //   18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
@@ -2387,7 +2392,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let r1__by_u4_from_u3_part_6 = S::int(14) + u3_by_u4_from_u3_scaled_2;
     // Elimination, step by step.
     // r1__by_u4_from_u3 =
-    //   c_m_l_to_2_by_12*(6*cos(theta3_from_theta1)*(sin(theta2_from_theta1)*(3*u4_from_u3*(3 +
+    //   m_l_squared_by_12*(6*cos(theta3_from_theta1)*(sin(theta2_from_theta1)*(3*u4_from_u3*(3 +
     //   cos(theta2_from_theta1)) + cos(theta3_from_theta1)*(u4_from_u3 +
     //   6*u4_from_u3*cos(theta2_from_theta1))) + sin(theta3_from_theta1)*(3*u4_from_u3 -
     //   cos(theta2_from_theta1)*(u4_from_u3 + 6*u4_from_u3*cos(theta2_from_theta1)))) -
@@ -2413,7 +2418,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   6*sin(theta2_from_theta1)*(3 + u3_by_u4_from_u3 + 3*cos(theta2_from_theta1)*(1 +
     //   u3_by_u4_from_u3))))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
-    //   c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    //   m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -2510,7 +2515,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
@@ -2633,7 +2638,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let r1__by_u5_from_u3_part_4 = u5_from_u3 * r1__part_31;
     // Elimination, step by step.
     // r1__by_u5_from_u3 =
-    //   c_m_l_to_2_by_12*(2*cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(3*u5_from_u3 +
+    //   m_l_squared_by_12*(2*cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*(3*u5_from_u3 +
     //   2*cos(theta3_from_theta1)*(u5_from_u3 + 3*u5_from_u3*cos(theta2_from_theta1))) +
     //   2*sin(theta3_from_theta1)*(4*u5_from_u3 - 3*cos(theta2_from_theta1)*(u5_from_u3 +
     //   3*u5_from_u3*cos(theta2_from_theta1)))) - 6*sin(theta2_from_theta1)*(u5_from_u3 +
@@ -2657,7 +2662,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   + 9*cos(theta2_from_theta1)*(2 + u3_by_u5_from_u3*(5 + 2*cos(theta2_from_theta1))))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
-    //   c_m_l_to_2_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    //   m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
@@ -2757,7 +2762,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*c_m_l_to_2_by_12*(9 +
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*m_l_squared_by_12*(9 +
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
@@ -2872,7 +2877,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
 /// 21 operations, 2 sines and cosines.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 3] {
-    let Parameters { c_H_n3_scaled_by_m_l_to_2, .. } = *p;
+    let Parameters { per_m_per_l_squared_H_n3_scaled, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     // Sines and cosines.
@@ -2885,12 +2890,13 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) ->
     let u3_part_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1)
         + u3_part;
     // Elimination, step by step.
-    // u3 = (c_H_n3_scaled_by_m_l_to_2 - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1)
-    //   + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 +
-    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(1 +
-    //   3*cos(theta2_from_theta1))))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let u3 = (c_H_n3_scaled_by_m_l_to_2
+    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
+    let u3 = (per_m_per_l_squared_H_n3_scaled
         - u5_from_u3
             * (S::int(3)
                 + cos_theta3_from_theta1
@@ -2912,7 +2918,7 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) ->
 /// 47 operations, 2 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> S {
-    let Parameters { m, l, H_n3_scaled, c_H_n3_scaled_by_m_l_to_2, .. } = *p;
+    let Parameters { m, l, H_n3_scaled, per_m_per_l_squared_H_n3_scaled, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     // Sines and cosines.
@@ -2938,12 +2944,13 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> S
     // 1/u3_part_4; used 2 times
     let u3_part_4_inv = S::int(1) / u3_part_4;
     // Elimination, step by step.
-    // u3 = (c_H_n3_scaled_by_m_l_to_2 - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1)
-    //   + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 +
-    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(1 +
-    //   3*cos(theta2_from_theta1))))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let u3 = u3_part_4_inv * (c_H_n3_scaled_by_m_l_to_2 - u3_part_3);
+    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
+    let u3 = u3_part_4_inv * (per_m_per_l_squared_H_n3_scaled - u3_part_3);
     // Shared terms.
     // H_n3_scaled/l
     let l_inv_h_n3_scaled = H_n3_scaled / l;
@@ -3009,10 +3016,10 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
         p_y,
         centre_x,
         centre_y,
-        c_H_n3_scaled_by_m_l_to_2,
-        c_l_by_6,
-        c_p_y_by_3_m,
-        c_p_x_by_3_m,
+        per_m_per_l_squared_H_n3_scaled,
+        l_by_6,
+        per_m_p_y_by_3,
+        per_m_p_x_by_3,
         ..
     } = *p;
     let [theta2_from_theta1, theta3_from_theta1, theta1] = *q;
@@ -3028,12 +3035,13 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     let u3_part_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1)
         + u3_part;
     // Elimination, step by step.
-    // u3 = (c_H_n3_scaled_by_m_l_to_2 - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1)
-    //   + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 +
-    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(1 +
-    //   3*cos(theta2_from_theta1))))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let u3 = (c_H_n3_scaled_by_m_l_to_2
+    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
+    let u3 = (per_m_per_l_squared_H_n3_scaled
         - u5_from_u3
             * (S::int(3)
                 + cos_theta3_from_theta1
@@ -3054,11 +3062,11 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     // 2*cos(theta1) + cos(theta1 + theta3_from_theta1) + u2_part_2_scaled; used 2 times
     let u2_part_3 = cos_theta1.mul_add(S::int(2), u2_part) + u2_part_2_scaled;
     // Elimination, step by step.
-    // u2 = c_p_y_by_3_m - c_l_by_6*(u3*(2*cos(theta1) + 3*cos(theta1 + theta2_from_theta1) + cos(theta1 +
+    // u2 = per_m_p_y_by_3 - l_by_6*(u3*(2*cos(theta1) + 3*cos(theta1 + theta2_from_theta1) + cos(theta1 +
     //   theta3_from_theta1)) + 3*u4_from_u3*cos(theta1 + theta2_from_theta1) + u5_from_u3*cos(theta1 +
     //   theta3_from_theta1))
-    let u2 = c_p_y_by_3_m
-        - c_l_by_6
+    let u2 = per_m_p_y_by_3
+        - l_by_6
             * (u4_from_u3.mul_add(u2_part_2_scaled, u5_from_u3 * u2_part)
                 + u3 * u2_part_3);
     // Shared terms.
@@ -3073,11 +3081,11 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     // 2*sin(theta1) + sin(theta1 + theta3_from_theta1) + u1_part_2_scaled; used 2 times
     let u1_part_3 = sin_theta1.mul_add(S::int(2), u1_part) + u1_part_2_scaled;
     // Elimination, step by step.
-    // u1 = c_l_by_6*(u3*(2*sin(theta1) + 3*sin(theta1 + theta2_from_theta1) + sin(theta1 +
+    // u1 = l_by_6*(u3*(2*sin(theta1) + 3*sin(theta1 + theta2_from_theta1) + sin(theta1 +
     //   theta3_from_theta1)) + 3*u4_from_u3*sin(theta1 + theta2_from_theta1) + u5_from_u3*sin(theta1 +
-    //   theta3_from_theta1)) + c_p_x_by_3_m
-    let u1 = c_p_x_by_3_m
-        + c_l_by_6
+    //   theta3_from_theta1)) + per_m_p_x_by_3
+    let u1 = per_m_p_x_by_3
+        + l_by_6
             * (u4_from_u3.mul_add(u1_part_2_scaled, u5_from_u3 * u1_part)
                 + u3 * u1_part_3);
     // Shared terms.
@@ -3121,7 +3129,15 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
 /// 118 operations, 2 sines and cosines.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 6] {
-    let Parameters { m, l, p_x, p_y, H_n3_scaled, c_H_n3_scaled_by_m_l_to_2, .. } = *p;
+    let Parameters {
+        m,
+        l,
+        p_x,
+        p_y,
+        H_n3_scaled,
+        per_m_per_l_squared_H_n3_scaled,
+        ..
+    } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     let zero = S::int(0);
@@ -3149,14 +3165,15 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
         + S::int(6) * u3_part_3;
     // 1/u3_part_8; used 6 times
     let u3_part_8_inv = S::int(1) / u3_part_8;
-    // u3_part_8_inv*(u3_part_7 - c_H_n3_scaled_by_m_l_to_2); used 2 times
-    let u3_part_9 = u3_part_8_inv * (u3_part_7 - c_H_n3_scaled_by_m_l_to_2);
+    // u3_part_8_inv*(u3_part_7 - per_m_per_l_squared_H_n3_scaled); used 2 times
+    let u3_part_9 = u3_part_8_inv * (u3_part_7 - per_m_per_l_squared_H_n3_scaled);
     // Elimination, step by step.
-    // u3 = (c_H_n3_scaled_by_m_l_to_2 - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1)
-    //   + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 +
-    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1)*(1 +
-    //   3*cos(theta2_from_theta1))))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
+    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3 = -u3_part_9;
     // Shared terms.
     // 2*u3_part_7 + u3*u3_part_8; used 4 times
@@ -3266,7 +3283,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     //   cos(theta3_from_theta1)) - cos(theta2_from_theta1)*sin(theta3_from_theta1))*(u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) + u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - c_H_n3_scaled_by_m_l_to_2)/(13 +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - per_m_per_l_squared_H_n3_scaled)/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2) + u3*((13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
@@ -3280,7 +3297,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     //   cos(theta3_from_theta1)) - cos(theta2_from_theta1)*sin(theta3_from_theta1))*(u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) + u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - c_H_n3_scaled_by_m_l_to_2)/(13 +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - per_m_per_l_squared_H_n3_scaled)/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2) -
     //   2*u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) - sin(theta2_from_theta1)*(1 +
@@ -3309,7 +3326,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     //   3*cos(theta2_from_theta1)*sin(theta3_from_theta1))*(u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) + u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - c_H_n3_scaled_by_m_l_to_2)/(13 +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - per_m_per_l_squared_H_n3_scaled)/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2) -
     //   6*u4_from_u3*u5_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
@@ -3330,7 +3347,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     //   3*cos(theta2_from_theta1)*sin(theta3_from_theta1))*(u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) + u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - c_H_n3_scaled_by_m_l_to_2)/(13 +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - per_m_per_l_squared_H_n3_scaled)/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2)))/24
     let energy_by_theta3_from_theta1 = m_l_sq_scaled
@@ -3388,24 +3405,24 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 5]],
     history: &mut [Factors<S, 112>],
 ) {
-    let Parameters { c_H_n3_scaled_by_m_l_to_2, c_m_l_to_2_by_12, .. } = *p;
+    let Parameters { per_m_per_l_squared_H_n3_scaled, m_l_squared_by_12, .. } = *p;
     let [theta2_from_theta1_0, theta3_from_theta1_0, _, u4_from_u3_0, u5_from_u3_0] = series[0];
     // Shared terms.
-    // 1/c_m_l_to_2_by_12; used 5 times
-    let c_m_l_to_2_by_12_inv = S::int(1) / c_m_l_to_2_by_12;
+    // 1/m_l_squared_by_12; used 5 times
+    let weight_2_part = S::int(1) / m_l_squared_by_12;
     // Constant in time.
-    // weight = -c_H_n3_scaled_by_m_l_to_2
-    let weight = -c_H_n3_scaled_by_m_l_to_2;
-    // weight_2 = -3/(4*c_m_l_to_2_by_12)
-    let weight_2 = -S::ratio(3, 4) * c_m_l_to_2_by_12_inv;
-    // weight_3 = 9/(4*c_m_l_to_2_by_12)
-    let weight_3 = S::ratio(9, 4) * c_m_l_to_2_by_12_inv;
-    // weight_4 = 1/(2*c_m_l_to_2_by_12)
-    let weight_4 = S::ratio(1, 2) * c_m_l_to_2_by_12_inv;
-    // weight_5 = 1/(4*c_m_l_to_2_by_12)
-    let weight_5 = S::ratio(1, 4) * c_m_l_to_2_by_12_inv;
-    // weight_6 = -1/(4*c_m_l_to_2_by_12)
-    let weight_6 = -S::ratio(1, 4) * c_m_l_to_2_by_12_inv;
+    // weight = -per_m_per_l_squared_H_n3_scaled
+    let weight = -per_m_per_l_squared_H_n3_scaled;
+    // weight_2 = -3/(4*m_l_squared_by_12)
+    let weight_2 = -S::ratio(3, 4) * weight_2_part;
+    // weight_3 = 9/(4*m_l_squared_by_12)
+    let weight_3 = S::ratio(9, 4) * weight_2_part;
+    // weight_4 = 1/(2*m_l_squared_by_12)
+    let weight_4 = S::ratio(1, 2) * weight_2_part;
+    // weight_5 = 1/(4*m_l_squared_by_12)
+    let weight_5 = S::ratio(1, 4) * weight_2_part;
+    // weight_6 = -1/(4*m_l_squared_by_12)
+    let weight_6 = -S::ratio(1, 4) * weight_2_part;
     // Order 0.
     let (sin_theta2_from_theta1_0, cos_theta2_from_theta1_0) = theta2_from_theta1_0
         .sin_cos();
@@ -3763,9 +3780,9 @@ pub fn taylor<S: Scalar>(
     let r1__part_112_0 = r1__part_111_0 * over_r1__part_12;
     // r1__part_113 = r1__part_67*r1__part_112
     let r1__part_113_0 = r1__part_67_0 * r1__part_112_0;
-    // r1__part_114 = c_m_l_to_2_by_12*r1__part_110 + c_m_l_to_2_by_12*r1__part_113
+    // r1__part_114 = m_l_squared_by_12*r1__part_110 + m_l_squared_by_12*r1__part_113
     let r1__part_114_0 = r1__part_113_0
-        .mul_add(c_m_l_to_2_by_12, c_m_l_to_2_by_12 * r1__part_110_0);
+        .mul_add(m_l_squared_by_12, m_l_squared_by_12 * r1__part_110_0);
     // u5_from_u3_dot_part = cos_theta2_from_theta1*cos_theta3_from_theta1
     let u5_from_u3_dot_part_0 = cos_theta2_from_theta1_0 * cos_theta3_from_theta1_0;
     // u5_from_u3_dot_part_2 = u3_part_3 + u5_from_u3_dot_part
@@ -4252,7 +4269,7 @@ pub fn taylor<S: Scalar>(
     let r1__part_113_1 = r1__part_67_1
         .mul_add(r1__part_112_0, r1__part_112_1 * r1__part_67_0);
     let r1__part_114_1 = r1__part_113_1
-        .mul_add(c_m_l_to_2_by_12, c_m_l_to_2_by_12 * r1__part_110_1);
+        .mul_add(m_l_squared_by_12, m_l_squared_by_12 * r1__part_110_1);
     let u5_from_u3_dot_part_1 = cos_theta3_from_theta1_1
         .mul_add(
             cos_theta2_from_theta1_0,
@@ -5940,9 +5957,9 @@ pub fn taylor<S: Scalar>(
         // r1__part_113 = r1__part_67*r1__part_112
         let r1__part_113 = r1__part_67
             .mul_add(r1__part_112_0, r1__part_112.mul_add(r1__part_67_0, sums[72]));
-        // r1__part_114 = c_m_l_to_2_by_12*r1__part_110 + c_m_l_to_2_by_12*r1__part_113
+        // r1__part_114 = m_l_squared_by_12*r1__part_110 + m_l_squared_by_12*r1__part_113
         let r1__part_114 = r1__part_113
-            .mul_add(c_m_l_to_2_by_12, c_m_l_to_2_by_12 * r1__part_110);
+            .mul_add(m_l_squared_by_12, m_l_squared_by_12 * r1__part_110);
         // u5_from_u3_dot_part = cos_theta2_from_theta1*cos_theta3_from_theta1
         let u5_from_u3_dot_part = cos_theta3_from_theta1
             .mul_add(
@@ -6671,7 +6688,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "folding",
-    key: "3bb7b2bcc5242cd5",
+    key: "334a11b94e60e481",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

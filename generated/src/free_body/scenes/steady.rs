@@ -11,13 +11,13 @@
 //! centre_x = 2*x: 2*x at the start.
 //! centre_y = 2*y: 2*y at the start.
 //! centre_z = 2*z: 2*z at the start.
-//! c_p_z_by_2 = v3: p_z/2.
-//! c_p_y_by_2 = v2: p_y/2.
-//! c_p_x_by_2 = v1: p_x/2.
-//! c_w3_by_I1 = w3/I1: w3/I1.
+//! p_z_by_2 = v3: p_z/2.
+//! p_y_by_2 = v2: p_y/2.
+//! p_x_by_2 = v1: p_x/2.
+//! per_I1_w3 = w3/I1: w3/I1.
 //! Parameters that the scene fixes: m = 2, I3 = 0.5.
 //! Cost: accelerations 13 operations, 2 sines and cosines; derivative 14 operations, 2 sines and cosines.
-//! Singular where sin(theta) = 0 and where I1*sin(theta) = 0.
+//! Singular where sin(theta) = 0.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
@@ -44,13 +44,13 @@ pub struct Parameters<S> {
     /// 2*z at the start, kg*m
     pub centre_z: S,
     /// p_z/2, 1
-    pub c_p_z_by_2: S,
+    pub p_z_by_2: S,
     /// p_y/2, 1
-    pub c_p_y_by_2: S,
+    pub p_y_by_2: S,
     /// p_x/2, 1
-    pub c_p_x_by_2: S,
+    pub p_x_by_2: S,
     /// w3/I1, 1/kg/m^2/s
-    pub c_w3_by_I1: S,
+    pub per_I1_w3: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -71,10 +71,10 @@ impl<S: Scalar> Parameters<S> {
             centre_x: p[6],
             centre_y: p[7],
             centre_z: p[8],
-            c_p_z_by_2: p[9],
-            c_p_y_by_2: p[10],
-            c_p_x_by_2: p[11],
-            c_w3_by_I1: p[12],
+            p_z_by_2: p[9],
+            p_y_by_2: p[10],
+            p_x_by_2: p[11],
+            per_I1_w3: p[12],
         }
     }
 }
@@ -90,10 +90,10 @@ pub const PARAMETERS: [&str; 13] = [
     "centre_x",
     "centre_y",
     "centre_z",
-    "c_p_z_by_2",
-    "c_p_y_by_2",
-    "c_p_x_by_2",
-    "c_w3_by_I1",
+    "p_z_by_2",
+    "p_y_by_2",
+    "p_x_by_2",
+    "per_I1_w3",
 ];
 
 /// Names of the outputs.
@@ -118,7 +118,7 @@ pub const OUTPUTS: [&str; 12] = [
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [S; 1] {
-    let Parameters { I1, p_psi_there, w3, c_w3_by_I1, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, per_I1_w3, .. } = *p;
     let [theta, _, _] = *q;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -130,9 +130,9 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [
     // Elimination, step by step.
     // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
     let w2 = sin_theta_inv * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there) / I1;
-    // w1' = w2*(2*w2/tan(theta) - c_w3_by_I1)/2
+    // w1' = w2*(2*w2/tan(theta) - per_I1_w3)/2
     let w1_dot = S::ratio(1, 2) * w2
-        * (w2 * sin_theta_inv * cos_theta).mul_add(S::int(2), -c_w3_by_I1);
+        * (w2 * sin_theta_inv * cos_theta).mul_add(S::int(2), -per_I1_w3);
     [w1_dot]
 }
 
@@ -146,7 +146,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 1],
 ) -> ([S; 3], [S; 1]) {
-    let Parameters { I1, p_psi_there, w3, c_w3_by_I1, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, per_I1_w3, .. } = *p;
     let [theta, _, _] = *q;
     let [w1] = *u;
     // Sines and cosines.
@@ -165,8 +165,8 @@ pub fn derivative<S: Scalar>(
     // w2_sin_theta_inv*cos(theta); used 2 times
     let w1_dot_part = w2_sin_theta_inv * cos_theta;
     // Elimination, step by step.
-    // w1' = w2*(2*w2/tan(theta) - c_w3_by_I1)/2
-    let w1_dot = S::ratio(1, 2) * w2 * w1_dot_part.mul_add(S::int(2), -c_w3_by_I1);
+    // w1' = w2*(2*w2/tan(theta) - per_I1_w3)/2
+    let w1_dot = S::ratio(1, 2) * w2 * w1_dot_part.mul_add(S::int(2), -per_I1_w3);
     // Values.
     // theta' = w1
     let theta_dot_value = w1;
@@ -182,7 +182,7 @@ pub fn derivative<S: Scalar>(
 /// 31 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
-    let Parameters { I1, p_psi_there, w3, c_w3_by_I1, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, per_I1_w3, .. } = *p;
     let [theta, _, _] = *q;
     let zero = S::int(0);
     // Sines and cosines.
@@ -219,11 +219,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     // w2_by_theta*cos(theta); used 2 times
     let w1_dot_by_theta_part = w2_by_theta * cos_theta;
     // Elimination, step by step.
-    // w1_dot_by_theta = w2*(2*w2_by_theta*cos(theta) - w2/sin(theta))/sin(theta) -
-    //   c_w3_by_I1*w2_by_theta/2
+    // w1_dot_by_theta = w2*(2*w2_by_theta*cos(theta) - w2/sin(theta))/sin(theta) - per_I1_w3*w2_by_theta/2
     let w1_dot_by_theta = w2_sin_theta_inv
         * w1_dot_by_theta_part.mul_add(S::int(2), -w2_sin_theta_inv)
-        - S::ratio(1, 2) * c_w3_by_I1 * w2_by_theta;
+        - S::ratio(1, 2) * per_I1_w3 * w2_by_theta;
     // Entries that are not zero.
     // d(theta')/d(w1) = 1
     let theta_dot_by_w1_value = S::int(1);
@@ -290,7 +289,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> 
 /// 18 operations, 2 sines and cosines.
 #[must_use]
 pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
-    let Parameters { I1, p_psi_there, w3, c_p_z_by_2, c_p_y_by_2, c_p_x_by_2, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, p_z_by_2, p_y_by_2, p_x_by_2, .. } = *p;
     let [theta, _, _] = *q;
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
@@ -298,12 +297,12 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
     // Elimination, step by step.
     // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
     let w2 = (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there) / (I1 * sin_theta);
-    // v3 = c_p_z_by_2
-    let v3 = c_p_z_by_2;
-    // v2 = c_p_y_by_2
-    let v2 = c_p_y_by_2;
-    // v1 = c_p_x_by_2
-    let v1 = c_p_x_by_2;
+    // v3 = p_z_by_2
+    let v3 = p_z_by_2;
+    // v2 = p_y_by_2
+    let v2 = p_y_by_2;
+    // v1 = p_x_by_2
+    let v1 = p_x_by_2;
     // Values.
     // V = v1^2 + v2^2 + v3^2 + I1*w2^2/2 + w3^2/4
     let energy = v2.mul_add(v2, v1 * v1) + v3 * v3 + S::ratio(1, 2) * I1 * w2 * w2
@@ -326,9 +325,9 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
         centre_x,
         centre_y,
         centre_z,
-        c_p_z_by_2,
-        c_p_y_by_2,
-        c_p_x_by_2,
+        p_z_by_2,
+        p_y_by_2,
+        p_x_by_2,
         ..
     } = *p;
     let [theta, phi, psi] = *q;
@@ -339,12 +338,12 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
     // Elimination, step by step.
     // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
     let w2 = (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there) / (I1 * sin_theta);
-    // v3 = c_p_z_by_2
-    let v3 = c_p_z_by_2;
-    // v2 = c_p_y_by_2
-    let v2 = c_p_y_by_2;
-    // v1 = c_p_x_by_2
-    let v1 = c_p_x_by_2;
+    // v3 = p_z_by_2
+    let v3 = p_z_by_2;
+    // v2 = p_y_by_2
+    let v2 = p_y_by_2;
+    // v1 = p_x_by_2
+    let v1 = p_x_by_2;
     // Shared terms.
     // t/2; used 3 times
     let t_scaled = S::ratio(1, 2) * t;
@@ -386,7 +385,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
 /// 31 operations, 2 sines and cosines.
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 5] {
-    let Parameters { I1, p_psi_there, w3, c_p_z_by_2, c_p_y_by_2, c_p_x_by_2, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, p_z_by_2, p_y_by_2, p_x_by_2, .. } = *p;
     let [theta, _, _] = *q;
     let [w1] = *u;
     let zero = S::int(0);
@@ -405,12 +404,12 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     // Elimination, step by step.
     // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
     let w2 = (p_psi_there + w3_sin_theta_by_2_sq) / (I1 * sin_theta);
-    // v3 = c_p_z_by_2
-    let v3 = c_p_z_by_2;
-    // v2 = c_p_y_by_2
-    let v2 = c_p_y_by_2;
-    // v1 = c_p_x_by_2
-    let v1 = c_p_x_by_2;
+    // v3 = p_z_by_2
+    let v3 = p_z_by_2;
+    // v2 = p_y_by_2
+    let v2 = p_y_by_2;
+    // v1 = p_x_by_2
+    let v1 = p_x_by_2;
     // Shared terms.
     // 1/(sin(theta/2)*cos(theta/2))
     let energy_by_theta_part = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
@@ -487,14 +486,14 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 4]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { I1, p_psi_there, w3, c_w3_by_I1, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, per_I1_w3, .. } = *p;
     let [theta_0, _, _, w1_0] = series[0];
     // Shared terms.
     // 1/I1; used 4 times
     let i1_inv = S::int(1) / I1;
     // Constant in time.
-    // minus_c_w3_by_i1 = -c_w3_by_I1
-    let minus_c_w3_by_i1 = -c_w3_by_I1;
+    // minus_per_i1_w3 = -per_I1_w3
+    let minus_per_i1_w3 = -per_I1_w3;
     // weight = 2/I1
     let weight = S::int(2) * i1_inv;
     // minus_1_by_i1 = -1/I1
@@ -519,8 +518,8 @@ pub fn taylor<S: Scalar>(
     let w1_dot_part_0 = w2_part_2_0 * over_sin_theta;
     // w1_dot_part_2 = cos_theta*w1_dot_part
     let w1_dot_part_2_0 = cos_theta_0 * w1_dot_part_0;
-    // w1_dot_part_3 = minus_c_w3_by_i1 + weight*w1_dot_part_2
-    let w1_dot_part_3_0 = w1_dot_part_2_0.mul_add(weight, minus_c_w3_by_i1);
+    // w1_dot_part_3 = minus_per_i1_w3 + weight*w1_dot_part_2
+    let w1_dot_part_3_0 = w1_dot_part_2_0.mul_add(weight, minus_per_i1_w3);
     // w1_dot_part_4 = w2_part_2*w1_dot_part_3
     let w1_dot_part_4_0 = w2_part_2_0 * w1_dot_part_3_0;
     // phi_dot_2 = w3 + minus_1_by_i1*w1_dot_part_2
@@ -688,7 +687,7 @@ pub fn taylor<S: Scalar>(
         // w1_dot_part_2 = cos_theta*w1_dot_part
         let w1_dot_part_2 = w1_dot_part
             .mul_add(cos_theta_0, cos_theta.mul_add(w1_dot_part_0, sums[7]));
-        // w1_dot_part_3 = minus_c_w3_by_i1 + weight*w1_dot_part_2
+        // w1_dot_part_3 = minus_per_i1_w3 + weight*w1_dot_part_2
         let w1_dot_part_3 = weight * w1_dot_part_2;
         // w1_dot_part_4 = w2_part_2*w1_dot_part_3
         let w1_dot_part_4 = w1_dot_part_3
@@ -860,7 +859,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "steady",
-    key: "056e0da2aa96a83a",
+    key: "12e5fc53b239a0f8",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

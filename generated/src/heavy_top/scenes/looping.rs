@@ -4,7 +4,7 @@
 //! Outputs: q1, q2, q3, u1, u2, u3.
 //! States: q1, q2, u1, u2. Quadratures: q3.
 //! p_q3 = I3*u3: momentum p_q3 = ∂L/∂q3'.
-//! c_m_l_g = m*l*g: m*l*g.
+//! m_l_g = m*l*g: m*l*g.
 //! Cost: accelerations 15 operations, 2 sines and cosines; derivative 16 operations, 2 sines and cosines.
 //! Singular where cos(q2) = 0.
 
@@ -27,7 +27,7 @@ pub struct Parameters<S> {
     /// momentum p_q3 = ∂L/∂q3', kg*m^2/s
     pub p_q3: S,
     /// m*l*g, kg*m^2/s^2
-    pub c_m_l_g: S,
+    pub m_l_g: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -45,13 +45,13 @@ impl<S: Scalar> Parameters<S> {
             I3: p[3],
             g: p[4],
             p_q3: p[5],
-            c_m_l_g: p[6],
+            m_l_g: p[6],
         }
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 7] = ["m", "l", "I1", "I3", "g", "p_q3", "c_m_l_g"];
+pub const PARAMETERS: [&str; 7] = ["m", "l", "I1", "I3", "g", "p_q3", "m_l_g"];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 6] = ["q1", "q2", "q3", "u1", "u2", "u3"];
@@ -62,7 +62,7 @@ pub const OUTPUTS: [&str; 6] = ["q1", "q2", "q3", "u1", "u2", "u3"];
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 2] {
-    let Parameters { I1, I3, p_q3, c_m_l_g, .. } = *p;
+    let Parameters { I1, I3, p_q3, m_l_g, .. } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2] = *u;
     // Sines and cosines.
@@ -78,13 +78,13 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     let t2 = s2 / c2;
     // I3*u3*i1_inv - u1*tan(q2); used 2 times
     let u2_dot_part = (-u1).mul_add(t2, I3 * u3 * i1_inv);
-    // c_m_l_g*i1_inv; used 2 times
-    let c_m_l_g_i1_inv = c_m_l_g * i1_inv;
+    // m_l_g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m_l_g * i1_inv;
     // Elimination, step by step.
-    // u2' = (u1*(I3*u3 - I1*u1*tan(q2)) + c_m_l_g*cos(q1)*sin(q2))/I1
-    let u2_dot = (c_m_l_g_i1_inv * c1).mul_add(s2, u1 * u2_dot_part);
-    // u1' = (c_m_l_g*sin(q1) - u2*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u1_dot = (-u2).mul_add(u2_dot_part, c_m_l_g_i1_inv * s1);
+    // u2' = (u1*(I3*u3 - I1*u1*tan(q2)) + m_l_g*cos(q1)*sin(q2))/I1
+    let u2_dot = (m_l_g_i1_inv * c1).mul_add(s2, u1 * u2_dot_part);
+    // u1' = (m_l_g*sin(q1) - u2*(I3*u3 - I1*u1*tan(q2)))/I1
+    let u1_dot = (-u2).mul_add(u2_dot_part, m_l_g_i1_inv * s1);
     [u1_dot, u2_dot]
 }
 
@@ -98,7 +98,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 2],
 ) -> ([S; 3], [S; 2]) {
-    let Parameters { I1, I3, p_q3, c_m_l_g, .. } = *p;
+    let Parameters { I1, I3, p_q3, m_l_g, .. } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2] = *u;
     // Sines and cosines.
@@ -116,13 +116,13 @@ pub fn derivative<S: Scalar>(
     let s2_u1_c2_inv = u1_c2_inv * s2;
     // I3*u3*i1_inv - s2_u1_c2_inv; used 2 times
     let u2_dot_part = (I3 * u3).mul_add(i1_inv, -s2_u1_c2_inv);
-    // c_m_l_g*i1_inv; used 2 times
-    let c_m_l_g_i1_inv = c_m_l_g * i1_inv;
+    // m_l_g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m_l_g * i1_inv;
     // Elimination, step by step.
-    // u2' = (u1*(I3*u3 - I1*u1*tan(q2)) + c_m_l_g*cos(q1)*sin(q2))/I1
-    let u2_dot = (c_m_l_g_i1_inv * c1).mul_add(s2, u1 * u2_dot_part);
-    // u1' = (c_m_l_g*sin(q1) - u2*(I3*u3 - I1*u1*tan(q2)))/I1
-    let u1_dot = (-u2).mul_add(u2_dot_part, c_m_l_g_i1_inv * s1);
+    // u2' = (u1*(I3*u3 - I1*u1*tan(q2)) + m_l_g*cos(q1)*sin(q2))/I1
+    let u2_dot = (m_l_g_i1_inv * c1).mul_add(s2, u1 * u2_dot_part);
+    // u1' = (m_l_g*sin(q1) - u2*(I3*u3 - I1*u1*tan(q2)))/I1
+    let u1_dot = (-u2).mul_add(u2_dot_part, m_l_g_i1_inv * s1);
     // Values.
     // q1' = u1/cos(q2)
     let q1_dot_value = u1_c2_inv;
@@ -138,7 +138,7 @@ pub fn derivative<S: Scalar>(
 /// 25 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]; 5] {
-    let Parameters { I1, I3, p_q3, c_m_l_g, .. } = *p;
+    let Parameters { I1, I3, p_q3, m_l_g, .. } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2] = *u;
     let zero = S::int(0);
@@ -151,20 +151,20 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     // Shared terms.
     // 1/I1; used 2 times
     let i1_inv = S::int(1) / I1;
-    // c_m_l_g*i1_inv; used 2 times
-    let c_m_l_g_i1_inv = c_m_l_g * i1_inv;
+    // m_l_g*i1_inv; used 2 times
+    let m_l_g_i1_inv = m_l_g * i1_inv;
     // Elimination, step by step.
-    // u2_dot_by_q1 = -c_m_l_g*sin(q1)*sin(q2)/I1
-    let u2_dot_by_q1 = -c_m_l_g_i1_inv * s1 * s2;
-    // u1_dot_by_q1 = c_m_l_g*cos(q1)/I1
-    let u1_dot_by_q1 = c_m_l_g_i1_inv * c1;
+    // u2_dot_by_q1 = -m_l_g*sin(q1)*sin(q2)/I1
+    let u2_dot_by_q1 = -m_l_g_i1_inv * s1 * s2;
+    // u1_dot_by_q1 = m_l_g*cos(q1)/I1
+    let u1_dot_by_q1 = m_l_g_i1_inv * c1;
     // Shared terms.
     // 1/cos(q2); used 4 times
     let c2_inv = S::int(1) / c2;
     // u1*c2_inv; used 4 times
     let u1_c2_inv = u1 * c2_inv;
     // Elimination, step by step.
-    // u2_dot_by_q2 = c_m_l_g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
+    // u2_dot_by_q2 = m_l_g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
     let u2_dot_by_q2 = (-u1_c2_inv).mul_add(u1_c2_inv, u1_dot_by_q1 * c2);
     // Shared terms.
     // c2_inv*u1_c2_inv; used 2 times
@@ -308,18 +308,18 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     let u3 = p_q3 / I3;
     // Shared terms.
     // m*l*g; used 2 times
-    let m_l_g = m * l * g;
-    // m_l_g*cos(q2); used 2 times
-    let c2_m_l_g = m_l_g * c2;
+    let m_l_g_2 = m * l * g;
+    // m_l_g_2*cos(q2); used 2 times
+    let c2_m_l_g_2 = m_l_g_2 * c2;
     // I1*(u1^2 + u2^2) + I3*u3^2
     let energy_part = I1 * u2.mul_add(u2, u1 * u1) + I3 * u3 * u3;
     // Values.
     // T + V = m*l*g*cos(q1)*cos(q2) + I1*(u1^2 + u2^2)/2 + I3*u3^2/2
-    let energy = c2_m_l_g.mul_add(c1, S::ratio(1, 2) * energy_part);
+    let energy = c2_m_l_g_2.mul_add(c1, S::ratio(1, 2) * energy_part);
     // d(T + V)/d(q1) = -m*l*g*sin(q1)*cos(q2)
-    let energy_by_q1 = -c2_m_l_g * s1;
+    let energy_by_q1 = -c2_m_l_g_2 * s1;
     // d(T + V)/d(q2) = -m*l*g*cos(q1)*sin(q2)
-    let energy_by_q2 = -m_l_g * c1 * s2;
+    let energy_by_q2 = -m_l_g_2 * c1 * s2;
     // d(T + V)/d(u1) = I1*u1
     let energy_by_u1 = I1 * u1;
     // d(T + V)/d(u2) = I1*u2
@@ -335,7 +335,7 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 5]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { I1, I3, p_q3, c_m_l_g, .. } = *p;
+    let Parameters { I1, I3, p_q3, m_l_g, .. } = *p;
     let [q1_0, q2_0, _, u1_0, u2_0] = series[0];
     // Shared terms.
     // 1/I1; used 2 times
@@ -343,8 +343,8 @@ pub fn taylor<S: Scalar>(
     // Constant in time.
     // minus_i1 = -I1
     let minus_i1 = -I1;
-    // minus_c_m_l_g = -c_m_l_g
-    let minus_c_m_l_g = -c_m_l_g;
+    // minus_m_l_g = -m_l_g
+    let minus_m_l_g = -m_l_g;
     // p_q3_by_i3 = p_q3/I3
     let p_q3_by_i3 = p_q3 / I3;
     // minus_1_by_i1 = -1/I1
@@ -365,12 +365,12 @@ pub fn taylor<S: Scalar>(
     let u2_dot_part_2_0 = u1_0 * u2_dot_part_0;
     // cos_q1_sin_q2 = s2*c1
     let cos_q1_sin_q2_0 = s2_0 * c1_0;
-    // u2_dot_part_3 = u2_dot_part_2 + c_m_l_g*cos_q1_sin_q2
-    let u2_dot_part_3_0 = c_m_l_g * cos_q1_sin_q2_0 + u2_dot_part_2_0;
+    // u2_dot_part_3 = u2_dot_part_2 + m_l_g*cos_q1_sin_q2
+    let u2_dot_part_3_0 = m_l_g * cos_q1_sin_q2_0 + u2_dot_part_2_0;
     // u1_dot_part = u2*u2_dot_part
     let u1_dot_part_0 = u2_0 * u2_dot_part_0;
-    // u1_dot_part_2 = u1_dot_part + minus_c_m_l_g*s1
-    let u1_dot_part_2_0 = minus_c_m_l_g * s1_0 + u1_dot_part_0;
+    // u1_dot_part_2 = u1_dot_part + minus_m_l_g*s1
+    let u1_dot_part_2_0 = minus_m_l_g * s1_0 + u1_dot_part_0;
     // q3_dot_2 = p_q3_by_i3 - u1_tan_q2
     let q3_dot_2_0 = p_q3_by_i3 - u1_tan_q2_0;
     // Order 1: the rates, and what follows from them.
@@ -391,9 +391,9 @@ pub fn taylor<S: Scalar>(
     let u2_dot_part_1 = minus_i1 * u1_tan_q2_1;
     let u2_dot_part_2_1 = u2_dot_part_1.mul_add(u1_0, u1_1 * u2_dot_part_0);
     let cos_q1_sin_q2_1 = c1_1.mul_add(s2_0, s2_1 * c1_0);
-    let u2_dot_part_3_1 = c_m_l_g * cos_q1_sin_q2_1 + u2_dot_part_2_1;
+    let u2_dot_part_3_1 = m_l_g * cos_q1_sin_q2_1 + u2_dot_part_2_1;
     let u1_dot_part_1 = u2_dot_part_1.mul_add(u2_0, u2_1 * u2_dot_part_0);
-    let u1_dot_part_2_1 = minus_c_m_l_g * s1_1 + u1_dot_part_1;
+    let u1_dot_part_2_1 = minus_m_l_g * s1_1 + u1_dot_part_1;
     let q3_dot_2_1 = -u1_tan_q2_1;
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
@@ -482,12 +482,12 @@ pub fn taylor<S: Scalar>(
             .mul_add(u1_0, u1.mul_add(u2_dot_part_0, sums[6]));
         // cos_q1_sin_q2 = s2*c1
         let cos_q1_sin_q2 = c1.mul_add(s2_0, s2.mul_add(c1_0, sums[7]));
-        // u2_dot_part_3 = u2_dot_part_2 + c_m_l_g*cos_q1_sin_q2
-        let u2_dot_part_3 = c_m_l_g * cos_q1_sin_q2 + u2_dot_part_2;
+        // u2_dot_part_3 = u2_dot_part_2 + m_l_g*cos_q1_sin_q2
+        let u2_dot_part_3 = m_l_g * cos_q1_sin_q2 + u2_dot_part_2;
         // u1_dot_part = u2*u2_dot_part
         let u1_dot_part = u2_dot_part.mul_add(u2_0, u2.mul_add(u2_dot_part_0, sums[8]));
-        // u1_dot_part_2 = u1_dot_part + minus_c_m_l_g*s1
-        let u1_dot_part_2 = minus_c_m_l_g * s1 + u1_dot_part;
+        // u1_dot_part_2 = u1_dot_part + minus_m_l_g*s1
+        let u1_dot_part_2 = minus_m_l_g * s1 + u1_dot_part;
         // q3_dot_2 = p_q3_by_i3 - u1_tan_q2
         let q3_dot_2 = -u1_tan_q2;
         q1_rate = q1_dot_2;
@@ -629,7 +629,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "looping",
-    key: "2c9057993e91d90b",
+    key: "36b00938617f9a76",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,
