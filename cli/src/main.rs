@@ -9,6 +9,7 @@ mod output;
 mod page;
 mod plot;
 mod stability;
+mod step_name;
 mod sweep;
 mod workspace;
 

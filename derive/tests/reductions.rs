@@ -160,7 +160,7 @@ fn free_body() {
             p_z_by_2 [1] = v3
             p_y_by_2 [1] = v2
             p_x_by_2 [1] = v1
-            per_I1_w3 [1/kg/m^2/s] = w3/I1
+            w3_per_I1 [1/kg/m^2/s] = w3/I1
             w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
             v3 = p_z_by_2
             v2 = p_y_by_2
@@ -168,7 +168,7 @@ fn free_body() {
             theta' = w1
             phi' = w3 - w2/tan(theta)
             psi' = w2/sin(theta)
-            w1' = w2*(2*w2/tan(theta) - per_I1_w3)/2
+            w1' = w2*(2*w2/tan(theta) - w3_per_I1)/2
             x -> p_x*t/2 + centre_x/2
             y -> p_y*t/2 + centre_y/2
             z -> p_z*t/2 + centre_z/2
@@ -190,9 +190,9 @@ fn floating_chain_folding_angle() {
             p_x [kg*m/s] = m*(6*u1 - l*(2*u3*sin(theta1) + 3*u4*sin(theta2) + u5*sin(theta3)))/2
             H_n3_scaled [kg*m^2/s] = m*l^2*(u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(theta1 - …
             centre_x [kg*m] = m*(6*x + l*(2*cos(theta1) + 3*cos(theta2) + cos(theta3)))/2
-            per_m_per_l_squared_H_n3_scaled [1] = u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(the…
+            H_n3_scaled_per_m_per_l_squared [1] = u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(the…
             m_l_squared_by_12 [kg*m^2] = m*l^2/12
-            u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(t…
+            u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(t…
             theta2_from_theta1' = u4_from_u3
             theta3_from_theta1' = u5_from_u3
             theta1' = u3

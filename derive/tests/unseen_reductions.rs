@@ -97,9 +97,9 @@ fn two_masses_on_a_spring_move_by_their_distance() {
     let r = reduced(&two_masses(), "outputs = [\"y - x\"]\nfree = [\"m\", \"M\", \"k\"]");
     expect![[r"
         states: y_from_x, vy_from_vx
-        per_m_per_M_k [1/kg/s^2] = k/(m*M)
+        k_per_m_per_M [1/kg/s^2] = k/(m*M)
         y_from_x' = vy_from_vx
-        vy_from_vx' = -y_from_x*per_m_per_M_k*(m + M)
+        vy_from_vx' = -y_from_x*k_per_m_per_M*(m + M)
         y - x -> y_from_x
         energy known; divided by: nothing
     "]]
@@ -115,10 +115,10 @@ fn a_bead_on_an_arm_feels_its_angular_momentum() {
     expect![[r"
         states: r, vr
         p_turn [kg*m^2/s] = m*r^2*vturn
-        per_m_k [1/s^2] = k/m
+        k_per_m [1/s^2] = k/m
         vturn = p_turn/(m*r^2)
         r' = vr
-        vr' = r*(vturn^2 - per_m_k)
+        vr' = r*(vturn^2 - k_per_m)
         energy known; divided by: r
     "]]
     .assert_eq(&show(&r));
@@ -178,10 +178,10 @@ fn outputs_may_be_formulas_energies_rates_and_accelerations() {
     expect![[r"
         states: r, vr
         p_turn [kg*m^2/s] = m*r^2*vturn
-        per_m_k [1/s^2] = k/m
+        k_per_m [1/s^2] = k/m
         vturn = p_turn/(m*r^2)
         r' = vr
-        vr' = r*(vturn^2 - per_m_k)
+        vr' = r*(vturn^2 - k_per_m)
         square -> r^2*vturn^2
         vturn' -> -2*vturn*vr/r
         vr' -> r*(vturn^2 - k/m)

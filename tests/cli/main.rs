@@ -7,6 +7,7 @@ mod edited_model;
 mod emit;
 mod files;
 mod hostile;
+mod latex;
 mod numbers;
 mod page;
 mod random_scenes;

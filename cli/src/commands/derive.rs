@@ -1,5 +1,7 @@
 //! `tripos derive`: the equations, for people and for programs.
 
+mod latex;
+
 use crate::Format;
 use crate::failure::{Failure, print, say};
 use crate::workspace::{read_model, short_name};
@@ -10,11 +12,12 @@ use tripos::Mechanism;
 use tripos::code::formulation;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::print::{latex, latex_name, mathml, mathml_name, text, whole_text};
+use tripos_derive::algebra::print::{mathml, mathml_name, text, whole_text};
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{DerivationInSteps, accelerations, derive_in_steps};
+use tripos_derive::mechanics::{DerivationInSteps, accelerations, derive_all, derive_in_steps};
+use tripos_derive::prove::prove;
 
 /// Derives and prints.
 pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Failure> {
@@ -22,7 +25,7 @@ pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Fail
     let mut derivations = derivations(&model, by)?;
     let out = match format {
         Format::Text => as_text(&model, &mut derivations),
-        Format::Latex => as_latex(&derivations),
+        Format::Latex => as_latex(&model, &mut derivations)?,
         Format::Mathml => as_mathml(&derivations),
         Format::Json => {
             let list: Vec<Value> = derivations.iter_mut().map(as_json).collect();
@@ -105,18 +108,21 @@ fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
     terms.join(" + ").replace("+ -", "- ")
 }
 
-fn as_latex(derivations: &[DerivationInSteps]) -> String {
-    let mut out = String::new();
-    for DerivationInSteps { arena, equations: e, .. } in derivations {
-        let rows: Vec<String> =
-            e.matrix.iter().map(|row| row.iter().map(|x| latex(arena, *x)).collect::<Vec<_>>().join(" & ")).collect();
-        let column = |list: Vec<String>| format!("\\begin{{bmatrix}}\n{}\n\\end{{bmatrix}}", list.join(" \\\\\n"));
-        let unknowns = e.unknowns.iter().map(|x| latex_name(arena.symbol_name(*x).unwrap_or_default())).collect();
-        let right = e.forcing.iter().map(|x| latex(arena, *x)).collect();
-        let _ =
-            writeln!(out, "% {}\n{}\n{}\n=\n{}", e.formulation.title(), column(rows), column(unknowns), column(right));
+/// Coordinates up to which what is conserved is looked for: `prove` does for any model.
+const MOST_PROVED: usize = 8;
+
+fn as_latex(model: &Mechanism, derivations: &mut [DerivationInSteps]) -> Result<String, Failure> {
+    let mut out = latex::head(model);
+    for derivation in derivations {
+        let solved = solved(derivation);
+        out += &latex::formulation(model, derivation, solved.as_ref());
     }
-    out
+    if model.coordinates.len() <= MOST_PROVED {
+        let mut all = derive_all(model).map_err(|error| model.diagnose(&error))?;
+        let proof = prove(model, &mut all);
+        out += &latex::integrals(model, &all.kinematics.arena, &proof.integrals);
+    }
+    Ok(out)
 }
 
 fn as_mathml(derivations: &[DerivationInSteps]) -> String {

@@ -1,6 +1,7 @@
 //! Names and formulas as MathML.
 
 use super::html::{each, escape};
+use crate::step_name::{Axis, StepName, VectorName};
 use tripos_derive::Model;
 use tripos_derive::algebra::print::{self, mathml_name};
 use tripos_derive::algebra::{Arena, Expr};
@@ -143,14 +144,12 @@ pub fn basis(frame: &str, index: &str) -> String {
     format!("<msub>{}<mn>{}</mn></msub>", vector(&frame.to_lowercase()), escape(index))
 }
 
-/// `omega(C)` as the angular velocity of C in the inertial frame; likewise v, a and alpha.
-fn motion(model: &Model, text: &str) -> Option<String> {
-    let (kind, of) = text.strip_suffix(')')?.split_once('(')?;
+/// The velocity, angular velocity or acceleration of a frame or point in the inertial frame.
+fn motion(model: &Model, VectorName { kind, of }: VectorName<'_>) -> Option<String> {
     let letter = match kind {
         "omega" => "ω",
         "alpha" => "α",
-        "v" | "a" => kind,
-        _ => return None,
+        letter => letter,
     };
     let inertial = symbol(&model.frames.first()?.name);
     let (base, of) = (vector(letter), symbol(of));
@@ -159,34 +158,20 @@ fn motion(model: &Model, text: &str) -> Option<String> {
 
 /// The name of a line of a derivation, such as `omega(C) @ B [1]`, `d v(P) @ B [3]/d u2`, `F[u1]`, `q1'`.
 pub fn step_name(model: &Model, name: &str) -> String {
-    component(model, name)
-        .or_else(|| partial(model, name))
-        .or_else(|| generalized_force(name))
-        .unwrap_or_else(|| symbol(name))
-}
-
-fn component(model: &Model, name: &str) -> Option<String> {
-    let (of, place) = name.split_once(" @ ")?;
-    let (frame, index) = place.strip_suffix(']')?.split_once(" [")?;
-    Some(format!("<mrow>{}<mo>·</mo>{}</mrow>", motion(model, of)?, basis(frame, index)))
-}
-
-fn partial(model: &Model, name: &str) -> Option<String> {
-    let (above, speed) = name.strip_prefix("d ")?.rsplit_once("/d ")?;
-    let (of, place) = above.split_once(" @ ")?;
-    let (frame, index) = place.strip_suffix(']')?.split_once(" [")?;
-    Some(format!(
-        "<mrow><mfrac><mrow><mo form=\"prefix\">∂</mo>{}</mrow><mrow><mo form=\"prefix\">∂</mo>{}</mrow></mfrac>\
-         <mo>·</mo>{}</mrow>",
-        motion(model, of)?,
-        symbol(speed),
-        basis(frame, index)
-    ))
-}
-
-fn generalized_force(name: &str) -> Option<String> {
-    let (letter, of) = name.strip_suffix(']')?.split_once('[')?;
-    Some(format!("<msub><mi>{}</mi><mrow>{}</mrow></msub>", escape(letter), symbol(of)))
+    let along = |axis: Axis<'_>| format!("<mo>·</mo>{}", basis(axis.frame, axis.index));
+    let typeset = match StepName::read(name) {
+        StepName::Component(of, axis) => motion(model, of).map(|of| format!("<mrow>{of}{}</mrow>", along(axis))),
+        StepName::Partial(of, axis, speed) => motion(model, of).map(|of| {
+            let (speed, d) = (symbol(speed), "<mo form=\"prefix\">∂</mo>");
+            let fraction = format!("<mfrac><mrow>{d}{of}</mrow><mrow>{d}{speed}</mrow></mfrac>");
+            format!("<mrow>{fraction}{}</mrow>", along(axis))
+        }),
+        StepName::Of(letter, of) => {
+            Some(format!("<msub><mi>{}</mi><mrow>{}</mrow></msub>", escape(letter), symbol(of)))
+        }
+        StepName::Symbol(_) => None,
+    };
+    typeset.unwrap_or_else(|| symbol(name))
 }
 
 /// The title of a step, with a quantity at its end typeset, as HTML.
@@ -194,7 +179,7 @@ pub fn step_title(model: &Model, title: &str) -> String {
     let typeset = || {
         let (words, quantity) = title.split_once(": ")?;
         let (of, frame) = quantity.split_once(" @ ")?;
-        let (of, frame) = (inline(&motion(model, of)?), inline(&symbol(frame)));
+        let (of, frame) = (inline(&motion(model, VectorName::read(of)?)?), inline(&symbol(frame)));
         Some(format!("{}: {of}, components in {frame}", escape(words)))
     };
     typeset().unwrap_or_else(|| escape(title))

@@ -87,7 +87,7 @@ impl Hoist {
     }
 }
 
-/// `u3_times_2` for 2 u₃, `l_squared_m_times_4_by_3` for 4/3 l² m: the product as it is said.
+/// `u3_times_2` for 2 u₃, `k_per_m` for k/m, `l_squared_m_times_4_by_3` for 4/3 l² m: the product as it is said.
 fn name(arena: &Arena, factors: &[(Expr, i32)], k: &Rational) -> String {
     let word = |(base, n): &(Expr, i32)| {
         let name = arena.symbol_name(*base).unwrap_or_default();
@@ -99,7 +99,8 @@ fn name(arena: &Arena, factors: &[(Expr, i32)], k: &Rational) -> String {
             n => format!("{inverse}{name}_to_{n}"),
         }
     };
-    let mut name = factors.iter().map(word).collect::<Vec<_>>().join("_");
+    let (above, below): (Vec<_>, Vec<_>) = factors.iter().partition(|(_, n)| *n > 0);
+    let mut name = above.into_iter().chain(below).map(word).collect::<Vec<_>>().join("_");
     let k = k.to_big();
     for (joint, number) in [("times", k.numer()), ("by", k.denom())] {
         if *number != 1.into() {

@@ -8,10 +8,10 @@
 //! H_n3_scaled = m*l^2*(u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + cos(theta1 - theta3)*(1 + 3*cos(theta1 - theta2)))): 12 times the angular momentum about n3 through the mass centre.
 //! centre_x = m*(6*x + l*(2*cos(theta1) + 3*cos(theta2) + cos(theta3)))/2: m*(6*x + l*(2*cos(theta1) + 3*cos(theta1 + theta2_from_theta1) + cos(theta1 + theta3_from_theta1)))/2 at the start.
 //! centre_y = m*(6*y + l*(2*sin(theta1) + 3*sin(theta2) + sin(theta3)))/2: m*(6*y + l*(2*sin(theta1) + 3*sin(theta1 + theta2_from_theta1) + sin(theta1 + theta3_from_theta1)))/2 at the start.
-//! per_m_per_l_squared_H_n3_scaled = u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + cos(theta1 - theta3)*(1 + 3*cos(theta1 - theta2))): H_n3_scaled/(m*l^2).
+//! H_n3_scaled_per_m_per_l_squared = u3*(3 + 3*cos(theta1 - theta2) + cos(theta1 - theta3)) + u4*(7 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + 3*cos(theta1 - theta2)*(1 + cos(theta1 - theta3))) + u5*(3 + 3*sin(theta1 - theta2)*sin(theta1 - theta3) + cos(theta1 - theta3)*(1 + 3*cos(theta1 - theta2))): H_n3_scaled/(m*l^2).
 //! l_by_6 = l/6: l/6.
-//! per_m_p_y_by_3 = u2 + l*(2*u3*cos(theta1) + 3*u4*cos(theta2) + u5*cos(theta3))/6: p_y/(3*m).
-//! per_m_p_x_by_3 = u1 - l*(2*u3*sin(theta1) + 3*u4*sin(theta2) + u5*sin(theta3))/6: p_x/(3*m).
+//! p_y_per_m_by_3 = u2 + l*(2*u3*cos(theta1) + 3*u4*cos(theta2) + u5*cos(theta3))/6: p_y/(3*m).
+//! p_x_per_m_by_3 = u1 - l*(2*u3*sin(theta1) + 3*u4*sin(theta2) + u5*sin(theta3))/6: p_x/(3*m).
 //! m_l_squared_by_12 = m*l^2/12: m*l^2/12.
 //! Cost: accelerations 295 operations, 2 sines and cosines; derivative 295 operations, 2 sines and cosines.
 //! Singular where 13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)) = 0.
@@ -37,13 +37,13 @@ pub struct Parameters<S> {
     /// m*(6*y + l*(2*sin(theta1) + 3*sin(theta1 + theta2_from_theta1) + sin(theta1 + theta3_from_theta1)))/2 at the start, kg*m
     pub centre_y: S,
     /// H_n3_scaled/(m*l^2), 1
-    pub per_m_per_l_squared_H_n3_scaled: S,
+    pub H_n3_scaled_per_m_per_l_squared: S,
     /// l/6, m
     pub l_by_6: S,
     /// p_y/(3*m), 1
-    pub per_m_p_y_by_3: S,
+    pub p_y_per_m_by_3: S,
     /// p_x/(3*m), 1
-    pub per_m_p_x_by_3: S,
+    pub p_x_per_m_by_3: S,
     /// m*l^2/12, kg*m^2
     pub m_l_squared_by_12: S,
 }
@@ -64,10 +64,10 @@ impl<S: Scalar> Parameters<S> {
             H_n3_scaled: p[4],
             centre_x: p[5],
             centre_y: p[6],
-            per_m_per_l_squared_H_n3_scaled: p[7],
+            H_n3_scaled_per_m_per_l_squared: p[7],
             l_by_6: p[8],
-            per_m_p_y_by_3: p[9],
-            per_m_p_x_by_3: p[10],
+            p_y_per_m_by_3: p[9],
+            p_x_per_m_by_3: p[10],
             m_l_squared_by_12: p[11],
         }
     }
@@ -82,10 +82,10 @@ pub const PARAMETERS: [&str; 12] = [
     "H_n3_scaled",
     "centre_x",
     "centre_y",
-    "per_m_per_l_squared_H_n3_scaled",
+    "H_n3_scaled_per_m_per_l_squared",
     "l_by_6",
-    "per_m_p_y_by_3",
-    "per_m_p_x_by_3",
+    "p_y_per_m_by_3",
+    "p_x_per_m_by_3",
     "m_l_squared_by_12",
 ];
 
@@ -109,7 +109,7 @@ pub const OUTPUTS: [&str; 10] = [
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 2] {
-    let Parameters { per_m_per_l_squared_H_n3_scaled, m_l_squared_by_12, .. } = *p;
+    let Parameters { H_n3_scaled_per_m_per_l_squared, m_l_squared_by_12, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     // Sines and cosines.
@@ -136,14 +136,14 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     let u3_part_8 = S::int(1)
         / (u3_part.mul_add(u3_part_5, S::int(13)) + u3_part_6 + u3_part_7_scaled);
     // Elimination, step by step.
-    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3 = u3_part_8
-        * (per_m_per_l_squared_H_n3_scaled
+        * (H_n3_scaled_per_m_per_l_squared
             - u4_from_u3 * (u3_part.mul_add(u3_part_2, S::int(7)) + u3_part_4)
             - u5_from_u3
                 * (S::int(3) + cos_theta3_from_theta1 * (S::int(1) + u3_part_2)
@@ -450,7 +450,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 2],
 ) -> ([S; 3], [S; 2]) {
-    let Parameters { per_m_per_l_squared_H_n3_scaled, m_l_squared_by_12, .. } = *p;
+    let Parameters { H_n3_scaled_per_m_per_l_squared, m_l_squared_by_12, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     // Sines and cosines.
@@ -477,14 +477,14 @@ pub fn derivative<S: Scalar>(
     let u3_part_8 = S::int(1)
         / (u3_part.mul_add(u3_part_5, S::int(13)) + u3_part_6 + u3_part_7_scaled);
     // Elimination, step by step.
-    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3 = u3_part_8
-        * (per_m_per_l_squared_H_n3_scaled
+        * (H_n3_scaled_per_m_per_l_squared
             - u4_from_u3 * (u3_part.mul_add(u3_part_2, S::int(7)) + u3_part_4)
             - u5_from_u3
                 * (S::int(3) + cos_theta3_from_theta1 * (S::int(1) + u3_part_2)
@@ -794,7 +794,7 @@ pub fn derivative<S: Scalar>(
 /// 1104 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]; 5] {
-    let Parameters { per_m_per_l_squared_H_n3_scaled, m_l_squared_by_12, .. } = *p;
+    let Parameters { H_n3_scaled_per_m_per_l_squared, m_l_squared_by_12, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     let zero = S::int(0);
@@ -828,14 +828,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u3_part_12 = S::int(1)
         / (u3_part.mul_add(u3_part_8, S::int(13)) + u3_part_9 + u3_part_11);
     // Elimination, step by step.
-    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3 = u3_part_12
-        * ((-u4_from_u3).mul_add(u3_part_5, per_m_per_l_squared_H_n3_scaled)
+        * ((-u4_from_u3).mul_add(u3_part_5, H_n3_scaled_per_m_per_l_squared)
             - u5_from_u3 * u3_part_7);
     // Shared terms.
     // 13 + u3_part_8; used 5 times
@@ -1145,8 +1145,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
     let u5_from_u3_dot = r1_ * u5_from_u3_dot_part_8;
     // Shared terms.
-    // 2*per_m_per_l_squared_H_n3_scaled; used 4 times
-    let u3_by_theta2_from_theta1_part = S::int(2) * per_m_per_l_squared_H_n3_scaled;
+    // 2*H_n3_scaled_per_m_per_l_squared; used 4 times
+    let u3_by_theta2_from_theta1_part = S::int(2) * H_n3_scaled_per_m_per_l_squared;
     // 5*u5_from_u3; used 2 times
     let u5_from_u3_scaled_3 = S::int(5) * u5_from_u3;
     // u4_from_u3 - u3_by_theta2_from_theta1_part; used 2 times
@@ -1160,11 +1160,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u3_part_12_sq = u3_part_12 * u3_part_12;
     // Elimination, step by step.
     // u3_by_theta2_from_theta1 = -3*(sin(theta2_from_theta1)*(u4_from_u3 + 6*u5_from_u3 -
-    //   2*per_m_per_l_squared_H_n3_scaled - cos(theta3_from_theta1)*(u4_from_u3*(1 +
-    //   2*cos(theta3_from_theta1)) + 5*u5_from_u3 + 2*per_m_per_l_squared_H_n3_scaled)) +
+    //   2*H_n3_scaled_per_m_per_l_squared - cos(theta3_from_theta1)*(u4_from_u3*(1 +
+    //   2*cos(theta3_from_theta1)) + 5*u5_from_u3 + 2*H_n3_scaled_per_m_per_l_squared)) +
     //   sin(theta3_from_theta1)*(6*u5_from_u3 +
     //   cos(theta2_from_theta1)*(u4_from_u3*(2*cos(theta3_from_theta1) - 1) + 7*u5_from_u3 +
-    //   2*per_m_per_l_squared_H_n3_scaled)))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   2*H_n3_scaled_per_m_per_l_squared)))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2
     let u3_by_theta2_from_theta1 = -S::int(3) * u3_part_12_sq
         * (sin_theta2_from_theta1
@@ -1821,10 +1821,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u3_by_theta3_from_theta1_part = S::int(7) + u3_part_8;
     // Elimination, step by step.
     // u3_by_theta3_from_theta1 = -(sin(theta3_from_theta1)*(14*u4_from_u3 - 7*u5_from_u3 -
-    //   2*per_m_per_l_squared_H_n3_scaled + 3*cos(theta2_from_theta1)*(3*u4_from_u3 - 3*u5_from_u3*(3 +
-    //   2*cos(theta2_from_theta1)) - 2*per_m_per_l_squared_H_n3_scaled)) +
+    //   2*H_n3_scaled_per_m_per_l_squared + 3*cos(theta2_from_theta1)*(3*u4_from_u3 - 3*u5_from_u3*(3 +
+    //   2*cos(theta2_from_theta1)) - 2*H_n3_scaled_per_m_per_l_squared)) +
     //   3*sin(theta2_from_theta1)*(2*u4_from_u3 + cos(theta3_from_theta1)*(u5_from_u3*(7 +
-    //   6*cos(theta2_from_theta1)) - u4_from_u3 + 2*per_m_per_l_squared_H_n3_scaled)))/(13 +
+    //   6*cos(theta2_from_theta1)) - u4_from_u3 + 2*H_n3_scaled_per_m_per_l_squared)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2
     let u3_by_theta3_from_theta1 = -u3_part_12_sq
@@ -2877,7 +2877,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
 /// 21 operations, 2 sines and cosines.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 3] {
-    let Parameters { per_m_per_l_squared_H_n3_scaled, .. } = *p;
+    let Parameters { H_n3_scaled_per_m_per_l_squared, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     // Sines and cosines.
@@ -2890,13 +2890,13 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) ->
     let u3_part_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1)
         + u3_part;
     // Elimination, step by step.
-    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let u3 = (per_m_per_l_squared_H_n3_scaled
+    let u3 = (H_n3_scaled_per_m_per_l_squared
         - u5_from_u3
             * (S::int(3)
                 + cos_theta3_from_theta1
@@ -2918,7 +2918,7 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) ->
 /// 47 operations, 2 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> S {
-    let Parameters { m, l, H_n3_scaled, per_m_per_l_squared_H_n3_scaled, .. } = *p;
+    let Parameters { m, l, H_n3_scaled, H_n3_scaled_per_m_per_l_squared, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
     // Sines and cosines.
@@ -2944,13 +2944,13 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> S
     // 1/u3_part_4; used 2 times
     let u3_part_4_inv = S::int(1) / u3_part_4;
     // Elimination, step by step.
-    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let u3 = u3_part_4_inv * (per_m_per_l_squared_H_n3_scaled - u3_part_3);
+    let u3 = u3_part_4_inv * (H_n3_scaled_per_m_per_l_squared - u3_part_3);
     // Shared terms.
     // H_n3_scaled/l
     let l_inv_h_n3_scaled = H_n3_scaled / l;
@@ -3016,10 +3016,10 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
         p_y,
         centre_x,
         centre_y,
-        per_m_per_l_squared_H_n3_scaled,
+        H_n3_scaled_per_m_per_l_squared,
         l_by_6,
-        per_m_p_y_by_3,
-        per_m_p_x_by_3,
+        p_y_per_m_by_3,
+        p_x_per_m_by_3,
         ..
     } = *p;
     let [theta2_from_theta1, theta3_from_theta1, theta1] = *q;
@@ -3035,13 +3035,13 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     let u3_part_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1)
         + u3_part;
     // Elimination, step by step.
-    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let u3 = (per_m_per_l_squared_H_n3_scaled
+    let u3 = (H_n3_scaled_per_m_per_l_squared
         - u5_from_u3
             * (S::int(3)
                 + cos_theta3_from_theta1
@@ -3062,10 +3062,10 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     // 2*cos(theta1) + cos(theta1 + theta3_from_theta1) + u2_part_2_scaled; used 2 times
     let u2_part_3 = cos_theta1.mul_add(S::int(2), u2_part) + u2_part_2_scaled;
     // Elimination, step by step.
-    // u2 = per_m_p_y_by_3 - l_by_6*(u3*(2*cos(theta1) + 3*cos(theta1 + theta2_from_theta1) + cos(theta1 +
+    // u2 = p_y_per_m_by_3 - l_by_6*(u3*(2*cos(theta1) + 3*cos(theta1 + theta2_from_theta1) + cos(theta1 +
     //   theta3_from_theta1)) + 3*u4_from_u3*cos(theta1 + theta2_from_theta1) + u5_from_u3*cos(theta1 +
     //   theta3_from_theta1))
-    let u2 = per_m_p_y_by_3
+    let u2 = p_y_per_m_by_3
         - l_by_6
             * (u4_from_u3.mul_add(u2_part_2_scaled, u5_from_u3 * u2_part)
                 + u3 * u2_part_3);
@@ -3083,8 +3083,8 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     // Elimination, step by step.
     // u1 = l_by_6*(u3*(2*sin(theta1) + 3*sin(theta1 + theta2_from_theta1) + sin(theta1 +
     //   theta3_from_theta1)) + 3*u4_from_u3*sin(theta1 + theta2_from_theta1) + u5_from_u3*sin(theta1 +
-    //   theta3_from_theta1)) + per_m_p_x_by_3
-    let u1 = per_m_p_x_by_3
+    //   theta3_from_theta1)) + p_x_per_m_by_3
+    let u1 = p_x_per_m_by_3
         + l_by_6
             * (u4_from_u3.mul_add(u1_part_2_scaled, u5_from_u3 * u1_part)
                 + u3 * u1_part_3);
@@ -3135,7 +3135,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
         p_x,
         p_y,
         H_n3_scaled,
-        per_m_per_l_squared_H_n3_scaled,
+        H_n3_scaled_per_m_per_l_squared,
         ..
     } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
@@ -3165,10 +3165,10 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
         + S::int(6) * u3_part_3;
     // 1/u3_part_8; used 6 times
     let u3_part_8_inv = S::int(1) / u3_part_8;
-    // u3_part_8_inv*(u3_part_7 - per_m_per_l_squared_H_n3_scaled); used 2 times
-    let u3_part_9 = u3_part_8_inv * (u3_part_7 - per_m_per_l_squared_H_n3_scaled);
+    // u3_part_8_inv*(u3_part_7 - H_n3_scaled_per_m_per_l_squared); used 2 times
+    let u3_part_9 = u3_part_8_inv * (u3_part_7 - H_n3_scaled_per_m_per_l_squared);
     // Elimination, step by step.
-    // u3 = (per_m_per_l_squared_H_n3_scaled - u4_from_u3*(7 +
+    // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
@@ -3283,7 +3283,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     //   cos(theta3_from_theta1)) - cos(theta2_from_theta1)*sin(theta3_from_theta1))*(u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) + u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - per_m_per_l_squared_H_n3_scaled)/(13 +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - H_n3_scaled_per_m_per_l_squared)/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2) + u3*((13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
@@ -3297,7 +3297,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     //   cos(theta3_from_theta1)) - cos(theta2_from_theta1)*sin(theta3_from_theta1))*(u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) + u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - per_m_per_l_squared_H_n3_scaled)/(13 +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - H_n3_scaled_per_m_per_l_squared)/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2) -
     //   2*u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) - sin(theta2_from_theta1)*(1 +
@@ -3326,7 +3326,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     //   3*cos(theta2_from_theta1)*sin(theta3_from_theta1))*(u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) + u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - per_m_per_l_squared_H_n3_scaled)/(13 +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - H_n3_scaled_per_m_per_l_squared)/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2) -
     //   6*u4_from_u3*u5_from_u3*(cos(theta2_from_theta1)*sin(theta3_from_theta1) -
@@ -3347,7 +3347,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     //   3*cos(theta2_from_theta1)*sin(theta3_from_theta1))*(u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) + u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - per_m_per_l_squared_H_n3_scaled)/(13 +
+    //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))) - H_n3_scaled_per_m_per_l_squared)/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))^2)))/24
     let energy_by_theta3_from_theta1 = m_l_sq_scaled
@@ -3405,14 +3405,14 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 5]],
     history: &mut [Factors<S, 112>],
 ) {
-    let Parameters { per_m_per_l_squared_H_n3_scaled, m_l_squared_by_12, .. } = *p;
+    let Parameters { H_n3_scaled_per_m_per_l_squared, m_l_squared_by_12, .. } = *p;
     let [theta2_from_theta1_0, theta3_from_theta1_0, _, u4_from_u3_0, u5_from_u3_0] = series[0];
     // Shared terms.
     // 1/m_l_squared_by_12; used 5 times
     let weight_2_part = S::int(1) / m_l_squared_by_12;
     // Constant in time.
-    // weight = -per_m_per_l_squared_H_n3_scaled
-    let weight = -per_m_per_l_squared_H_n3_scaled;
+    // weight = -H_n3_scaled_per_m_per_l_squared
+    let weight = -H_n3_scaled_per_m_per_l_squared;
     // weight_2 = -3/(4*m_l_squared_by_12)
     let weight_2 = -S::ratio(3, 4) * weight_2_part;
     // weight_3 = 9/(4*m_l_squared_by_12)
@@ -6688,7 +6688,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "folding",
-    key: "334a11b94e60e481",
+    key: "2af0f3bf0c76edd2",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,

@@ -14,7 +14,7 @@
 //! p_z_by_2 = v3: p_z/2.
 //! p_y_by_2 = v2: p_y/2.
 //! p_x_by_2 = v1: p_x/2.
-//! per_I1_w3 = w3/I1: w3/I1.
+//! w3_per_I1 = w3/I1: w3/I1.
 //! Parameters that the scene fixes: m = 2, I3 = 0.5.
 //! Cost: accelerations 13 operations, 2 sines and cosines; derivative 14 operations, 2 sines and cosines.
 //! Singular where sin(theta) = 0.
@@ -50,7 +50,7 @@ pub struct Parameters<S> {
     /// p_x/2, 1
     pub p_x_by_2: S,
     /// w3/I1, 1/kg/m^2/s
-    pub per_I1_w3: S,
+    pub w3_per_I1: S,
 }
 
 impl<S: Scalar> Parameters<S> {
@@ -74,7 +74,7 @@ impl<S: Scalar> Parameters<S> {
             p_z_by_2: p[9],
             p_y_by_2: p[10],
             p_x_by_2: p[11],
-            per_I1_w3: p[12],
+            w3_per_I1: p[12],
         }
     }
 }
@@ -93,7 +93,7 @@ pub const PARAMETERS: [&str; 13] = [
     "p_z_by_2",
     "p_y_by_2",
     "p_x_by_2",
-    "per_I1_w3",
+    "w3_per_I1",
 ];
 
 /// Names of the outputs.
@@ -118,7 +118,7 @@ pub const OUTPUTS: [&str; 12] = [
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [S; 1] {
-    let Parameters { I1, p_psi_there, w3, per_I1_w3, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, w3_per_I1, .. } = *p;
     let [theta, _, _] = *q;
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -130,9 +130,9 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [
     // Elimination, step by step.
     // w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))
     let w2 = sin_theta_inv * (w3 * sin_theta_by_2 * sin_theta_by_2 + p_psi_there) / I1;
-    // w1' = w2*(2*w2/tan(theta) - per_I1_w3)/2
+    // w1' = w2*(2*w2/tan(theta) - w3_per_I1)/2
     let w1_dot = S::ratio(1, 2) * w2
-        * (w2 * sin_theta_inv * cos_theta).mul_add(S::int(2), -per_I1_w3);
+        * (w2 * sin_theta_inv * cos_theta).mul_add(S::int(2), -w3_per_I1);
     [w1_dot]
 }
 
@@ -146,7 +146,7 @@ pub fn derivative<S: Scalar>(
     q: &[S; 3],
     u: &[S; 1],
 ) -> ([S; 3], [S; 1]) {
-    let Parameters { I1, p_psi_there, w3, per_I1_w3, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, w3_per_I1, .. } = *p;
     let [theta, _, _] = *q;
     let [w1] = *u;
     // Sines and cosines.
@@ -165,8 +165,8 @@ pub fn derivative<S: Scalar>(
     // w2_sin_theta_inv*cos(theta); used 2 times
     let w1_dot_part = w2_sin_theta_inv * cos_theta;
     // Elimination, step by step.
-    // w1' = w2*(2*w2/tan(theta) - per_I1_w3)/2
-    let w1_dot = S::ratio(1, 2) * w2 * w1_dot_part.mul_add(S::int(2), -per_I1_w3);
+    // w1' = w2*(2*w2/tan(theta) - w3_per_I1)/2
+    let w1_dot = S::ratio(1, 2) * w2 * w1_dot_part.mul_add(S::int(2), -w3_per_I1);
     // Values.
     // theta' = w1
     let theta_dot_value = w1;
@@ -182,7 +182,7 @@ pub fn derivative<S: Scalar>(
 /// 31 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
-    let Parameters { I1, p_psi_there, w3, per_I1_w3, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, w3_per_I1, .. } = *p;
     let [theta, _, _] = *q;
     let zero = S::int(0);
     // Sines and cosines.
@@ -219,10 +219,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     // w2_by_theta*cos(theta); used 2 times
     let w1_dot_by_theta_part = w2_by_theta * cos_theta;
     // Elimination, step by step.
-    // w1_dot_by_theta = w2*(2*w2_by_theta*cos(theta) - w2/sin(theta))/sin(theta) - per_I1_w3*w2_by_theta/2
+    // w1_dot_by_theta = w2*(2*w2_by_theta*cos(theta) - w2/sin(theta))/sin(theta) - w3_per_I1*w2_by_theta/2
     let w1_dot_by_theta = w2_sin_theta_inv
         * w1_dot_by_theta_part.mul_add(S::int(2), -w2_sin_theta_inv)
-        - S::ratio(1, 2) * per_I1_w3 * w2_by_theta;
+        - S::ratio(1, 2) * w3_per_I1 * w2_by_theta;
     // Entries that are not zero.
     // d(theta')/d(w1) = 1
     let theta_dot_by_w1_value = S::int(1);
@@ -486,14 +486,14 @@ pub fn taylor<S: Scalar>(
     series: &mut [[S; 4]],
     history: &mut [Factors<S, 16>],
 ) {
-    let Parameters { I1, p_psi_there, w3, per_I1_w3, .. } = *p;
+    let Parameters { I1, p_psi_there, w3, w3_per_I1, .. } = *p;
     let [theta_0, _, _, w1_0] = series[0];
     // Shared terms.
     // 1/I1; used 4 times
     let i1_inv = S::int(1) / I1;
     // Constant in time.
-    // minus_per_i1_w3 = -per_I1_w3
-    let minus_per_i1_w3 = -per_I1_w3;
+    // minus_w3_per_i1 = -w3_per_I1
+    let minus_w3_per_i1 = -w3_per_I1;
     // weight = 2/I1
     let weight = S::int(2) * i1_inv;
     // minus_1_by_i1 = -1/I1
@@ -518,8 +518,8 @@ pub fn taylor<S: Scalar>(
     let w1_dot_part_0 = w2_part_2_0 * over_sin_theta;
     // w1_dot_part_2 = cos_theta*w1_dot_part
     let w1_dot_part_2_0 = cos_theta_0 * w1_dot_part_0;
-    // w1_dot_part_3 = minus_per_i1_w3 + weight*w1_dot_part_2
-    let w1_dot_part_3_0 = w1_dot_part_2_0.mul_add(weight, minus_per_i1_w3);
+    // w1_dot_part_3 = minus_w3_per_i1 + weight*w1_dot_part_2
+    let w1_dot_part_3_0 = w1_dot_part_2_0.mul_add(weight, minus_w3_per_i1);
     // w1_dot_part_4 = w2_part_2*w1_dot_part_3
     let w1_dot_part_4_0 = w2_part_2_0 * w1_dot_part_3_0;
     // phi_dot_2 = w3 + minus_1_by_i1*w1_dot_part_2
@@ -687,7 +687,7 @@ pub fn taylor<S: Scalar>(
         // w1_dot_part_2 = cos_theta*w1_dot_part
         let w1_dot_part_2 = w1_dot_part
             .mul_add(cos_theta_0, cos_theta.mul_add(w1_dot_part_0, sums[7]));
-        // w1_dot_part_3 = minus_per_i1_w3 + weight*w1_dot_part_2
+        // w1_dot_part_3 = minus_w3_per_i1 + weight*w1_dot_part_2
         let w1_dot_part_3 = weight * w1_dot_part_2;
         // w1_dot_part_4 = w2_part_2*w1_dot_part_3
         let w1_dot_part_4 = w1_dot_part_3
@@ -859,7 +859,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "steady",
-    key: "12e5fc53b239a0f8",
+    key: "3d6489c9e2742a90",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,
