@@ -38,8 +38,8 @@ fn formulations(c: &mut Criterion) {
     }
 }
 
-/// Shows how derivation grows with the length of a chain, method by method, to M and f with all checks. For 20 links the aim
-/// is 12 ms by one of them.
+/// Shows how derivation grows with the length of a chain, method by method, to M and f with all checks. For 20 links
+/// the aim is 12 ms by one of them.
 fn chains(c: &mut Criterion) {
     let mut group = c.benchmark_group("derive a chain on a cart");
     for links in [5, 10, 20] {
@@ -58,8 +58,8 @@ fn derived_and_proved(model: &Model) -> (Derivations, Proof) {
     (derivations, proof)
 }
 
-/// Shows what `tripos prove` waits for: all formulations, their equivalence and the first integrals. For the disk the aim
-/// is 50 ms, at which the answer seems to be there at once.
+/// Shows what `tripos prove` waits for: all formulations, their equivalence and the first integrals. For the disk the
+/// aim is 50 ms, at which the answer seems to be there at once.
 fn proofs(c: &mut Criterion) {
     let mut group = c.benchmark_group("derive_all + prove");
     for name in ["disk", "cart_pendulum_3", "chaotic_pendulum"] {
@@ -76,8 +76,8 @@ fn course_report() -> (Model, Report) {
     (model, report)
 }
 
-/// Shows what `tripos diff` adds to that: the verdicts on every entry of the course report, and what its systems make of
-/// the motion.
+/// Shows what `tripos diff` adds to that: the verdicts on every entry of the course report, and what its systems make
+/// of the motion.
 fn course_report_judged(c: &mut Criterion) {
     let (model, report) = course_report();
     let judge = |(mut derivations, proof): (Derivations, Proof)| diff(&model, &mut derivations, &report, &proof);

@@ -1,7 +1,7 @@
 //! What lanes cost: sines, the derivative of the disk's state, and whole runs, beside the same in single numbers.
 //!
-//! `cargo bench -p tripos-benches --features measure --bench lanes`. Each figure is the median of short turns, most of them taken alternately; "a state"
-//! means: divided by the number of lanes.
+//! `cargo bench -p tripos-benches --features measure --bench lanes`. Each figure is the median of short turns, most of
+//! them taken alternately; "a state" means: divided by the number of lanes.
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,8 +1,8 @@
 //! Our `dop853` beside that of `ode_solvers`, on the same equations and tolerances, taking turns.
 //!
 //! Both are given a state of 10 components; `ode_solvers` its fastest form, a vector of fixed size. The figure that
-//! counts is the last line: the ratio of the medians of many short turns, which a busy machine disturbs least. Ours keeps
-//! the ends of the run only; theirs has no such choice, and keeps each step in one growing vector.
+//! counts is the last line: the ratio of the medians of many short turns, which a busy machine disturbs least. Ours
+//! keeps the ends of the run only; theirs has no such choice, and keeps each step in one growing vector.
 #![allow(missing_docs, reason = "`criterion_group!` makes a public function")]
 
 use std::hint::black_box;

@@ -157,9 +157,10 @@ fn conversions_between_speeds_and_rates_are_inverse() {
     }
 }
 
-/// Goal: what is generated from an elimination computes what it says, also in a distance. Method: at random states of every
-/// derived system, accelerations against the numeric solve (1e-9 of the largest: its own error), the derivative against
-/// both parts, and the Jacobian against central differences in twice the precision (1e-12 of the largest slope: h² is 1e-16).
+/// Goal: what is generated from an elimination computes what it says, also in a distance. Method: at random states of
+/// every derived system, accelerations against the numeric solve (1e-9 of the largest: its own error), the derivative
+/// against both parts, and the Jacobian against central differences in twice the precision (1e-12 of the largest slope:
+/// h² is 1e-16).
 #[test]
 fn generated_accelerations_derivatives_and_jacobians_agree() {
     let derived = |name: &str| !name.starts_with("printed:");

@@ -1,7 +1,7 @@
 //! No circles of files: whoever changes a file can read what it stands on from the bottom up.
 //!
-//! A file uses another if a path in it, an import or one written out, ends at an item that is defined there; re-exports are followed to the
-//! definition. Tests are left out, and so is what shows in no path: methods, and macros.
+//! A file uses another if a path in it, an import or one written out, ends at an item that is defined there; re-exports
+//! are followed to the definition. Tests are left out, and so is what shows in no path: methods, and macros.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -83,8 +83,8 @@ impl Crate {
         self.definition(&here, &[target, further].concat(), depth + 1)
     }
 
-    /// In each folder, which of the modules side by side use which. A module and what is inside it are one here: a folder's own file hands
-    /// out what its children define, and they use the nouns of their folder.
+    /// In each folder, which of the modules side by side use which. A module and what is inside it are one here: a
+    /// folder's own file hands out what its children define, and they use the nouns of their folder.
     fn arrows(&self) -> BTreeMap<Names, Arrows> {
         let mut folders: BTreeMap<Names, Arrows> = BTreeMap::new();
         for (at, module) in &self.0 {
@@ -218,7 +218,8 @@ const KNOWN: [&str; 11] = [
     "cli/src/main.rs, page: errata, motion, proof",
 ];
 
-/// Goal: the scan sees what it is for. Method: a crate of three files, with an arrow through a re-export, with and without the way back.
+/// Goal: the scan sees what it is for. Method: a crate of three files, with an arrow through a re-export, with and
+/// without the way back.
 #[test]
 fn a_circle_through_a_re_export_is_found() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,8 +1,8 @@
 //! Compiled equations against motions known in closed form, in 32 digits: no integrator stands between.
 //!
-//! At an instant the exact motion gives q and u, so the state of each formulation, and by central differences of order 8 with
-//! steps of 1e-5 s its rate; this must be the derivative that the formulation computes. 1e-19 is the error of the differences,
-//! mostly the rounding of angles of up to 300 rad divided by the step.
+//! At an instant the exact motion gives q and u, so the state of each formulation, and by central differences of order
+//! 8 with steps of 1e-5 s its rate; this must be the derivative that the formulation computes. 1e-19 is the error of
+//! the differences, mostly the rounding of angles of up to 300 rad divided by the step.
 
 use crate::support;
 
@@ -125,7 +125,8 @@ fn free_body_moves_by_two_uniform_rotations() {
     }
 }
 
-/// Linear and angular momentum of the chain about the origin and m times its mass centre, from (q, u): each rod by its middle.
+/// Linear and angular momentum of the chain about the origin and m times its mass centre, from (q, u): each rod by its
+/// middle.
 fn momenta(p: &[Dd], y: &[Dd]) -> [Dd; 5] {
     let [m, l] = [p[0], p[1]];
     let (half, mut out) = (l / Dd::int(2), [Dd::int(0); 5]);
@@ -149,8 +150,8 @@ fn momenta(p: &[Dd], y: &[Dd]) -> [Dd; 5] {
     out
 }
 
-/// Goal: both momenta are constant, and the first is the rate of the mass centre, at states without a pattern. Method: their
-/// difference along the derivative, in 32 digits with h = 1e-10: h² times the third derivative, of 1e3 at most.
+/// Goal: both momenta are constant, and the first is the rate of the mass centre, at states without a pattern. Method:
+/// their difference along the derivative, in 32 digits with h = 1e-10: h² times the third derivative, of 1e3 at most.
 #[test]
 fn floating_chain_keeps_its_momenta_in_every_formulation() {
     let mut random = Random(17);
@@ -173,8 +174,8 @@ fn floating_chain_keeps_its_momenta_in_every_formulation() {
     }
 }
 
-/// Goal: the scenes as they are run. Method: DOP853 in doubles at 1e-12 to the end of each scene by every formulation. 1e-10:
-/// what the errors of some hundred steps at the tolerance add up to.
+/// Goal: the scenes as they are run. Method: DOP853 in doubles at 1e-12 to the end of each scene by every formulation.
+/// 1e-10: what the errors of some hundred steps at the tolerance add up to.
 #[test]
 fn runs_of_exact_scenes_arrive_where_they_should() {
     for (model, scene) in CLOSED_FORMS {
@@ -198,8 +199,8 @@ fn axes(cardan: &[f64], euler: &[f64]) -> [[f64; 3]; 2] {
     [[sin_2, -sin_1 * cos_2, cos_1 * cos_2], [sin * sin_psi, -sin * cos_psi, cos]]
 }
 
-/// Goal: one top in two kinds of angles. Method: both models integrated from their own scene, without a closed form, in 32
-/// digits at 1e-17; 1e-14 is the rounding of the doubles that are compared.
+/// Goal: one top in two kinds of angles. Method: both models integrated from their own scene, without a closed form, in
+/// 32 digits at 1e-17; 1e-14 is the rounding of the doubles that are compared.
 #[test]
 fn both_models_of_the_top_have_one_axis() {
     let (cardan, euler) = (start_of("heavy_top", "looping"), start_of("euler_top", "looping"));
@@ -212,7 +213,8 @@ fn both_models_of_the_top_have_one_axis() {
     }
 }
 
-/// Table: the top's nutation period and angles, the pendulum's, from elliptic functions at 40 digits; angles to 12 digits.
+/// Table: the top's nutation period and angles, the pendulum's, from elliptic functions at 40 digits; angles to 12
+/// digits.
 #[test]
 fn runs_pass_through_the_tabulated_states() {
     for (model, theta, azimuth, period, table) in [
@@ -233,8 +235,9 @@ fn runs_pass_through_the_tabulated_states() {
     }
 }
 
-/// Goal: Newton–Euler's reactions. Method: the exact pull of the rod, m(g cos θ + l(u1² + u2²)), and of the pins of a straight
-/// chain that turns: the mass beyond a pin times the distance of its centre times ω², inward. 1e-13 of forces of 10 N.
+/// Goal: Newton–Euler's reactions. Method: the exact pull of the rod, m(g cos θ + l(u1² + u2²)), and of the pins of a
+/// straight chain that turns: the mass beyond a pin times the distance of its centre times ω², inward. 1e-13 of forces
+/// of 10 N.
 #[test]
 fn reactions_are_those_of_the_exact_motions() {
     let at = |model: &str, scene: &str, t: f64| {

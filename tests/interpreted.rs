@@ -43,8 +43,8 @@ fn all(system: &dyn System<Dd>, p: &[Dd], q: &[Dd], v: &[Dd]) -> Vec<(&'static s
     ]
 }
 
-/// Goal: a reference does not depend on whether its model is compiled. Method: generated Rust against tapes, both in 32 digits, at
-/// seeded states of every model. 1e-29 of the largest entry: some hundred roundings of 5e-32.
+/// Goal: a reference does not depend on whether its model is compiled. Method: generated Rust against tapes, both in 32
+/// digits, at seeded states of every model. 1e-29 of the largest entry: some hundred roundings of 5e-32.
 #[test]
 fn interpreted_equations_have_29_digits_of_the_compiled_ones() {
     for name in tripos_models::MODELS.iter().map(|model| model.name) {

@@ -20,8 +20,8 @@ fn rates<const N: usize>(
     (0..N).map(|l| out.iter().map(|x| x.0[l]).collect()).collect()
 }
 
-/// Goal: one text, one meaning. Method: derivatives at random states, in doubles and in both widths, which agree to the bit.
-/// In doubles products are not fused, and sines round otherwise: 1e-9 of the largest rate, since states at which
+/// Goal: one text, one meaning. Method: derivatives at random states, in doubles and in both widths, which agree to the
+/// bit. In doubles products are not fused, and sines round otherwise: 1e-9 of the largest rate, since states at which
 /// cos q2 is near 0.01 lose up to six digits.
 fn agrees(name: &str, system: &CompiledSystem, InLanes { four, eight }: InLanes<'_>) {
     let lengths = four.lengths();

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-/// (model, formulation, operations of `mass_matrix`, `forcing`, `accelerations`, `derivative`). A count may fall; one that grows is
-/// a defect of the simplifier, of the elimination or of the sharing.
+/// (model, formulation, operations of `mass_matrix`, `forcing`, `accelerations`, `derivative`). A count may fall; one
+/// that grows is a defect of the simplifier, of the elimination or of the sharing.
 const BOUNDS: [(&str, &str, [usize; 4]); 27] = [
     ("cart_pendulum_3", "kane", [30, 45, 126, 126]),
     ("cart_pendulum_3", "lagrange", [30, 45, 126, 126]),

@@ -1,7 +1,8 @@
 //! Every section of `benches/peers` runs, as small as it can be and without other people's packages.
 //!
-//! What is seen here: the workers answer, all of them compute the same numbers (`run.py` measures nothing otherwise), and each row of
-//! Tripos has figures. Absent on purpose: any judgement of speed, and the peers; nothing is installed, and no result is written.
+//! What is seen here: the workers answer, all of them compute the same numbers (`run.py` measures nothing otherwise),
+//! and each row of Tripos has figures. Absent on purpose: any judgement of speed, and the peers; nothing is installed,
+//! and no result is written.
 
 use std::io::Write;
 use std::path::Path;
@@ -49,7 +50,8 @@ fn is_figure(cell: &str) -> bool {
     number.is_some_and(f64::is_finite)
 }
 
-/// The section has a table with each of these rows, every row of Tripos has figures, and none of them is missing or not a number.
+/// The section has a table with each of these rows, every row of Tripos has figures, and none of them is missing or not
+/// a number.
 fn has_figures_of(section: &str, wanted: &[&str]) {
     let Some(text) = printed(section) else { return };
     let rows = rows_of_tripos(&text);

@@ -1,4 +1,5 @@
-//! Reduced systems of the library's scenes along runs: against the whole equations in 32 digits, and against closed forms.
+//! Reduced systems of the library's scenes along runs: against the whole equations in 32 digits, and against closed
+//! forms.
 
 use crate::support;
 
@@ -32,7 +33,8 @@ const RUNS: [(&str, &str, f64); 10] = [
 /// |e| / (1 + |exact|) of what is shown. DOP853 at 1e-14 leaves what some hundred steps add up to; accelerations of 100/s² multiply
 /// it by ten.
 const BOUND: f64 = 1e-11;
-/// The disk passes flat by 3.3 mrad at 1.02 s, and the rounding of the start grows with the inverse of that, twice in accelerations.
+/// The disk passes flat by 3.3 mrad at 1.02 s, and the rounding of the start grows with the inverse of that, twice in
+/// accelerations.
 const NEAR_FLAT: f64 = 3e-10;
 
 /// The model and a scene of it that wants to see this.
@@ -82,8 +84,8 @@ fn any<'a, T>(random: &mut Random, list: &'a [T]) -> &'a T {
     list.iter().enumerate().find(|(at, _)| chosen < *at as f64 + 1.0).expect("less than their number").1
 }
 
-/// Goal: a scene gets the same numbers whatever else it asks for. Method: random outputs, each with a reduced system of its own,
-/// in doubles, against the whole system in 32 digits.
+/// Goal: a scene gets the same numbers whatever else it asks for. Method: random outputs, each with a reduced system of
+/// its own, in doubles, against the whole system in 32 digits.
 #[test]
 fn any_outputs_of_any_scene_are_those_of_the_whole_equations() {
     let mut random = Random(29);

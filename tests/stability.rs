@@ -94,8 +94,8 @@ fn errors_inside_a_passage_are_as_small_as_after_it() {
     assert!(found < 1e-9, "{found:e}");
 }
 
-/// A numeric solve of Kane's or Lagrange's system has no digits left at cos q2 = 1e-6: it does not get through within the steps of
-/// a run that does, many times over.
+/// A numeric solve of Kane's or Lagrange's system has no digits left at cos q2 = 1e-6: it does not get through within
+/// the steps of a run that does, many times over.
 #[test]
 fn numeric_solves_do_not_get_through_the_narrowest_passage() {
     let start = rung(LADDER[4].0);
@@ -125,8 +125,8 @@ fn near_flat(delta: f64) -> (Vec<f64>, Vec<f64>, Vec<DoubleDouble>) {
     (q, u, u_dot)
 }
 
-/// (error of u̇ in units of the largest, plain and equilibrated condition). u̇ follows from v̇ in twice the precision, so that it is
-/// the error of the solve alone.
+/// (error of u̇ in units of the largest, plain and equilibrated condition). u̇ follows from v̇ in twice the precision,
+/// so that it is the error of the solve alone.
 fn solve_error(name: &str, delta: f64, eliminated: bool) -> (f64, f64, f64) {
     let (q, u, exact) = near_flat(delta);
     let (system, extended) = (compiled("disk", name).double, compiled("disk", name).extended);
@@ -152,7 +152,8 @@ fn solve_error(name: &str, delta: f64, eliminated: bool) -> (f64, f64, f64) {
 }
 
 /// At cos q2 = 0.0034: eliminated accelerations are exact to a few roundings, Newton–Euler's pivoted LU nearly so, and
-/// the Cholesky solves of Kane's and Lagrange's systems lose more than 1e-13. (How much more changes from state to state.)
+/// the Cholesky solves of Kane's and Lagrange's systems lose more than 1e-13. (How much more changes from state to
+/// state.)
 #[test]
 fn eliminated_accelerations_are_exact_where_numeric_solves_lose_digits() {
     let worst = |name: &str, eliminated: bool| {
@@ -168,8 +169,8 @@ fn eliminated_accelerations_are_exact_where_numeric_solves_lose_digits() {
     }
 }
 
-/// The laws of the condition numbers in the printed scaling: cos⁻⁴ for Kane, cos⁻² for Lagrange and Newton–Euler; and errors follow the
-/// equilibrated ones.
+/// The laws of the condition numbers in the printed scaling: cos⁻⁴ for Kane, cos⁻² for Lagrange and Newton–Euler; and
+/// errors follow the equilibrated ones.
 #[test]
 fn condition_numbers_follow_their_laws_and_errors_the_equilibrated_ones() {
     let deltas: Vec<f64> = (0..=12).map(|i| 10_f64.powf(-1.5 - 0.25 * f64::from(i))).collect();
@@ -190,8 +191,8 @@ fn condition_numbers_follow_their_laws_and_errors_the_equilibrated_ones() {
 /// Released at rest at 0.1 rad the disk meets the plane at this time with this rate (by quadrature in 30 digits).
 const FLAT_FALL: (f64, f64) = (0.758_966_569_575_714, 3.951_909);
 
-/// Goal: only the domain sees the floor. Every method sails through it, with energy kept and a good end; with the domain each
-/// stops at the right time.
+/// Goal: only the domain sees the floor. Every method sails through it, with energy kept and a good end; with the
+/// domain each stops at the right time.
 #[test]
 fn the_flat_fall_is_stopped_by_the_domain_alone() {
     let start = Start::new(&["1", "1", "9.81"], &["0", "0.1", "0", "0", "0"], &["0"; 5]);
@@ -273,7 +274,8 @@ fn growth_rate(model: &str, start: &Start, component: usize, until: f64) -> (f64
     (slope(&t, &logarithm), largest)
 }
 
-/// Sleeping top (m = 1, l = 0.5, I1 = 0.35, I3 = 0.05): the critical spin is 52.4099227 rad/s; at 0.9 of it the linearized growth is
+/// Sleeping top (m = 1, l = 0.5, I1 = 0.35, I3 = 0.05): the critical spin is 52.4099227 rad/s; at 0.9 of it the
+/// linearized growth is
 /// 1.63178254853834 1/s, above it there is none.
 #[test]
 fn a_sleeping_top_wakes_at_the_linearized_rate() {
@@ -285,7 +287,8 @@ fn a_sleeping_top_wakes_at_the_linearized_rate() {
     assert!(largest < 1e-5, "a fast top sleeps: {largest:e}");
 }
 
-/// Upright, spinning about its axis with n: q2'' = 4 (g/R − n²) q2; turning about the vertical with Ω: q2'' = (4 g/R − Ω²) q2.
+/// Upright, spinning about its axis with n: q2'' = 4 (g/R − n²) q2; turning about the vertical with Ω: q2'' = (4 g/R −
+/// Ω²) q2.
 #[test]
 fn the_upright_disk_falls_at_the_linearized_rate_and_stands_beyond_its_limits() {
     let g = 9.81_f64;
@@ -318,8 +321,8 @@ fn the_upright_disk_falls_at_the_linearized_rate_and_stands_beyond_its_limits() 
     }
 }
 
-/// Goal: the horizon of a chaotic motion is predicted by the growth of a small error. Method: at 70 % of the predicted time
-/// digits are left, at 150 % none is, against a double-double run.
+/// Goal: the horizon of a chaotic motion is predicted by the growth of a small error. Method: at 70 % of the predicted
+/// time digits are left, at 150 % none is, against a double-double run.
 #[test]
 fn the_horizon_of_a_chaotic_pendulum_is_predicted_and_confirmed() {
     // Cart and three links, no force on the cart, the links released near upright.

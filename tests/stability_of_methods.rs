@@ -1,5 +1,6 @@
 //! What methods do over many steps, whatever the mechanism: limits of fixed steps, drifts of long runs, tolerances
-//! below rounding. Held against theory and the pendulum's exact solution; passages and unstable motions are in `stability.rs`.
+//! below rounding. Held against theory and the pendulum's exact solution; passages and unstable motions are in
+//! `stability.rs`.
 
 use crate::support;
 
@@ -23,8 +24,8 @@ fn amplification(coefficients: &[f64], y: f64) -> f64 {
     re * re + im * im
 }
 
-/// Goal: fixed steps give way where theory says. Small swings of a pendulum with ω = 1: the amplitude after 2 000 steps just
-/// below and just above the end of the stability interval on the imaginary axis.
+/// Goal: fixed steps give way where theory says. Small swings of a pendulum with ω = 1: the amplitude after 2 000 steps
+/// just below and just above the end of the stability interval on the imaginary axis.
 #[test]
 fn fixed_steps_are_stable_up_to_the_limit_of_theory() {
     let rk4 = [1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0];
@@ -64,8 +65,8 @@ fn energy_changes(span: f64, options: &Options) -> Vec<f64> {
     run.y.iter().map(|y| energy(y) - energy(&run.y[0])).collect()
 }
 
-/// 1e5 s of a pendulum. Runge–Kutta 4 loses 1.021e-2 at h = 0.1 and 3.209e-4 at h = 0.05 (published measurements, to 1 %);
-/// Gauss–Legendre swings within a bound that does not grow, and loses that when its step adapts.
+/// 1e5 s of a pendulum. Runge–Kutta 4 loses 1.021e-2 at h = 0.1 and 3.209e-4 at h = 0.05 (published measurements, to 1
+/// %); Gauss–Legendre swings within a bound that does not grow, and loses that when its step adapts.
 #[test]
 fn energy_drifts_for_ever_or_stays_bounded_by_method() {
     for (h, known) in [(0.1, -1.021e-2), (0.05, -3.209e-4)] {
@@ -84,7 +85,8 @@ fn energy_drifts_for_ever_or_stays_bounded_by_method() {
     assert_eq!(trend(&ode45), Trend::Secular);
 }
 
-/// Goal: a tolerance finer than rounding costs steps, gains nothing, and is said. Method: the pendulum's exact solution.
+/// Goal: a tolerance finer than rounding costs steps, gains nothing, and is said. Method: the pendulum's exact
+/// solution.
 #[test]
 fn a_tolerance_below_rounding_is_longer_no_better_and_said() {
     let start = Start::new(&["1", "1", "9.81"], &["3"], &["0"]);
@@ -105,8 +107,8 @@ fn a_tolerance_below_rounding_is_longer_no_better_and_said() {
     assert!(worse.is_nan() || worse > 0.1 * best, "{worse:e} {best:e}");
 }
 
-/// Goal: a regular motion has a horizon too, since every step adds an error. Method: a pendulum whose phase is lost within 2 500 s at
-/// a loose tolerance, by its exact solution.
+/// Goal: a regular motion has a horizon too, since every step adds an error. Method: a pendulum whose phase is lost
+/// within 2 500 s at a loose tolerance, by its exact solution.
 #[test]
 fn the_phase_of_a_long_run_is_lost_where_it_is_predicted() {
     let (tolerance, span) = (1e-3, 2500.0);

@@ -79,8 +79,8 @@ fn renewed(python: &Path, model: &Path, is_recorded: bool) -> Vec<String> {
     }
 }
 
-/// Goal: two programs that share no line derive the same. Method: SymPy derives every model anew, in its own pinned environment,
-/// and every velocity, load, energy and equation is compared by exact verdict.
+/// Goal: two programs that share no line derive the same. Method: SymPy derives every model anew, in its own pinned
+/// environment, and every velocity, load, energy and equation is compared by exact verdict.
 #[test]
 fn sympy_derives_the_same_from_every_model() {
     if sympy::is_left_out("every model derived anew by SymPy") {

@@ -61,8 +61,8 @@ fn defect(system: &dyn System<Dd>, p: &[Dd], x: &[Dd], order: usize, t: Dd) -> f
 }
 
 /// Goal: every coefficient of every derived system. Method: with p orders the polynomial satisfies the equations up to
-/// O(tᵖ), which the generated derivative judges; a wrong coefficient of a lower order k would leave O(tᵏ⁻¹). In 32 digits,
-/// t = 2⁻⁸ and half of it, where the next term changes the order by less than 0.3 and rounding is far below.
+/// O(tᵖ), which the generated derivative judges; a wrong coefficient of a lower order k would leave O(tᵏ⁻¹). In 32
+/// digits, t = 2⁻⁸ and half of it, where the next term changes the order by less than 0.3 and rounding is far below.
 #[test]
 fn the_series_of_every_model_satisfies_its_equations_to_its_order() {
     let mut seen = 0;
@@ -87,8 +87,9 @@ fn the_series_of_every_model_satisfies_its_equations_to_its_order() {
     assert!(seen >= 9 * 33, "{seen}");
 }
 
-/// The interpreter sums convolutions one by one, the generated code by pairs of orders and in vector registers, in `f64` and in
-/// 32 digits. 1e-11 of the largest coefficient of an order: both round every term of some dozens, order upon order.
+/// The interpreter sums convolutions one by one, the generated code by pairs of orders and in vector registers, in
+/// `f64` and in 32 digits. 1e-11 of the largest coefficient of an order: both round every term of some dozens, order
+/// upon order.
 #[test]
 fn compiled_series_equal_interpreted_ones() {
     for folder in MODELS {
@@ -164,8 +165,8 @@ fn derivatives(arena: &mut Arena, e: Expr, rates: &[(Expr, Expr)], count: usize)
     list
 }
 
-/// Goal: the recurrence of every operation, and the forms chosen for few convolutions. Method: z' = f(x, y) with x' = y and
-/// y' = −x + a, whose derivatives the algebra takes by its own rules. 1e-12 of the coefficient, or of 1.
+/// Goal: the recurrence of every operation, and the forms chosen for few convolutions. Method: z' = f(x, y) with x' = y
+/// and y' = −x + a, whose derivatives the algebra takes by its own rules. 1e-12 of the coefficient, or of 1.
 #[test]
 fn every_operation_has_the_series_that_its_derivatives_give() {
     const ORDER: usize = 6;

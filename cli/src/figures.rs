@@ -32,7 +32,8 @@ impl Curve<'_> {
     }
 }
 
-/// Formulations and a scene's own equations keep their colours, whichever a model supports; printed ones come after these.
+/// Formulations and a scene's own equations keep their colours, whichever a model supports; printed ones come after
+/// these.
 pub fn style(by: &By) -> usize {
     let reduced = Formulation::ALL.len();
     let formulation = Formulation::ALL.iter().position(|f| by.formulation() == Some(*f));
@@ -138,7 +139,8 @@ pub fn integrals(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
 }
 
 /// The smallest and the largest change of a first integral that a figure tells apart, by the size that the derived runs
-/// give it: from below its rounding error to a million times itself. A printed run that explodes must not hide the others.
+/// give it: from below its rounding error to a million times itself. A printed run that explodes must not hide the
+/// others.
 fn shown(curves: &[Curve], integral: usize) -> (f64, f64) {
     let largest = |of: &dyn Fn(&Curve) -> bool| {
         let values = curves.iter().filter(|curve| of(curve)).flat_map(|curve| &curve.course.integrals[integral]);

@@ -86,8 +86,8 @@ enum Command {
         /// The folder of the module, named as the module; files in it that this command did not write stay untouched
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
-        /// kane, lagrange or newton-euler, more than once for several; all that the model supports if not given, and what
-        /// the report beside it prints
+        /// kane, lagrange or newton-euler, more than once for several; all that the model supports if not given, and
+        /// what the report beside it prints
         #[arg(long = "formulation", value_name = "F")]
         formulations: Vec<String>,
     },
@@ -186,8 +186,8 @@ struct Sweep {
     over: Vec<String>,
     #[command(flatten)]
     how: How,
-    /// Run the i-th of n parts of the points; the files of all parts, one after another with one header, are the file of
-    /// the whole sweep
+    /// Run the i-th of n parts of the points; the files of all parts, one after another with one header, are the file
+    /// of the whole sweep
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: String,
     /// Threads; all that the machine has if not given. The results do not depend on them
@@ -207,12 +207,13 @@ struct Sweep {
 /// What the command line may change of the way a scene is run.
 #[derive(clap::Args)]
 struct How {
-    /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model. If not given, `simulate`
-    /// takes the scene's own reduced equations (`tripos scene`), other commands the first formulation that the model supports
+    /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model. If not given,
+    /// `simulate` takes the scene's own reduced equations (`tripos scene`) where they are a gain, and `reduced` in any
+    /// case; other commands take the first formulation that the model supports
     #[arg(long)]
     by: Option<String>,
-    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6 or taylor; or quadrature, for a scene's own equations
-    /// with one degree of freedom
+    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6 or taylor; or quadrature, for a scene's own
+    /// equations with one degree of freedom
     #[arg(long)]
     method: Option<String>,
     /// What each step is projected onto: energy, for a scene's own equations; what that removes is reported
@@ -302,7 +303,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Says what is wrong with the command line, also to programs, and ends; help and version are asked for in the same way.
+/// Says what is wrong with the command line, also to programs, and ends; help and version are asked for in the same
+/// way.
 fn wrong_arguments(error: &clap::Error) -> ! {
     let words: Vec<_> = std::env::args_os().collect();
     let has = |word: &str| words.iter().any(|given| given == word);

@@ -1,7 +1,7 @@
 //! What commands write: tables, texts, folders.
 //!
-//! Invariant: everything goes through [`tripos_codegen::files`], so that a file of its name is whole, and nothing that a command reads is
-//! written over by it: [`keep_inputs`] is asked before work begins.
+//! Invariant: everything goes through [`tripos_codegen::files`], so that a file of its name is whole, and nothing that
+//! a command reads is written over by it: [`keep_inputs`] is asked before work begins.
 
 use crate::failure::Failure;
 use std::io::{Error, Write};

@@ -1,8 +1,8 @@
 //! The report: one page that needs nothing else, with a derivation and the runs of its equations.
 //!
-//! Invariant: the same input gives the same bytes, but for times that are measured; every text that came from a file is escaped. Absent on
-//! purpose: scripts, outside resources, dates and paths of the machine. Links to the tables of measured figures are all that
-//! leads out of the page.
+//! Invariant: the same input gives the same bytes, but for times that are measured; every text that came from a file is
+//! escaped. Absent on purpose: scripts, outside resources, dates and paths of the machine. Links to the tables of
+//! measured figures are all that leads out of the page.
 
 mod advice;
 mod derivation;

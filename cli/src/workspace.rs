@@ -57,7 +57,8 @@ fn is_workspace_model(model: &Model, name: &str) -> bool {
     root.is_some_and(|root| is_same(&root.join("models").join(name).join("model.toml"), path))
 }
 
-/// The workspace that a folder lies in: the nearest folder, from this one upwards, that holds `models` and `generated/src`.
+/// The workspace that a folder lies in: the nearest folder, from this one upwards, that holds `models` and
+/// `generated/src`.
 pub fn workspace_around(folder: &Path) -> Option<PathBuf> {
     let is_root = |folder: &&Path| folder.join("models").is_dir() && folder.join("generated/src").is_dir();
     folder.ancestors().find(is_root).map(Path::to_owned)

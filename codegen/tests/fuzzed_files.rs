@@ -1,6 +1,7 @@
 //! Files that were spoilt at random: read, derived and emitted without a panic, each in its time.
 //!
-//! `TRIPOS_FUZZED_FILES` and `TRIPOS_FUZZED_MODELS` say how many are read, and how many that are still models are emitted.
+//! `TRIPOS_FUZZED_FILES` and `TRIPOS_FUZZED_MODELS` say how many are read, and how many that are still models are
+//! emitted.
 
 #[path = "../../tests/support/spoilt.rs"]
 mod files;

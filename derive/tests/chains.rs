@@ -30,8 +30,8 @@ fn operations(arena: &Arena, list: &[Expr]) -> (usize, usize) {
     (weighted, weighted - 3 * functions)
 }
 
-/// Goal: the equations are right whatever the length. Method: every entry minus the one worked by hand is zero by meaning, for
-/// Kane and, with u_i for q_i', Lagrange.
+/// Goal: the equations are right whatever the length. Method: every entry minus the one worked by hand is zero by
+/// meaning, for Kane and, with u_i for q_i', Lagrange.
 #[test]
 fn chains_have_the_equations_worked_by_hand() {
     for n in [1, 2, 3, 7, 20] {
@@ -63,8 +63,8 @@ fn chains_are_proved_to_be_the_same_by_all_formulations() {
     }
 }
 
-/// Goal: the size of M and f stays what it is, and grows with the square of the length. Method: counted, against the number at
-/// the time of writing; a smaller one should be put here.
+/// Goal: the size of M and f stays what it is, and grows with the square of the length. Method: counted, against the
+/// number at the time of writing; a smaller one should be put here.
 #[test]
 fn the_operations_of_chains_are_bounded() {
     for (formulation, bounds) in [
@@ -76,7 +76,8 @@ fn the_operations_of_chains_are_bounded() {
             let Derivation { arena, equations } = derive(&chain(n), formulation).unwrap();
             let got = operations(&arena, &entries(&equations));
             assert!(got.0 <= weighted && got.1 <= plain, "{formulation:?} {n}: {got:?}");
-            // What the whole derivation builds: it was 47 864 terms for Kane and n = 20 before equal products were put together.
+            // What the whole derivation builds: it was 47 864 terms for Kane and n = 20 before equal products were put
+            // together.
             assert!(arena.len() <= 20 * (n + 2) * (n + 2), "{formulation:?} {n}: {} terms", arena.len());
         }
     }

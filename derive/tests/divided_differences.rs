@@ -1,4 +1,5 @@
-//! Divided differences in floating point: against the plain quotient where it is exact enough, and against the derivative.
+//! Divided differences in floating point: against the plain quotient where it is exact enough, and against the
+//! derivative.
 
 use tripos_derive::algebra::calculus::{Differential, Substitution};
 use tripos_derive::algebra::divided::divided_difference;
@@ -45,8 +46,8 @@ fn values(term: &str, a: f64, b: f64) -> [f64; 4] {
     [value, at(a)[0], at(b)[0], at(f64::midpoint(a, b))[1]]
 }
 
-/// The plain quotient has the error of two values, 10 ε of the larger for some operations, over b − a ≥ 0.3; the other one
-/// as much.
+/// The plain quotient has the error of two values, 10 ε of the larger for some operations, over b − a ≥ 0.3; the other
+/// one as much.
 #[test]
 fn far_apart_it_is_the_quotient_of_differences() {
     for term in TERMS {
@@ -60,7 +61,8 @@ fn far_apart_it_is_the_quotient_of_differences() {
 }
 
 /// At b − a = 1e-12 the two differ by the square of that, and the plain quotient would have four digits: 1e-13 of the
-/// derivative is the rounding of some twenty operations of its own size. At b = a nothing differs but the order of operations.
+/// derivative is the rounding of some twenty operations of its own size. At b = a nothing differs but the order of
+/// operations.
 #[test]
 fn next_to_each_other_it_is_the_derivative() {
     for term in TERMS {
@@ -73,8 +75,8 @@ fn next_to_each_other_it_is_the_derivative() {
     }
 }
 
-/// Goal: the root of a small number over that of a large one is not the rest of a subtraction. 1/√x from 1e-20 to 1 and back;
-/// the exact quotient is that of numbers that are far apart.
+/// Goal: the root of a small number over that of a large one is not the rest of a subtraction. 1/√x from 1e-20 to 1 and
+/// back; the exact quotient is that of numbers that are far apart.
 #[test]
 fn inverse_roots_keep_their_digits_at_any_ratio() {
     for (a, b) in [(1e-20, 1.0), (1.0, 1e-20), (1e-12, 1e12), (1e12, 1e-12)] {

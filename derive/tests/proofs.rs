@@ -213,8 +213,8 @@ fn an_integral_of_other_equations_is_not_proved() {
     assert!(!proof.pairs[0].verdict.is_equal());
 }
 
-/// Three momenta are independent, and the energy, which is a function of them, is listed all the same. A force that acts on
-/// one side only, through |x| and |v|, takes energy out of it: random signs must not hide that.
+/// Three momenta are independent, and the energy, which is a function of them, is listed all the same. A force that
+/// acts on one side only, through |x| and |v|, takes energy out of it: random signs must not hide that.
 #[test]
 fn a_free_particle_keeps_three_momenta_and_one_sided_forces_take_their_share() {
     let free = BEAD

@@ -114,9 +114,9 @@ fn output(kind: usize, i: usize) -> String {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
-    /// Goal: whatever is asked of whatever mechanism, the reduced system is proved, has no more states than the model, and its
-    /// states need nothing but states. Method: what is returned is proved; here is tested that there is something to return, and that
-    /// the energy, where it is kept, is constant along the rates as they are returned.
+    /// Goal: whatever is asked of whatever mechanism, the reduced system is proved, has no more states than the model,
+    /// and its states need nothing but states. Method: what is returned is proved; here is tested that there is
+    /// something to return, and that the energy, where it is kept, is constant along the rates as they are returned.
     #[test]
     fn every_reduction_is_proved_and_closed(
         links in prop::collection::vec(link(), 1..4),

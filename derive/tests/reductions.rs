@@ -1,4 +1,5 @@
-//! The reduced systems of the library as people read them: the least that the outputs need, and nothing of what they do not.
+//! The reduced systems of the library as people read them: the least that the outputs need, and nothing of what they do
+//! not.
 
 use crate::reduced;
 
@@ -250,7 +251,8 @@ fn chaotic_pendulum_is_left_alone() {
     );
 }
 
-/// Nothing is conserved but the energy; the cart's place and speed follow from the links, whose equations do not have them.
+/// Nothing is conserved but the energy; the cart's place and speed follow from the links, whose equations do not have
+/// them.
 #[test]
 fn links_do_not_depend_on_the_cart() {
     let r = library("cart_pendulum_3", "fall", "");

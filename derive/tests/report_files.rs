@@ -67,8 +67,8 @@ fn verdict(report: &Report, model: &Model, derivations: &mut Derivations, id: &s
     Comparer::default().compare(&mut quantities.derivations.kinematics.arena, both[0], both[1])
 }
 
-/// Goal: names are symbols of their own until they are resolved. Method: `T` as printed is the derived T, and the model's
-/// names keep their meaning.
+/// Goal: names are symbols of their own until they are resolved. Method: `T` as printed is the derived T, and the
+/// model's names keep their meaning.
 #[test]
 fn names_stand_for_what_is_derived() {
     let mut model = base();

@@ -23,7 +23,8 @@ const MODELS: [&str; 8] = [
     "derive/tests/models/k17a.toml",
 ];
 
-/// Terms above which the normal form is not asked: zeros at random points modulo a random prime, with their bound, say enough.
+/// Terms above which the normal form is not asked: zeros at random points modulo a random prime, with their bound, say
+/// enough.
 const LONG: usize = 150;
 
 fn assert_equal(arena: &mut Arena, old: Expr, new: Expr, of: &str) {

@@ -5,8 +5,8 @@ use crate::reduced;
 use expect_test::expect;
 use reduced::{integrated, names, output, reduced, show};
 
-/// A model: its parameters and coordinates as `name:unit`, a speed for each rate, and what its tables say beside the inertial frame.
-/// All parameters are positive but `c`.
+/// A model: its parameters and coordinates as `name:unit`, a speed for each rate, and what its tables say beside the
+/// inertial frame. All parameters are positive but `c`.
 fn model(parameters: &str, coordinates: &str, rest: &str) -> String {
     let table = |title: &str, list: &str, line: &dyn Fn(&str) -> String| {
         format!("[{title}]\n{}\n", list.split_whitespace().map(line).collect::<Vec<_>>().join("\n"))
@@ -262,8 +262,8 @@ fn a_reaction_that_nothing_determines_is_refused_with_the_reason() {
     assert!(error.contains("newton-euler"), "{error}");
 }
 
-/// One particle goes along the rail, driven by a massless crank on the cart x, the other across with the crank's angle: no
-/// rigid motion of the whole moves the second alone, and its coordinate stands in the kinetic energy.
+/// One particle goes along the rail, driven by a massless crank on the cart x, the other across with the crank's angle:
+/// no rigid motion of the whole moves the second alone, and its coordinate stands in the kinetic energy.
 #[test]
 fn a_symmetry_that_is_no_rigid_motion_is_found() {
     let rest = r#"

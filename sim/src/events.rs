@@ -32,8 +32,8 @@ pub enum Effect {
     /// It ends the run, [`crate::Stop::Event`].
     Terminal,
     /// The equations hold only where the function is positive: crossing ends the run,
-    /// [`crate::Stop::LeftDomain`]. A start at which it is negative ends it with [`crate::Stop::StartsOutside`], before any step. A
-    /// start at exactly zero is watched from the next instant on.
+    /// [`crate::Stop::LeftDomain`]. A start at which it is negative ends it with [`crate::Stop::StartsOutside`], before
+    /// any step. A start at exactly zero is watched from the next instant on.
     Domain,
 }
 

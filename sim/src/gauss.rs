@@ -1,14 +1,14 @@
 //! Gauss–Legendre collocation with three stages: order 6, implicit, symplectic.
 //!
 //! The polynomial u of degree 3 with u(t) = y satisfies the equations at three points inside the step, the zeros of
-//! Legendre's polynomial; the new point is u(t + h), and u is also the dense output, of order 3 only. Quadratic invariants are conserved
-//! to rounding, and the energy of a mechanical system stays within a band with equal steps. E. Hairer, C. Lubich & G.
-//! Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §II.1, §IV.2, §VIII.6.
+//! Legendre's polynomial; the new point is u(t + h), and u is also the dense output, of order 3 only. Quadratic
+//! invariants are conserved to rounding, and the energy of a mechanical system stays within a band with equal steps. E.
+//! Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §II.1, §IV.2, §VIII.6.
 //!
 //! The unknowns are the derivatives k₁, k₂, k₃ at the three points. They are found by Newton's method with the Jacobian
-//! at the start of the step, not to a tolerance but until rounding lets them shrink no further: an error left over would
-//! act like a force and let the invariants drift. What rounding cuts off a sum y + h Σ b k is carried to the next step,
-//! for the same reason.
+//! at the start of the step, not to a tolerance but until rounding lets them shrink no further: an error left over
+//! would act like a force and let the invariants drift. What rounding cuts off a sum y + h Σ b k is carried to the next
+//! step, for the same reason.
 
 use tripos_traits::{Real, largest};
 
@@ -256,11 +256,11 @@ impl<S: Real> Gauss6<S> {
 
     /// An estimate of the error from the defects f − u' at the ends of the step, where collocation did not ask for f.
     ///
-    /// A defect d is of order h³, so that e₄ = h d₀ / 20 is of order h⁴ (¹⁄₂₀ is c₁ c₂ c₃, the weight of the third divided
-    /// difference in it). Two vectors are of order h⁵: h (d₀ + d₁) / 20, whose leading terms cancel, and h² J d₀ / 20.
-    /// The first misses what is linear, since the defect is then a multiple of Legendre's polynomial and the sum is 0;
-    /// the second misses what depends on time alone. Their absolute values are added, e₅, and combined with e₄ as in
-    /// DOP853: e₅² / √(e₅² + 0.01 e₄²), of order h⁶, where the method's own error is of order h⁷.
+    /// A defect d is of order h³, so that e₄ = h d₀ / 20 is of order h⁴ (¹⁄₂₀ is c₁ c₂ c₃, the weight of the third
+    /// divided difference in it). Two vectors are of order h⁵: h (d₀ + d₁) / 20, whose leading terms cancel, and h² J
+    /// d₀ / 20. The first misses what is linear, since the defect is then a multiple of Legendre's polynomial and the
+    /// sum is 0; the second misses what depends on time alone. Their absolute values are added, e₅, and combined with
+    /// e₄ as in DOP853: e₅² / √(e₅² + 0.01 e₄²), of order h⁶, where the method's own error is of order h⁷.
     fn error(&mut self, h: S, test: &ErrorTest) -> f64 {
         let n = self.y.len();
         let (zero, one, factor) = (S::int(0), S::int(1), h * S::ratio(1, 20));

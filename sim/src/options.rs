@@ -12,8 +12,8 @@ use crate::error::SimError;
 /// The lowest and the highest order that a method without a fixed one takes.
 pub(crate) const ORDERS: (usize, usize) = (2, 60);
 
-/// How to integrate. The default is that of scene files: `ode45` to [`RTOL`] and [`AbsoluteTolerance::default`], with a limit of a
-/// million steps.
+/// How to integrate. The default is that of scene files: `ode45` to [`RTOL`] and [`AbsoluteTolerance::default`], with a
+/// limit of a million steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// The method.
@@ -90,8 +90,8 @@ pub enum Output {
 
 /// Who follows a run: told the time, in s, that each accepted step has reached, and answers whether to go on.
 ///
-/// Whatever it answers, the steps are the same: a run that it ends has [`Stop::Interrupted`](crate::Stop::Interrupted), and the
-/// solution up to there.
+/// Whatever it answers, the steps are the same: a run that it ends has [`Stop::Interrupted`](crate::Stop::Interrupted),
+/// and the solution up to there.
 #[derive(Clone)]
 pub struct Poll(Arc<dyn Fn(f64) -> ControlFlow<()> + Send + Sync>);
 

@@ -1,11 +1,12 @@
 //! Projection of a run onto its invariants, with an account of what it did.
 //!
-//! After each accepted step the state is moved onto I_k(y) = I_k(y₀) by the smallest correction in the norm of the tolerances, and the
-//! method goes on from there. What was removed is added up with its sign: a projected run does not hide the drift that the method
-//! has. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §IV.4.
+//! After each accepted step the state is moved onto I_k(y) = I_k(y₀) by the smallest correction in the norm of the
+//! tolerances, and the method goes on from there. What was removed is added up with its sign: a projected run does not
+//! hide the drift that the method has. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition
+//! (2006), §IV.4.
 //!
-//! Events, and output at and inside a step, belong to the step as the method took it, before the correction at its end; the last
-//! state, and all later steps, follow from the corrected one.
+//! Events, and output at and inside a step, belong to the step as the method took it, before the correction at its end;
+//! the last state, and all later steps, follow from the corrected one.
 
 use tripos_traits::Real;
 
@@ -43,8 +44,8 @@ pub struct ProjectionReport {
     pub corrections: u64,
     /// Steps after which it was not, since the gradients are zero, dependent or not finite.
     pub singular: u64,
-    /// Steps after which it was not, since three iterations of Newton's method do not reach the invariants: the gradients are
-    /// wrong, or the step was far too long.
+    /// Steps after which it was not, since three iterations of Newton's method do not reach the invariants: the
+    /// gradients are wrong, or the step was far too long.
     pub not_converged: u64,
     /// Σ |correction| of each component of the state, in its unit.
     pub moved: Vec<f64>,
@@ -155,7 +156,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         let (m, n) = (self.invariants.count, self.y.len());
         let weight = |i: usize| self.weights.as_ref().map_or(1.0, |test| test.weight(i, self.y[i].to_f64().abs()));
         let weights: Vec<f64> = (0..n).map(weight).collect();
-        // Orthonormal rows by Gram and Schmidt: no invariant's unit matters, and dependence shows as what is left of a row.
+        // Orthonormal rows by Gram and Schmidt: no invariant's unit matters, and dependence shows as what is left of a
+        // row.
         let mut rows: Vec<Vec<f64>> = Vec::with_capacity(m);
         let mut shares: Vec<f64> = Vec::with_capacity(m);
         for k in 0..m {

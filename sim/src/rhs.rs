@@ -22,8 +22,8 @@ pub trait RightHandSide<S = f64> {
     }
 
     /// Writes the Taylor coefficients of the solution through the state in the first row of `x` at the time `t`:
-    /// row k has those of order k, (1/k!) dᵏy/dtᵏ, up to `order`; each row has the state's length. `None` if they are not
-    /// known, which rules out [`crate::Method::Taylor`].
+    /// row k has those of order k, (1/k!) dᵏy/dtᵏ, up to `order`; each row has the state's length. `None` if they are
+    /// not known, which rules out [`crate::Method::Taylor`].
     fn taylor(&mut self, t: f64, order: usize, x: &mut [S]) -> Option<Result<(), Failure>> {
         let _ = (t, order, x);
         None
@@ -65,8 +65,8 @@ where
 
 /// A right-hand side that is lent to a run and used again afterwards.
 ///
-/// As `Lent(&mut f as &mut dyn RightHandSide<S>)` its type is forgotten: all methods are then compiled once, not once for
-/// every right-hand side, at the price of an indirect call.
+/// As `Lent(&mut f as &mut dyn RightHandSide<S>)` its type is forgotten: all methods are then compiled once, not once
+/// for every right-hand side, at the price of an indirect call.
 pub struct Lent<'a, R: ?Sized>(pub &'a mut R);
 
 impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {

@@ -1,7 +1,7 @@
 //! Where runs give way: growth of small errors, the horizon after which no digit is left, and how a drift goes on.
 //!
-//! Absent on purpose: models and references. What is asked here can be asked of any right-hand side; one with a Jacobian answers
-//! more exactly.
+//! Absent on purpose: models and references. What is asked here can be asked of any right-hand side; one with a
+//! Jacobian answers more exactly.
 
 use crate::error::{Failure, SimError};
 use crate::integrate::integrate;
@@ -23,9 +23,9 @@ pub struct Growth {
 }
 
 impl Growth {
-    /// The instant from which on errors have grown to 1 or more, so that no digit is left; none if digits are left at the
-    /// end. `size` is the error up to an instant before it grows: of a run all its steps' errors together. A growth that
-    /// goes back again, as in passing a singular surface, is none.
+    /// The instant from which on errors have grown to 1 or more, so that no digit is left; none if digits are left at
+    /// the end. `size` is the error up to an instant before it grows: of a run all its steps' errors together. A growth
+    /// that goes back again, as in passing a singular surface, is none.
     #[must_use]
     pub fn horizon(&self, size: impl Fn(f64) -> f64) -> Option<f64> {
         let lost = |(t, l): &(&f64, &f64)| size(**t).ln() + **l >= 0.0;
@@ -58,8 +58,8 @@ pub fn slope(x: &[f64], y: &[f64]) -> f64 {
 
 /// Integrates the equations together with their linearization w' = J(y) w from w(t0) = `direction`.
 ///
-/// w is kept at the size of 1 by carrying its logarithm apart, so that no growth overflows. Without a Jacobian J w is a central
-/// difference of the right-hand side.
+/// w is kept at the size of 1 by carrying its logarithm apart, so that no growth overflows. Without a Jacobian J w is a
+/// central difference of the right-hand side.
 ///
 /// # Errors
 /// [`SimError`] as [`integrate`].
@@ -78,7 +78,8 @@ pub fn growth(
     let mut slope = Slope::new(n);
     let length = size(direction, y0);
     let start: Vec<f64> = y0.iter().copied().chain(direction.iter().map(|w| w / length)).chain([0.0]).collect();
-    // y' = f,  w' = J w − r w,  l' = r  with r = (w · J w) / (w · w): the length of w stays, and l is the logarithm lost.
+    // y' = f,  w' = J w − r w,  l' = r  with r = (w · J w) / (w · w): the length of w stays, and l is the logarithm
+    // lost.
     let mut joined = |t: f64, z: &[f64], dz: &mut [f64]| -> Result<(), Failure> {
         let (y, w) = (&z[..n], &z[n..2 * n]);
         rhs.rhs(t, y, &mut dz[..n])?;
@@ -156,8 +157,8 @@ pub enum Trend {
     Secular,
 }
 
-/// Judges |drift| sampled along a run: it is secular if the largest of the last tenth is more than three times the largest of
-/// the first tenth.
+/// Judges |drift| sampled along a run: it is secular if the largest of the last tenth is more than three times the
+/// largest of the first tenth.
 #[must_use]
 pub fn trend(drifts: &[f64]) -> Trend {
     let tenth = drifts.len().div_ceil(10);

@@ -1,11 +1,11 @@
 //! Taylor's method: the solution inside a step is its Taylor polynomial at the start.
 //!
-//! Invariant: `x` has the coefficients at (t, y) row by row, row k of order k; after a trial step that passed the test `next`
-//! has those at its end. The coefficients come from the right-hand side, by recurrence; the order is fixed for a run and
-//! follows from its tolerance, and the length of a step follows from the last two coefficients before it is taken, so
-//! that steps are hardly ever rejected. The same polynomial is the dense output. A. Jorba & M. Zou, "A software package
-//! for the numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005)
-//! 99–117, §3.
+//! Invariant: `x` has the coefficients at (t, y) row by row, row k of order k; after a trial step that passed the test
+//! `next` has those at its end. The coefficients come from the right-hand side, by recurrence; the order is fixed for a
+//! run and follows from its tolerance, and the length of a step follows from the last two coefficients before it is
+//! taken, so that steps are hardly ever rejected. The same polynomial is the dense output. A. Jorba & M. Zou, "A
+//! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
+//! Mathematics 14 (2005) 99–117, §3.
 //!
 //! What rounding cuts off a sum y + (the rest of the polynomial) is carried to the next step.
 
@@ -16,12 +16,12 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
 use crate::tolerance::ErrorTest;
 
-/// Digits of the tolerance, as natural logarithm, that an order is worth. Jorba and Zou have ½, from a cost of order p²; here
-/// the part of the cost that grows so is small.
+/// Digits of the tolerance, as natural logarithm, that an order is worth. Jorba and Zou have ½, from a cost of order
+/// p²; here the part of the cost that grows so is small.
 const ORDERS_PER_DIGIT: f64 = 0.7;
 
-/// How many times the allowed error the jump of the derivative from step to step may stand for. It holds the first term that was cut off,
-/// which a good step leaves below the allowed error, and all after it.
+/// How many times the allowed error the jump of the derivative from step to step may stand for. It holds the first term
+/// that was cut off, which a good step leaves below the allowed error, and all after it.
 const ALLOWED_JUMP: f64 = 10.0;
 
 /// The order that a tolerance is reached with at least cost.
@@ -56,7 +56,8 @@ pub(crate) struct Taylor<S> {
     /// By how much the derivative jumps at the end of the step last tried, as an error of the state.
     jump: Vec<S>,
     evaluations: u64,
-    /// Whether the state at the end of a step may be moved before the next: only its derivative is then computed in a step.
+    /// Whether the state at the end of a step may be moved before the next: only its derivative is then computed in a
+    /// step.
     moved: bool,
 }
 
@@ -122,9 +123,9 @@ impl<S: Real> Taylor<S> {
         (before * power).max(last * (power * h))
     }
 
-    /// The derivative of the polynomial against that of the solution through its end, as the error of the state that a term
-    /// of the next order would make: what the last terms do not show where they happen to vanish, as every fourth one alone
-    /// stays of x'' = -x^3 through x = 0.
+    /// The derivative of the polynomial against that of the solution through its end, as the error of the state that a
+    /// term of the next order would make: what the last terms do not show where they happen to vanish, as every fourth
+    /// one alone stays of x'' = -x^3 through x = 0.
     fn jump(&mut self, test: &ErrorTest, h: S) -> f64 {
         let n = self.n;
         self.jump.fill(S::from_f64(0.0));

@@ -1,7 +1,7 @@
 //! Speed against accuracy: what is measured of a run, and what the measurements say.
 //!
-//! An error is everywhere the largest over all components of |e| / (1 + |reference|). Absent on purpose: models, and how
-//! a reference was found.
+//! An error is everywhere the largest over all components of |e| / (1 + |reference|). Absent on purpose: models, and
+//! how a reference was found.
 
 #[cfg(feature = "clock")]
 use std::ops::ControlFlow;
@@ -81,8 +81,8 @@ pub fn interleaved(
     all
 }
 
-/// The points that no other beats in both time and error, by time. Points are (seconds, error); those that are not numbers
-/// are never among them.
+/// The points that no other beats in both time and error, by time. Points are (seconds, error); those that are not
+/// numbers are never among them.
 #[must_use]
 pub fn pareto(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> =

@@ -78,9 +78,9 @@ fn oscillators(n: usize) -> Starts {
     (0..n).map(|i| (vec![0.5 + i as f64], vec![2.0, 0.1 * i as f64])).collect()
 }
 
-/// Goal: one method, whether in lanes or not. Method: the counts of `integrate`, in 19 of 20 cases, and ends that differ by what rounding
-/// may do. How much that is, grown by the motion and by the choice of steps, runs by `integrate` tell whose starts
-/// differ by 4 ulp: 50 times that, since rounding happens in every step.
+/// Goal: one method, whether in lanes or not. Method: the counts of `integrate`, in 19 of 20 cases, and ends that
+/// differ by what rounding may do. How much that is, grown by the motion and by the choice of steps, runs by
+/// `integrate` tell whose starts differ by 4 ulp: 50 times that, since rounding happens in every step.
 fn agrees_with_runs_alone<E: Rates<f64> + Rates<Lanes<8>> + Sync>(equations: &E, span: f64, starts: &Starts) {
     let (mut equal, tolerances) = (0, [1e-3, 1e-6, 1e-9, 1e-12]);
     for tolerance in tolerances {

@@ -54,7 +54,8 @@ fn the_energy_stays_at_rounding_on_a_long_run() {
     }
 }
 
-/// What is removed is what the method makes, of the same sign and size: a third for the states of the two runs, which differ.
+/// What is removed is what the method makes, of the same sign and size: a third for the states of the two runs, which
+/// differ.
 #[test]
 fn the_drift_removed_is_that_of_the_run_without_projection() {
     for method in [Method::Dopri5, Method::Dop853] {
@@ -190,7 +191,8 @@ fn passages_are_all_seen_in_a_projected_run() {
     let half = 0.5 * tripos_sim::exact::Pendulum::new(9.81, 2.5, 0.0).period();
     let passages = (0..1000).filter(|k| (f64::from(*k) + 0.5) * half < 100.0).count();
     assert_eq!(solution.events.len(), passages);
-    // The energy is right, so that the phase is off by what the steps' own errors in phase add up to, 1e-6 each at most.
+    // The energy is right, so that the phase is off by what the steps' own errors in phase add up to, 1e-6 each at
+    // most.
     for (k, event) in solution.events.iter().enumerate() {
         assert!((event.t - (k as f64 + 0.5) * half).abs() < 1e-4, "{}", event.t);
     }

@@ -24,8 +24,8 @@ fn instants(span: f64) -> impl Iterator<Item = f64> {
     (1..=20).map(move |i| span * (f64::from(i) * 0.618_033_988_75).fract())
 }
 
-/// An error of 2 ε of the period grows with the number of periods, times the rate; and so does the exact solution's knowledge of
-/// f64 parameters, which is none. 8 ε of (1 + the rate) (1 + t) covers both and a few roundings.
+/// An error of 2 ε of the period grows with the number of periods, times the rate; and so does the exact solution's
+/// knowledge of f64 parameters, which is none. 8 ε of (1 + the rate) (1 + t) covers both and a few roundings.
 fn rounding(t: f64, rate: f64) -> f64 {
     8.0 * f64::EPSILON * (1.0 + rate.abs()) * (1.0 + t.abs())
 }
@@ -74,7 +74,8 @@ fn a_top_nutates_precesses_and_spins_as_it_should() {
         let start =
             TopStart { nutation: dd(nutation), nutation_rate: dd(nutation_rate), precession_rate, spin: full_spin };
         let exact = HeavyTop::new(Top { mass, arm, gravity, transverse, axial }, start);
-        // At each passage an angle of up to π is rounded beside its distance to the vertical, and momenta beside their difference.
+        // At each passage an angle of up to π is rounded beside its distance to the vertical, and momenta beside their
+        // difference.
         let [smallest, largest] = exact.extremes().map(Real::to_f64);
         let distance = smallest.min(std::f64::consts::PI - largest);
         let passage = 8.0 * f64::EPSILON * std::f64::consts::PI / distance / exact.nutation_period().to_f64();
@@ -91,7 +92,8 @@ fn a_top_nutates_precesses_and_spins_as_it_should() {
     }
 }
 
-/// From one passage 0.003 rad beside the vertical to the next, where the azimuth turns by almost π in a thousandth of the period.
+/// From one passage 0.003 rad beside the vertical to the next, where the azimuth turns by almost π in a thousandth of
+/// the period.
 #[test]
 fn a_spherical_pendulum_passes_close_to_the_vertical() {
     for (angle, angle_rate, azimuth_rate) in [(2.0, 0.0, 0.8), (1.0, 2.0, -3.0), (2.0, 0.5, 0.004), (0.003, 0.0, 900.0)]
@@ -114,7 +116,8 @@ fn a_spherical_pendulum_passes_close_to_the_vertical() {
     }
 }
 
-/// q = cos t with ∫ q² dt and ∫ v³ dt, which changes its sign with v, for a hundred thousand periods: 2 π in f64 is off by 2e-16.
+/// q = cos t with ∫ q² dt and ∫ v³ dt, which changes its sign with v, for a hundred thousand periods: 2 π in f64 is off
+/// by 2e-16.
 #[test]
 fn an_oscillator_keeps_its_phase_for_a_hundred_thousand_periods() {
     let system = OneSpeed {
@@ -188,7 +191,8 @@ impl Orbit {
 
 /// A pericentre of 1e-6 beside an axis of 0.5, where the angle turns by 2 π in a millionth of the period.
 ///
-/// 32 ε of the rates at the instant for the phase, and 1e-14 a second for the angle, two passages with a hundred roundings of ε each.
+/// 32 ε of the rates at the instant for the phase, and 1e-14 a second for the angle, two passages with a hundred
+/// roundings of ε each.
 #[test]
 fn a_nearly_radial_orbit_keeps_its_angle() {
     for pericentre in [0.3, 1e-3, 1e-6] {

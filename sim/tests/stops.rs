@@ -149,8 +149,8 @@ fn spans_of_any_size_are_crossed() {
     }
 }
 
-/// Goal: who follows a run sees every step, may end it, and changes nothing. Method: the same run with nobody, with one who only looks,
-/// and with one who ends it in the middle.
+/// Goal: who follows a run sees every step, may end it, and changes nothing. Method: the same run with nobody, with one
+/// who only looks, and with one who ends it in the middle.
 #[test]
 fn a_run_that_is_ended_from_outside_keeps_what_it_has() {
     let rhs = |_t: f64, y: &[f64], dydt: &mut [f64]| {

@@ -48,7 +48,8 @@ fn fixed(order: usize, step: f64) -> Options {
     Options { order: Some(order), step: Some(step), ..adaptive(1e-6) }
 }
 
-/// Goal: the order that was asked for. Method: the error of the oscillator with steps of 0.2 s and half of that, in 32 digits;
+/// Goal: the order that was asked for. Method: the error of the oscillator with steps of 0.2 s and half of that, in 32
+/// digits;
 /// |log2 of their ratio − p| < 0.3, since the next term is smaller by h = 0.1.
 #[test]
 fn fixed_steps_converge_at_the_order_asked_for() {
@@ -112,8 +113,8 @@ fn a_run_backward_is_a_run_of_the_mirrored_time() {
     assert!((solution.y_end[0] - 0.25).abs() < 1e-12, "{solution}");
 }
 
-/// A pole: the steps shrink with the radius of convergence until they are below rounding. The pole of what is computed is
-/// off by some tolerances.
+/// A pole: the steps shrink with the radius of convergence until they are below rounding. The pole of what is computed
+/// is off by some tolerances.
 #[test]
 fn a_run_ends_at_a_pole_with_a_reason() {
     let solution = integrate(Square, (0.0, 2.0), &[1.0], &adaptive(1e-9), &mut []).unwrap();
@@ -168,8 +169,8 @@ fn equations_without_a_series_and_orders_out_of_range_are_refused() {
     }
 }
 
-/// A million steps of a circle with a truncation error below 1e-22 each: what they leave of the radius is rounding, and with
-/// it carried from step to step that is some ulp.
+/// A million steps of a circle with a truncation error below 1e-22 each: what they leave of the radius is rounding, and
+/// with it carried from step to step that is some ulp.
 #[test]
 fn what_rounding_cuts_off_is_carried_along() {
     let options = Options { step_limit: 2_000_000, ..fixed(8, 0.01) };
@@ -199,9 +200,9 @@ impl RightHandSide for Cubic {
     }
 }
 
-/// Goal: last terms that vanish do not pass for a solution that is a polynomial. Method: every tolerance from 1e-3 to 1e-13, some of
-/// whose orders have two gaps at the end; exact and nearly exact zeros. The energy x'²/2 + x⁴/4 is constant; a hundred tolerances: some ten
-/// steps, each allowed ten at a gap.
+/// Goal: last terms that vanish do not pass for a solution that is a polynomial. Method: every tolerance from 1e-3 to
+/// 1e-13, some of whose orders have two gaps at the end; exact and nearly exact zeros. The energy x'²/2 + x⁴/4 is
+/// constant; a hundred tolerances: some ten steps, each allowed ten at a gap.
 #[test]
 fn terms_that_vanish_do_not_pass_for_a_polynomial() {
     for exponent in 3..=13 {

@@ -1,5 +1,5 @@
-//! `tripos chart` and `tripos stability`: the committed figures are current, show what they must, and hostile requests are
-//! answered.
+//! `tripos chart` and `tripos stability`: the committed figures are current, show what they must, and hostile requests
+//! are answered.
 
 use crate::support::{root, stderr, tripos};
 use std::collections::BTreeMap;
@@ -54,8 +54,8 @@ fn made(command: &str, scene: &str) -> tempfile::TempDir {
 
 /// Committed and fresh data agree in keys, stops and steps; in errors as far as errors repeat.
 ///
-/// 2 % and a step: another machine rounds sines otherwise, which may move the end of a step. A factor 3: errors near rounding are sums
-/// of what was rounded. An error of 1 has no digit left to compare.
+/// 2 % and a step: another machine rounds sines otherwise, which may move the end of a step. A factor 3: errors near
+/// rounding are sums of what was rounded. An error of 1 has no digit left to compare.
 fn assert_current(committed: &BTreeMap<String, Line>, fresh: &BTreeMap<String, Line>) {
     assert_eq!(committed.keys().collect::<Vec<_>>(), fresh.keys().collect::<Vec<_>>());
     for (key, old) in committed {
@@ -98,7 +98,8 @@ fn the_committed_chart_is_current_and_complete() {
     assert!(svg.starts_with("<svg") && !svg.contains("NaN"));
 }
 
-/// The scene's own equations stand beside the others, by every method, and by quadrature if that gives the motion: so many lines.
+/// The scene's own equations stand beside the others, by every method, and by quadrature if that gives the motion: so
+/// many lines.
 fn assert_has_own_equations(chart: &BTreeMap<String, Line>, tolerances: &[&str]) -> usize {
     for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "taylor"] {
         for tolerance in tolerances {
@@ -125,7 +126,8 @@ fn assert_has_own_equations(chart: &BTreeMap<String, Line>, tolerances: &[&str])
     }
 }
 
-/// What a scene asks for is what its runs are compared in: the same error of the lean is not hidden by other states, nor made by them.
+/// What a scene asks for is what its runs are compared in: the same error of the lean is not hidden by other states,
+/// nor made by them.
 #[test]
 fn a_scene_that_states_its_outputs_is_charted_in_them() {
     let out = tempfile::tempdir().unwrap();

@@ -53,7 +53,8 @@ fn signal(child: &Child, name: &str) {
     assert!(sent.unwrap().success(), "it is still running");
 }
 
-/// The checkout that the program was built from is not its own: only the folder that it is called in, and those above, are.
+/// The checkout that the program was built from is not its own: only the folder that it is called in, and those above,
+/// are.
 #[test]
 fn no_command_writes_to_a_workspace_that_it_was_not_called_in() {
     let folder = tempfile::tempdir().unwrap();
@@ -132,8 +133,8 @@ fn nothing_is_written_over_what_is_read() {
     assert_eq!(text(folder.path().join("model.toml")), SLIDER);
 }
 
-/// Goal: what cannot be written to its end leaves what was there. Method: the size of files is limited, so that the write fails in the
-/// middle as on a full disk.
+/// Goal: what cannot be written to its end leaves what was there. Method: the size of files is limited, so that the
+/// write fails in the middle as on a full disk.
 #[test]
 fn a_full_disk_leaves_the_old_file() {
     let folder = slider(&SCENE.replace("[0, 2]", "[0, 2000]"));
@@ -217,8 +218,8 @@ fn a_kill_leaves_no_cut_file() {
     assert_eq!(names(folder.path()), ["a.csv", "model.toml", "run.toml"], "the next one takes over the part");
 }
 
-/// Goal: a finished table is never replaced by that of another sweep. Method: pairs of sweeps with one --out, begun together; one of
-/// them is whole in the end, and the other was refused.
+/// Goal: a finished table is never replaced by that of another sweep. Method: pairs of sweeps with one --out, begun
+/// together; one of them is whole in the end, and the other was refused.
 #[test]
 fn of_two_sweeps_with_one_name_one_writes_it() {
     let folder = slider(SCENE);
@@ -292,7 +293,8 @@ fn an_interrupted_sweep_says_where_its_rows_are() {
     assert!(table.ends_with('\n') && !table.contains("interrupted"));
 }
 
-/// Every command with JSON: a failure is an object on standard output, with what, what to do and where, and for people as before.
+/// Every command with JSON: a failure is an object on standard output, with what, what to do and where, and for people
+/// as before.
 #[test]
 fn failures_are_json_where_json_was_asked_for() {
     let folder = slider(&SCENE.replace("x = 1", "x = \"1 +\""));

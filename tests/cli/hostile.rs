@@ -80,8 +80,9 @@ fn scene(texts: [&str; 4]) -> String {
     )
 }
 
-/// Goal: whatever a file is called and says, the code made from it is the same code. Method: crates of modules from every text in every
-/// place, compiled without a warning, their documentation built without one, and no example found in it to run.
+/// Goal: whatever a file is called and says, the code made from it is the same code. Method: crates of modules from
+/// every text in every place, compiled without a warning, their documentation built without one, and no example found
+/// in it to run.
 #[test]
 fn generated_code_of_hostile_texts_compiles_and_runs_nothing_of_theirs() {
     let folder = tempfile::tempdir().unwrap();
@@ -113,7 +114,8 @@ fn generated_code_of_hostile_texts_compiles_and_runs_nothing_of_theirs() {
     assert!(examples.contains("running 0 tests"), "{examples}");
 }
 
-/// Goal: what steers a terminal, turns a line or ends a comment is refused where it stands. Method: each such text in each place.
+/// Goal: what steers a terminal, turns a line or ends a comment is refused where it stands. Method: each such text in
+/// each place.
 #[test]
 fn control_and_bidirectional_characters_are_refused_with_their_place() {
     let folder = tempfile::tempdir().unwrap();

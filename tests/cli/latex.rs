@@ -2,8 +2,8 @@
 
 use crate::support::{root, tripos_in};
 
-/// What is wrong with a text that must compile in the body of a document with amsmath: braces, environments and pairs that do not
-/// match, mathematics outside of formulas, formulas inside of formulas.
+/// What is wrong with a text that must compile in the body of a document with amsmath: braces, environments and pairs
+/// that do not match, mathematics outside of formulas, formulas inside of formulas.
 fn faults(text: &str) -> Vec<String> {
     let (mut open, mut in_formula, mut faults) = (Vec::<String>::new(), false, Vec::new());
     let lines = text.lines().filter(|line| !line.starts_with('%'));
@@ -62,8 +62,8 @@ fn every_model_of_the_library_becomes_latex_that_compiles() {
     }
 }
 
-/// What stands in the text stands in LaTeX, for each formulation: the steps, M and f, accelerations, energies, singular places; and what is
-/// conserved.
+/// What stands in the text stands in LaTeX, for each formulation: the steps, M and f, accelerations, energies, singular
+/// places; and what is conserved.
 #[test]
 fn latex_has_all_that_the_text_has() {
     let text = |by: &str| tripos_in(&root(), &["derive", "models/disk", "--by", by, "--format", "latex"]).1;

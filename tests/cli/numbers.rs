@@ -36,7 +36,8 @@ fn an_acceleration_among_the_outputs_is_that_acceleration() {
     }
 }
 
-/// A reaction in the domain is found beside the equations: they stay eliminated, and methods that need that can run them.
+/// A reaction in the domain is found beside the equations: they stay eliminated, and methods that need that can run
+/// them.
 #[test]
 fn a_watched_reaction_leaves_the_way_to_accelerations_alone() {
     for method in ["taylor", "gauss6", "dop853"] {
@@ -89,7 +90,8 @@ fn what_a_run_shows_without_a_value_is_no_result() {
     }
 }
 
-/// m x″ = −c x′ with c/m = 10⁴ 1/s: after the first millisecond nothing moves, and an explicit method still steps by 3·10⁻⁴ s.
+/// m x″ = −c x′ with c/m = 10⁴ 1/s: after the first millisecond nothing moves, and an explicit method still steps by
+/// 3·10⁻⁴ s.
 #[test]
 fn steps_that_stability_keeps_short_are_said_to_be() {
     let folder = tempfile::tempdir().unwrap();
@@ -220,7 +222,8 @@ fn slips_of_the_pen_are_answered_with_what_to_write() {
     assert!(status == 2 && err.contains("quadrature takes no steps"), "{err}");
 }
 
-/// Goal: arithmetic with constants is exact, or refused. Method: a spring whose stiffness hides in a constant; x = 0.5 cos(2 t) where it is 4.
+/// Goal: arithmetic with constants is exact, or refused. Method: a spring whose stiffness hides in a constant; x = 0.5
+/// cos(2 t) where it is 4.
 #[test]
 fn constants_are_exact_or_refused() {
     let model = |force: &str| {
@@ -316,7 +319,8 @@ fn an_integral_that_is_not_there_raises_no_alarm() {
     assert!(run["drift"].as_object().unwrap().values().all(Value::is_number), "{}", run["drift"]);
 }
 
-/// Goal: what no double holds is no result. Method: an energy beyond their range, and a chart of an output that has no value.
+/// Goal: what no double holds is no result. Method: an energy beyond their range, and a chart of an output that has no
+/// value.
 #[test]
 fn what_overflows_or_has_no_value_is_a_failure() {
     let folder = tempfile::tempdir().unwrap();

@@ -56,8 +56,8 @@ fn the_page_of_the_disk_has_every_erratum_integral_and_printed_run() {
     assert!(page.contains("I₆ : angular momentum about a₃ through O"), "every integral has its panel");
 }
 
-/// Goal: every scene has its own equations on the page, what they keep and why, their run, and their curves. Method: one of each
-/// in each part of the page, counted by scene.
+/// Goal: every scene has its own equations on the page, what they keep and why, their run, and their curves. Method:
+/// one of each in each part of the page, counted by scene.
 #[test]
 fn the_page_of_the_disk_has_every_scenes_own_equations() {
     let (status, page, output) = page("models/disk");
@@ -134,7 +134,8 @@ fn system(id: &str, matrix: &str, right: &str) -> String {
     )
 }
 
-/// Measured figures of a model that is interpreted: a chart with its table, and a reason for the passages it cannot have.
+/// Measured figures of a model that is interpreted: a chart with its table, and a reason for the passages it cannot
+/// have.
 #[test]
 fn measured_figures_come_with_their_table_or_a_reason() {
     let folder = slider(&format!("title = \"Right\"\n{}", system("right", "m", "-k*x")));

@@ -1,8 +1,9 @@
 //! Scenes of random mechanisms: a number is what its name says, whatever is asked for and however it is computed.
 //!
-//! What the command prints is held against the whole model: Kane's equations as terms, their linear system solved at each state
-//! with partial pivoting, integrated by DOP853 at 1e-13; reactions from the Newton–Euler rows, energies from T and V. None of the
-//! command's own ways to a number is among these: neither reduction, nor elimination, nor its outputs.
+//! What the command prints is held against the whole model: Kane's equations as terms, their linear system solved at
+//! each state with partial pivoting, integrated by DOP853 at 1e-13; reactions from the Newton–Euler rows, energies from
+//! T and V. None of the command's own ways to a number is among these: neither reduction, nor elimination, nor its
+//! outputs.
 //!
 //! `TRIPOS_RANDOM_SCENES=1000` runs that many.
 
@@ -67,7 +68,8 @@ fn compare(place: &Path, seed: u64) -> Compared {
     let Ok(json) = serde_json::from_slice::<Value>(&output.stdout) else {
         return Compared { kinds: Vec::new(), differences: vec![format!("no answer\n{}", context())] };
     };
-    // A method that these equations do not have is refused, which is an answer too; these are asked for only where they are.
+    // A method that these equations do not have is refused, which is an answer too; these are asked for only where they
+    // are.
     let t = json["t"].as_f64().expect("an end");
     let (expected, noise) = (whole.ends_at(scene.stops_in_domain), whole.event_is_noise());
     if !noise && (t - expected).abs() > BOUND * (1.0 + expected.abs()) {

@@ -1,4 +1,5 @@
-//! `tripos regenerate` and the references beside the models, with a Python that only pretends: what it would say is given.
+//! `tripos regenerate` and the references beside the models, with a Python that only pretends: what it would say is
+//! given.
 
 #![cfg(unix)]
 

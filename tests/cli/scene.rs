@@ -7,7 +7,8 @@ fn names(value: &Value) -> Vec<&str> {
     value.as_array().unwrap().iter().map(|v| v.as_str().unwrap()).collect()
 }
 
-/// The state of the disk at t = 10 s of the report's start: DOP853 in 32 digits by Lagrange's and by Kane's equations, which differ by
+/// The state of the disk at t = 10 s of the report's start: DOP853 in 32 digits by Lagrange's and by Kane's equations,
+/// which differ by
 /// 1.3e-17.
 const CERTIFIED: [(&str, f64); 10] = [
     ("q1", -35.008_636_958_090_84),
@@ -102,7 +103,8 @@ fn what_equations_do_not_contain_is_refused_with_what_to_do() {
     assert!(status == 2 && err.contains("own equations"), "{err}");
 }
 
-/// Goal: an event on a coordinate that would be computed from the time is found where it happens. Method: the same by Kane's equations.
+/// Goal: an event on a coordinate that would be computed from the time is found where it happens. Method: the same by
+/// Kane's equations.
 #[test]
 fn an_event_on_a_coordinate_that_time_would_carry_is_found() {
     let folder = tempfile::tempdir().unwrap();
@@ -120,7 +122,8 @@ fn an_event_on_a_coordinate_that_time_would_carry_is_found() {
     assert!((own - kane).abs() < 1e-7, "{own} and {kane}");
 }
 
-/// Goal: the energies of a table are those of the model, though reduced equations have others. Method: Kane's, at the start.
+/// Goal: the energies of a table are those of the model, though reduced equations have others. Method: Kane's, at the
+/// start.
 #[test]
 fn a_table_has_the_energies_of_the_whole_model() {
     let folder = tempfile::tempdir().unwrap();
@@ -197,8 +200,8 @@ frame = "N"
 acceleration = [0, 0, "-g"]
 "#;
 
-/// The momentum about the pivot determines the arm's speed by its inertia there, which positive parameters let be zero nowhere; and what
-/// is computed once is called by what it is.
+/// The momentum about the pivot determines the arm's speed by its inertia there, which positive parameters let be zero
+/// nowhere; and what is computed once is called by what it is.
 #[test]
 fn what_is_zero_nowhere_is_no_singular_place() {
     let folder = tempfile::tempdir().unwrap();

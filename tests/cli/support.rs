@@ -96,7 +96,8 @@ pub fn make_crate(folder: &Path) {
     std::fs::copy(root().join("Cargo.lock"), folder.join("Cargo.lock")).unwrap();
 }
 
-/// Cargo in a crate that a test has made, which succeeds: standard output, standard error. All such crates are built in one folder.
+/// Cargo in a crate that a test has made, which succeeds: standard output, standard error. All such crates are built in
+/// one folder.
 pub fn cargo(folder: &Path, arguments: &[&str]) -> (String, String) {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);

@@ -35,8 +35,8 @@ fn scene(folder: &Path, model: &str, text: &str) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// Holds rows of a sweep against `simulate` of the same scene with the numbers of each row written into its text, to the bit.
-/// `edit` writes the numbers that it is given.
+/// Holds rows of a sweep against `simulate` of the same scene with the numbers of each row written into its text, to
+/// the bit. `edit` writes the numbers that it is given.
 fn rows_are_runs(
     (model, text): (&str, &str),
     over: &[&str],
@@ -123,8 +123,8 @@ fn rows_of_an_interpreted_model_are_what_simulate_gives() {
     rows_are_runs((model.to_str().unwrap(), text), &over, &[], &[0, 1, 2, 4, 5, 8], &edit);
 }
 
-/// Goal: a file depends on the grid alone. Method: whole and in shards, by one thread and by several, byte for byte; some of
-/// the points have no run.
+/// Goal: a file depends on the grid alone. Method: whole and in shards, by one thread and by several, byte for byte;
+/// some of the points have no run.
 #[test]
 fn shards_one_after_another_are_the_whole_file() {
     let grid = ["--over", "M=-1:2:4", "--over", "q2=0.1:1.7:9", "--until", "0.5"];
@@ -168,8 +168,8 @@ fn a_point_without_an_answer_is_a_row_with_its_reason() {
         (rows[1]["stop"].clone(), count("steps") + count("rejected"), rows[1]["reason"].clone())
     };
     assert_eq!(run("7"), ("step-limit".into(), 7, "the limit of 7 steps is used up".into()));
-    // Where the disk lies flat, exactly in the distance from there: q1' = u2/cos(q2) has no value, so that Lagrange's equations
-    // have no start, Kane's no first step.
+    // Where the disk lies flat, exactly in the distance from there: q1' = u2/cos(q2) has no value, so that Lagrange's
+    // equations have no start, Kane's no first step.
     let folder = tempfile::tempdir().unwrap();
     let distance = "[integration]\ndistance = { q2 = \"90*deg\" }";
     let text = text_of(root().join("models/disk/scenes/report.toml")).replace("[integration]", distance);
@@ -353,8 +353,8 @@ fn a_file_that_is_there_is_not_lost() {
     }
 }
 
-/// A sweep that is killed leaves no file of the name, only its part, which the next one starts anew; while it lives, no other
-/// writes the same.
+/// A sweep that is killed leaves no file of the name, only its part, which the next one starts anew; while it lives, no
+/// other writes the same.
 #[test]
 fn an_interrupted_sweep_leaves_no_file_that_looks_whole() {
     let folder = tempfile::tempdir().unwrap();

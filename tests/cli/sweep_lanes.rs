@@ -1,4 +1,5 @@
-//! Sweeps in lanes: the runs of a scene on which nothing is watched share the registers of the processor, and nothing else.
+//! Sweeps in lanes: the runs of a scene on which nothing is watched share the registers of the processor, and nothing
+//! else.
 
 use crate::support::{root, tripos};
 use std::collections::HashMap;
@@ -30,9 +31,9 @@ fn number(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap()
 }
 
-/// Goal: lanes make the runs that the scalar method makes. Method: the same sweep with an event that never comes, which keeps runs
-/// out of lanes. 1e-9: a hundred times the tolerance on rounding, which a pendulum at 2 rad multiplies by less than 50 in 10 s; both
-/// take the same steps.
+/// Goal: lanes make the runs that the scalar method makes. Method: the same sweep with an event that never comes, which
+/// keeps runs out of lanes. 1e-9: a hundred times the tolerance on rounding, which a pendulum at 2 rad multiplies by
+/// less than 50 in 10 s; both take the same steps.
 #[test]
 fn rows_in_lanes_are_the_runs_to_rounding() {
     let folder = tempfile::tempdir().unwrap();
@@ -52,8 +53,8 @@ fn rows_in_lanes_are_the_runs_to_rounding() {
     assert!(differing > 0, "without a difference in the last digits these runs were not made in lanes");
 }
 
-/// Goal: a row is the same whichever rows share its registers. Method: shards of sizes that are no multiple of the lanes, with
-/// points that cannot start among them.
+/// Goal: a row is the same whichever rows share its registers. Method: shards of sizes that are no multiple of the
+/// lanes, with points that cannot start among them.
 #[test]
 fn rows_in_lanes_do_not_depend_on_their_neighbours() {
     let folder = tempfile::tempdir().unwrap();

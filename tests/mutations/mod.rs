@@ -1,9 +1,9 @@
 //! Does the comparison see every error, and nothing but errors?
 //!
-//! The derived equations of a model are printed as a report file. Then they are spoiled, one place at a time, and none of
-//! the mutants may be called equal; and they are rewritten by identities and row operations, and none of the rewritings
-//! may be called different. What happens to be a right equation all the same, such as a row times two, counts as such
-//! only if SymPy proves it.
+//! The derived equations of a model are printed as a report file. Then they are spoiled, one place at a time, and none
+//! of the mutants may be called equal; and they are rewritten by identities and row operations, and none of the
+//! rewritings may be called different. What happens to be a right equation all the same, such as a row times two,
+//! counts as such only if SymPy proves it.
 
 mod equivalent;
 mod judge;
@@ -111,8 +111,8 @@ fn right_equations(printed: &Printed, report: &mut Report) -> Vec<String> {
 
 /// Adds the mutants, each with an id, and returns the ids of right rows that stand among them.
 ///
-/// Every mutant of a row stands in its own place of a system, beside mutants of the other rows. One more row is right, so
-/// that no system is a whole one, whose motion would be worked out.
+/// Every mutant of a row stands in its own place of a system, beside mutants of the other rows. One more row is right,
+/// so that no system is a whole one, whose motion would be worked out.
 fn place(printed: &Printed, mutants: &[Mutant], report: &mut Report) -> (Vec<Placed>, Vec<String>) {
     let mut placed = Vec::new();
     let mut of_row: FxHashMap<(usize, usize), Vec<&Mutant>> = FxHashMap::default();

@@ -61,8 +61,8 @@ pub fn of_equations(printed: &Printed, wanted: usize, random: &mut Random) -> Ve
     list
 }
 
-/// A tree after some rules, used at nodes that may be entered, and the names of those that found a place; nothing if the
-/// first found none.
+/// A tree after some rules, used at nodes that may be entered, and the names of those that found a place; nothing if
+/// the first found none.
 fn rewritten(
     tree: &View,
     rules: &[&Rule],
@@ -94,7 +94,8 @@ pub struct Row {
     pub entries: Vec<String>,
 }
 
-/// The rows of a system in another order, each with a factor, plus a multiple of another row, or rewritten entry by entry.
+/// The rows of a system in another order, each with a factor, plus a multiple of another row, or rewritten entry by
+/// entry.
 pub fn of_rows(printed: &Printed, system: &System, random: &mut Random) -> Vec<Row> {
     let n = system.rows.len();
     let turn = random.below(n);

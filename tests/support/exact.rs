@@ -1,4 +1,5 @@
-//! Where models are at an instant, for the motions that are known in closed form: `exact` of a scene, `motion` of any start.
+//! Where models are at an instant, for the motions that are known in closed form: `exact` of a scene, `motion` of any
+//! start.
 //!
 //! The closed forms are those of `tripos_sim::exact`; here they get the angles, the speeds and the start of a model.
 
@@ -32,8 +33,8 @@ pub const CLOSED_FORMS: [(&str, &str); 10] = [
     ("floating_chain", "straight"),
 ];
 
-/// The names of a model's coordinates and speeds, each with its value t seconds after the start of the scene; nothing where no
-/// closed form is known.
+/// The names of a model's coordinates and speeds, each with its value t seconds after the start of the scene; nothing
+/// where no closed form is known.
 pub fn exact(model: &str, scene: &str, t: f64) -> Option<Vec<(String, f64)>> {
     let at = motion(model, &start_of(model, scene))?;
     let (model, _) = read(model, scene);
@@ -148,8 +149,8 @@ fn heavy_top(p: &[Dd], q: &[Dd], u: &[Dd]) -> Option<Motion> {
     above.then(|| Box::new(at) as Motion)
 }
 
-/// q1 and q2 of an axis above the horizontal plane, and the angle from B1 to the line of nodes, continuous in φ: it never
-/// differs from φ by a right angle.
+/// q1 and q2 of an axis above the horizontal plane, and the angle from B1 to the line of nodes, continuous in φ: it
+/// never differs from φ by a right angle.
 fn cardan(phi: Dd, theta: Dd) -> ([Dd; 2], Dd) {
     let ((sin, cos), (sin_phi, cos_phi)) = (theta.sin_cos(), phi.sin_cos());
     let (q_1, q_2) = ((sin * cos_phi / cos).atan(), (sin * sin_phi).asin());

@@ -1,7 +1,8 @@
 //! SymPy for the tests: a Python environment of their own, pinned by `tests/sympy/requirements.txt`, made once.
 //!
-//! It stands in cargo's folder for tests, so `cargo clean` removes it. Making it takes Python 3.11 or newer with `venv`, and
-//! a network the first time. What is missing fails the test that asks; only `TRIPOS_WITHOUT_SYMPY=1` leaves such tests out.
+//! It stands in cargo's folder for tests, so `cargo clean` removes it. Making it takes Python 3.11 or newer with
+//! `venv`, and a network the first time. What is missing fails the test that asks; only `TRIPOS_WITHOUT_SYMPY=1` leaves
+//! such tests out.
 
 #![allow(dead_code, reason = "each test uses its part")]
 

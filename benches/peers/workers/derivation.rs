@@ -1,8 +1,8 @@
 //! Derivation of one formulation: a worker of `benches/peers/run.py`, which documents the lines it reads and answers.
 //!
 //! `derivation FORMULATION FOLDER`; a problem is a folder in that one, with `model.toml` and `states`. Other lines:
-//! `read REPEATS` is the time to read and check the model file, `code REPEATS` that to derive all formulations from the file and
-//! to emit their code.
+//! `read REPEATS` is the time to read and check the model file, `code REPEATS` that to derive all formulations from the
+//! file and to emit their code.
 
 use std::io::{BufRead, Write};
 use std::path::{Path, PathBuf};
@@ -45,7 +45,8 @@ impl Problem {
         Some((seconds, Self { model, derivation, parameters, state }))
     }
 
-    /// Operations and functions of `mass_matrix` and of `forcing`: a pair of sine and cosine is two functions, and counts in either.
+    /// Operations and functions of `mass_matrix` and of `forcing`: a pair of sine and cosine is two functions, and
+    /// counts in either.
     fn counts(&self) -> Vec<f64> {
         let Derivation { arena, equations } = &self.derivation;
         let planner = Planner::new(&self.model, arena, equations, &Language::NONE, false);

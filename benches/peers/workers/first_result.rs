@@ -1,5 +1,6 @@
-//! One run of an emitted module, as a program of its user's own: the parameters, q and q̇ of the start and the tolerance are
-//! arguments; prints q and q̇ at t = 10 s. A part of `benches/peers/run.py`, which puts it beside the module `disk`.
+//! One run of an emitted module, as a program of its user's own: the parameters, q and q̇ of the start and the
+//! tolerance are arguments; prints q and q̇ at t = 10 s. A part of `benches/peers/run.py`, which puts it beside the
+//! module `disk`.
 
 #[allow(non_snake_case)]
 mod disk;

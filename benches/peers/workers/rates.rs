@@ -1,8 +1,9 @@
-//! Times right-hand sides of modules that `tripos emit` wrote: a worker of `benches/peers/run.py`, which documents the lines it
-//! reads and answers, and makes the crate `emitted` that this is compiled with: modules, and `choose!` among them by name.
+//! Times right-hand sides of modules that `tripos emit` wrote: a worker of `benches/peers/run.py`, which documents the
+//! lines it reads and answers, and makes the crate `emitted` that this is compiled with: modules, and `choose!` among
+//! them by name.
 //!
-//! `rates PROBLEM KIND STATES`, where KIND says how many states a call takes, as one of [`KINDS`], which `rates kinds` lists.
-//! States are (q, q̇), since Lagrange's equations have these.
+//! `rates PROBLEM KIND STATES`, where KIND says how many states a call takes, as one of [`KINDS`], which `rates kinds`
+//! lists. States are (q, q̇), since Lagrange's equations have these.
 
 use std::hint::black_box;
 use std::io::{BufRead, Write};
@@ -69,7 +70,8 @@ impl<E: System<S>, S: Packed, const N: usize, const D: usize> Bench<E, S, N, D> 
         (rows.len() == STATES).then_some(Self { equations, parameters, states, rates })
     }
 
-    /// (q̇, q̈) by a call that the compiler does not see into from outside, as an integrator's is that serves any equations.
+    /// (q̇, q̈) by a call that the compiler does not see into from outside, as an integrator's is that serves any
+    /// equations.
     #[inline(never)]
     fn rates(equations: &E, p: &[S], y: &[S; D], out: &mut [S; D]) {
         let ((q, v), (q_dot, v_dot)) = (y.split_at(N), out.split_at_mut(N));

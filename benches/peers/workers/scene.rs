@@ -1,12 +1,14 @@
-//! The disk by the equations of its scenes: a worker of `benches/peers/run.py`, which documents the lines it reads and answers.
+//! The disk by the equations of its scenes: a worker of `benches/peers/run.py`, which documents the lines it reads and
+//! answers.
 //!
-//! `scene SCENE METHOD` runs `report-10s`, whose ten outputs it answers as q and q̇, or `lean`, whose two are q2 and u1. A method is
-//! one of [`METHODS`], by stepping, with `-energy` behind its name if the energy is to be kept after each step, or
-//! [`QUADRATURE`], for which no tolerance matters.
+//! `scene SCENE METHOD` runs `report-10s`, whose ten outputs it answers as q and q̇, or `lean`, whose two are q2 and
+//! u1. A method is one of [`METHODS`], by stepping, with `-energy` behind its name if the energy is to be kept after
+//! each step, or [`QUADRATURE`], for which no tolerance matters.
 //!
-//! A run is all that follows from the scene's start: the constants of the motion, which are taken from it in twice the precision of
-//! a double, as `tripos simulate` does; the motion, in doubles; and the outputs at its end. Which constants there are, and what they
-//! are at the start, the reduction of the scene says; it is made once, before any run.
+//! A run is all that follows from the scene's start: the constants of the motion, which are taken from it in twice the
+//! precision of a double, as `tripos simulate` does; the motion, in doubles; and the outputs at its end. Which
+//! constants there are, and what they are at the start, the reduction of the scene says; it is made once, before any
+//! run.
 
 mod disk;
 mod start;

@@ -1,7 +1,8 @@
 //! What the start of a scene fixes, to 32 digits: the parameters of its generated equations, and their state.
 //!
-//! Invariant: no number stands here. Formulas come from the reduction of the scene as the deriving crate makes it, values from the
-//! scene's file, and both meet the generated module by the names of its parameters; a module of another reduction is refused.
+//! Invariant: no number stands here. Formulas come from the reduction of the scene as the deriving crate makes it,
+//! values from the scene's file, and both meet the generated module by the names of its parameters; a module of another
+//! reduction is refused.
 
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;

@@ -1,10 +1,10 @@
-//! The disk by generated code and this project's methods: a worker of `benches/peers/run.py`, which documents the lines it
-//! reads and answers.
+//! The disk by generated code and this project's methods: a worker of `benches/peers/run.py`, which documents the lines
+//! it reads and answers.
 //!
-//! `peer EQUATIONS METHOD` integrates by one of [`METHODS`], which `peer methods` lists. `lagrange` and `kane` know their
-//! equations when they are compiled; `eliminated-lagrange` and `eliminated-kane` go through [`Eliminated`] and a virtual call, as
-//! a program does that learns at run time which model to run. `lagrange lanes` runs batches in lanes, by DOP853. States are put and
-//! answered as q and q̇.
+//! `peer EQUATIONS METHOD` integrates by one of [`METHODS`], which `peer methods` lists. `lagrange` and `kane` know
+//! their equations when they are compiled; `eliminated-lagrange` and `eliminated-kane` go through [`Eliminated`] and a
+//! virtual call, as a program does that learns at run time which model to run. `lagrange lanes` runs batches in lanes,
+//! by DOP853. States are put and answered as q and q̇.
 
 mod disk;
 
@@ -95,8 +95,8 @@ fn read_starts(path: &str) -> Option<Vec<f64>> {
     Some(bytes.chunks_exact(8).map(|eight| f64::from_ne_bytes(eight.try_into().expect("eight bytes"))).collect())
 }
 
-/// The end state computed with 32 digits from the start as it is written, not as an `f64` rounds it; or from the k-th of a
-/// file of starts.
+/// The end state computed with 32 digits from the start as it is written, not as an `f64` rounds it; or from the k-th
+/// of a file of starts.
 fn reference(method: Method, tolerance: f64, of_file: Option<(usize, &str)>) -> Option<Vec<f64>> {
     let (parameters, mut start) = question::<DoubleDouble>().ok()?;
     if let Some((k, path)) = of_file {

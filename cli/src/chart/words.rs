@@ -21,7 +21,8 @@ fn compared_at(list: &[Measurement]) -> Option<f64> {
     [TARGETS[1], TARGETS[0]].into_iter().find(|target| fastest(list, *target, |_| true).is_some())
 }
 
-/// The time at which a curve crosses an accuracy, s: read between its points on logarithmic axes, since tolerances are far apart.
+/// The time at which a curve crosses an accuracy, s: read between its points on logarithmic axes, since tolerances are
+/// far apart.
 fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
     let points: Vec<(f64, f64)> =
         curve.iter().filter_map(|m| Some((m.error?.max(f64::MIN_POSITIVE).ln(), m.seconds.median.ln()))).collect();
@@ -79,8 +80,8 @@ fn formulations(list: &[Measurement]) -> Vec<&str> {
     names
 }
 
-/// Whether a run is one of whole equations. Methods and solves are compared by these alone: a scene's own equations have one solve only,
-/// and what they gain is not that of the solve.
+/// Whether a run is one of whole equations. Methods and solves are compared by these alone: a scene's own equations
+/// have one solve only, and what they gain is not that of the solve.
 pub fn is_whole(m: &Measurement) -> bool {
     m.formulation != OWN
 }

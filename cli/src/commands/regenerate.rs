@@ -26,7 +26,8 @@ pub fn check(models: &[PathBuf]) -> Result<u8, Failure> {
     Ok(if found.differences.is_empty() && references.is_empty() { 0 } else { status::NO })
 }
 
-/// Writes what differs, and says what changed in the equations; then renews the references, exit status 1 if one disagrees.
+/// Writes what differs, and says what changed in the equations; then renews the references, exit status 1 if one
+/// disagrees.
 pub fn regenerate(models: &[PathBuf]) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;

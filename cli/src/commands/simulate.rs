@@ -159,8 +159,8 @@ fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
     table(path, &header, rows)
 }
 
-/// Refuses to write samples over what is read, over what looks like no table of samples, and where there is no folder: after a long
-/// run that would be too late.
+/// Refuses to write samples over what is read, over what looks like no table of samples, and where there is no folder:
+/// after a long run that would be too late.
 fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     keep_inputs(model, Some(scene), [path])?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());

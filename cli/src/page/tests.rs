@@ -141,7 +141,8 @@ fn page_of(model: &Model) -> String {
     render(&Page { model, derivations, study: &study, scenes: vec![scene()], unfinished: None, command })
 }
 
-/// A report of the pendulum: an error, a factor, a system whose gravity is wrong, a system that mentions the state alone.
+/// A report of the pendulum: an error, a factor, a system whose gravity is wrong, a system that mentions the state
+/// alone.
 const REPORT: &str = r#"
 title = "A <course> report & more"
 source = "Smith & Sons"

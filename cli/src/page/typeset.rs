@@ -1,7 +1,7 @@
 //! Transcribed formulas as MathML, term by term as they are printed.
 //!
-//! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do: a reader finds the printed
-//! formula again. What is not a formula is left to be shown as text.
+//! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do: a reader finds the
+//! printed formula again. What is not a formula is left to be shown as text.
 
 use super::math::spaced;
 use tripos_derive::algebra::print::mathml_of;

@@ -1,7 +1,8 @@
-//! What two models declare, compared: defaults, units and signs of parameters, the domain, and every element of the mechanism.
+//! What two models declare, compared: defaults, units and signs of parameters, the domain, and every element of the
+//! mechanism.
 //!
-//! Invariant: terms are compared by meaning, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order of a
-//! file are not compared: no number depends on them.
+//! Invariant: terms are compared by meaning, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order
+//! of a file are not compared: no number depends on them.
 
 use super::transfer::Transfer;
 use crate::algebra::compare::Comparer;

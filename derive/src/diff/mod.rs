@@ -1,7 +1,7 @@
 //! A published derivation compared with the derived one, entry by entry, and what its errors do to the motion.
 //!
-//! Every entry is judged on its own: symbols of the text stand for what is derived, so an error counts once, where it is
-//! made. Nothing is repaired or guessed; the only freedom is the factor that each row of a linear system may carry.
+//! Every entry is judged on its own: symbols of the text stand for what is derived, so an error counts once, where it
+//! is made. Nothing is repaired or guessed; the only freedom is the factor that each row of a linear system may carry.
 
 mod consequences;
 mod declared;

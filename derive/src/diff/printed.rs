@@ -8,8 +8,8 @@ use crate::report::{EntryKind, Report};
 /// Every printed system of a report, and every listing, as equations named `printed:ID`.
 ///
 /// They are run exactly as printed: nothing but the order of the unknowns is ours. Energies and the conversions
-/// between q̇ and u are the derived ones, so that a printed run can be measured. What is not whole, such as a system without all
-/// unknowns, is left out.
+/// between q̇ and u are the derived ones, so that a printed run can be measured. What is not whole, such as a system
+/// without all unknowns, is left out.
 pub fn printed_equations(model: &Model, derivations: &mut Derivations, report: &Report) -> Vec<Equations> {
     let mut list = Vec::new();
     for motion in motions(model, derivations, report) {

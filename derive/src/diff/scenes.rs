@@ -15,7 +15,8 @@ pub struct Setting {
     pub new: Option<String>,
 }
 
-/// The keys whose values differ, in the order of their names. Titles and remarks are not compared: no number depends on them.
+/// The keys whose values differ, in the order of their names. Titles and remarks are not compared: no number depends on
+/// them.
 ///
 /// # Errors
 /// [`Diagnostics`] if a file is not TOML.

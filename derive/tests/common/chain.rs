@@ -57,8 +57,8 @@ pub fn chain(n: usize) -> Model {
     load(&Source::from_text("chain/model.toml", &chain_text(n))).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Row by row, M and f of [`chain`] as Lagrange's equations give them by hand, in u_i = q_i'. With μ_i the mass of link i and
-/// all beyond it, l_0 = 1 and the cart moving along the first axis:
+/// Row by row, M and f of [`chain`] as Lagrange's equations give them by hand, in u_i = q_i'. With μ_i the mass of link
+/// i and all beyond it, l_0 = 1 and the cart moving along the first axis:
 /// M_ij = μ_j l_i l_j cos(q_i − q_j),  M_0j = −μ_j l_j cos q_j  for i ≤ j,
 /// f_i = μ_i g l_i sin q_i − Σ_j μ_max(i,j) l_i l_j sin(q_i − q_j) u_j²,  f_0 = F − Σ_j μ_j l_j sin q_j u_j².
 pub fn by_hand(n: usize) -> (Vec<Vec<String>>, Vec<String>) {

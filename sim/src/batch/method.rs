@@ -1,7 +1,8 @@
 //! A step of DOP853 in every lane at once; each lane has its own step size and its own error.
 //!
-//! The formulae, coefficients and errors are those of [`crate::dop853`], in the same order of operations, so that a lane
-//! takes the steps that a run by itself takes, up to rounding. Invariant: what a lane computes depends on nothing in another.
+//! The formulae, coefficients and errors are those of [`crate::dop853`], in the same order of operations, so that a
+//! lane takes the steps that a run by itself takes, up to rounding. Invariant: what a lane computes depends on nothing
+//! in another.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -168,7 +169,8 @@ impl<'a, const N: usize> Method<'a, N> {
         self.equations.rates(&self.parameters, q, v, q_dot, v_dot);
     }
 
-    /// Stages 1 to 11; the last one is left in `f`. `look` sees each derivative before, and each point after it is made.
+    /// Stages 1 to 11; the last one is left in `f`. `look` sees each derivative before, and each point after it is
+    /// made.
     #[inline(always)]
     fn stages(&mut self, h: Lanes<N>, odd: &mut Lanes<N>, mut look: impl FnMut(&[Lanes<N>], &[Lanes<N>])) {
         self.first_point(h, odd);

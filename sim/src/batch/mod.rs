@@ -4,9 +4,9 @@
 //! [`crate::integrate`] would take, up to rounding: own time, step size, error, acceptance. A lane that is done
 //! takes the next trajectory at once.
 //!
-//! Invariant: the outcome of a trajectory has the same bits whatever the others are, in whichever order, in how many lanes
-//! and on how many cores. Absent on purpose: events and output on the way. What is to watch a batch will be handed the
-//! accepted step of one lane, as [`crate::events`] are.
+//! Invariant: the outcome of a trajectory has the same bits whatever the others are, in whichever order, in how many
+//! lanes and on how many cores. Absent on purpose: events and output on the way. What is to watch a batch will be
+//! handed the accepted step of one lane, as [`crate::events`] are.
 
 mod method;
 mod queue;
@@ -76,17 +76,17 @@ pub struct Outcome {
     pub steps: u64,
     /// Rejected steps.
     pub rejected: u64,
-    /// Evaluations of the equations made for this trajectory. A step without a finite result counts in full: the other lanes
-    /// go on to its end.
+    /// Evaluations of the equations made for this trajectory. A step without a finite result counts in full: the other
+    /// lanes go on to its end.
     pub evaluations: u64,
 }
 
-/// Integrates all trajectories on this thread, in as many lanes as the processor computes best in. Outcomes are in the order
-/// of the trajectories. A trajectory that fails ends with its reason; the others go on.
+/// Integrates all trajectories on this thread, in as many lanes as the processor computes best in. Outcomes are in the
+/// order of the trajectories. A trajectory that fails ends with its reason; the others go on.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense, as for [`crate::integrate`]; [`SimError::Trajectory`] for parameters or a
-/// start of the wrong length, or not finite.
+/// [`SimError`] if the question makes no sense, as for [`crate::integrate`]; [`SimError::Trajectory`] for parameters or
+/// a start of the wrong length, or not finite.
 pub fn integrate(
     equations: InLanes<'_>,
     plan: &Plan,

@@ -59,7 +59,8 @@ struct Worker<'a, const N: usize> {
     done: &'a mut dyn FnMut(usize, Outcome),
 }
 
-/// Integrates the trajectories whose positions `next` hands out, until there are no more, and hands each outcome to `done`.
+/// Integrates the trajectories whose positions `next` hands out, until there are no more, and hands each outcome to
+/// `done`.
 pub(super) fn run<'a, const N: usize>(
     equations: &'a (dyn Rates<Lanes<N>> + Sync),
     pace: &'a Pace,
@@ -95,7 +96,8 @@ impl<const N: usize> Worker<'_, N> {
         self.lanes.iter().any(Option::is_some)
     }
 
-    /// Takes up to N trajectories from the queue and chooses their first steps, all at once; says whether there were any.
+    /// Takes up to N trajectories from the queue and chooses their first steps, all at once; says whether there were
+    /// any.
     fn prepare(&mut self) -> bool {
         let taken: Vec<usize> = std::iter::from_fn(|| (self.next)()).take(N).collect();
         let Some(&first) = taken.first() else { return false };
@@ -167,8 +169,8 @@ fn lane<const N: usize>(values: &[Lanes<N>], l: usize) -> Vec<f64> {
     values.iter().map(|x| x.0[l]).collect()
 }
 
-/// What becomes of the step that a lane tried: whether it is accepted, and why the run ends there if it does. The component
-/// of one that is not finite is left open.
+/// What becomes of the step that a lane tried: whether it is accepted, and why the run ends there if it does. The
+/// component of one that is not finite is left open.
 fn judge<const N: usize>(run: &mut Run, l: usize, attempt: &Attempt<N>, tolerance: f64) -> (bool, Option<Stop>) {
     let Trial { h, t_new } = run.pace.trial;
     let passed = attempt.finite[l] && attempt.error[l] <= tolerance;

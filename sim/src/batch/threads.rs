@@ -6,9 +6,9 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tripos_traits::{InLanes, Lanes, Rates, lane_width};
 
-/// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes are those of [`integrate`], to the
-/// bit, for any number of threads. `progress` is told how many trajectories are done, by whichever thread ends one, so
-/// possibly not in order.
+/// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes are those of [`integrate`], to
+/// the bit, for any number of threads. `progress` is told how many trajectories are done, by whichever thread ends one,
+/// so possibly not in order.
 ///
 /// # Errors
 /// As [`integrate`].

@@ -1,7 +1,7 @@
 //! Elliptic integrals and functions by the arithmetic–geometric mean.
 //!
-//! NIST *Digital Library of Mathematical Functions* §19.8(i) (the mean), §22.20(ii) (Jacobi's functions), and Abramowitz &
-//! Stegun 17.6 (the incomplete integral).
+//! NIST *Digital Library of Mathematical Functions* §19.8(i) (the mean), §22.20(ii) (Jacobi's functions), and
+//! Abramowitz & Stegun 17.6 (the incomplete integral).
 
 use super::trigonometry::nearest_whole;
 use tripos_traits::Real;

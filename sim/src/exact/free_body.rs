@@ -4,8 +4,8 @@ use super::elliptic::Elliptic;
 use super::trigonometry::angle_of;
 use tripos_traits::Real;
 
-/// Euler's equations  I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃  and cyclic: the angular velocity of a free rigid body, or of one held at its
-/// mass centre, along its principal axes.
+/// Euler's equations  I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃  and cyclic: the angular velocity of a free rigid body, or of one held
+/// at its mass centre, along its principal axes.
 ///
 /// The axes are taken as a, b, c in rising or falling order of their moments, such that ω never leaves one side of
 /// c. Then  ω_a = A cn u,  ω_b = B sn u,  ω_c = C dn u,  u = rate · t + u₀. A symmetric body is the case m = 0.

@@ -12,15 +12,16 @@ pub struct BodyStart<S> {
     pub nutation: S,
     /// φ: the body about its axis, from the line of nodes.
     pub spin_angle: S,
-    /// The angular velocity along the line of nodes, θ′; across it and the axis, ψ′ sin θ; along the axis, φ′ + ψ′ cos θ.
+    /// The angular velocity along the line of nodes, θ′; across it and the axis, ψ′ sin θ; along the axis, φ′ + ψ′ cos
+    /// θ.
     pub angular_velocity: [S; 3],
 }
 
 /// A symmetric rigid body without torque, in Euler's angles about any fixed axes: θ need not be steady.
 ///
 /// The angular momentum H is fixed, and so is ω₃ along the axis. With the transverse moment I₁ and the axial I₃
-/// ω = H/I₁ + (1 − I₃/I₁) ω₃ e: the body turns about its axis e at the second rate while all of it turns about H at |H|/I₁.
-/// The quaternion of the first start and of the turn gives the angles, continuous in time: with
+/// ω = H/I₁ + (1 − I₃/I₁) ω₃ e: the body turns about its axis e at the second rate while all of it turns about H at
+/// |H|/I₁. The quaternion of the first start and of the turn gives the angles, continuous in time: with
 /// z = cos ½θ e^{i(ψ+φ)/2} and w = sin ½θ e^{i(ψ−φ)/2} both go round ellipses about 0. Where the axis passes exactly
 /// through ±n₃ one of the ellipses is a segment; θ is reflected there, ψ and φ without their jumps by π.
 ///

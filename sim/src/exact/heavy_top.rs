@@ -31,11 +31,11 @@ pub struct TopStart<S> {
     pub spin: S,
 }
 
-/// The motion of a symmetric heavy top in Euler's angles: precession φ about the upward vertical, nutation θ from it, spin
-/// ψ about the axis (rotations z–x–z).
+/// The motion of a symmetric heavy top in Euler's angles: precession φ about the upward vertical, nutation θ from it,
+/// spin ψ about the axis (rotations z–x–z).
 ///
-/// θ is exact by elliptic functions; φ and ψ are integrals of functions of θ, taken to rounding. Constant are the energy
-/// ½ I₁(θ′² + φ′² sin² θ) + ½ I₃ ω₃² + M g l cos θ, p_φ = I₁ φ′ sin² θ + I₃ ω₃ cos θ and p_ψ = I₃ ω₃.
+/// θ is exact by elliptic functions; φ and ψ are integrals of functions of θ, taken to rounding. Constant are the
+/// energy ½ I₁(θ′² + φ′² sin² θ) + ½ I₃ ω₃² + M g l cos θ, p_φ = I₁ φ′ sin² θ + I₃ ω₃ cos θ and p_ψ = I₃ ω₃.
 /// A top that passes exactly through the vertical (p_φ = ±p_ψ) has θ ≥ 0 reflected there, φ without its jump by π.
 ///
 /// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §71; Landau & Lifshitz, *Mechanics* §35 problem 1.

@@ -1,8 +1,8 @@
 //! Motions known in closed form: what an integrator is held against.
 //!
 //! Each type is one motion from one start, with its position and rate at any instant, before or after the start.
-//! Generic over the scalar: in [`tripos_traits::DoubleDouble`] they give about 30 digits, so that the error measured is the
-//! integrator's.
+//! Generic over the scalar: in [`tripos_traits::DoubleDouble`] they give about 30 digits, so that the error measured is
+//! the integrator's.
 //!
 //! ```
 //! use tripos_sim::exact::Pendulum;
@@ -15,7 +15,8 @@
 //! ```
 //!
 //! Conventions: angles in rad, time in s from the start, other units those of the arguments. The parameter of elliptic
-//! functions is m = k². Data without such a motion (a negative moment of inertia, m > 1) give "not a number", never a panic.
+//! functions is m = k². Data without such a motion (a negative moment of inertia, m > 1) give "not a number", never a
+//! panic.
 //!
 //! Absent on purpose: frames, points and models. They are compared with what a model gives, so they know none.
 

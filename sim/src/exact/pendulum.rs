@@ -7,8 +7,8 @@ use tripos_traits::Real;
 /// The pendulum  θ″ = −(g/l) sin θ,  θ from hanging, counted on over full turns.
 ///
 /// With w = √(g/l) and κ = sin²(θ₀/2) + (ω₀/2w)², the energy over 2 w², it swings for κ < 1:
-/// sin(θ/2) = √κ sn(w t + u₀; m = κ); and turns over for κ > 1: θ/2 = am(√κ w t + u₀; m = 1/κ). At κ = 1 it climbs for ever.
-/// A compound pendulum has g/l = M g s/I with I about the pivot.
+/// sin(θ/2) = √κ sn(w t + u₀; m = κ); and turns over for κ > 1: θ/2 = am(√κ w t + u₀; m = 1/κ). At κ = 1 it climbs for
+/// ever. A compound pendulum has g/l = M g s/I with I about the pivot.
 ///
 /// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §44; DLMF 22.19(i).
 #[derive(Clone, Debug)]

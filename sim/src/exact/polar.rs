@@ -1,7 +1,7 @@
 //! The polar angle θ of a symmetric top or a spherical pendulum, which moves as in one dimension.
 //!
-//! u = cos θ obeys  u′² = f(u) = (1 − u²)(α − β u) − (a − b u)²  with β = 2 M g l/I, a = p_φ/I and b = p_ψ/I. Between its zeros
-//! −1 ≤ u₁ ≤ u₂ ≤ 1 ≤ u₃:  u = u₁ + (u₂ − u₁) sn²,  m = (u₂ − u₁)/(u₃ − u₁). The precession is
+//! u = cos θ obeys  u′² = f(u) = (1 − u²)(α − β u) − (a − b u)²  with β = 2 M g l/I, a = p_φ/I and b = p_ψ/I. Between
+//! its zeros −1 ≤ u₁ ≤ u₂ ≤ 1 ≤ u₃:  u = u₁ + (u₂ − u₁) sn²,  m = (u₂ − u₁)/(u₃ − u₁). The precession is
 //! φ′ = (a − b u)/(1 − u²) = ½(a + b)/(1 + u) + ½(a − b)/(1 − u), integrated numerically over each kind of pole.
 //!
 //! Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §71; Landau & Lifshitz, *Mechanics* §35.
@@ -204,8 +204,8 @@ impl<S: Real> Zeros<S> {
         self.beyond_top + self.from_top
     }
 
-    /// 1 + u₁ and 1 − u₂, given 1 ± u₀. By f(∓1) = −(a ± b)² they are quotients: as differences they would lose their digits
-    /// for a top that nearly passes through the vertical.
+    /// 1 + u₁ and 1 − u₂, given 1 ± u₀. By f(∓1) = −(a ± b)² they are quotients: as differences they would lose their
+    /// digits for a top that nearly passes through the vertical.
     fn with_margins(self, beta: S, momenta: [S; 2], above: S, below: S) -> Self {
         let [zero, four] = [0, 4].map(S::int);
         let [at_bottom, at_top] = momenta.map(|half| four * half * half / beta);
@@ -240,7 +240,8 @@ fn inner_zeros<S: Real>([c_0, _, c_2]: [S; 3], third: S) -> [S; 2] {
     }
 }
 
-/// f(1 + v)/β = v³ + c₂ v² + c₁ v + c₀, given 1 − u₀. Only next to 1 can u₂ and u₃ be close; seen from there they are not.
+/// f(1 + v)/β = v³ + c₂ v² + c₁ v + c₀, given 1 − u₀. Only next to 1 can u₂ and u₃ be close; seen from there they are
+/// not.
 fn coefficients_from_top<S: Real>(start: PolarStart<S>, momenta: [S; 2], below: S) -> [S; 3] {
     let PolarStart { theta, theta_rate, phi_rate, beta, spin } = start;
     let two = S::int(2);

@@ -6,8 +6,8 @@ use tripos_traits::Real;
 /// A particle on a massless rod about a fixed point: θ from the *upward* vertical, so that it hangs at θ = π, and the
 /// azimuth φ about the upward vertical; φ(0) = 0.
 ///
-/// θ″ = φ′² sin θ cos θ + (g/l) sin θ; constant are φ′ sin² θ and ½(θ′² + φ′² sin² θ) + (g/l) cos θ. It is the heavy top
-/// without axial inertia.
+/// θ″ = φ′² sin θ cos θ + (g/l) sin θ; constant are φ′ sin² θ and ½(θ′² + φ′² sin² θ) + (g/l) cos θ. It is the heavy
+/// top without axial inertia.
 ///
 /// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §55; Landau & Lifshitz, *Mechanics* §14 problem 1.
 #[derive(Clone, Debug)]

@@ -43,7 +43,8 @@ impl Chart {
         (end, side)
     }
 
-    /// T/(reach)² at a distance from the turning point: −V\[end, q\] over what is left to the other one (2 where there is none).
+    /// T/(reach)² at a distance from the turning point: −V\[end, q\] over what is left to the other one (2 where there
+    /// is none).
     pub(super) fn level(&self, energy: &Energy<'_>, q: f64, offset: f64) -> f64 {
         let (end, side) = self.start();
         match self {
@@ -67,8 +68,8 @@ pub(super) struct Anchor {
 impl Anchor {
     /// The end of a panel, where the energy `kinetic` follows from the anchor before.
     ///
-    /// Energies larger than what is left of them leave their errors behind; then the start is the better place to count from, if
-    /// its own kinetic energy is smaller.
+    /// Energies larger than what is left of them leave their errors behind; then the start is the better place to count
+    /// from, if its own kinetic energy is smaller.
     pub(super) fn next(before: Option<Self>, energy: &Energy<'_>, end: &Place, kinetic: f64) -> Self {
         let added = before.map_or(0.0, |before| before.added + before.kinetic) + kinetic;
         let Place { q, offset, .. } = *end;

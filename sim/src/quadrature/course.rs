@@ -42,8 +42,8 @@ pub(super) struct Spot<'c> {
 }
 
 impl Course {
-    /// From the start of `energy`; `turns` are the turning points below and above, where known, and are added to where the
-    /// motion meets others. `q` is the state's coordinates.
+    /// From the start of `energy`; `turns` are the turning points below and above, where known, and are added to where
+    /// the motion meets others. `q` is the state's coordinates.
     pub(super) fn new(
         energy: &Energy<'_>,
         q: &[f64],
@@ -260,7 +260,8 @@ impl Track {
 
     /// The w of the start, if it lies in this half of a swing, or after this turning point.
     ///
-    /// Next to the turning point by T₀ = (reach)² G, since from the difference of coordinates it would keep half of its digits only.
+    /// Next to the turning point by T₀ = (reach)² G, since from the difference of coordinates it would keep half of its
+    /// digits only.
     fn phase(&self, energy: &Energy<'_>) -> Option<f64> {
         let (end, side) = self.chart.start();
         let offset = (side * (energy.start - end)).max(0.0);

@@ -80,8 +80,9 @@ impl<'a> Energy<'a> {
 
     /// The turning point on one side (1 above the start, −1 below); none if the search meets none.
     ///
-    /// Each step of the search goes no farther than to the zero of the parabola (or line) that T looks like, so that it does not
-    /// leap over a narrow barrier unless T shows nothing of it; nor does it go more than twice as far as the step before.
+    /// Each step of the search goes no farther than to the zero of the parabola (or line) that T looks like, so that it
+    /// does not leap over a narrow barrier unless T shows nothing of it; nor does it go more than twice as far as the
+    /// step before.
     pub(super) fn turning(&self, side: f64) -> Result<Option<f64>, NoQuadrature> {
         let mut step = self.start.abs().clamp(1e-6, 1.0) / 1_048_576.0;
         let mut good = self.start;
@@ -162,7 +163,8 @@ impl<'a> Energy<'a> {
         good
     }
 
-    /// A turning point where the motion does turn: the force must be known to push back, wherever rounding puts the point.
+    /// A turning point where the motion does turn: the force must be known to push back, wherever rounding puts the
+    /// point.
     fn checked(&self, at: f64, side: f64) -> Result<f64, NoQuadrature> {
         let force = self.slope(at, at);
         let blur = 4.0 * f64::EPSILON * (at.abs() + self.kinetic / force.abs());

@@ -21,7 +21,8 @@ pub enum NoQuadrature {
         /// The coordinate it depends on, from 0.
         coordinate: usize,
     },
-    /// At the start, the coefficient of the kinetic energy is not positive, or that of the rate is 0, or one of them is not finite.
+    /// At the start, the coefficient of the kinetic energy is not positive, or that of the rate is 0, or one of them is
+    /// not finite.
     Irregular,
     /// The energy is, to rounding, that of an equilibrium which the motion approaches for ever.
     Asymptotic {

@@ -1,16 +1,17 @@
 //! The motion of one degree of freedom by quadrature instead of stepping.
 //!
-//! With the energy h = ½ m(q) v² + V(q) and q′ = k(q) v, time is an integral over the coordinate, dt = dq/(k √(2 (h − V)/m)), and
-//! so is every other coordinate whose rate depends on q and v alone. The integrals are taken once, as series of Legendre
-//! polynomials on panels that are halved until all series are resolved to rounding; the state at any instant follows by one
-//! inversion. Whole periods are added exactly, so that errors do not build up but by the rounding of the period.
+//! With the energy h = ½ m(q) v² + V(q) and q′ = k(q) v, time is an integral over the coordinate, dt = dq/(k √(2 (h −
+//! V)/m)), and so is every other coordinate whose rate depends on q and v alone. The integrals are taken once, as
+//! series of Legendre polynomials on panels that are halved until all series are resolved to rounding; the state at any
+//! instant follows by one inversion. Whole periods are added exactly, so that errors do not build up but by the
+//! rounding of the period.
 //!
-//! Invariants: the integrands are smooth where the motion turns, since they are stretches of half a swing each in a variable
-//! in which they are; and h − V is never a difference of nearly equal energies, since it is the divided difference of V times
-//! the distance from a turning point ([`System::potential_slope`]).
+//! Invariants: the integrands are smooth where the motion turns, since they are stretches of half a swing each in a
+//! variable in which they are; and h − V is never a difference of nearly equal energies, since it is the divided
+//! difference of V times the distance from a turning point ([`System::potential_slope`]).
 //!
-//! Absent on purpose: friction, forces that depend on time, and unlimited work. What is not resolved by a stated number of panels is
-//! refused with its reason.
+//! Absent on purpose: friction, forces that depend on time, and unlimited work. What is not resolved by a stated number
+//! of panels is refused with its reason.
 
 mod chart;
 mod course;
@@ -74,11 +75,13 @@ pub struct OneDegree<'a> {
 impl<'a> OneDegree<'a> {
     /// The motion from (q, v), with the parameters `p` of the equations.
     ///
-    /// The equations have one speed v and bring [`System::potential_slope`]. Coordinate 0 is the degree of freedom: q₀′ = k(q₀) v, T
-    /// = ½ m(q₀) v² and V(q₀); the rates of all others depend on q₀ and v only, which is tested at the start.
+    /// The equations have one speed v and bring [`System::potential_slope`]. Coordinate 0 is the degree of freedom: q₀′
+    /// = k(q₀) v, T = ½ m(q₀) v² and V(q₀); the rates of all others depend on q₀ and v only, which is tested at the
+    /// start.
     ///
     /// # Errors
-    /// [`NoQuadrature`] if the equations are not of this kind, if the motion approaches an equilibrium for ever, or if it is not resolved.
+    /// [`NoQuadrature`] if the equations are not of this kind, if the motion approaches an equilibrium for ever, or if
+    /// it is not resolved.
     pub fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {
         check(system, p, q, v)?;
         let energy = Energy::new(system, p, q, v)?;
@@ -134,8 +137,8 @@ impl<'a> OneDegree<'a> {
         Ok(())
     }
 
-    /// Follows an unbounded motion from the earliest to the latest of these times, s from the start; a motion between two turning points
-    /// is known at all times.
+    /// Follows an unbounded motion from the earliest to the latest of these times, s from the start; a motion between
+    /// two turning points is known at all times.
     ///
     /// # Errors
     /// [`NoQuadrature`] if it is not resolved to there.
@@ -146,7 +149,8 @@ impl<'a> OneDegree<'a> {
         }
     }
 
-    /// The turning points below and above the start, where there are any; of an unbounded motion as far as it was followed.
+    /// The turning points below and above the start, where there are any; of an unbounded motion as far as it was
+    /// followed.
     #[must_use]
     pub fn turning_points(&self) -> (Option<f64>, Option<f64>) {
         let [low, high] = self.turns;

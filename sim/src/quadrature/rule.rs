@@ -19,8 +19,8 @@ pub(super) type Values = [f64; POINTS + 1];
 pub(super) struct Rule {
     /// Zeros of P_n, in increasing order.
     pub(super) points: Series,
-    /// Row i: what the values at point i and opposite to it add to the coefficients, (k + ½) wᵢ P_k(xᵢ): their sum to those of even k,
-    /// their difference to those of odd k.
+    /// Row i: what the values at point i and opposite to it add to the coefficients, (k + ½) wᵢ P_k(xᵢ): their sum to
+    /// those of even k, their difference to those of odd k.
     shares: [[[f64; HALF]; 2]; HALF],
     /// 1/(k + 1) and the factors of the recurrence, (2 k + 1)/(k + 1) and k/(k + 1).
     recurrence: [[f64; 2]; POINTS],
@@ -131,7 +131,8 @@ fn slope(x: DoubleDouble, p: &[DoubleDouble; POINTS + 1]) -> DoubleDouble {
 mod tests {
     use super::*;
 
-    /// A polynomial of degree 23 is its own series, and its integral that of the polynomial: x²³ over 24 terms of size 1.
+    /// A polynomial of degree 23 is its own series, and its integral that of the polynomial: x²³ over 24 terms of size
+    /// 1.
     #[test]
     fn series_of_a_polynomial_and_of_its_integral_are_exact() {
         let rule = Rule::shared();

@@ -1,8 +1,8 @@
 //! A stretch of the motion, integrated once: time and quadratures as series on panels.
 //!
-//! Each stretch is measured by a variable in which the motion is smooth where it turns: with T = ½ (reach)² · 2 G, where the reach
-//! is dq/dw, the speed is reach √(2 G/m) and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is computed as a divided difference
-//! of V, so that it keeps its digits next to a turning point.
+//! Each stretch is measured by a variable in which the motion is smooth where it turns: with T = ½ (reach)² · 2 G,
+//! where the reach is dq/dw, the speed is reach √(2 G/m) and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is
+//! computed as a divided difference of V, so that it keeps its digits next to a turning point.
 
 use super::chart::{Anchor, Chart, Place};
 use super::energy::Energy;
@@ -11,11 +11,11 @@ use tripos_traits::largest;
 
 /// What a series may leave out, relative to the largest value: a few roundings.
 const RESOLVED: f64 = 4.0 * f64::EPSILON;
-/// Rounding errors of an integrand, relative to its largest value, for which no panel is made narrower: of both signs, they hardly
-/// add up.
+/// Rounding errors of an integrand, relative to its largest value, for which no panel is made narrower: of both signs,
+/// they hardly add up.
 const HARMLESS: f64 = 1e-14;
-/// Distance of a singularity from the middle of a panel, in half-widths, at which a series of [`POINTS`] terms is resolved:
-/// the terms fall like ρ^−k, with ρ = z + √(z² − 1).
+/// Distance of a singularity from the middle of a panel, in half-widths, at which a series of [`POINTS`] terms is
+/// resolved: the terms fall like ρ^−k, with ρ = z + √(z² − 1).
 const FAR_ENOUGH: f64 = 2.7;
 
 /// Why a stretch is not integrated.
@@ -58,12 +58,13 @@ pub(super) struct Track {
     series: Vec<f64>,
     /// The end of the last panel but for a line.
     ///
-    /// Far from a turning point next to a pole, V\[end, q\] is a difference of large terms; from panel to panel it is not.
+    /// Far from a turning point next to a pole, V\[end, q\] is a difference of large terms; from panel to panel it is
+    /// not.
     anchor: Option<Anchor>,
     /// Width to try next.
     width: f64,
-    /// For each function, the relative size of rounding errors that no narrower panel has made smaller; and that of the last
-    /// attempt that was given up for them.
+    /// For each function, the relative size of rounding errors that no narrower panel has made smaller; and that of the
+    /// last attempt that was given up for them.
     floors: Vec<[f64; 2]>,
     pub(super) attempts: u32,
     pub(super) rejected: u32,
@@ -277,8 +278,8 @@ impl Track {
         }
     }
 
-    /// Terms that fall no longer: rounding errors of the equations themselves, unless a narrower panel has far smaller ones, as
-    /// where energies cancel.
+    /// Terms that fall no longer: rounding errors of the equations themselves, unless a narrower panel has far smaller
+    /// ones, as where energies cancel.
     fn judge_noise(&mut self, function: usize, level: f64) -> f64 {
         let [floor, before] = &mut self.floors[function];
         if level <= HARMLESS.max(2.0 * *floor) {

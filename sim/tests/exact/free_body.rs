@@ -26,7 +26,8 @@ fn angular_velocities_are_those_of_the_table() {
     }
 }
 
-/// Every order of the moments, circling about the smallest and the largest axis, symmetric bodies, nearly the separatrix.
+/// Every order of the moments, circling about the smallest and the largest axis, symmetric bodies, nearly the
+/// separatrix.
 fn motions() -> Vec<(FreeBody<Dd>, [Dd; 3])> {
     let mut motions = Vec::new();
     for inertia in [

@@ -9,7 +9,8 @@ fn start(angles: [&str; 3], angular_velocity: [&str; 3]) -> BodyStart<Dd> {
     BodyStart { precession, nutation, spin_angle, angular_velocity: angular_velocity.map(dd) }
 }
 
-/// Flat and long bodies; cones that go round n₃, round −n₃, round neither and round both; angles of several turns; at rest.
+/// Flat and long bodies; cones that go round n₃, round −n₃, round neither and round both; angles of several turns; at
+/// rest.
 fn motions() -> Vec<([Dd; 2], BodyStart<Dd>, FreeSymmetricBody<Dd>)> {
     let starts = [
         start(["0.4", "1.1", "-0.3"], ["1.3", "0.8", "2.1"]),

@@ -166,7 +166,8 @@ fn steady_motions_are_steady() {
     assert_close(steady.spin_angle(t), (dd("55") - slow * cos) * t, 1e-28, "ψ");
 }
 
-/// The axis passes through the vertical at 1e-7 rad: φ turns by π there, within 1e-8 s. Against the same motion started elsewhere.
+/// The axis passes through the vertical at 1e-7 rad: φ turns by π there, within 1e-8 s. Against the same motion started
+/// elsewhere.
 #[test]
 fn a_near_passage_of_the_vertical_keeps_its_digits() {
     let (top, _) = top_b();

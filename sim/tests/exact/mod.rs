@@ -1,7 +1,7 @@
 //! The exact solutions: against tabulated figures, against their equations of motion, and against what they conserve.
 //!
-//! Figures marked *table* come from independent computations with elliptic functions at 40 digits. Derivatives are central
-//! differences of order 8 in 32-digit arithmetic: with step h = 1e-5 s their error is about rate⁹ h⁸/630, and
+//! Figures marked *table* come from independent computations with elliptic functions at 40 digits. Derivatives are
+//! central differences of order 8 in 32-digit arithmetic: with step h = 1e-5 s their error is about rate⁹ h⁸/630, and
 //! rounding divided by h: 1e-21 for rates up to 100/s.
 
 mod elliptic;

@@ -78,7 +78,8 @@ pub fn pendulum(g: f64) -> impl System<f64> {
     }
 }
 
-/// Nutation with precession and spin angle as quadratures: momenta over the transverse moment, weight M g l over it, and p_ψ/I₃.
+/// Nutation with precession and spin angle as quadratures: momenta over the transverse moment, weight M g l over it,
+/// and p_ψ/I₃.
 pub fn top([about_vertical, about_axis]: [f64; 2], weight: f64, spin: f64) -> impl System<f64> {
     let precession = move |q: f64| (about_vertical - about_axis * q.cos()) / q.sin().powi(2);
     OneSpeed {

@@ -1,7 +1,7 @@
 //! Random mechanisms whose rows couple, and scenes of them.
 //!
-//! Links hang on one another by hinges and slides about any axis, each with a full inertia tensor; speeds mix the rates of the links
-//! before; springs, dampers and gravity act; every reaction of every joint is named.
+//! Links hang on one another by hinges and slides about any axis, each with a full inertia tensor; speeds mix the rates
+//! of the links before; springs, dampers and gravity act; every reaction of every joint is named.
 
 use crate::spoilt::Random;
 use std::fmt::Write;
@@ -247,7 +247,8 @@ impl Mechanism {
             &["--solve", "numeric"],
         ];
         let way = random.one(&ways).to_vec();
-        // Inside its steps gauss6 is of order 3 alone, where an event ends a run: its states there are no more exact than that.
+        // Inside its steps gauss6 is of order 3 alone, where an event ends a run: its states there are no more exact
+        // than that.
         let exact_inside = !way.contains(&"gauss6");
         Scene {
             outputs,

@@ -1,7 +1,7 @@
 //! A derivation in LaTeX: all that the text has, in sections, with what is conserved.
 //!
-//! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, formulas break over lines at their
-//! signs, and no matrix is wider than a page can hold: its entries are listed then.
+//! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, formulas break
+//! over lines at their signs, and no matrix is wider than a page can hold: its entries are listed then.
 
 use crate::step_name::{Axis, StepName, VectorName};
 use std::fmt::Write;
@@ -14,7 +14,8 @@ use tripos_derive::mechanics::{DerivationInSteps, Step};
 use tripos_derive::plain::called;
 use tripos_derive::prove::Integral;
 
-/// Characters of a formula's source after which it is not printed: nobody reads on, and TeX measures no line of that length.
+/// Characters of a formula's source after which it is not printed: nobody reads on, and TeX measures no line of that
+/// length.
 const LONGEST: usize = 6_000;
 /// Characters of a row's source after which the entries of a matrix are listed.
 const WIDEST: usize = 400;

@@ -1,6 +1,8 @@
-//! `tripos diff OLD NEW`: what an edit changed in the equations of motion, in what the model declares, and in its scenes.
+//! `tripos diff OLD NEW`: what an edit changed in the equations of motion, in what the model declares, and in its
+//! scenes.
 //!
-//! A person reads a screenful: an entry is its difference, in a line; `--json` has all entries, old, new and difference.
+//! A person reads a screenful: an entry is its difference, in a line; `--json` has all entries, old, new and
+//! difference.
 
 use super::{entries, shortened};
 use crate::failure::{Failure, print, print_json, status};

@@ -13,7 +13,8 @@ use tripos_codegen::scene_files::name_beside;
 use tripos_derive::plain::is_forbidden;
 use tripos_derive::scene::Scene;
 
-/// The folder of a scene's tables, as seen from the page: that of its name. A scene beside the model gives way to one in `scenes/`.
+/// The folder of a scene's tables, as seen from the page: that of its name. A scene beside the model gives way to one
+/// in `scenes/`.
 pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
     let (model, path) = (&model.source.path, &scene.source.path);
     let stem = folder_name(&path.file_stem().unwrap_or_default().to_string_lossy());
@@ -26,8 +27,8 @@ pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
     name.into()
 }
 
-/// A name that is one folder in that of the page, whatever a file is called: neither a way out of it, nor the page itself, nor anything that
-/// steers a terminal.
+/// A name that is one folder in that of the page, whatever a file is called: neither a way out of it, nor the page
+/// itself, nor anything that steers a terminal.
 fn folder_name(stem: &str) -> String {
     let plain: String = stem.chars().map(|c| if is_forbidden(c) || c == '/' || c == '\\' { '_' } else { c }).collect();
     if plain.trim_matches('.').is_empty() || plain == "index.html" { format!("scene {plain}") } else { plain }
