@@ -1,6 +1,7 @@
 //! Printed values of named quantities.
 
-use super::{Finding, Judgement};
+use super::finding::{Finding, Judgement};
+
 use crate::algebra::Expr;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::Comparer;

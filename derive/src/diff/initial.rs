@@ -3,7 +3,8 @@
 //! Numbers of one set are taken as rounded to as many decimals as its longest decimal has, half a unit of the last
 //! either way; formulas without decimals are exact. Two numbers contradict each other only beyond that.
 
-use super::{Finding, Judgement};
+use super::finding::{Finding, Judgement};
+
 use crate::algebra::Expr;
 use crate::algebra::calculus::Differential;
 use crate::algebra::compare::Witness;

@@ -6,6 +6,7 @@
 mod consequences;
 mod declared;
 mod entries;
+mod finding;
 mod initial;
 mod models;
 pub mod motion;
@@ -17,98 +18,17 @@ mod transfer;
 
 pub use consequences::{Agreement, Consequences, Rate};
 pub use declared::{Declaration, Edit, Property, Section};
+pub use finding::{Finding, Judgement};
 pub use models::{Change, Derived, ModelDifference, diff_models};
 pub use printed::printed_equations;
 pub use scenes::{Setting, diff_scenes};
 
-use crate::algebra::Expr;
-use crate::algebra::compare::{Comparer, Verdict, Witness};
+use crate::algebra::compare::Comparer;
 use crate::mechanics::{Derivations, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;
 use crate::report::{EntryKind, Names, Report};
 use motion::Motion;
-
-/// How a printed entry stands to what is derived.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Judgement {
-    /// The same.
-    Equal,
-    /// The same but for a factor.
-    Scaled,
-    /// Not the same.
-    Different,
-    /// Not known, and why.
-    Undecided(String),
-    /// Stated: nothing can contradict it.
-    Stated,
-}
-
-impl Judgement {
-    /// The word in tables and JSON.
-    #[must_use]
-    pub const fn word(&self) -> &'static str {
-        match self {
-            Self::Equal => "equal",
-            Self::Scaled => "scaled",
-            Self::Different => "different",
-            Self::Undecided(_) => "undecided",
-            Self::Stated => "stated",
-        }
-    }
-}
-
-/// One entry, judged.
-#[derive(Clone, Debug)]
-pub struct Finding {
-    /// The entry's id.
-    pub id: String,
-    /// The section it stands in.
-    pub section: String,
-    /// The answer.
-    pub judgement: Judgement,
-    /// What is printed, as transcribed.
-    pub printed: String,
-    /// What is derived; for scaled entries times the factor.
-    pub derived: Option<Expr>,
-    /// printed = factor · derived; for different entries only where that holds exactly.
-    pub factor: Option<Expr>,
-    /// printed − derived, in its shortest form.
-    pub difference: Option<Expr>,
-    /// A state where printed and derived differ.
-    pub witness: Option<Witness>,
-    /// What else is to be said: which row it was matched with, what the scan garbled.
-    pub remarks: Vec<String>,
-}
-
-impl Finding {
-    fn new(id: &str, section: &str, judgement: Judgement, printed: &str) -> Self {
-        Self {
-            id: id.to_owned(),
-            section: section.to_owned(),
-            judgement,
-            printed: printed.to_owned(),
-            derived: None,
-            factor: None,
-            difference: None,
-            witness: None,
-            remarks: Vec::new(),
-        }
-    }
-
-    fn judged(mut self, verdict: Verdict, derived: Expr) -> Self {
-        self.derived = Some(derived);
-        match verdict {
-            Verdict::Equal(_) => self.judgement = Judgement::Equal,
-            Verdict::Different(witness) => {
-                self.judgement = Judgement::Different;
-                self.witness = Some(witness);
-            }
-            Verdict::Undecided(why) => self.judgement = Judgement::Undecided(why),
-        }
-        self
-    }
-}
 
 /// A report, judged.
 #[derive(Clone, Debug)]

@@ -1,9 +1,10 @@
 //! Printed linear systems and program listings.
 
 use super::entries::Judge;
+use super::finding::{Finding, Judgement};
 use super::motion::Motion;
 use super::rows::{Match, Row, RowJudgement, judge};
-use super::{Finding, Judgement};
+
 use crate::algebra::Expr;
 use crate::algebra::compare::Verdict;
 use crate::algebra::linear::{LinearForm, solve};

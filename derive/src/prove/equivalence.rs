@@ -6,7 +6,7 @@
 //! are reactions form a regular matrix, so Kane's equations and those rows, which give the reactions, are
 //! Newton–Euler again.
 
-use super::all;
+use super::verdicts::all;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::linear::solve;

@@ -3,10 +3,10 @@
 //! Candidates come from a stated search (see [`find`]); each that is kept is proved by an identity,
 //! dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the multipliers λ = J ξ known beforehand.
 
-use super::all;
 use super::fields::{Field, Lagrangian};
 use super::kind::IntegralKind;
 use super::motions;
+use super::verdicts::all;
 use crate::algebra::calculus::Differential;
 use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::elimination::divisors;

@@ -10,15 +10,17 @@ mod integrals;
 mod kind;
 mod motions;
 mod singular;
+mod verdicts;
 
 pub use equivalence::{Pair, ReactionEquation};
 pub(crate) use integrals::Basis;
 pub use integrals::Integral;
 pub use kind::{IntegralKind, Pivot};
 pub use singular::{Place, Singularity, There, singularity, zeros};
+pub(crate) use verdicts::all;
 
 use crate::algebra::Expr;
-use crate::algebra::compare::{Comparer, Engine, Verdict};
+use crate::algebra::compare::Comparer;
 use crate::mechanics::{Derivations, DeriveError, Formulation};
 use crate::model::Model;
 
@@ -61,23 +63,4 @@ pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
         search,
         singular_where: model.kinematic_equations.divisors.clone(),
     }
-}
-
-/// One verdict for many: the first that is not "equal", else the weakest engine.
-pub(crate) fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
-    let mut engine = Engine::NormalForm;
-    for verdict in verdicts {
-        match verdict {
-            Verdict::Equal(Engine::Modular { exponent }) => {
-                let weakest = match engine {
-                    Engine::Modular { exponent: other } => exponent.min(other),
-                    Engine::NormalForm => exponent,
-                };
-                engine = Engine::Modular { exponent: weakest };
-            }
-            Verdict::Equal(Engine::NormalForm) => {}
-            other => return other,
-        }
-    }
-    Verdict::Equal(engine)
 }
