@@ -1,6 +1,7 @@
 //! The arrows of the design: who may know whom.
 
 use std::path::{Path, PathBuf};
+use tripos_derive::Formulation;
 
 fn sources(folder: &str) -> Vec<(PathBuf, String)> {
     let mut files = Vec::new();
@@ -51,14 +52,27 @@ fn the_algebra_knows_no_mechanics() {
 
 #[test]
 fn formulations_never_import_one_another() {
-    let others = |own: &str| -> Vec<String> {
-        ["kane", "lagrange", "newton_euler"].iter().filter(|m| **m != own).map(|m| format!("super::{m}")).collect()
-    };
-    for own in ["kane", "lagrange", "newton_euler"] {
+    let files = Formulation::ALL.map(|formulation| formulation.name().replace('-', "_"));
+    for own in &files {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("derive/src/mechanics/{own}.rs"));
         let text = std::fs::read_to_string(path).unwrap();
-        for other in others(own) {
-            assert!(!text.contains(&other), "{own} imports {other}");
+        for other in files.iter().filter(|other| *other != own) {
+            assert!(!text.contains(&format!("super::{other}")), "{own} imports {other}");
+        }
+    }
+}
+
+/// What a formulation is stands in its row of the table alone: elsewhere one is asked for, never asked which it is.
+#[test]
+fn nobody_asks_which_formulation_it_is() {
+    for folder in ["derive/src", "codegen/src", "run/src", "cli/src"] {
+        for (path, text) in sources(folder) {
+            for line in text.lines() {
+                let after = line.split_once("Formulation::").map_or("", |(_, after)| after);
+                let is_arm = after.trim_start_matches(char::is_alphanumeric).trim_start().starts_with("=>");
+                let is_compared = line.contains("== Formulation::") || line.contains("!= Formulation::");
+                assert!(!is_arm && !is_compared, "{}: {}", path.display(), line.trim());
+            }
         }
     }
 }
@@ -105,4 +119,112 @@ fn plans_know_no_language() {
     let tree = String::from_utf8(tree.stdout).unwrap();
     assert!(tree.contains("tripos-codegen"), "{tree}");
     assert!(!tree.contains("prettyplease") && !tree.contains("tempfile"), "{tree}");
+}
+
+/// Where text is taken apart, and why that is no decision by a printed name: it is a file, an argument or a path; or how letters,
+/// signs and digits are set.
+const READS_TEXT: [(&str, &[&str]); 3] = [
+    (
+        "files and arguments",
+        &[
+            "derive/src/algebra/parse.rs",
+            "derive/src/algebra/rational/text.rs",
+            "derive/src/algebra/parse/error.rs",
+            "derive/src/algebra/rational.rs",
+            "derive/src/diagnostic.rs",
+            "derive/src/diff/systems.rs",
+            "derive/src/mechanics/by.rs",
+            "derive/src/mechanics/quantities/parse.rs",
+            "derive/src/model/loading.rs",
+            "derive/src/model/loads.rs",
+            "derive/src/model/names.rs",
+            "derive/src/model/read_model.rs",
+            "derive/src/model/speeds.rs",
+            "derive/src/model/units.rs",
+            "derive/src/read.rs",
+            "derive/src/report/entries.rs",
+            "derive/src/report/words.rs",
+            "derive/src/scene/axis.rs",
+            "derive/src/scene/outputs.rs",
+            "derive/src/scene/values.rs",
+            "run/src/sweep/shard.rs",
+            "cli/src/commands/diff.rs",
+            "cli/src/commands/regenerate/changes.rs",
+            "cli/src/commands/regenerate/python.rs",
+            "cli/src/main.rs",
+            "cli/src/page/errata.rs",
+            "cli/src/page/typeset.rs",
+        ],
+    ),
+    (
+        "paths",
+        &[
+            "codegen/src/emit.rs",
+            "codegen/src/files.rs",
+            "codegen/src/origin.rs",
+            "codegen/src/scene_files.rs",
+            "codegen/src/workspace.rs",
+            "cli/src/commands/report.rs",
+            "cli/src/commands/report/drawn.rs",
+            "cli/src/commands/simulate.rs",
+            "cli/src/workspace.rs",
+        ],
+    ),
+    (
+        "letters, signs and digits",
+        &[
+            "derive/src/algebra/print.rs",
+            "derive/src/algebra/print/name.rs",
+            "derive/src/algebra/sharing/rebuild.rs",
+            "derive/src/algebra/view.rs",
+            "derive/src/report/linear.rs",
+            "codegen/src/plan/cost.rs",
+            "codegen/src/plan/names.rs",
+            "codegen/src/plan/program.rs",
+            "codegen/src/rust/expression.rs",
+            "codegen/src/rust/text.rs",
+            "codegen/src/taylor/plan.rs",
+            "cli/src/commands/diff/models.rs",
+            "cli/src/figures.rs",
+            "cli/src/page/html.rs",
+            "cli/src/page/math.rs",
+            "cli/src/page/scene.rs",
+            "cli/src/plot.rs",
+            "cli/src/plot/axis.rs",
+        ],
+    ),
+];
+
+/// What an integral, a quantity, a stop, a formulation or a set of equations is, is a value: text is made from it, never the other way.
+#[test]
+fn nothing_is_decided_by_printed_text() {
+    let marks = [
+        "starts_with(",
+        "ends_with(",
+        "strip_prefix(",
+        "strip_suffix(",
+        "split_once(",
+        ".contains(\"",
+        "== \"",
+        "!= \"",
+    ];
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let allowed: Vec<PathBuf> =
+        READS_TEXT.iter().flat_map(|(_, files)| files.iter()).map(|file| root.join(file)).collect();
+    for folder in ["derive/src", "codegen/src", "run/src", "cli/src", "sim/src"] {
+        for (path, text) in sources(folder) {
+            if allowed.contains(&path)
+                || path.file_name().is_some_and(|name| name.to_string_lossy().ends_with("tests.rs"))
+            {
+                continue;
+            }
+            // Tests stand at the end of a file.
+            let code = text
+                .lines()
+                .take_while(|line| !line.starts_with("#[cfg(test)]") && !line.starts_with("#[cfg(all(test"));
+            for line in code.filter(|line| !line.trim_start().starts_with("//")) {
+                assert!(!marks.iter().any(|mark| line.contains(mark)), "{}: {}", path.display(), line.trim());
+            }
+        }
+    }
 }

@@ -2,10 +2,10 @@
 
 use crate::support::{Random, compiled};
 use std::path::{Path, PathBuf};
-use tripos::Mechanism;
-use tripos::code::{By, Ready, code};
-use tripos::reference::Reference;
+use tripos::code::{Form, Ready, code};
+use tripos::{Mechanism, Reference};
 use tripos_derive::diagnostic::Source;
+use tripos_derive::mechanics::By;
 use tripos_derive::scene::load;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::work_precision::error;
@@ -51,7 +51,7 @@ fn interpreted_equations_have_29_digits_of_the_compiled_ones() {
         let mechanism = Mechanism::new(Model::read(&folder(name).join("model.toml")).unwrap());
         for formulation in [Formulation::Kane, Formulation::Lagrange] {
             let tape = code(&mechanism, &By::from(formulation), None, Ready::Solved).unwrap();
-            assert!(!tape.is_compiled());
+            assert_eq!(tape.form(), Form::Interpreted);
             let [tape, rust] = [tape.extended(), compiled(name, formulation.name()).extended];
             let (lengths, mut random) = (tape.lengths(), Random(11));
             for _ in 0..5 {

@@ -22,18 +22,10 @@ pub mod status {
 /// Why a command could not do its work.
 #[derive(Debug)]
 pub enum Failure {
-    /// A file with errors.
-    Input(Diagnostics),
-    /// A formulation that this model does not have.
-    Unsupported(Diagnostics),
-    /// Several files with errors.
-    Inputs(Vec<Diagnostics>),
-    /// A wrong request: what, and what to do.
-    Request(String, String),
+    /// What was asked for cannot be had.
+    Refused(Error),
     /// A file that could not be written.
     Output(String, std::io::Error),
-    /// A state or run that has no answer.
-    Stopped(String),
     /// Somebody ended the command: what is kept, if anything is.
     Interrupted(String),
     /// The reader of standard output has gone.
@@ -41,6 +33,11 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// A request that makes no sense, and what to do instead.
+    pub fn request(what: impl Into<String>, help: impl Into<String>) -> Self {
+        Self::Refused(Error::request(what, help))
+    }
+
     /// What went wrong, in a line.
     pub fn first_line(&self) -> String {
         self.said().0.lines().next().unwrap_or_default().to_owned()
@@ -49,10 +46,8 @@ impl Failure {
     /// The exit status.
     pub fn status(&self) -> u8 {
         match self {
-            Self::Input(_) | Self::Unsupported(_) | Self::Inputs(_) | Self::Request(..) | Self::Output(..) => {
-                status::BAD_INPUT
-            }
-            Self::Stopped(_) => status::STOPPED,
+            Self::Refused(Error::Stopped(_)) => status::STOPPED,
+            Self::Refused(_) | Self::Output(..) => status::BAD_INPUT,
             Self::Interrupted(_) => status::INTERRUPTED,
             Self::Hangup => 0,
         }
@@ -60,29 +55,18 @@ impl Failure {
 
     /// The same for programs: what is wrong, what to do, and every place in a file, with the exit status.
     pub fn json(&self) -> Value {
-        let places = match self {
-            Self::Input(diagnostics) | Self::Unsupported(diagnostics) => places(std::slice::from_ref(diagnostics)),
-            Self::Inputs(list) => places(list),
-            _ => Vec::new(),
-        };
+        let places = if let Self::Refused(error) = self { places(error.files()) } else { Vec::new() };
         let (message, help) = self.said();
         json!({ "error": { "message": message, "help": help, "places": places }, "exit_status": self.status() })
     }
 
     /// What is wrong, first where there is more than one thing, and what to do.
     fn said(&self) -> (String, Option<String>) {
-        let of_first = |list: &[Diagnostics]| {
-            let first = list.iter().find_map(|file| file.list.first());
-            first.map_or_else(Default::default, |d| (d.message.clone(), d.help.clone()))
-        };
         match self {
-            Self::Input(file) | Self::Unsupported(file) => of_first(std::slice::from_ref(file)),
-            Self::Inputs(files) => of_first(files),
-            Self::Request(what, help) => (what.clone(), Some(help.clone())),
+            Self::Refused(error) => error.what_and_help(),
             Self::Output(path, error) => {
                 (format!("cannot write `{path}`: {error}"), Some("give a path that can be written".to_owned()))
             }
-            Self::Stopped(why) => (why.clone(), None),
             Self::Interrupted(kept) if kept.is_empty() => {
                 ("interrupted before there was anything to keep: nothing is written".to_owned(), None)
             }
@@ -94,19 +78,11 @@ impl Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Input(diagnostics) | Self::Unsupported(diagnostics) => write!(f, "{diagnostics}"),
-            Self::Inputs(list) => {
-                let texts: Vec<String> = list.iter().map(ToString::to_string).collect();
-                f.write_str(&texts.join("\n\n"))
-            }
-            Self::Hangup => Ok(()),
+        match (self, self.said()) {
+            (Self::Refused(error), _) => write!(f, "{error}"),
+            (Self::Output(..), (what, Some(help))) => write!(f, "error: {what}\nhelp: {help}"),
             // No error: it was asked for.
-            Self::Interrupted(_) => f.write_str(&self.said().0),
-            Self::Request(..) | Self::Output(..) | Self::Stopped(_) => match self.said() {
-                (what, Some(help)) => write!(f, "error: {what}\nhelp: {help}"),
-                (what, None) => write!(f, "error: {what}"),
-            },
+            (_, (what, _)) => f.write_str(&what),
         }
     }
 }
@@ -126,22 +102,13 @@ fn places(files: &[Diagnostics]) -> Vec<Value> {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        match error {
-            Error::Input(diagnostics) => Self::Input(diagnostics),
-            Error::Inputs(list) => Self::Inputs(list),
-            Error::Unsupported(diagnostics) => Self::Unsupported(diagnostics),
-            Error::Request { what, help } => Self::Request(what, help),
-            Error::Interrupted => Self::Interrupted(String::new()),
-            // The library may learn to stop for other reasons.
-            Error::Stopped(why) => Self::Stopped(why),
-            other => Self::Stopped(other.first_line()),
-        }
+        if matches!(error, Error::Interrupted) { Self::Interrupted(String::new()) } else { Self::Refused(error) }
     }
 }
 
 impl From<Diagnostics> for Failure {
     fn from(diagnostics: Diagnostics) -> Self {
-        Self::Input(diagnostics)
+        Self::Refused(diagnostics.into())
     }
 }
 
@@ -150,10 +117,10 @@ impl From<WriteError> for Failure {
         let what = error.to_string();
         match error {
             WriteError::There(_) => {
-                Self::Request(what, "give another file, or --overwrite to replace this one".to_owned())
+                Self::request(what, "give another file, or --overwrite to replace this one".to_owned())
             }
-            WriteError::Appeared(..) => Self::Request(what, "rename it to what you want to keep it as".to_owned()),
-            WriteError::Busy(_) => Self::Request(what, "wait for it, or give another file".to_owned()),
+            WriteError::Appeared(..) => Self::request(what, "rename it to what you want to keep it as".to_owned()),
+            WriteError::Busy(_) => Self::request(what, "wait for it, or give another file".to_owned()),
             // Nobody listens any more.
             WriteError::Io(_, error) if error.kind() == std::io::ErrorKind::BrokenPipe => Self::Hangup,
             WriteError::Io(path, error) => Self::Output(path_in_line(&path), error),

@@ -1,11 +1,11 @@
 //! What the figures of a scene show: panels from runs.
 
 use crate::plot::{Panel, Scale, Series};
-use tripos::code::By;
-use tripos::invariants::{Conserved, Course, Watch};
-use tripos::run::Run;
-use tripos_derive::scene::{Scene, SceneOutput};
+use tripos::{Conserved, Course, Run, Watch};
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
 use tripos_derive::{Formulation, Model};
+use tripos_sim::Stop;
 
 /// A run with what was watched along it, and how its curves look.
 pub struct Curve<'a> {
@@ -20,9 +20,9 @@ pub struct Curve<'a> {
 impl Curve<'_> {
     /// The name in a legend.
     pub fn label(&self) -> String {
-        match self.run.by.name.strip_prefix("printed:") {
+        match self.run.by.printed_id() {
             Some(id) => format!("printed {id}"),
-            None => self.run.by.title.clone(),
+            None => self.run.by.title(),
         }
     }
 
@@ -45,9 +45,9 @@ pub const PRINTED: usize = Formulation::ALL.len() + 1;
 
 /// Where a run ended that did not arrive.
 fn note(curves: &[Curve]) -> Option<String> {
-    let early = curves.iter().map(|curve| curve.run).filter(|run| run.solution.stop.code() != "end");
+    let early = curves.iter().map(|curve| curve.run).filter(|run| run.solution.stop != Stop::End);
     let notes: Vec<String> = early
-        .map(|run| format!("{} ends at {:.4} s: {}", run.by.name, run.solution.t_end, run.solution.stop.code()))
+        .map(|run| format!("{} ends at {:.4} s: {}", run.by.name(), run.solution.t_end, run.solution.stop.code()))
         .collect();
     (!notes.is_empty()).then(|| notes.join("; "))
 }
@@ -77,7 +77,7 @@ fn radians(unit: &str) -> String {
 pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) -> Vec<Panel> {
     let unit = |output: &SceneOutput| match model.unit_of(&model.arena, output.value) {
         Some(unit) => radians(&unit.to_string()),
-        None if output.name.ends_with("_energy") => "J".to_owned(),
+        None if ENERGIES.contains(&output.name.as_str()) => "J".to_owned(),
         None => "SI".to_owned(),
     };
     let panel = |(at, output): (usize, &SceneOutput)| Panel {

@@ -3,8 +3,8 @@
 //! Invariant: a command that was interrupted ends soon, with [`status::INTERRUPTED`], and keeps what it had finished. A
 //! second interruption ends it at once. Commands that would lose nothing do not listen, and end at the first.
 //!
-//! Signals are of the process, not of a call, and so are the state here and the progress of the one run that is shown.
-//! Absent on purpose: any influence on numbers. A run that was interrupted has the steps that it would have had.
+//! Signals are of the process, not of a call, and so are the state here and the progress of the one run that is
+//! shown. Absent on purpose: any influence on numbers. A run that was interrupted has the steps that it would have had.
 
 use crate::failure::{say, status};
 use indicatif::{ProgressBar, ProgressStyle};

@@ -1,7 +1,7 @@
 //! What commands write: tables, texts, folders.
 //!
-//! Invariant: everything goes through [`tripos_codegen::files`], so that a file of its name is whole, and nothing that
-//! a command reads is written over by it: [`keep_inputs`] is asked before work begins.
+//! Invariant: everything goes through [`tripos_codegen::files`], so that a file of its name is whole, and nothing
+//! that a command reads is written over by it: [`keep_inputs`] is asked before work begins.
 
 use crate::failure::Failure;
 use std::io::{Error, Write};
@@ -53,7 +53,7 @@ pub fn folder(path: &Path) -> Result<(), Failure> {
 /// Refuses outputs that would change what a command reads: a model, the report beside it, and a scene if there is one.
 ///
 /// # Errors
-/// [`Failure::Request`] that names both.
+/// [`Failure::Refused`] that names both.
 pub fn keep_inputs<'a>(
     model: &Model,
     scene: Option<&Scene>,
@@ -66,7 +66,7 @@ pub fn keep_inputs<'a>(
         if let Some(input) = inputs.iter().find(|input| would_change(output, input)) {
             let what =
                 format!("`{}` would be written over `{}`, which is read", path_in_line(output), path_in_line(input));
-            return Err(Failure::Request(what, "give another file".to_owned()));
+            return Err(Failure::request(what, "give another file".to_owned()));
         }
     }
     Ok(())

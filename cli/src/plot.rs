@@ -5,10 +5,12 @@
 //! a drift is shown on a linear one, since they hide its sign.
 
 mod axis;
+mod error;
 mod heat;
 mod look;
 mod thin;
 
+pub use error::PlotError;
 pub use heat::draw_heat;
 pub use tripos::figure::{Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
 
@@ -16,26 +18,7 @@ use axis::Axis;
 use look::{Canvas, EDGE, GRID, curve, dashed, extent, line, look, marker, write};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
-use std::fmt;
 use thin::{marked, thin};
-
-/// Plotters could not draw.
-#[derive(Debug)]
-pub struct PlotError(String);
-
-impl fmt::Display for PlotError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for PlotError {}
-
-impl<E: std::error::Error + Send + Sync> From<DrawingAreaErrorKind<E>> for PlotError {
-    fn from(error: DrawingAreaErrorKind<E>) -> Self {
-        Self(error.to_string())
-    }
-}
 
 const WIDTH: f64 = 1000.0;
 const GAP: f64 = 22.0;

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::output::{table, text};
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::stability::Findings;
+use tripos::stability::{Findings, Topic};
 
 /// `stability.csv`, `passages.csv` and the figures.
 ///
@@ -38,7 +38,7 @@ pub fn tables(findings: &Findings, out: &Path) -> Result<(), Failure> {
     }
     let header = ["formulation", "solve", "method", "variable", "least", "error", "steps", "stop", "t"];
     let rows = findings.passages.iter().map(|p| {
-        let words = [&p.formulation, p.solve, p.method, p.variable].map(str::to_owned);
+        let words = [&p.by.name(), p.solve, p.method, p.variable.name()].map(str::to_owned);
         let numbers = [format!("{:.2e}", p.least), number(p.error), p.steps.to_string(), p.stop.clone()];
         [words.to_vec(), numbers.to_vec(), vec![p.t_end.to_string()]].concat()
     });
@@ -47,7 +47,7 @@ pub fn tables(findings: &Findings, out: &Path) -> Result<(), Failure> {
 
 /// What to take away, a line each: what the studies say, and after the passages what their table shows.
 pub fn statements(model: &Mechanism, findings: &Findings) -> Vec<String> {
-    let (passages, others): (Vec<_>, Vec<_>) = findings.statements.iter().partition(|s| s.study == "passages");
+    let (passages, others): (Vec<_>, Vec<_>) = findings.statements.iter().partition(|s| s.study == Topic::Passages);
     let mut list: Vec<String> = passages.into_iter().map(|s| s.text.clone()).collect();
     list.extend(words::own(&findings.passages));
     list.extend(words::coordinate(model, &findings.passages));

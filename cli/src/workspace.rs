@@ -20,7 +20,7 @@ pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
     if std::fs::symlink_metadata(argument).is_err_and(|error| error.kind() == std::io::ErrorKind::NotFound) {
         let what = format!("there is no model at `{}`: no such file or folder", path_in_line(argument));
         let help = "give a model file, or a folder that holds `model.toml`".to_owned();
-        return Err(Failure::Request(what, help));
+        return Err(Failure::request(what, help));
     }
     let path = model_file(argument);
     Ok(Mechanism::read(&path)?.with(MODELS).followed(follow()))
@@ -67,7 +67,7 @@ pub fn workspace_around(folder: &Path) -> Option<PathBuf> {
 /// The workspace that the command was called in.
 ///
 /// # Errors
-/// [`Failure::Request`] if it was called elsewhere: no command looks for a workspace that it was not called in.
+/// [`Failure::Refused`] if it was called elsewhere: no command looks for a workspace that it was not called in.
 pub fn workspace_here() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     workspace_around(&here).ok_or_else(|| {
@@ -76,16 +76,16 @@ pub fn workspace_here() -> Result<PathBuf, Failure> {
             path_in_line(&here)
         );
         let help = "go to a checkout that has both; `tripos emit MODEL --out DIR` writes the code of a model anywhere";
-        Failure::Request(what, help.to_owned())
+        Failure::request(what, help.to_owned())
     })
 }
 
 /// The folder that the command was called in.
 ///
 /// # Errors
-/// [`Failure::Request`] if it is gone.
+/// [`Failure::Refused`] if it is gone.
 pub fn current_folder() -> Result<PathBuf, Failure> {
     let gone =
-        |error| Failure::Request(format!("there is no current folder: {error}"), "go to one that exists".to_owned());
+        |error| Failure::request(format!("there is no current folder: {error}"), "go to one that exists".to_owned());
     std::env::current_dir().map_err(gone)
 }

@@ -131,8 +131,8 @@ pub(crate) fn module_files(
                     let equations = derivation.equations.clone();
                     let text =
                         solved_file(model, origin, derivation).map_err(|_| undetermined(&model.source, f.title()))?;
-                    files.push((format!("{}.rs", module_name(&equations.name)), text));
-                    entries.push(Entry { name: equations.name, solved: true });
+                    files.push((format!("{}.rs", module_name(&equations.name(model))), text));
+                    entries.push(Entry { name: equations.name(model), solved: true });
                 }
             }
             Err(error) if error.is_unsupported() => left_out.push((f, error)),
@@ -142,15 +142,16 @@ pub(crate) fn module_files(
     if let Some(report) = &report {
         let mut derivations = derive_all(&with_report).map_err(|error| model.diagnose(&error))?;
         for equations in printed_equations(&with_report, &mut derivations, report) {
-            let file = format!("{}.rs", module_name(&equations.name));
+            let name = equations.name(model);
+            let file = format!("{}.rs", module_name(&name));
             if files.iter().any(|(known, _)| *known == file) {
-                let message = format!("another entry than `{}` gives the same file {file}", equations.name);
+                let message = format!("another entry than `{name}` gives the same file {file}");
                 let diagnostic = Diagnostic::of_file(message, "let ids differ in more than signs");
                 return Err(Diagnostics::new(report.source.clone(), vec![diagnostic]));
             }
             let arena = &derivations.kinematics.arena;
             files.push((file, printed_file(&with_report, origin, arena, &equations)));
-            entries.push(Entry { name: equations.name, solved: false });
+            entries.push(Entry { name: equations.name(model), solved: false });
         }
     }
     let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();

@@ -132,7 +132,7 @@ impl Reference {
         let table = Table { file, path: "", entries: file_table };
         let mut systems = Vec::new();
         for (formulation, key) in SYSTEMS {
-            if formulation != Formulation::NewtonEuler || file_table.contains_key(key) {
+            if !formulation.carries_reactions() || file_table.contains_key(key) {
                 systems.push(table.table(key)?.system(formulation)?);
             }
         }

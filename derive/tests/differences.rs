@@ -131,7 +131,7 @@ fn rates_of_integrals_are_those_of_the_printed_motion() {
         let values = Tape::new(arena, &inputs, &outputs).unwrap().evaluate(&state);
         let x = solved(n, &values[..n * n], &values[n * n..n * n + n]);
         let rates = [&values[n * n + n..], &x[..5]].concat();
-        let id = e.name.trim_start_matches("printed:");
+        let id = e.by.printed_id().unwrap();
         let consequences = judged.difference.consequences.iter().find(|c| c.system == id).unwrap();
         for (rate, integral) in consequences.rates.iter().zip(&judged.proof.integrals) {
             let along = |h: f64| {

@@ -236,3 +236,29 @@ fn a_free_particle_keeps_three_momenta_and_one_sided_forces_take_their_share() {
     assert!(!sided.iter().any(|kind| kind.is_energy() || *kind == IntegralKind::Coordinate(0)), "{sided:?}");
     assert!(sided.contains(&IntegralKind::Coordinate(1)), "{sided:?}");
 }
+
+/// A bob on a rod whose force is not named: one reaction is missing, in the plane of the swing.
+#[test]
+fn missing_reactions_are_counted_and_placed_at_once() {
+    let swing = BEAD
+        .replace("x = { unit = \"m\" }", "x = { unit = \"rad\" }")
+        .replace("[\"x\", 0, 0] }", "[\"L*cos(x)\", \"L*sin(x)\", 0] }")
+        .replace("[parameters]", "[parameters]\nL = { unit = \"m\", value = 1, positive = true }")
+        .replace("F - k*x", "F - k*L*x");
+    let model = model::load(&Source::from_text("swing.toml", &swing)).unwrap_or_else(|e| panic!("{e}"));
+    let proof = prove(&model, &mut derive_all(&model).unwrap());
+    let (formulation, why) = &proof.missing[0];
+    assert_eq!(*formulation, Formulation::NewtonEuler);
+    let said = why.to_string();
+    assert!(said.contains("1 reaction is needed, in no other components than these: "), "{said}");
+    assert!(said.contains("bead force n1, n2; ") && said.ends_with("up to 2 reactions when all 3 are"), "{said}");
+}
+
+/// Nothing is proved where there is nothing to compare.
+#[test]
+fn one_formulation_alone_is_not_proved_equivalent() {
+    let (_, mut proof) = proof_of("models/disk/model.toml");
+    assert!(proof.is_equivalent());
+    proof.pairs.clear();
+    assert!(!proof.is_equivalent());
+}

@@ -1,4 +1,5 @@
-//! Speed charted against accuracy: every formulation, solve and method at many tolerances, measured against a reference.
+//! Speed charted against accuracy: every formulation, solve and method at many tolerances, measured against a
+//! reference.
 
 pub mod case;
 pub mod compared;
@@ -12,9 +13,10 @@ use crate::problem::Problem;
 use crate::reference::Reference;
 use case::{Case, Way};
 use compared::Compared;
-use tripos_derive::scene::Scene;
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::work_precision::{Spread, error, interleaved};
-use tripos_sim::{Options, Output};
+use tripos_sim::{Options, Output, Stop};
 use tripos_traits::larger;
 
 /// How much is measured.
@@ -48,14 +50,12 @@ impl Plan {
 
 /// One point of a chart.
 pub struct Measurement {
-    /// The name of the equations.
-    pub formulation: String,
-    /// How accelerations were found.
-    pub solve: &'static str,
-    /// The method, or quadrature.
-    pub method: &'static str,
-    /// The tolerance; none where no steps are taken.
-    pub tolerance: Option<f64>,
+    /// Which equations.
+    pub by: By,
+    /// How accelerations were found, where they were asked for.
+    pub solve: Solve,
+    /// By what it was run.
+    pub way: Way,
     /// Times of repeated runs.
     pub seconds: Spread,
     /// Against the reference; none if the run did not arrive.
@@ -65,7 +65,7 @@ pub struct Measurement {
     /// Calls of the right-hand side.
     pub evaluations: u64,
     /// Why the run ended.
-    pub stop: String,
+    pub stop: Stop,
     /// The largest change of each first integral.
     pub drifts: Vec<f64>,
 }
@@ -80,8 +80,8 @@ pub struct Truth<'a> {
     pub watch: &'a Watch,
 }
 
-/// Measures everything against the reference, which is at the end of the scene's span; if it is interrupted, what came before. What
-/// cannot be measured is added to what is left out, with the reason.
+/// Measures everything against the reference, which is at the end of the scene's span; if it is interrupted, what
+/// came before. What cannot be measured is added to what is left out, with the reason.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -108,7 +108,7 @@ pub fn measure(
             if exhausted == Some(way.name()) {
                 continue;
             }
-            bar.set_message(&format!("{} {} {}", problem.by.name, way.solve(problem.solve), way.name()));
+            bar.set_message(&format!("{} {} {}", problem.by.name(), way.solve(problem.solve), way.name()));
             let how = way.options(length, plan.step_limit);
             bar.inc(1);
             let outcome = first(problem, y0, *way, &how, truth);
@@ -120,7 +120,7 @@ pub fn measure(
                 Ok(measurement) => measurement,
                 // A motion that quadrature does not give is still integrated.
                 Err(failure) if *way == Way::Quadrature => {
-                    left_out.push(format!("{} by {}: {}", problem.by.name, way.name(), failure.first_line()));
+                    left_out.push(format!("{} by {}: {}", problem.by.name(), way.name(), failure.first_line()));
                     continue;
                 }
                 Err(failure) => return Err(failure),
@@ -130,7 +130,7 @@ pub fn measure(
             } else {
                 bar.inc(plan.repeats as u64);
             }
-            exhausted = (plan.quick && measurement.stop == "step-limit").then(|| way.name());
+            exhausted = (plan.quick && matches!(measurement.stop, Stop::StepLimit { .. })).then(|| way.name());
             list.push(measurement);
         }
     }
@@ -168,21 +168,20 @@ fn first(problem: &Problem<'_>, y0: &[f64], way: Way, how: &Options, truth: &Tru
     let is_watched = shows_all && bare.steps <= MOST_WATCHED;
     let again = is_watched.then(|| way.run(problem, problem.scene.span, y0, &watched));
     let drifts = again.transpose()?.map_or_else(Vec::new, |solution| watch.changes(problem, &solution));
-    let arrived = bare.stop.code() == "end";
+    let arrived = bare.stop == Stop::End;
     let off = || {
         let right = compared.kept(compared.of_state(reference.end()));
         larger(error(&compared.of_run(problem, bare.t_end, &bare.y_end), &right), reference.uncertainty)
     };
     Ok(Measurement {
-        formulation: problem.by.name.clone(),
-        solve: way.solve(problem.solve),
-        method: way.name(),
-        tolerance: way.tolerance(),
+        by: problem.by.clone(),
+        solve: problem.solve,
+        way,
         seconds: Spread { least: seconds, median: seconds, most: seconds, runs: 1 },
         error: arrived.then(off),
         steps: bare.steps,
         evaluations: bare.evaluations,
-        stop: bare.stop.code(),
+        stop: bare.stop,
         drifts,
     })
 }

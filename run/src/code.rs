@@ -1,20 +1,40 @@
 //! Which code runs a model: compiled in, or interpreted.
 
 use crate::error::Error;
+use crate::how::method;
 use crate::interpreted::{Interpreted, InterpretedSystem, NotInterpreted};
 use crate::mechanism::Mechanism;
-use crate::run::method;
 use std::sync::Arc;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{Derivation, Distance, derive_all, in_distance};
+use tripos_derive::mechanics::{By, Derivation, Distance, derive_all, in_distance};
 use tripos_derive::reduce::Reduction;
 use tripos_derive::report::load_beside;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_derive::{Equations, Formulation, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
+
+/// What runs equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Generated Rust.
+    Compiled,
+    /// A tape.
+    Interpreted,
+}
+
+impl Form {
+    /// How tables name it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Compiled => "compiled",
+            Self::Interpreted => "interpreted",
+        }
+    }
+}
 
 /// Equations ready to run.
 #[derive(Clone)]
@@ -51,13 +71,22 @@ impl Code {
     /// Whether they are compiled in.
     #[must_use]
     pub fn is_compiled(&self) -> bool {
-        matches!(self, Self::Compiled(_))
+        self.form() == Form::Compiled
     }
 
     /// How tables name it.
     #[must_use]
     pub fn name(&self) -> &'static str {
-        if self.is_compiled() { "compiled" } else { "interpreted" }
+        self.form().name()
+    }
+
+    /// What runs them.
+    #[must_use]
+    pub fn form(&self) -> Form {
+        match self {
+            Self::Compiled(_) => Form::Compiled,
+            Self::Interpreted(_) => Form::Interpreted,
+        }
     }
 }
 
@@ -66,76 +95,31 @@ impl Code {
 /// # Errors
 /// [`Error::Request`] if there is none.
 pub fn formulation(name: &str) -> Result<Formulation, Error> {
-    Formulation::ALL.into_iter().find(|f| f.name() == name).ok_or_else(|| {
+    Formulation::named(name).ok_or_else(|| {
         let names = Formulation::ALL.map(Formulation::name);
         Error::request(format!("there is no formulation `{name}`"), tripos_derive::diagnostic::nearest(name, names))
     })
 }
 
-/// Which equations run: derived ones, or printed ones of the report beside the model.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct By {
-    /// `kane`, `lagrange`, `newton-euler` or `printed:ID`.
-    pub name: String,
-    /// The name in a heading.
-    pub title: String,
-    /// The formulation; none for printed equations.
-    derived: Option<Formulation>,
-}
-
-impl From<Formulation> for By {
-    fn from(f: Formulation) -> Self {
-        Self { name: f.name().to_owned(), title: f.title().to_owned(), derived: Some(f) }
-    }
-}
-
-impl By {
-    /// Printed equations.
-    #[must_use]
-    pub fn printed(equations: &Equations) -> Self {
-        Self { name: equations.name.clone(), title: equations.title.clone(), derived: None }
-    }
-
-    /// A scene's own equations.
-    #[must_use]
-    pub fn reduced() -> Self {
-        Self { name: "reduced".to_owned(), title: "Reduced equations".to_owned(), derived: None }
-    }
-
-    /// Whether these are a scene's own equations.
-    #[must_use]
-    pub fn is_reduced(&self) -> bool {
-        self.name == "reduced"
-    }
-
-    /// The formulation; none for printed and for reduced equations.
-    #[must_use]
-    pub fn formulation(&self) -> Option<Formulation> {
-        self.derived
-    }
-}
-
-/// What `--by` means for this model.
+/// The equations of this name: `kane`, `printed:ID`.
 ///
 /// # Errors
 /// [`Error::Request`] if there are no such equations; [`Error::Input`] if the report has errors.
 pub fn by(model: &Mechanism, name: &str) -> Result<By, Error> {
-    if !name.starts_with("printed:") {
-        return formulation(name).map(By::from);
-    }
+    let Some(id) = By::asked_id(name) else { return formulation(name).map(By::from) };
     let list = printed(model)?;
-    list.iter().find(|by| by.name == name).cloned().ok_or_else(|| {
-        let names = list.iter().map(|by| by.name.as_str());
+    list.iter().find(|by| by.printed_id() == Some(id)).cloned().ok_or_else(|| {
+        let names: Vec<String> = list.iter().map(By::name).collect();
         let help = if list.is_empty() {
             "the model has no report.toml beside it".to_owned()
         } else {
-            tripos_derive::diagnostic::nearest(name, names)
+            tripos_derive::diagnostic::nearest(name, names.iter().map(String::as_str))
         };
         Error::request(format!("there are no printed equations `{name}`"), help)
     })
 }
 
-/// What `--by` means, or the first formulation that the model supports if it is not given.
+/// The equations of this name, or of the first formulation that the model supports if none is given.
 ///
 /// # Errors
 /// As [`by`].
@@ -150,7 +134,7 @@ pub fn by_or_first(model: &Mechanism, name: Option<&str>) -> Result<By, Error> {
 /// [`Error::Input`] if the report or the model has errors.
 pub fn printed(model: &Mechanism) -> Result<Vec<By>, Error> {
     let list = printed_derivation(model)?.map(|(_, equations)| equations).unwrap_or_default();
-    Ok(list.iter().map(By::printed).collect())
+    Ok(list.into_iter().map(|equations| equations.by).collect())
 }
 
 /// Printed equations, with the model that holds their terms.
@@ -188,8 +172,8 @@ impl Ready {
 /// In a distance, if one is given.
 ///
 /// # Errors
-/// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived; [`Error::Request`] if
-/// the equations cannot be run.
+/// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived;
+/// [`Error::Request`] if the equations cannot be run.
 pub fn code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready) -> Result<Code, Error> {
     if let Some(code) = compiled_code(model, by, distance) {
         return Ok(code);
@@ -205,12 +189,10 @@ pub fn code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready
 /// The equations of a model that were compiled in, if there are such and they are current.
 pub fn compiled_code(model: &Mechanism, by: &By, distance: Option<Distance>) -> Option<Code> {
     let compiled = compiled(model)?;
-    let name = match distance {
-        Some(distance) => format!("{}@{}", by.name, distance.name(model)),
-        None => by.name.clone(),
-    };
+    let name = by.name_in(distance, model);
     let found = compiled.systems.iter().find(|system| system.name == name);
-    let current = by.derived.is_some() || report_hash(model) == compiled.report_hash;
+    // Printed equations are those of the report's very text, too.
+    let current = by.printed_id().is_none() || report_hash(model) == compiled.report_hash;
     found.filter(|_| current).map(Code::Compiled)
 }
 
@@ -229,10 +211,10 @@ pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction) -> Option<Co
 pub fn code_of(model: &Mechanism, by: &By, derivation: &Derivation, ready: Ready) -> Result<Code, Error> {
     let code = Interpreted::new(model, derivation).map_err(NotInterpreted::from);
     let code = match ready {
-        Ready::Solved if by.derived.is_some() => code.and_then(|code| code.solved(derivation)),
+        Ready::Solved if by.formulation().is_some() => code.and_then(|code| code.solved(derivation)),
         _ => code,
     };
-    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&by.name, &why))?))
+    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&by.name(), &why))?))
 }
 
 /// The equations of a scene made ready to be run by interpretation.
@@ -243,7 +225,7 @@ pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Error> {
     let derivation = &reduction.derivation;
     let code = Interpreted::new(&reduction.model, derivation).map_err(NotInterpreted::from);
     let code = code.and_then(|code| Ok(code.solved(derivation)?.showing(reduction)?));
-    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&derivation.equations.name, &why))?))
+    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&By::Reduced.name(), &why))?))
 }
 
 fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
@@ -289,17 +271,17 @@ pub fn stepwise(
 /// # Errors
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived.
 pub fn derivation(model: &Mechanism, by: &By) -> Result<Derivation, Error> {
-    if let Some(formulation) = by.derived {
+    if let Some(formulation) = by.formulation() {
         return derive(model, formulation).map_err(|error| {
             let kind = if error.is_unsupported() { Error::Unsupported } else { Error::Input };
             kind(model.diagnose(&error))
         });
     }
     let (arena, list) = printed_derivation(model)?.unwrap_or_default();
-    let equations = list.into_iter().find(|e| e.name == by.name);
+    let equations = list.into_iter().find(|e| e.by == *by);
     let missing = || {
         let help = "the report has changed while it was read: try again".to_owned();
-        Error::request(format!("there are no equations `{}`", by.name), help)
+        Error::request(format!("there are no equations `{}`", by.name()), help)
     };
     Ok(Derivation { arena, equations: equations.ok_or_else(missing)? })
 }

@@ -2,6 +2,9 @@
 
 use std::fmt;
 use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::plain::path_in_line;
+use tripos_derive::scene::Scene;
+use tripos_sim::SimError;
 
 /// Why a model or a scene does not give what was asked of it.
 #[derive(Clone, Debug)]
@@ -32,20 +35,36 @@ impl Error {
         Self::Request { what: what.into(), help: help.into() }
     }
 
+    /// What is wrong, first where there is more than one thing, and what to do.
+    #[must_use]
+    pub fn what_and_help(&self) -> (String, Option<String>) {
+        let of_first = |list: &[Diagnostics]| {
+            let first = list.iter().find_map(|file| file.list.first());
+            first.map_or_else(Default::default, |d| (d.message.clone(), d.help.clone()))
+        };
+        match self {
+            Self::Input(file) | Self::Unsupported(file) => of_first(std::slice::from_ref(file)),
+            Self::Inputs(files) => of_first(files),
+            Self::Request { what, help } => (what.clone(), Some(help.clone())),
+            Self::Stopped(why) => (why.clone(), None),
+            Self::Interrupted => ("interrupted".to_owned(), None),
+        }
+    }
+
     /// What is wrong, in a line.
     #[must_use]
     pub fn first_line(&self) -> String {
-        let first = |list: &[Diagnostics]| {
-            list.iter().find_map(|file| file.list.first()).map(|d| d.message.clone()).unwrap_or_default()
-        };
-        let text = match self {
-            Self::Input(file) | Self::Unsupported(file) => first(std::slice::from_ref(file)),
-            Self::Inputs(files) => first(files),
-            Self::Request { what, .. } => what.clone(),
-            Self::Stopped(why) => why.clone(),
-            Self::Interrupted => "interrupted".to_owned(),
-        };
-        text.lines().next().unwrap_or_default().to_owned()
+        self.what_and_help().0.lines().next().unwrap_or_default().to_owned()
+    }
+
+    /// The files with errors.
+    #[must_use]
+    pub fn files(&self) -> &[Diagnostics] {
+        match self {
+            Self::Input(file) | Self::Unsupported(file) => std::slice::from_ref(file),
+            Self::Inputs(files) => files,
+            _ => &[],
+        }
     }
 }
 
@@ -70,4 +89,10 @@ impl From<Diagnostics> for Error {
     fn from(diagnostics: Diagnostics) -> Self {
         Self::Input(diagnostics)
     }
+}
+
+/// A scene that the simulator refuses.
+#[must_use]
+pub fn refused(scene: &Scene, error: &SimError) -> Error {
+    Error::request(error.to_string(), format!("check {}", path_in_line(&scene.source.path)))
 }

@@ -19,8 +19,8 @@ struct Follower {
 }
 
 impl Follow {
-    /// `poll` is told the time that each accepted step has reached, and answers whether to go on; `asked` whether the whole work is to
-    /// end.
+    /// `poll` is told the time that each accepted step has reached, and answers whether to go on; `asked` whether the
+    /// whole work is to end.
     pub fn new(poll: Poll, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Some(Follower { poll, asked: Arc::new(asked) }))
     }

@@ -1,7 +1,7 @@
 //! Derived equations as a [`System`] by interpretation: for models that are not compiled in.
 //!
-//! Invariant: the equations are compiled to tapes once; another kind of number takes the same tapes with their exact constants
-//! rounded anew.
+//! Invariant: the equations are compiled to tapes once; another kind of number takes the same tapes with their exact
+//! constants rounded anew.
 
 use std::sync::{Mutex, OnceLock};
 use tripos_codegen::taylor::{Tape as Series, recurrences_of};
@@ -60,8 +60,8 @@ enum Part {
     PotentialEnergy,
 }
 
-/// Working space that is kept between calls. Whoever comes while another thread has it makes room of its own, so that equations can be
-/// shared and no call waits.
+/// Working space that is kept between calls. Whoever comes while another thread has it makes room of its own, so that
+/// equations can be shared and no call waits.
 struct Room<T>(Mutex<T>);
 
 impl<T: Default> Room<T> {

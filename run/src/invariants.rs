@@ -1,21 +1,21 @@
-//! What is watched along a run beside its state: first integrals, determinants, condition numbers, and what the kinematic
-//! equations divide by.
+//! What is watched along a run beside its state: first integrals, determinants, condition numbers, and what the
+//! kinematic equations divide by.
 //!
-//! Invariant: nothing here can stop a run or a page. A value that does not exist is not a number, and extremes pass it over.
+//! Invariant: nothing here can stop a run or a page. A value that does not exist is not a number, and extremes pass
+//! it over.
 
-use crate::code::{Code, tape};
+use crate::code::tape;
 use crate::error::Error;
 use crate::problem::Problem;
-use crate::run::{Run, refused};
 use std::fmt;
 use tripos_derive::Model;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::print::text;
-use tripos_derive::mechanics::derive_all;
-use tripos_derive::prove::{Integral, IntegralKind, prove};
-use tripos_derive::scene::Scene;
-use tripos_sim::{Dynamics, Solution};
+use tripos_derive::model::Unit;
+use tripos_derive::prove::{Integral, IntegralKind};
+use tripos_derive::reduce::Ground;
+use tripos_sim::Solution;
 use tripos_traits::larger;
 
 /// A first integral that is watched.
@@ -33,9 +33,9 @@ pub struct Conserved {
 
 impl Conserved {
     fn new(model: &Model, arena: &Arena, integral: &Integral) -> Self {
-        let unit = match model.unit_of(arena, integral.expression).map(|unit| unit.to_string()) {
-            Some(unit) if unit == "kg*m^2/s^2" => "J".to_owned(),
-            Some(unit) => unit,
+        let unit = match model.unit_of(arena, integral.expression) {
+            Some(unit) if unit == Unit::new(2, 1, -2) => "J".to_owned(),
+            Some(unit) => unit.to_string(),
             None => "SI".to_owned(),
         };
         let kind = integral.kinds[0];
@@ -141,14 +141,20 @@ impl Watch {
         self.divided.evaluate(parameters).into_iter().map(|divisor| divisor != 0.0).collect()
     }
 
-    /// Of a model alone: its first integrals are proved first.
+    /// Of a model alone: its first integrals are found and proved first.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
     pub fn of_model(model: &Model) -> Result<Self, Error> {
-        let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
-        let proof = prove(model, &mut derivations);
-        Self::new(model, &derivations.kinematics.arena, &proof.integrals)
+        Self::of_ground(model, &Ground::new(model).map_err(|error| model.diagnose(&error))?)
+    }
+
+    /// Of a model whose first integrals are known.
+    ///
+    /// # Errors
+    /// As [`Watch::new`].
+    pub fn of_ground(model: &Model, ground: &Ground) -> Result<Self, Error> {
+        Self::new(model, &ground.arena, &ground.integrals)
     }
 
     /// How much each first integral that exists changes along a run.
@@ -242,33 +248,19 @@ impl Watch {
         worst
     }
 
-    /// Everything watched, along a run by these equations.
-    ///
-    /// # Errors
-    /// [`Error::Request`] if the parameters are not those of the equations.
-    pub fn along(&self, scene: &Scene, code: &Code, run: &Run) -> Result<Course, Error> {
-        let mut list = vec![Vec::with_capacity(run.states.len()); self.integrals.len() + self.divisors.len()];
+    /// The values of each first integral and the absolute value of each divisor, at these states.
+    #[must_use]
+    pub fn along(&self, parameters: &[f64], states: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+        let mut list = vec![Vec::with_capacity(states.len()); self.integrals.len() + self.divisors.len()];
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; list.len()]);
-        for state in &run.states {
-            self.tape.evaluate_into(&[scene.parameters.as_slice(), state].concat(), &mut scratch, &mut out);
+        for state in states {
+            self.tape.evaluate_into(&[parameters, state].concat(), &mut scratch, &mut out);
             for (values, value) in list.iter_mut().zip(&out) {
                 values.push(*value);
             }
         }
         let divisors = list.split_off(self.integrals.len());
-        let divisors = divisors.into_iter().map(|values| values.into_iter().map(f64::abs).collect()).collect();
-        let (mut determinant, mut condition) = (Vec::new(), Vec::new());
-        // A scene's own equations are solved: they have no matrix, and parameters of their own.
-        if !run.by.is_reduced() {
-            let mut dynamics =
-                Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused(scene, &error))?;
-            for y in &run.solution.y {
-                let (q, v) = y.split_at(code.system().lengths().coordinates.min(y.len()));
-                determinant.push(dynamics.determinant(q, v));
-                condition.push(dynamics.reciprocal_condition(q, v));
-            }
-        }
-        Ok(Course { t: run.solution.t.clone(), integrals: list, determinant, condition, divisors })
+        (list, divisors.into_iter().map(|values| values.into_iter().map(f64::abs).collect()).collect())
     }
 }
 

@@ -14,34 +14,45 @@
 //! # Ok::<(), tripos::Error>(())
 //! ```
 //!
-//! [`Scene`] and [`Mechanism`] are where a program begins; the modules are the parts that they are made of, for who needs more.
-//! Nothing here prints, ends the process, or knows a command line. Equations run compiled if a program brings them along
-//! ([`Scene::with`]), else interpreted, with the same results to rounding.
+//! [`Scene`] and [`Mechanism`] are where a program begins; the modules are the parts that they are made of, for who
+//! needs more. Nothing here prints, ends the process, or knows a command line. Equations run compiled if a program
+//! brings them along ([`Scene::with`]), else interpreted, with the same results to rounding.
 
 pub mod chart;
 pub mod code;
-pub mod error;
+mod error;
 pub mod figure;
 pub mod follow;
-pub mod interpreted;
-pub mod invariants;
-pub mod mechanism;
-pub mod near;
-pub mod overrides;
-pub mod problem;
-pub mod reduced;
-pub mod reference;
-pub mod run;
-pub mod scene;
-pub mod shown;
+mod how;
+mod interpreted;
+mod invariants;
+mod mechanism;
+mod near;
+mod overrides;
+mod problem;
+mod reduced;
+mod reference;
+mod run;
+mod scene;
+mod shown;
+mod simulate;
 pub mod stability;
 mod start;
 pub mod study;
 pub mod sweep;
-pub mod trust;
+mod trust;
+mod watched;
 
 pub use error::Error;
+pub use how::method_words;
+pub use invariants::{Conserved, Course, Drift, Watch};
 pub use mechanism::Mechanism;
+pub use near::near_divisors;
 pub use overrides::Overrides;
+pub use problem::Problem;
+pub use reduced::Reduced;
+pub use reference::Reference;
 pub use run::Run;
 pub use scene::Scene;
+pub use shown::state_names;
+pub use simulate::{run_code, run_problem, simulate, whole_energies};

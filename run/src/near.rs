@@ -13,8 +13,8 @@ use tripos_derive::model::{Coordinate, Unit};
 /// A divisor is next to zero below this part of the size that its terms have elsewhere, in whatever unit.
 const NEAR: f64 = 1e-6;
 
-/// What the equations divide by that is next to zero at a configuration, as the end of a sentence: ", where sin(theta) = 1.2e-16"; empty
-/// if nothing is.
+/// What the equations divide by that is next to zero at a configuration, as the end of a sentence: ", where
+/// sin(theta) = 1.2e-16"; empty if nothing is.
 ///
 /// # Errors
 /// [`Error::Request`] if a divisor mentions what has no value during a run.
@@ -36,8 +36,8 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
 }
 
-/// How large each parameter and each coordinate is elsewhere: a coordinate that happens to be small is as large as the largest
-/// parameter of its unit, an angle as a radian.
+/// How large each parameter and each coordinate is elsewhere: a coordinate that happens to be small is as large as
+/// the largest parameter of its unit, an angle as a radian.
 fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     let alike = |coordinate: &Coordinate| {
         let of = model.parameters.iter().zip(parameters).filter(|(p, _)| p.unit == coordinate.unit);
@@ -82,7 +82,8 @@ mod tests {
     use super::*;
     use tripos_derive::diagnostic::Source;
 
-    /// A bead on the end of a massless arm, in polar coordinates with speeds along and across; only what is divided by matters.
+    /// A bead on the end of a massless arm, in polar coordinates with speeds along and across; only what is divided
+    /// by matters.
     const BEAD: &str = r#"
 name = "bead"
 [parameters]

@@ -1,13 +1,14 @@
 //! What may be changed of the way a scene is run, without another file.
 
 use crate::error::Error;
-use crate::run::method;
+use crate::how::method;
 use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
 
 /// What stands in the place of what a scene says of its integration; nothing changes what is not given.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
-    /// Which equations: `kane`, `lagrange`, `newton-euler`, `printed:ID`, or the scene's own if nothing is given or `reduced`.
+    /// Which equations: `kane`, `lagrange`, `newton-euler`, `printed:ID`, or the scene's own if nothing is given or
+    /// `reduced`.
     pub by: Option<String>,
     /// The method, by its name, or `quadrature`.
     pub method: Option<String>,

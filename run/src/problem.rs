@@ -3,14 +3,13 @@
 //! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
 //! that people see hold the coordinate.
 
-use crate::code::{By, Code};
-use crate::error::Error;
+use crate::code::Code;
+use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use crate::near::near_divisors;
 use crate::reduced::Reduced;
-use crate::run::refused;
 use crate::start::speeds;
-use tripos_derive::mechanics::InertiaCheck;
+use tripos_derive::mechanics::{By, InertiaCheck};
 use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve, Stated};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
@@ -49,19 +48,13 @@ struct Origin {
     value: DoubleDouble,
 }
 
-/// `count` + 1 instants, evenly from the first to the last, which is exact whatever the division rounds to.
-#[must_use]
-pub fn instants((from, to): (f64, f64), count: u32) -> Vec<f64> {
-    (0..=count).map(|i| if i == count { to } else { from + (to - from) * (f64::from(i) / f64::from(count)) }).collect()
-}
-
 impl<'a> Problem<'a> {
     /// By these equations, which are in the scene's distance if it has one. Without `solve` the scene decides, then the
     /// equations: eliminated accelerations where there are such.
     ///
     /// # Errors
-    /// [`Error::Request`] if accelerations are to be eliminated that are not; [`Error::Input`] if something that moves has no
-    /// mass at these parameters.
+    /// [`Error::Request`] if accelerations are to be eliminated that are not; [`Error::Input`] if something that
+    /// moves has no mass at these parameters.
     pub fn new(
         mechanism: &'a Mechanism,
         scene: &'a Scene,
@@ -113,7 +106,7 @@ impl<'a> Problem<'a> {
         let eliminated = code.system().has_accelerations();
         let wanted = solve.or(scene.integration.solve);
         if wanted == Some(Solve::Eliminated) && !eliminated {
-            let what = format!("the accelerations of {} are not eliminated", by.name);
+            let what = format!("the accelerations of {} are not eliminated", by.name());
             let help = "printed equations are solved as they stand: use solve = \"numeric\"".to_owned();
             return Err(Error::request(what, help));
         }
@@ -184,7 +177,7 @@ impl<'a> Problem<'a> {
     #[must_use]
     pub fn variables(&self) -> Vec<String> {
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
-        let is_rate = self.by.formulation() == Some(Formulation::Lagrange);
+        let is_rate = self.by.formulation().is_some_and(Formulation::is_in_rates);
         let speeds = self.model.speeds.iter().map(|s| s.name.clone());
         let speeds: Vec<String> =
             if is_rate { coordinates.clone().map(|name| format!("{name}'")).collect() } else { speeds.collect() };
@@ -229,7 +222,7 @@ impl<'a> Problem<'a> {
         }
         let mut v = vec![DoubleDouble::int(0); system.lengths().variables];
         match &exact.motion {
-            Stated::Rates(rates) if self.by.formulation() == Some(Formulation::Lagrange) => v.clone_from(rates),
+            Stated::Rates(rates) if self.by.formulation().is_some_and(Formulation::is_in_rates) => v.clone_from(rates),
             _ => system.motion_variables(&p, &q, &speeds(self.model, exact)?, &mut v),
         }
         Ok((p, [q, v].concat()))
@@ -319,11 +312,11 @@ impl<'a> Problem<'a> {
             return self.integrate(y0, options, events).map_err(|error| refused(self.scene, &error));
         };
         if !system.has_energy_gradient() {
-            let what = format!("{} cannot be projected onto their energy", self.by.title);
+            let what = format!("{} cannot be projected onto their energy", self.by.title());
             let help = if self.by.is_reduced() {
                 "no conserved energy was found that is a function of what is left: leave the projection out"
             } else {
-                "projection needs a scene's own equations: leave --by out"
+                "projection needs a scene's own equations: name no others"
             };
             return Err(Error::request(what, help.to_owned()));
         }
@@ -351,7 +344,7 @@ impl<'a> Problem<'a> {
     fn no_quadrature(&self) -> &'static str {
         let system = self.system();
         if !self.by.is_reduced() {
-            "it needs a scene's own equations (no --by) with one degree of freedom left, as `tripos scene` shows"
+            "it needs a scene's own equations with one degree of freedom left, as `tripos scene` shows"
         } else if system.lengths().variables != 1 {
             "it needs one degree of freedom; `tripos scene` shows how many are left: give a stepping method"
         } else if !system.has_potential_slope() {
@@ -366,25 +359,7 @@ impl<'a> Problem<'a> {
     /// # Errors
     /// [`SimError`] if parameters do not fit.
     pub fn dynamics(&self) -> Result<Dynamics<'a>, SimError> {
-        let label = format!("{}, {}", self.model.title, self.by.name);
+        let label = format!("{}, {}", self.model.title, self.by.name());
         Ok(Dynamics::new(self.system(), &self.scene.parameters)?.labelled(label))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::instants;
-
-    /// Spans whose parts do not add up in doubles, both ways.
-    #[test]
-    fn the_last_instant_is_the_end_of_the_span() {
-        for hundredths in 1..1000 {
-            let to = f64::from(hundredths) / 100.0;
-            for span in [(0.0, to), (to, 0.1), (0.0, 1e-12 * to)] {
-                let list = instants(span, 40);
-                assert!(list[0].total_cmp(&span.0).is_eq() && list[40].total_cmp(&span.1).is_eq(), "{span:?}");
-                assert!(list.windows(2).all(|w| (w[1] - w[0]) * (span.1 - span.0) >= 0.0), "{span:?}");
-            }
-        }
     }
 }

@@ -1,13 +1,14 @@
 //! A scene's own equations, ready to be run: the least system that gives what the scene asks for.
 
-use crate::code::{By, Code, compiled_scene, interpreted_scene, tape};
+use crate::code::{Code, compiled_scene, interpreted_scene, tape};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::start::known;
 use tripos_codegen::plan::{Costs, costs};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::reduce::{Quantity, Reduction, reduce, reduce_without_momenta};
+use tripos_derive::mechanics::By;
+use tripos_derive::reduce::{Ground, Quantity, Reduction};
 use tripos_derive::scene::{Exact, Scene, SceneEvent, Stated};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble};
 
@@ -27,16 +28,25 @@ impl Reduced {
     /// # Errors
     /// [`Error`] if the model cannot be derived, or the scene asks for what it does not determine.
     pub fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
-        let reduction = reduce(model, scene).map_err(|error| model.diagnose(&error))?;
+        let ground = Ground::new(model).map_err(|error| model.diagnose(&error))?;
+        Self::of_ground(&ground, model, scene)
+    }
+
+    /// Of a scene of the model that `ground` was derived from.
+    ///
+    /// # Errors
+    /// [`Error`] if the scene asks for what the model does not determine.
+    pub fn of_ground(ground: &Ground, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let reduction = ground.reduce(scene).map_err(|error| model.diagnose(&error))?;
         Self::with(reduction, model, scene)
     }
 
-    /// The same without momenta, which are singular nowhere but where the model's own equations are.
+    /// Without momenta, so that nothing is singular but where the model's own equations are.
     ///
     /// # Errors
-    /// As [`Reduced::new`].
-    pub fn without_momenta(model: &Model, scene: &Scene) -> Result<Self, Error> {
-        let reduction = reduce_without_momenta(model, scene).map_err(|error| model.diagnose(&error))?;
+    /// As [`Reduced::of_ground`].
+    pub fn without_momenta(ground: &Ground, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let reduction = ground.reduce_without_momenta(scene).map_err(|error| model.diagnose(&error))?;
         Self::with(reduction, model, scene)
     }
 
@@ -65,7 +75,7 @@ impl Reduced {
             events: events.map(|(event, function)| SceneEvent { function: *function, ..event.clone() }).collect(),
             ..scene.clone()
         };
-        Ok(Self { reduction, scene: own, by: By::reduced() })
+        Ok(Self { reduction, scene: own, by: By::Reduced })
     }
 
     /// The equations, ready to run: compiled in if they were generated from what this scene says.

@@ -1,14 +1,15 @@
 //! Runs that other runs are measured against, and how they were certified.
 //!
-//! Equations run in twice the precision of a double, compiled or interpreted, eliminated, by DOP853 at tolerances that no double
-//! reaches: by two formulations and at two tolerances. What they differ by is how far the reference can be trusted.
+//! Equations run in twice the precision of a double, compiled or interpreted, eliminated, by DOP853 at tolerances
+//! that no double reaches: by two formulations and at two tolerances. What they differ by is how far the reference
+//! can be trusted.
 
-use crate::code::{By, Code, Ready, code, compiled_code};
-use crate::error::Error;
+use crate::code::{Code, Ready, code, compiled_code};
+use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use crate::problem::Problem;
-use crate::run::refused;
 use tripos_derive::Formulation;
+use tripos_derive::mechanics::By;
 use tripos_derive::mechanics::Distance;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::work_precision::error;
@@ -43,7 +44,7 @@ impl Reference {
         let mut scene = scene.clone();
         scene.integration.distance = near(model, &scene);
         let [first, second] = witnesses(model, &scene)?;
-        let names = [&first, &second].map(|witness| &witness.by.name).into_iter().zip(TOLERANCES);
+        let names = [&first, &second].map(|witness| witness.by.name()).into_iter().zip(TOLERANCES);
         let names: Vec<String> = names.map(|(name, rtol)| format!("{name} at {rtol:.0e}")).collect();
         let kept = first.run(model, &scene, times, TOLERANCES[0])?;
         let check = second.run(model, &scene, times, TOLERANCES[1])?;
@@ -115,8 +116,8 @@ impl Witness {
 
     /// Whether two witnesses are one: their rates have the same bits beside the start.
     ///
-    /// Different terms for equal rates round differently in some of 106 bits of some rate at some of these states. It is said
-    /// beside a reference, and decides nothing.
+    /// Different terms for equal rates round differently in some of 106 bits of some rate at some of these states. It
+    /// is said beside a reference, and decides nothing.
     fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
         let problem = Problem::new(model, scene, &self.by, &self.code, Some(Solve::Eliminated))?;
         let (p, y0) = problem.extended_start()?;

@@ -1,27 +1,20 @@
-//! One run of a scene by one formulation.
+//! What came out of one run of a scene.
 
-use crate::code::{By, Code, Ready, by_or_first, code, tape};
-use crate::error::Error;
-use crate::invariants::{Drift, Watch};
-use crate::mechanism::Mechanism;
+use crate::code::{Code, Form};
+use crate::error::{Error, refused};
+use crate::invariants::{Course, Drift, Watch};
 use crate::problem::Problem;
-use crate::reduced::Reduced;
 use crate::shown::Shown;
-use crate::trust;
-use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::plain::path_in_line;
-use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
-use tripos_derive::{Formulation, Model};
-use tripos_sim::{Direction, Dynamics, Effect, Event, EventRecord, Method, Options, Output, SimError, Solution};
-use tripos_traits::{AbsoluteTolerance, Lengths, larger};
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::{Dynamics, EventRecord, Solution};
 
 /// What came out of a run.
 pub struct Run {
     /// Which equations ran.
     pub by: By,
-    /// Whether compiled code ran.
-    pub code: &'static str,
+    /// What ran them.
+    pub code: Form,
     /// How accelerations were found.
     pub solve: Solve,
     /// The integrator's result.
@@ -31,7 +24,7 @@ pub struct Run {
     /// When, after how many steps and why it ended, in a sentence.
     pub ending: String,
     /// What has no value, and when first; set by [`Run::look_for_missing`].
-    missing: Option<String>,
+    pub(crate) missing: Option<String>,
     /// What is shown of a state: the names of coordinates and generalized speeds, or of the outputs of a scene.
     pub names: Vec<String>,
     /// Their values at each sample.
@@ -104,371 +97,40 @@ impl Run {
         self.missing = Some(format!("`{}` has no value at t = {t} s{more}{near}", self.names[which]));
         Ok(())
     }
-}
 
-/// The names of the states: coordinates, then generalized speeds.
-#[must_use]
-pub fn state_names(model: &Model) -> Vec<String> {
-    let coordinates = model.coordinates.iter().map(|c| c.name.clone());
-    coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
-}
-
-/// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced ones where these are
-/// a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
-///
-/// # Errors
-/// [`Error`] if there are no such equations, or they cannot be run.
-pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Run, Error> {
-    let numeric = scene.integration.solve == Some(Solve::Numeric);
-    let whole = |by| run(mechanism, scene, &by_or_first(mechanism, by)?);
-    match by.filter(|by| *by != "reduced") {
-        Some(by) => whole(Some(by)),
-        None if numeric => {
-            let mut done = whole(None)?;
-            let what = "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown";
-            done.warnings.insert(0, what.to_owned());
-            Ok(done)
-        }
-        None => {
-            let reduced = Reduced::new(mechanism, scene)?;
-            // Quadrature needs the one degree of freedom that only a reduction has.
-            let may_run_whole = by.is_none() && scene.integration.method != QUADRATURE;
-            match if may_run_whole { reduced.no_gain(mechanism)? } else { None } {
-                None => run_reduced(mechanism, scene, &reduced),
-                Some(why) => Ok(Run { notes: vec![format!("whole equations are run: {why}")], ..whole(None)? }),
-            }
-        }
-    }
-}
-
-/// Runs a scene by one set of equations, and shows what it asks for.
-///
-/// # Errors
-/// [`Error`] if the formulation is not to be had, or the scene asks for what it cannot give.
-pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
-    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
-    let problem = Problem::new(model, scene, by, &code, None)?;
-    let mut run = run_problem(&problem, proved(model)?.as_ref())?;
-    Shown::new(model, scene)?.apply(&problem, &mut run)?;
-    Ok(run)
-}
-
-/// Runs a scene by its own reduced equations. Where they have no value at the start, since what determines a speed from a momentum
-/// is singular there, no momentum is held.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_reduced(model: &Mechanism, scene: &Scene, reduced: &Reduced) -> Result<Run, Error> {
-    let code = reduced.code(model)?;
-    let singular = Problem::reduced(model, reduced, scene, &code)?.singular_start()?;
-    let (Some(singular), false) = (singular, reduced.constants().next().is_none()) else {
-        return run_own(model, scene, reduced, &code);
-    };
-    let plain = Reduced::without_momenta(model, scene)?;
-    let code = plain.code(model)?;
-    if Problem::reduced(model, &plain, scene, &code)?.singular_start()?.is_some() {
-        return Err(Error::Stopped(format!("the run cannot start: {singular}")));
-    }
-    let mut run = run_own(model, scene, &plain, &code)?;
-    run.warnings.insert(0, format!("no momentum is held, since {singular}"));
-    Ok(run)
-}
-
-/// Runs a scene by these of its own equations.
-fn run_own(model: &Mechanism, scene: &Scene, reduced: &Reduced, code: &Code) -> Result<Run, Error> {
-    let problem = Problem::reduced(model, reduced, scene, code)?;
-    // Integrals of the whole are functions of all states, which a scene may not show.
-    let watch = if scene.states_outputs { None } else { proved(model)? };
-    let mut run = run_problem(&problem, watch.as_ref())?;
-    whole_energies(model, scene, reduced, &mut run)?;
-    Ok(run)
-}
-
-/// The energies of the whole model, from the states that are shown; where a scene shows outputs of its own, none, and the drift of
-/// its own energy if it has one.
-///
-/// The energies of reduced equations are others: what moves by the momenta that are held counts as potential.
-///
-/// # Errors
-/// [`Error`] if Kane's equations cannot be had.
-pub fn whole_energies(model: &Mechanism, scene: &Scene, reduced: &Reduced, run: &mut Run) -> Result<(), Error> {
-    if scene.states_outputs {
-        run.energies.clear();
-        run.energy_drift = run.energy_drift.filter(|_| reduced.reduction.has_energy);
-        return Ok(());
-    }
-    let code = code(model, &Formulation::Kane.into(), None, Ready::AsDerived)?;
-    let (system, p, n) = (code.system(), scene.parameters.as_slice(), scene.q.len());
-    let energies = |state: &Vec<f64>| {
-        let (q, u) = state.split_at(n);
-        (system.kinetic_energy(p, q, u), system.potential_energy(p, q))
-    };
-    run.energies = run.states.iter().map(energies).collect();
-    let start = run.energies.first().map_or(f64::NAN, |(t, v)| t + v);
-    let end = energies(&run.end);
-    let changes = run.energies.iter().chain([&end]).map(|(t, v)| (t + v - start).abs());
-    run.energy_drift = Some(changes.fold(0.0, larger));
-    Ok(())
-}
-
-fn shown(problem: &Problem<'_>) -> Vec<String> {
-    if problem.by.is_reduced() {
-        problem.shown.outputs.iter().map(|o| o.name.clone()).collect()
-    } else {
-        state_names(problem.model)
-    }
-}
-
-/// What is conserved; nothing of a large model, of which the proof may take longer than the run: there energy alone is watched.
-///
-/// # Errors
-/// [`Error`] if the model cannot be derived.
-pub fn proved(model: &Mechanism) -> Result<Option<Watch>, Error> {
-    let small = model.coordinates.len() <= MOST_PROVED;
-    small.then(|| Watch::of_model(model)).transpose()
-}
-
-/// Coordinates up to which a run proves what is conserved before it watches it.
-const MOST_PROVED: usize = 8;
-
-/// Runs a scene by one set of equations that is ready, in the scene's distance if it has one.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_code(model: &Mechanism, scene: &Scene, by: &By, code: &Code, watch: Option<&Watch>) -> Result<Run, Error> {
-    run_problem(&Problem::new(model, scene, by, code, None)?, watch)
-}
-
-/// Runs a problem over the span of its scene, as the scene says.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Error> {
-    let scene = problem.scene;
-    let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;
-    let y0 = problem.start()?;
-    let mut events = events(problem, &balance);
-    let solution = problem.solve(&y0, &options(scene)?, &mut events)?;
-    drop(events);
-    finish(problem, solution, watch)
-}
-
-/// A scene that the simulator refuses.
-#[must_use]
-pub fn refused(scene: &Scene, error: &SimError) -> Error {
-    Error::request(error.to_string(), format!("check {}", path_in_line(&scene.source.path)))
-}
-
-/// How a scene is integrated, and at which instants it is sampled.
-///
-/// # Errors
-/// [`Error::Request`] if there is no such method.
-pub fn options(scene: &Scene) -> Result<Options, Error> {
-    Ok(Options { output: output(scene), ..options_of_ends(scene)? })
-}
-
-/// How a scene is integrated where only the ends of its runs are kept: the same steps.
-///
-/// # Errors
-/// [`Error::Request`] if there is no such method.
-pub fn options_of_ends(scene: &Scene) -> Result<Options, Error> {
-    let how = &scene.integration;
-    Ok(Options {
-        // Quadrature takes no steps: any method will do.
-        method: if how.method == QUADRATURE { Method::Dop853 } else { method(&how.method)? },
-        step: how.step,
-        step_limit: how.step_limit,
-        output: Output::Ends,
-        ..Options::tolerances(how.rtol, how.atol.clone())
-    })
-}
-
-/// The method of this name.
-///
-/// # Errors
-/// [`Error::Request`] if there is none.
-pub fn method(name: &str) -> Result<Method, Error> {
-    Method::ALL.iter().copied().find(|m| m.name() == name).ok_or_else(|| {
-        let names = Method::ALL.iter().map(|m| m.name());
-        Error::request(format!("there is no method `{name}`"), tripos_derive::diagnostic::nearest(name, names))
-    })
-}
-
-/// The method and what its steps are made by: "ode45 with rtol 1e-3, atol 1e-5".
-pub fn method_words(scene: &Scene) -> String {
-    let how = &scene.integration;
-    if how.method == QUADRATURE {
-        return QUADRATURE.to_owned();
-    }
-    let projected = match how.project {
-        Some(Project::Energy) => ", each projected onto the energy",
-        None => "",
-    };
-    let steps = match (how.step, &how.atol) {
-        (Some(step), _) => format!("steps of {step:e} s"),
-        (None, AbsoluteTolerance::Uniform(atol)) => format!("rtol {:e}, atol {atol:e}", how.rtol),
-        (None, AbsoluteTolerance::Each(_)) => format!("rtol {:e}, an atol for each state", how.rtol),
-    };
-    let distance = how.distance.map_or_else(String::new, |d| {
-        format!(", in a coordinate's distance from {}°", 90 * i64::from(d.quarter_turns))
-    });
-    format!("{} with {steps}{projected}{distance}", how.method)
-}
-
-fn output(scene: &Scene) -> Output {
-    match scene.integration.samples {
-        None => Output::Steps { refine: 4 },
-        Some(n) => {
-            let (from, to) = scene.span;
-            let last = (n - 1).max(1) as f64;
-            // The last instant is exact, whatever the division rounds to.
-            Output::At((0..n).map(|i| if i + 1 == n { to } else { from + (to - from) * i as f64 / last }).collect())
-        }
-    }
-}
-
-fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> Result<Run, Error> {
-    let scene = problem.scene;
-    let (system, p) = (problem.system(), scene.parameters.as_slice());
-    let dynamics = problem.dynamics().map_err(|error| refused(scene, &error))?;
-    let energy = |y: &[f64]| {
-        let (q, v) = dynamics.split(y);
-        (system.kinetic_energy(p, q, v), system.potential_energy(p, q))
-    };
-    let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
-    let energy_drift = dynamics.energy_drift(&solution);
-    let warnings = trust::objections(problem, &solution, watch, energy_drift)?;
-    let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
-    let names = problem.variables();
-    let at = if solution.stop.is_failure() { problem.near_divisors(&solution.y_end)? } else { String::new() };
-    let mut run = Run {
-        why: solution.stop.described(&names) + &at,
-        ending: solution.described(&names) + &at,
-        missing: None,
-        drifts,
-        by: problem.by.clone(),
-        code: problem.code.name(),
-        solve: problem.solve,
-        states: solution.t.iter().zip(&solution.y).map(|(t, y)| problem.state(*t, y)).collect(),
-        energies,
-        names: shown(problem),
-        end: problem.state(solution.t_end, &solution.y_end),
-        energy_drift: Some(energy_drift),
-        notes: Vec::new(),
-        warnings,
-        solution,
-    };
-    run.look_for_missing(problem)?;
-    Ok(run)
-}
-
-/// What is watched in the runs of a scene, compiled once: expressions, and the force balance that gives reactions, whichever
-/// formulation runs, if one of them mentions a reaction.
-#[derive(Clone)]
-pub struct Balance {
-    code: Option<Code>,
-    /// The domain's conditions, then the scene's events.
-    watched: Vec<Watched>,
-}
-
-/// An expression in parameters, q, q̇, u and reactions.
-#[derive(Clone)]
-struct Watched {
-    tape: Tape,
-    needs_reactions: bool,
-}
-
-impl Balance {
-    /// For what is watched in a scene of this model: the mechanism's own, or a reduced one, which has no reactions any more.
+    /// Shows outputs beside the states of a run by whole equations.
     ///
     /// # Errors
-    /// [`Error::Request`] if a reaction is watched that cannot be had, or what has no value during a run.
-    pub fn new(mechanism: &Mechanism, model: &Model, scene: &Scene, by: &By) -> Result<Self, Error> {
-        let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
-        let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
-        let (mut balance, mut list) = (None, Vec::new());
-        for (name, e) in watched {
-            let reaction = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol));
-            if let (Some(reaction), None) = (reaction, &balance) {
-                balance = Some(code(mechanism, &Formulation::NewtonEuler.into(), None, Ready::AsDerived).map_err(|error| {
-                    Error::request(
-                        format!(
-                            "`{name}` needs the reaction `{}`, which only newton-euler gives, also in a run by {}:\n{error}",
-                            reaction.name, by.name
-                        ),
-                        "name the missing reactions, or state the condition without a reaction".to_owned(),
-                    )
-                })?);
+    /// As [`Shown::of`].
+    pub fn show(&mut self, shown: &Shown, problem: &Problem<'_>) -> Result<(), Error> {
+        if !shown.is_more() {
+            return Ok(());
+        }
+        let Solution { t, y, t_end, y_end, .. } = &self.solution;
+        let states = t.iter().zip(y).map(|(t, y)| shown.of(problem, *t, y));
+        self.states = states.collect::<Result<_, _>>()?;
+        self.end = shown.of(problem, *t_end, y_end)?;
+        self.names.clone_from(&shown.names);
+        self.look_for_missing(problem)
+    }
+
+    /// Everything watched along the run, which was by this code.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the parameters are not those of the equations.
+    pub fn course(&self, watch: &Watch, scene: &Scene, code: &Code) -> Result<Course, Error> {
+        let (integrals, divisors) = watch.along(&scene.parameters, &self.states);
+        let (mut determinant, mut condition) = (Vec::new(), Vec::new());
+        // A scene's own equations are solved: they have no matrix, and parameters of their own.
+        if !self.by.is_reduced() {
+            let mut dynamics =
+                Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused(scene, &error))?;
+            for y in &self.solution.y {
+                let (q, v) = y.split_at(code.system().lengths().coordinates.min(y.len()));
+                determinant.push(dynamics.determinant(q, v));
+                condition.push(dynamics.reciprocal_condition(q, v));
             }
-            let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
-            let inputs = [model.p(), model.q(), model.q_dot(), model.u(), reactions].concat();
-            let tape = tape(&model.arena, &inputs, &[e], &format!("`{name}`"))?;
-            list.push(Watched { tape, needs_reactions: reaction.is_some() });
         }
-        Ok(Self { code: balance, watched: list })
-    }
-}
-
-/// The domain's conditions and the scene's events as functions of the integrated state; the scene must have those that
-/// `balance` was made for.
-#[must_use]
-pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'a>> {
-    let Problem { model, scene, .. } = *problem;
-    let mut watched = balance.watched.iter();
-    let mut events = Vec::new();
-    for (condition, watched) in model.domain.iter().zip(&mut watched) {
-        let function = watch(problem, balance, watched);
-        let name = format!("{} ({})", condition.name, condition.text);
-        if scene.integration.domain_stops {
-            events.push(Event::domain(name, function));
-        } else {
-            events.push(Event::recorded(name, Direction::Falling, function));
-        }
-    }
-    for (event, watched) in scene.events.iter().zip(watched) {
-        let function = watch(problem, balance, watched);
-        let effect = if event.terminal { Effect::Terminal } else { Effect::Record };
-        events.push(Event {
-            name: event.name.clone(),
-            function: Box::new(function),
-            direction: event.direction,
-            effect,
-        });
-    }
-    events
-}
-
-/// A watched expression as a function of (t, y).
-fn watch<'a>(
-    problem: &'a Problem<'_>,
-    balance: &'a Balance,
-    watched: &'a Watched,
-) -> impl FnMut(f64, &[f64]) -> f64 + 'a {
-    let system = problem.system();
-    let p = problem.scene.parameters.clone();
-    let Lengths { coordinates, speeds, .. } = system.lengths();
-    let reactions = problem.model.reactions.len();
-    let mut dynamics = match &balance.code {
-        Some(code) if watched.needs_reactions => Dynamics::new(code.system(), &p).ok(),
-        _ => None,
-    };
-    let (mut q_dot, mut u, mut scratch) = (vec![0.0; coordinates], vec![0.0; speeds], Vec::new());
-    move |_t: f64, y: &[f64]| {
-        let (variables, v) = y.split_at(coordinates);
-        system.coordinate_rates(&p, variables, v, &mut q_dot);
-        system.generalized_speeds(&p, variables, v, &mut u);
-        let q = problem.coordinates(y);
-        let mut values = [p.as_slice(), &q, &q_dot, &u].concat();
-        match &mut dynamics {
-            // The state has no reaction where the balance is singular: not a number, said by the integrator.
-            Some(balance) => match balance.unknowns(&q, &u) {
-                Ok(x) => values.extend_from_slice(&x[speeds..]),
-                Err(_) => return f64::NAN,
-            },
-            None => values.resize(values.len() + reactions, f64::NAN),
-        }
-        let mut out = [0.0];
-        watched.tape.evaluate_into(&values, &mut scratch, &mut out);
-        out[0]
+        Ok(Course { t: self.solution.t.clone(), integrals, determinant, condition, divisors })
     }
 }

@@ -4,7 +4,8 @@ use crate::error::Error;
 use crate::follow::Follow;
 use crate::mechanism::Mechanism;
 use crate::overrides::Overrides;
-use crate::run::{Run, simulate};
+use crate::run::Run;
+use crate::simulate::simulate;
 use std::path::Path;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
@@ -47,7 +48,8 @@ impl Scene {
         Ok(Self { mechanism, current: file.clone(), file, set: Vec::new() })
     }
 
-    /// With equations that were compiled into a program, such as `tripos_models::MODELS`. Without them every model is interpreted.
+    /// With equations that were compiled into a program, such as `tripos_models::MODELS`. Without them every model is
+    /// interpreted.
     #[must_use]
     pub fn with(mut self, compiled: &'static [CompiledModel]) -> Self {
         self.mechanism.compiled = compiled;
@@ -73,17 +75,18 @@ impl Scene {
         &self.current
     }
 
-    /// Gives a parameter, or a number of the start, another value, in the unit of the model file. What the scene computes from it
-    /// follows.
+    /// Gives a parameter, or a number of the start, another value, in the unit of the model file. What the scene
+    /// computes from it follows.
     ///
     /// # Errors
-    /// [`Error::Inputs`] if the scene has no such number; [`Error::Input`] if it cannot have this value, such as a mass below zero.
+    /// [`Error::Inputs`] if the scene has no such number; [`Error::Input`] if it cannot have this value, such as a
+    /// mass below zero.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let mut set = self.set.clone();
         set.retain(|(known, _)| known != name);
         set.push((name.to_owned(), value));
         let texts: Vec<String> = set.iter().map(|(name, value)| format!("{name}={value:e}")).collect();
-        let grid = Grid::read(&texts, &self.file, &mut self.mechanism).map_err(Error::Inputs)?;
+        let grid = Grid::read(&texts, "what was set", &self.file, &mut self.mechanism).map_err(Error::Inputs)?;
         let scene = Family::new(&self.file, &self.mechanism, &grid)?.point(0).1?;
         (self.set, self.current) = (set, scene);
         Ok(())

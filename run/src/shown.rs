@@ -1,20 +1,27 @@
-//! What is shown of states of whole equations, by any formulation, with any solve: every coordinate and speed, and what else a
-//! scene wants to see.
+//! What is shown of states of whole equations, by any formulation, with any solve: every coordinate and speed, and
+//! what else a scene wants to see.
 //!
-//! Invariant: an output has a value for each state or the state has none for it, which is then not a number; no other number
-//! ever stands in its place. Reduced equations bring their outputs with them ([`tripos_traits::System::outputs`]).
+//! Invariant: an output has a value for each state or the state has none for it, which is then not a number; no other
+//! number ever stands in its place. Reduced equations bring their outputs with them
+//! ([`tripos_traits::System::outputs`]).
 
 use crate::code::{Code, Ready, code, tape};
-use crate::error::Error;
+use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use crate::problem::Problem;
-use crate::run::{Run, refused, state_names};
-use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::scene::{ENERGIES, Scene, Solve};
+use tripos_derive::{Formulation, Model};
 use tripos_sim::{Dynamics, Eliminated, RightHandSide};
 use tripos_traits::Lengths;
+
+/// The names of the states: coordinates, then generalized speeds.
+#[must_use]
+pub fn state_names(model: &Model) -> Vec<String> {
+    let coordinates = model.coordinates.iter().map(|c| c.name.clone());
+    coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
+}
 
 /// What is shown of a state.
 #[derive(Clone)]
@@ -69,6 +76,12 @@ impl Shown {
         Ok(Self { names, outputs: Some(outputs) })
     }
 
+    /// Whether it is more than the state.
+    #[must_use]
+    pub fn is_more(&self) -> bool {
+        self.outputs.is_some()
+    }
+
     /// What an integrated state of whole equations shows.
     ///
     /// # Errors
@@ -82,21 +95,6 @@ impl Shown {
                 Ok([state, values].concat())
             }
         }
-    }
-
-    /// Shows the outputs beside the states of a run by whole equations.
-    ///
-    /// # Errors
-    /// As [`Shown::of`].
-    pub fn apply(&self, problem: &Problem<'_>, run: &mut Run) -> Result<(), Error> {
-        if self.outputs.is_none() {
-            return Ok(());
-        }
-        let samples = run.solution.t.iter().zip(&run.solution.y);
-        run.states = samples.map(|(t, y)| self.of(problem, *t, y)).collect::<Result<_, _>>()?;
-        run.end = self.of(problem, run.solution.t_end, &run.solution.y_end)?;
-        run.names.clone_from(&self.names);
-        run.look_for_missing(problem)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The start of a scene to 32 digits.
 //!
-//! Invariant: no number of the file is rounded to a double on the way. A momentum near a singular surface, or what is left of an
-//! angle next to it, is a small difference.
+//! Invariant: no number of the file is rounded to a double on the way. A momentum near a singular surface, or what is
+//! left of an angle next to it, is a small difference.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -26,8 +26,8 @@ pub fn speeds(model: &Model, exact: &Exact) -> Result<Vec<DoubleDouble>, Error> 
     }
 }
 
-/// Every symbol that has a value at a start, and the values: parameters, coordinates, generalized speeds, and rates where the file
-/// states these.
+/// Every symbol that has a value at a start, and the values: parameters, coordinates, generalized speeds, and rates
+/// where the file states these.
 ///
 /// # Errors
 /// As [`speeds`].

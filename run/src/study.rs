@@ -3,12 +3,12 @@
 //! The terms of proofs and verdicts live in one store, apart from those of the equations that are shown and run: what a
 //! report prints can never change what is derived.
 
-use crate::code::{By, Code, Ready, code_of, compiled_code};
+use crate::code::{Code, Ready, code_of, compiled_code};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::diff::{Difference, diff, printed_equations};
-use tripos_derive::mechanics::{Derivation, Derivations, derive_all};
+use tripos_derive::mechanics::{By, Derivation, Derivations, derive_all};
 use tripos_derive::prove::{Proof, Singularity, prove, singularity, zeros};
 use tripos_derive::report::{Report, load_beside};
 use tripos_derive::{Equations, Formulation, Model};
@@ -74,7 +74,7 @@ impl Study {
         // The store is copied once, and only if something has to be interpreted.
         let mut derivation: Option<Derivation> = None;
         for equations in &published.printed {
-            let by = By::printed(equations);
+            let by = equations.by.clone();
             let code = match compiled_code(model, &by, None) {
                 Some(code) => Ok(code),
                 None => {
@@ -115,5 +115,5 @@ impl Published {
 
 /// The printed equations of a system, by its id.
 fn printed_of<'a>(list: &'a [Equations], id: &str) -> Option<&'a Equations> {
-    list.iter().find(|equations| equations.name.strip_prefix("printed:") == Some(id))
+    list.iter().find(|equations| equations.by.printed_id() == Some(id))
 }

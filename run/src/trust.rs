@@ -2,18 +2,18 @@
 //!
 //! Every objection comes with its figure. None is raised by a clock: the same run gives the same objections.
 
-use crate::error::Error;
+use crate::error::{Error, refused};
+use crate::how::method;
 use crate::invariants::{Conserved, Excursion, Watch};
 use crate::problem::Problem;
-use crate::run::{method, refused};
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_sim::stability::growth;
 use tripos_sim::{Eliminated, Method, Options, RightHandSide, Solution, Stop};
 
 /// How many times what the tolerances allow a conserved quantity may change before it can be an objection.
 const ALLOWED: f64 = 100.0;
-/// How many times it may change before it is one whatever the tolerance, in units of what the allowed error of one step moves it where it is: there are many steps,
-/// and they all may err to one side.
+/// How many times it may change before it is one whatever the tolerance, in units of what the allowed error of one
+/// step moves it where it is: there are many steps, and they all may err to one side.
 const ALLOWED_DRIFT: f64 = 1e4;
 /// An integral that moves as if the state erred by this leaves no more than three digits, whatever the tolerance.
 const THREE_DIGITS: f64 = 1e-3;
@@ -81,8 +81,8 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
     })
 }
 
-/// Whether a first integral that is this many times further from its start than one step's errors can move it tells that
-/// digits are lost.
+/// Whether a first integral that is this many times further from its start than one step's errors can move it tells
+/// that digits are lost.
 fn is_lost(scene: &Scene, ratio: f64) -> bool {
     let tolerance = if scene.integration.step.is_some() { FIXED } else { scene.integration.rtol };
     ratio > ALLOWED_DRIFT || (ratio > ALLOWED && ratio * tolerance > THREE_DIGITS)
@@ -157,7 +157,8 @@ fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String
 
 /// Steps of a run from which on it is asked whether stability alone keeps them short.
 const MANY_STEPS: u64 = 10_000;
-/// A step this long times the fastest decay is near the bound of stability of every explicit method here: from 2.8 (rk4) to 6 (dop853).
+/// A step this long times the fastest decay is near the bound of stability of every explicit method here: from 2.8
+/// (rk4) to 6 (dop853).
 const NEAR_BOUND: f64 = 2.0;
 /// States of a run at which its fastest decay is looked for, and iterations that find it.
 const STIFF_SAMPLES: usize = 20;
@@ -177,7 +178,7 @@ fn stiffness(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String
     let is_stiff = 2 * decays.len() > STIFF_SAMPLES && step * fast > NEAR_BOUND;
     Ok(is_stiff.then(|| {
         format!(
-            "stiff: what decays at {fast:.1e} 1/s keeps the steps of {} at {step:.1e} s on average, however smooth the motion is; `--method gauss6` has no such bound",
+            "stiff: what decays at {fast:.1e} 1/s keeps the steps of {} at {step:.1e} s on average, however smooth the motion is; the method gauss6 has no such bound",
             scene.integration.method
         )
     }))

@@ -1,10 +1,10 @@
 //! The chart: one panel for each question.
 
-use super::words::is_whole;
+use super::words::{is_derived, is_whole};
 use crate::failure::Failure;
 use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};
 use tripos::chart::Measurement;
-use tripos_derive::scene::{QUADRATURE, Solve};
+use tripos::chart::case::Way;
 use tripos_sim::Method;
 use tripos_sim::work_precision::pareto;
 
@@ -39,18 +39,19 @@ pub fn failed(error: &PlotError) -> Failure {
 /// The panels of the chart.
 pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
     // The formulation that is listed first, and the best method there is, stand for the others.
-    let first = list.first().map(|m| m.formulation.clone()).unwrap_or_default();
-    let best = Method::Dop853.name();
-    let natural = list.first().map_or(Solve::Eliminated.name(), |m| m.solve);
-    let method = |m: &Measurement| (m.formulation == first && m.solve == natural).then(|| m.method.to_owned());
-    let formulation = |m: &Measurement| match m.method {
-        QUADRATURE => Some(format!("{}, {QUADRATURE}", m.formulation)),
-        method => (method == best && m.solve == natural).then(|| m.formulation.clone()),
+    let Some(Measurement { by: first, solve: natural, .. }) = list.first() else { return Vec::new() };
+    let best = Method::Dop853;
+    let is_best = |m: &Measurement| m.way.method() == Some(best);
+    let method = |m: &Measurement| (m.by == *first && m.solve == *natural).then(|| m.way.name().to_owned());
+    let formulation = |m: &Measurement| match m.way {
+        Way::Quadrature => Some(format!("{}, {}", m.by.name(), m.way.name())),
+        _ => (is_best(m) && m.solve == *natural).then(|| m.by.name()),
     };
     let solve = |m: &Measurement| {
-        (m.method == best && is_whole(m) && !m.formulation.starts_with("printed:"))
-            .then(|| format!("{}, {}", m.formulation, m.solve))
+        let shown = is_best(m) && is_whole(m) && is_derived(m);
+        shown.then(|| format!("{}, {}", m.by.name(), m.solve.name()))
     };
+    let (first, natural, best) = (first.name(), natural.name(), best.name());
     vec![
         panel(list, &format!("Which method: {first}, {natural}"), &method, uncertainty),
         panel(list, &format!("Which formulation: {best}, {natural}"), &formulation, uncertainty),

@@ -1,25 +1,26 @@
 //! What a chart leaves behind: tables for programs, and a table for people.
 
-use super::words::{TARGETS, fastest};
+use super::words::{TARGETS, fastest, seconds};
 use crate::failure::Failure;
 use crate::output::table;
 use std::fmt::Write;
 use std::path::Path;
+use tripos::Conserved;
 use tripos::chart::Measurement;
-use tripos::invariants::Conserved;
 
 /// `work_precision.csv`, `times.csv` (the bars of the chart) and `drifts.csv`.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
 pub fn write(out: &Path, list: &[Measurement], integrals: &[Conserved]) -> Result<(), Failure> {
-    let key =
-        |m: &Measurement| vec![m.formulation.clone(), m.solve.to_owned(), m.method.to_owned(), tolerance(m.tolerance)];
+    let key = |m: &Measurement| {
+        vec![m.by.name(), m.way.solve(m.solve).to_owned(), m.way.name().to_owned(), tolerance(m.way.tolerance())]
+    };
     let header = ["formulation", "solve", "method", "tolerance", "seconds", "error", "steps", "evaluations", "stop"];
     let rows = list.iter().map(|m| {
         let error = m.error.map_or_else(String::new, |e| format!("{e:e}"));
         let numbers = [format!("{:e}", m.seconds.median), error, m.steps.to_string(), m.evaluations.to_string()];
-        [key(m), numbers.to_vec(), vec![m.stop.clone()]].concat()
+        [key(m), numbers.to_vec(), vec![m.stop.code()]].concat()
     });
     table(&out.join("work_precision.csv"), &header, rows)?;
     let header = ["formulation", "solve", "method", "tolerance", "runs", "shortest", "median", "longest"];
@@ -47,21 +48,12 @@ pub fn advice(list: &[Measurement]) -> String {
     for target in TARGETS {
         let _ = match fastest(list, target, |_| true) {
             Some(m) => {
-                let name = format!("{}, {}, {}", m.formulation, m.solve, m.method);
+                let name = format!("{}, {}, {}", m.by.name(), m.way.solve(m.solve), m.way.name());
                 let (time, error) = (seconds(m.seconds.median), m.error.unwrap_or(f64::NAN));
-                writeln!(out, "{target:<9e} {name:<44} {:<10} {time:<10} {error:.1e}", tolerance(m.tolerance))
+                writeln!(out, "{target:<9e} {name:<44} {:<10} {time:<10} {error:.1e}", tolerance(m.way.tolerance()))
             }
             None => writeln!(out, "{target:<9e} nothing measured here reaches it"),
         };
     }
     out
-}
-
-/// A time as a person writes it.
-pub fn seconds(s: f64) -> String {
-    match s {
-        s if s < 1e-3 => format!("{:.0} µs", s * 1e6),
-        s if s < 1.0 => format!("{:.2} ms", s * 1e3),
-        s => format!("{s:.2} s"),
-    }
 }

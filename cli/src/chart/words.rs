@@ -1,7 +1,7 @@
 //! What a chart says in words. Every figure in a sentence is one of its measurements.
 
-use super::files::seconds;
 use tripos::chart::Measurement;
+use tripos_derive::mechanics::By;
 use tripos_derive::scene::Solve;
 use tripos_sim::Method;
 use tripos_sim::work_precision::cheapest;
@@ -11,7 +11,7 @@ pub const TARGETS: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 /// The fastest run of some whose error is no larger than `target`; printed equations answer another question.
 pub fn fastest(list: &[Measurement], target: f64, of: impl Fn(&Measurement) -> bool) -> Option<&Measurement> {
-    let some: Vec<&Measurement> = list.iter().filter(|m| of(m) && !m.formulation.starts_with("printed:")).collect();
+    let some: Vec<&Measurement> = list.iter().filter(|m| of(m) && is_derived(m)).collect();
     let points: Vec<(f64, f64)> = some.iter().map(|m| (m.seconds.median, m.error.unwrap_or(f64::NAN))).collect();
     cheapest(&points, target).map(|at| some[at])
 }
@@ -21,8 +21,8 @@ fn compared_at(list: &[Measurement]) -> Option<f64> {
     [TARGETS[1], TARGETS[0]].into_iter().find(|target| fastest(list, *target, |_| true).is_some())
 }
 
-/// The time at which a curve crosses an accuracy, s: read between its points on logarithmic axes, since tolerances are
-/// far apart.
+/// The time at which a curve crosses an accuracy, s: read between its points on logarithmic axes, since tolerances
+/// are far apart.
 fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
     let points: Vec<(f64, f64)> =
         curve.iter().filter_map(|m| Some((m.error?.max(f64::MIN_POSITIVE).ln(), m.seconds.median.ln()))).collect();
@@ -34,74 +34,83 @@ fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
 }
 
 /// The time that each kind needs, with the best of everything else; none where it does not get there.
-fn each<'a>(
-    list: &[Measurement],
+fn each<'a, Kind: PartialEq>(
+    list: &'a [Measurement],
     target: f64,
-    kinds: &[&'a str],
-    of: impl Fn(&Measurement) -> &str,
-) -> Vec<(&'a str, Option<f64>)> {
+    kinds: impl IntoIterator<Item = Kind>,
+    of: impl Fn(&'a Measurement) -> Option<Kind>,
+) -> Vec<(Kind, Option<f64>)> {
     let mut curves: Vec<Vec<&Measurement>> = Vec::new();
-    for m in list.iter().filter(|m| !m.formulation.starts_with("printed:")) {
-        let same = |o: &Measurement| o.formulation == m.formulation && o.solve == m.solve && o.method == m.method;
+    for m in list.iter().filter(|m| is_derived(m)) {
+        let same = |o: &Measurement| o.by == m.by && o.solve == m.solve && o.way.method() == m.way.method();
         match curves.iter_mut().find(|curve| same(curve[0])) {
             Some(curve) => curve.push(m),
             None => curves.push(vec![m]),
         }
     }
-    let time = |kind: &str| {
-        let own = curves.iter().filter(|curve| of(curve[0]) == kind);
+    let time = |kind: &Kind| {
+        let own = curves.iter().filter(|curve| of(curve[0]).as_ref() == Some(kind));
         own.filter_map(|curve| crossing(curve, target)).reduce(f64::min)
     };
-    kinds.iter().map(|kind| (*kind, time(kind))).collect()
+    kinds.into_iter().map(|kind| (time(&kind), kind)).map(|(time, kind)| (kind, time)).collect()
 }
 
-fn listed(times: &[(&str, Option<f64>)]) -> String {
-    let one = |(kind, time): &(&str, Option<f64>)| match time {
-        Some(time) => format!("{kind} in {}", seconds(*time)),
-        None => format!("{kind} not at all"),
+/// `kane in 1.00 ms, lagrange not at all`.
+fn listed<Kind>(times: &[(Kind, Option<f64>)], name: impl Fn(&Kind) -> String) -> String {
+    let one = |(kind, time): &(Kind, Option<f64>)| match time {
+        Some(time) => format!("{} in {}", name(kind), seconds(*time)),
+        None => format!("{} not at all", name(kind)),
     };
     times.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
 /// How many times longer the slowest kind takes than the fastest, among those that arrive.
-fn factor(times: &[(&str, Option<f64>)]) -> Option<f64> {
+fn factor<Kind>(times: &[(Kind, Option<f64>)]) -> Option<f64> {
     let arrived: Vec<f64> = times.iter().filter_map(|(_, time)| *time).collect();
     let (least, most) = (arrived.iter().copied().reduce(f64::min)?, arrived.iter().copied().reduce(f64::max)?);
     (arrived.len() > 1).then_some(most / least)
 }
 
-fn formulations(list: &[Measurement]) -> Vec<&str> {
-    let mut names: Vec<&str> = Vec::new();
-    for m in list.iter().filter(|m| !m.formulation.starts_with("printed:")) {
-        if !names.contains(&m.formulation.as_str()) {
-            names.push(&m.formulation);
+/// The equations that were charted, each once.
+fn equations(list: &[Measurement]) -> Vec<&By> {
+    let mut found: Vec<&By> = Vec::new();
+    for m in list.iter().filter(|m| is_derived(m)) {
+        if !found.contains(&&m.by) {
+            found.push(&m.by);
         }
     }
-    names
+    found
+}
+
+/// Whether a run is one of derived equations: printed ones answer another question.
+pub fn is_derived(m: &Measurement) -> bool {
+    m.by.printed_id().is_none()
 }
 
 /// Whether a run is one of whole equations. Methods and solves are compared by these alone: a scene's own equations
 /// have one solve only, and what they gain is not that of the solve.
 pub fn is_whole(m: &Measurement) -> bool {
-    m.formulation != OWN
+    !m.by.is_reduced()
 }
 
-/// The name of a scene's own equations.
-const OWN: &str = "reduced";
+/// The time that each formulation needs, with the best of everything else.
+fn by_equations(list: &[Measurement], target: f64) -> Vec<(&By, Option<f64>)> {
+    each(list, target, equations(list), |m| Some(&m.by))
+}
 
 /// The time that each method needs by whole equations.
-fn by_method(list: &[Measurement], target: f64) -> Vec<(&str, Option<f64>)> {
-    each(list, target, &Method::ALL.map(Method::name), |m| if is_whole(m) { m.method } else { "" })
+fn by_method(list: &[Measurement], target: f64) -> Vec<(Method, Option<f64>)> {
+    each(list, target, Method::ALL, |m| m.way.method().filter(|_| is_whole(m)))
 }
 
 /// The time that whole equations need with each solve.
-fn by_solve(list: &[Measurement], target: f64) -> Vec<(&str, Option<f64>)> {
-    each(list, target, &Solve::ALL.map(Solve::name), |m| if is_whole(m) { m.solve } else { "" })
+fn by_solve(list: &[Measurement], target: f64) -> Vec<(Solve, Option<f64>)> {
+    each(list, target, Solve::ALL, |m| is_whole(m).then_some(m.solve))
 }
 
 /// What a scene's own equations gain over the fastest whole ones.
 fn gain(list: &[Measurement], target: f64) -> Option<String> {
-    let times = each(list, target, &[OWN, ""], |m| if is_whole(m) { "" } else { OWN });
+    let times = each(list, target, [false, true], |m| Some(is_whole(m)));
     let [(_, Some(own)), (_, Some(whole))] = times.as_slice() else { return None };
     let (times, faster) = if own <= whole { (whole / own, "faster") } else { (own / whole, "slower") };
     Some(format!(
@@ -120,17 +129,16 @@ pub fn caption(list: &[Measurement], until: f64) -> String {
     let Some(target) = compared_at(list) else { return seen };
     let own = list.iter().any(|m| !is_whole(m));
     let whole = if own { " by the equations of the whole model" } else { "" };
-    let names = formulations(list);
-    let formulations = each(list, target, &names, |m| &m.formulation);
     let formulations = if own {
-        format!("; by formulation, with the best of everything else: {}", listed(&formulations))
+        let times = listed(&by_equations(list, target), |by| by.name());
+        format!("; by formulation, with the best of everything else: {times}")
     } else {
         String::new()
     };
     format!(
         "{seen} Read off the curves, an error of {target:e} takes{whole}, by method: {}; by how accelerations are found: {}{formulations}.",
-        listed(&by_method(list, target)),
-        listed(&by_solve(list, target))
+        listed(&by_method(list, target), |method| method.name().to_owned()),
+        listed(&by_solve(list, target), |solve| solve.name().to_owned())
     )
 }
 
@@ -140,12 +148,12 @@ pub fn lead(list: &[Measurement]) -> String {
     let Some(target) = compared_at(list) else {
         return format!("Nothing that was measured on this scene reaches an error of {:e}.", TARGETS[0]);
     };
-    let common = |of: &dyn Fn(&Measurement) -> &str| {
+    let common = |of: &dyn Fn(&Measurement) -> &'static str| {
         let first = best.first().map(|m| of(m))?;
         best.iter().all(|m| of(m) == first).then_some(first)
     };
     let own = !best.is_empty() && best.iter().all(|m| !is_whole(m));
-    let use_ = match (common(&|m| m.solve), common(&|m| m.method)) {
+    let use_ = match (common(&|m| m.way.solve(m.solve)), common(&|m| m.way.name())) {
         (_, Some(method)) if own => {
             format!(
                 "Use the scene's own reduced equations by {method}: on this scene that is the fastest to every accuracy below."
@@ -170,7 +178,7 @@ pub fn lead(list: &[Measurement]) -> String {
     let factors = [
         ("methods", factor(&by_method(list, target))),
         ("solves", factor(&by_solve(list, target))),
-        ("formulations", factor(&each(list, target, &formulations(list), |m| &m.formulation))),
+        ("formulations", factor(&by_equations(list, target))),
     ];
     let factors: Vec<String> =
         factors.iter().filter_map(|(what, factor)| Some(format!("{what} {:.1}", (*factor)?))).collect();
@@ -183,22 +191,35 @@ pub fn lead(list: &[Measurement]) -> String {
     [Some(use_), gain(list, target), compared].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
+/// A time as a person writes it.
+pub fn seconds(s: f64) -> String {
+    match s {
+        s if s < 1e-3 => format!("{:.0} µs", s * 1e6),
+        s if s < 1.0 => format!("{:.2} ms", s * 1e3),
+        s => format!("{s:.2} s"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tripos::chart::case::Way;
+    use tripos_derive::Formulation;
+    use tripos_sim::Stop;
     use tripos_sim::work_precision::Spread;
 
-    fn run(formulation: &str, solve: Solve, method: Method, time: f64, error: Option<f64>) -> Measurement {
+    const KANE: By = By::Derived(Formulation::Kane);
+
+    fn run(by: By, solve: Solve, method: Method, time: f64, error: Option<f64>) -> Measurement {
         Measurement {
-            formulation: formulation.to_owned(),
-            solve: solve.name(),
-            method: method.name(),
-            tolerance: Some(1e-9),
+            by,
+            solve,
+            way: Way::Steps(method, 1e-9),
             seconds: Spread { least: time, median: time, most: time, runs: 1 },
             error,
             steps: 1,
             evaluations: 1,
-            stop: "end".to_owned(),
+            stop: Stop::End,
             drifts: Vec::new(),
         }
     }
@@ -207,14 +228,20 @@ mod tests {
     #[test]
     fn words_are_those_of_the_measurements() {
         let list = [
-            run("kane", Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-4)),
-            run("kane", Solve::Eliminated, Method::Dop853, 1e-2, Some(1e-8)),
-            run("lagrange", Solve::Eliminated, Method::Dop853, 2e-3, Some(1e-10)),
-            run("kane", Solve::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
-            run("kane", Solve::Eliminated, Method::Ode45, 8e-3, Some(1e-9)),
-            run("kane", Solve::Eliminated, Method::Rk4, 1e-3, Some(1e-2)),
-            run("kane", Solve::Eliminated, Method::Gauss6, 1e-3, None),
-            run("printed:x", Solve::Numeric, Method::Dop853, 1e-6, Some(0.0)),
+            run(KANE, Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-4)),
+            run(KANE, Solve::Eliminated, Method::Dop853, 1e-2, Some(1e-8)),
+            run(Formulation::Lagrange.into(), Solve::Eliminated, Method::Dop853, 2e-3, Some(1e-10)),
+            run(KANE, Solve::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
+            run(KANE, Solve::Eliminated, Method::Ode45, 8e-3, Some(1e-9)),
+            run(KANE, Solve::Eliminated, Method::Rk4, 1e-3, Some(1e-2)),
+            run(KANE, Solve::Eliminated, Method::Gauss6, 1e-3, None),
+            run(
+                By::Printed { id: "x".to_owned(), formulation: Formulation::Kane },
+                Solve::Numeric,
+                Method::Dop853,
+                1e-6,
+                Some(0.0),
+            ),
         ];
         let caption = caption(&list, 10.0);
         assert!(caption.contains("at t = 10 s") && caption.contains("an error of 1e-6 takes"), "{caption}");
@@ -229,10 +256,10 @@ mod tests {
     #[test]
     fn a_scenes_own_equations_are_named_where_they_win() {
         let mut list = vec![
-            run("kane", Solve::Eliminated, Method::Dop853, 1e-3, Some(1e-10)),
-            run("kane", Solve::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
-            run("kane", Solve::Eliminated, Method::Ode45, 8e-3, Some(1e-10)),
-            run("reduced", Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-10)),
+            run(KANE, Solve::Eliminated, Method::Dop853, 1e-3, Some(1e-10)),
+            run(KANE, Solve::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
+            run(KANE, Solve::Eliminated, Method::Ode45, 8e-3, Some(1e-10)),
+            run(By::Reduced, Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-10)),
         ];
         let said = lead(&list);
         assert!(said.starts_with("Use the scene's own reduced equations by dop853: on this scene"), "{said}");
@@ -257,7 +284,7 @@ mod tests {
 
     #[test]
     fn where_nothing_arrives_it_is_said() {
-        let list = [run("kane", Solve::Eliminated, Method::Dop853, 1e-3, None)];
+        let list = [run(KANE, Solve::Eliminated, Method::Dop853, 1e-3, None)];
         assert!(lead(&list).starts_with("Nothing that was measured") && caption(&list, 1.0).ends_with("front."));
     }
 }

@@ -2,7 +2,7 @@
 
 mod latex;
 
-use crate::Format;
+use crate::arguments::Format;
 use crate::failure::{Failure, print, say};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Value, json};
@@ -28,7 +28,7 @@ pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Fail
         Format::Latex => as_latex(&model, &mut derivations)?,
         Format::Mathml => as_mathml(&derivations),
         Format::Json => {
-            let list: Vec<Value> = derivations.iter_mut().map(as_json).collect();
+            let list: Vec<Value> = derivations.iter_mut().map(|d| as_json(&model, d)).collect();
             let value = json!({ "model": short_name(&model), "title": model.title, "count": model.count(), "formulations": list });
             format!("{value:#}\n")
         }
@@ -67,12 +67,12 @@ fn as_text(model: &Mechanism, derivations: &mut [DerivationInSteps]) -> String {
         let DerivationInSteps { arena, equations: e, steps } = &*derivation;
         let _ = writeln!(out, "\n{}\n{}", e.formulation.title(), "=".repeat(e.formulation.title().chars().count()));
         for step in steps {
-            let _ = writeln!(out, "\n{}", step.title);
+            let _ = writeln!(out, "\n{}", step.stage.title(model));
             for (name, value) in &step.lines {
-                let _ = writeln!(out, "  {name} = {}", text(arena, *value));
+                let _ = writeln!(out, "  {} = {}", name.text(model), text(arena, *value));
             }
         }
-        let _ = writeln!(out, "\nEquations of motion, one row for each of {}", e.rows.join(", "));
+        let _ = writeln!(out, "\nEquations of motion, one row for each of {}", e.row_names(model).join(", "));
         for (row, right) in e.matrix.iter().zip(&e.forcing) {
             let _ = writeln!(out, "  {} = {}", row_text(arena, row, &e.unknowns), text(arena, *right));
         }
@@ -147,7 +147,7 @@ fn as_mathml(derivations: &[DerivationInSteps]) -> String {
     out
 }
 
-fn as_json(derivation: &mut DerivationInSteps) -> Value {
+fn as_json(model: &Mechanism, derivation: &mut DerivationInSteps) -> Value {
     let solved = solved(derivation).unwrap_or_default();
     let DerivationInSteps { arena, equations: e, steps } = &*derivation;
     let line = |step: &Definition| json!({ "name": arena.symbol_name(step.symbol).unwrap_or_default(), "value": whole_text(arena, step.value) });
@@ -158,15 +158,15 @@ fn as_json(derivation: &mut DerivationInSteps) -> Value {
             let lines: Vec<Value> = step
                 .lines
                 .iter()
-                .map(|(name, value)| json!({ "name": name, "value": whole_text(arena, *value) }))
+                .map(|(name, value)| json!({ "name": name.text(model), "value": whole_text(arena, *value) }))
                 .collect();
-            json!({ "title": step.title, "lines": lines })
+            json!({ "title": step.stage.title(model), "lines": lines })
         })
         .collect();
     json!({
         "formulation": e.formulation.name(),
         "unknowns": texts(&e.unknowns),
-        "rows": e.rows,
+        "rows": e.row_names(model),
         "mass_matrix": e.matrix.iter().map(|row| texts(row)).collect::<Vec<_>>(),
         "forcing": texts(&e.forcing),
         "coordinate_rates": texts(&e.coordinate_rates),

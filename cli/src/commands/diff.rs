@@ -4,6 +4,7 @@ mod models;
 
 use crate::commands::prove::{witness, word};
 use crate::failure::{Failure, print, print_json, status};
+use crate::words::{entries, shortened};
 use crate::workspace::{model_file, read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -169,20 +170,6 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
         count("stated")
     );
     out
-}
-
-/// How many entries, in words.
-pub fn entries(count: usize) -> String {
-    if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
-}
-
-/// Formulas that nobody reads to their end are cut; --json has them whole.
-fn shortened(formula: &str) -> String {
-    const MOST: usize = 400;
-    match formula.char_indices().nth(MOST) {
-        Some((at, _)) => format!("{} … ({} characters, see --json)", &formula[..at], formula.chars().count()),
-        None => formula.to_owned(),
-    }
 }
 
 /// One finding in a line, those that are not right with their reasons.

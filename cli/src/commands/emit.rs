@@ -17,7 +17,7 @@ pub fn emit(model: &Path, out: &Path, formulations: &[String]) -> Result<u8, Fai
     }
     let placed = place(&emission, out).map_err(|error| match error {
         PlaceError::Foreign(_) => {
-            Failure::Request(error.to_string(), "give another folder, or move the file away".to_owned())
+            Failure::request(error.to_string(), "give another folder, or move the file away".to_owned())
         }
         PlaceError::Write(error) => error.into(),
         PlaceError::Io(path, error) => Failure::Output(path_in_line(&path), error),
@@ -37,6 +37,6 @@ fn module(out: &Path) -> Result<String, Failure> {
         if out.file_name().is_some() { out.to_owned() } else { out.canonicalize().unwrap_or_else(|_| PathBuf::new()) };
     named.file_name().map(|name| name.to_string_lossy().into_owned()).ok_or_else(|| {
         let what = format!("`{}` has no name that a module could have", path_in_line(out));
-        Failure::Request(what, "give a folder whose name is a Rust module, as in `--out src/pendulum`".to_owned())
+        Failure::request(what, "give a folder whose name is a Rust module, as in `--out src/pendulum`".to_owned())
     })
 }

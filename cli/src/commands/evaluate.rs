@@ -5,11 +5,11 @@ use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos::Mechanism;
-use tripos::code::{By, Ready, by as equations, code_of, derivation, tape};
-use tripos::near::near_divisors;
+use tripos::code::{Ready, by as equations, code_of, derivation, tape};
+use tripos::{Error, Mechanism, near_divisors};
 use tripos_derive::algebra::Expr;
 use tripos_derive::diagnostic::Source;
+use tripos_derive::mechanics::By;
 use tripos_derive::mechanics::{Derivation, rates_to_speeds};
 use tripos_derive::model::Reaction;
 use tripos_derive::scene::{State, load_state};
@@ -40,7 +40,7 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
         };
         let value = json!({
             "model": short_name(&model),
-            "formulation": by.name,
+            "formulation": by.name(),
             "unknowns": values.unknowns,
             "mass_matrix": values.mass_matrix,
             "forcing": values.forcing,
@@ -51,7 +51,7 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
         });
         print_json(&value)?;
     } else {
-        print(&as_text(&model, &by.title, &values))?;
+        print(&as_text(&model, &by.title(), &values))?;
     }
     Ok(0)
 }
@@ -66,7 +66,7 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
     let (mut matrix, mut forcing) = (vec![0.0; n * n], vec![0.0; n]);
     system.mass_matrix(p, q, &v, &mut matrix);
     system.forcing(p, q, &v, &mut forcing);
-    let stopped = |why: String| Failure::Stopped(format!("no accelerations at this state: {why}"));
+    let stopped = |why: String| Failure::from(Error::Stopped(format!("no accelerations at this state: {why}")));
     let mut dynamics = Dynamics::new(system, p).map_err(|error| stopped(error.to_string()))?;
     let x = dynamics.unknowns(q, &v).map_err(|failure| stopped(failure.message))?.to_vec();
     let rcond = dynamics.reciprocal_condition(q, &v);

@@ -9,6 +9,7 @@ use crate::workspace::workspace_here;
 use changes::equation_changes;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use tripos::Error;
 use tripos_codegen::workspace::{Difference, Freshness, freshness, model_folders, write};
 use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
@@ -50,7 +51,7 @@ fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<Stri
     let (folder, committed) = (root.join("models"), root.join("generated/src"));
     let unreadable = |error| {
         let what = format!("cannot read {}: {error}", path_in_line(&folder));
-        Failure::Request(what, "run this in a checkout that has models/ and generated/".to_owned())
+        Failure::request(what, "run this in a checkout that has models/ and generated/".to_owned())
     };
     let all = model_folders(&folder).map_err(unreadable)?;
     let mut asked = Vec::new();
@@ -59,7 +60,7 @@ fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<Stri
         let name = model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         if !all.contains(&name) {
             let what = format!("there is no model `{}` in {}", path_in_line(model), path_in_line(&folder));
-            return Err(Failure::Request(what, nearest(&name, all.iter().map(String::as_str))));
+            return Err(Failure::request(what, nearest(&name, all.iter().map(String::as_str))));
         }
         asked.push(name);
     }
@@ -73,7 +74,7 @@ fn complain(found: &Freshness) -> Result<(), Failure> {
     if found.generated.broken.is_empty() {
         return Ok(());
     }
-    Err(Failure::Inputs(found.generated.broken.iter().map(|(_, diagnostics)| diagnostics.clone()).collect()))
+    Err(Error::Inputs(found.generated.broken.iter().map(|(_, diagnostics)| diagnostics.clone()).collect()).into())
 }
 
 fn summary(found: &Freshness, committed: &Path, asked: usize) -> String {

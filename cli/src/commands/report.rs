@@ -20,14 +20,13 @@ use own::{Own, shown};
 use rows::{UNWATCHED, facts, own_row, row, title};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use tripos::Mechanism;
 use tripos::chart::compared::Compared;
-use tripos::code::{By, Code, Ready, code};
-use tripos::invariants::{Course, Watch};
-use tripos::run::{Run, run_code};
+use tripos::code::{Code, Ready, code};
 use tripos::study::{Printed, Study};
+use tripos::{Course, Error, Mechanism, Run, Watch, run_code};
 use tripos_codegen::scene_files::{is_same, scene_files};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
+use tripos_derive::mechanics::By;
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{FigureKind, QUADRATURE, Scene, Solve, load, model_path};
@@ -86,7 +85,7 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
         return Err(Failure::Interrupted(format!("the page is partial: {unfinished}")));
     }
     if !broken.is_empty() {
-        return Err(Failure::Inputs(broken));
+        return Err(Error::Inputs(broken).into());
     }
     Ok(if done.stopped { status::STOPPED } else { 0 })
 }
@@ -97,7 +96,7 @@ fn usual_model() -> Result<PathBuf, Failure> {
     let root = workspace_around(&here).ok_or_else(|| {
         let what = format!("no model is given, and `{}` is in no workspace that has one", path_in_line(&here));
         let help = "give a model file, or a folder that holds `model.toml`, as in `tripos report FOLDER`".to_owned();
-        Failure::Request(what, help)
+        Failure::request(what, help)
     })?;
     let model = root.join("models/disk");
     Ok(model.strip_prefix(&here).map_or_else(|_| model.clone(), Path::to_owned))
@@ -121,7 +120,7 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
         }
     }
     if scenes.is_empty() && !broken.is_empty() {
-        return Err(Failure::Inputs(broken));
+        return Err(Error::Inputs(broken).into());
     }
     Ok((scenes, broken))
 }
@@ -197,7 +196,7 @@ impl<'a> Work<'a> {
             let (mut doubts, mut stopped) = (Vec::new(), false);
             let own = runs.own.iter().map(|own| &own.run);
             for run in runs.derived.iter().map(|(run, _)| run).chain(own) {
-                let place = format!("{} by {}", path_in_line(&scene.source.path), run.by.name);
+                let place = format!("{} by {}", path_in_line(&scene.source.path), run.by.name());
                 stopped |= run.failure().is_some();
                 doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
             }
@@ -217,7 +216,7 @@ impl<'a> Work<'a> {
 
     /// Runs everything. Printed equations may fail as they like: that is shown, and nothing else comes of it.
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
-        let message = |by: &By| format!("running {} by {}", path_in_line(&scene.source.path), by.name);
+        let message = |by: &By| format!("running {} by {}", path_in_line(&scene.source.path), by.name());
         let own = Own::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
         let mut runs = Runs { derived: Vec::new(), own, printed: Vec::new(), not_run: Vec::new() };
         // Quadrature and projection are of a scene's own equations alone.
@@ -234,7 +233,7 @@ impl<'a> Work<'a> {
             };
             let code = own.as_ref().unwrap_or(code);
             let run = run_code(self.model, &stepped, by, code, Some(&self.watch))?;
-            let course = self.watch.along(scene, code, &run)?;
+            let course = run.course(&self.watch, scene, code)?;
             runs.derived.push((run, course));
             bar.inc(1);
         }
@@ -247,7 +246,7 @@ impl<'a> Work<'a> {
             let why = match code {
                 Ok(code) => match run_code(self.model, &limited, by, code, None) {
                     Ok(run) => {
-                        let course = self.watch.along(scene, code, &run)?;
+                        let course = run.course(&self.watch, scene, code)?;
                         runs.printed.push((run, course));
                         continue;
                     }
@@ -255,7 +254,7 @@ impl<'a> Work<'a> {
                 },
                 Err(failure) => failure.first_line(),
             };
-            runs.not_run.push((by.name.clone(), why));
+            runs.not_run.push((by.name(), why));
         }
         Ok(runs)
     }
@@ -267,7 +266,7 @@ impl<'a> Work<'a> {
         let derived = curves.len();
         let (mut alike, mut left_out) = (Vec::new(), Vec::new());
         for (run, course) in &runs.printed {
-            let id = run.by.name.trim_start_matches("printed:");
+            let Some(id) = run.by.printed_id() else { continue };
             let first = published.first_alike(id);
             let style = curves.len() - derived + figures::PRINTED;
             if first != id {

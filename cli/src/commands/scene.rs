@@ -6,8 +6,7 @@ use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos::Mechanism;
-use tripos::reduced::Reduced;
+use tripos::{Mechanism, Reduced};
 use tripos_codegen::plan::{Cost, Costs, costs};
 use tripos_derive::algebra::print::text;
 use tripos_derive::reduce::Quantity;
@@ -36,10 +35,13 @@ fn as_json(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
     let names = |list: &[Quantity]| list.iter().map(|q| q.name.clone()).collect::<Vec<_>>();
     let count = |of: fn(&Cost) -> usize| json!({ "full": of(&costs.full), "scene": of(&costs.scene) });
     let constants = reduced.constants().map(|(q, value)| {
-        json!({ "name": q.name, "value": value, "unit": q.unit.to_string(), "about": q.about, "is": text(arena, q.of_start) })
+        json!({ "name": q.name, "value": value, "unit": q.unit.to_string(), "about": q.about.text(arena), "is": text(arena, q.of_start) })
     });
     let outputs = reduction.outputs.iter().map(|o| json!({ "name": o.name, "value": text(arena, o.value) }));
-    let omitted = reduction.omitted.iter().map(|o| json!({ "what": o.what, "why": o.why, "proof": o.proof }));
+    let omitted = reduction
+        .omitted
+        .iter()
+        .map(|o| json!({ "what": o.what.text(arena), "why": o.why.text(arena), "proof": o.proof }));
     json!({
         "model": short_name(model),
         "title": scene.title,
@@ -85,11 +87,11 @@ fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
     let _ = writeln!(out, "\nkept, of {whole} states");
     for (kind, list) in [("state", &reduction.states), ("quadrature", &reduction.quadratures)] {
         for q in list {
-            let _ = writeln!(out, "  {kind:<11}{}: {}", q.name, q.about);
+            let _ = writeln!(out, "  {kind:<11}{}: {}", q.name, q.about.text(arena));
         }
     }
     for (q, value) in reduced.constants() {
-        let _ = writeln!(out, "  {:<11}{} = {value:?}: {}", "constant", q.name, q.about);
+        let _ = writeln!(out, "  {:<11}{} = {value:?}: {}", "constant", q.name, q.about.text(arena));
     }
     let _ = writeln!(out, "\nequations");
     for line in equations(reduced) {
@@ -112,7 +114,7 @@ fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
     }
     let _ = writeln!(out, "\nleft out");
     for o in &reduction.omitted {
-        let _ = writeln!(out, "  {}: {}\n    proof: {}", o.what, o.why, o.proof);
+        let _ = writeln!(out, "  {}: {}\n    proof: {}", o.what.text(arena), o.why.text(arena), o.proof);
     }
     out
 }

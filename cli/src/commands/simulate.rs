@@ -1,6 +1,6 @@
 //! `tripos simulate`: one run of a scene.
 
-use crate::Simulate;
+use crate::arguments::Simulate;
 use crate::failure::{Failure, print, print_json, say, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, table};
@@ -8,9 +8,8 @@ use crate::workspace::{edited, read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos::Mechanism;
-use tripos::invariants::Drift;
-use tripos::run::{Run, method_words, simulate as simulate_scene};
+use tripos::code::Form;
+use tripos::{Drift, Mechanism, Run, method_words, simulate as simulate_scene};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load, model_path};
@@ -71,10 +70,10 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         .collect();
     json!({
         "model": short_name(model),
-        "formulation": run.by.name,
+        "formulation": run.by.name(),
         "method": scene.integration.method,
         "solve": run.solve.name(),
-        "compiled": run.code == "compiled",
+        "compiled": run.code == Form::Compiled,
         "t": solution.t_end,
         "state": state,
         "steps": solution.steps,
@@ -114,8 +113,8 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     let mut out = format!(
         "{}, {}, {} code, accelerations {}, {}\n",
         model.title,
-        run.by.title,
-        run.code,
+        run.by.title(),
+        run.code.name(),
         run.solve.name(),
         method_words(scene)
     );
@@ -170,7 +169,7 @@ fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> 
     let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
     if path.is_file() && !is_table && !overwrite && !path.starts_with("/dev") {
         let what = format!("`{}` is there already, and its name does not end in `.csv`", path_in_line(path));
-        return Err(Failure::Request(what, "give another --csv, or --overwrite to replace it".to_owned()));
+        return Err(Failure::request(what, "give another --csv, or --overwrite to replace it".to_owned()));
     }
     Ok(())
 }

@@ -34,11 +34,9 @@ pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
         let _ = writeln!(text, "{}", out.join(name).display());
     }
     print(&text)?;
-    if let Some(name) = findings.unfinished {
-        return Err(Failure::Interrupted(format!(
-            "{} is partial: the study of {name} was not finished",
-            out.display()
-        )));
+    if let Some(topic) = findings.unfinished {
+        let what = format!("{} is partial: the study of {} was not finished", out.display(), topic.name());
+        return Err(Failure::Interrupted(what));
     }
     Ok(0)
 }

@@ -1,7 +1,7 @@
 //! `tripos sweep`: runs of a scene from many starts or with many parameters.
 
 use super::simulate::read_scene;
-use crate::Sweep as Request;
+use crate::arguments::Sweep as Request;
 use crate::failure::{Failure, print_json, say, status, warn};
 use crate::follow;
 use crate::output::{Rows, keep_inputs};
@@ -12,8 +12,9 @@ use serde_json::json;
 use std::num::NonZero;
 use std::ops::Range;
 use std::time::{Duration, Instant};
+use tripos::Error;
 use tripos::code::by_or_first;
-use tripos::run::method_words;
+use tripos::method_words;
 use tripos::sweep::{Row, Shard, Sweep, in_order};
 use tripos_codegen::files::Existing;
 use tripos_derive::scene::Grid;
@@ -25,7 +26,7 @@ const MOST_THREADS: usize = 4096;
 pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let (mut model, mut scene) = read_scene(&request.scene)?;
     keep_inputs(&model, Some(&scene), [request.out.as_path()])?;
-    let grid = Grid::read(&request.over, &scene, &mut model).map_err(Failure::Inputs)?;
+    let grid = Grid::read(&request.over, "--over", &scene, &mut model).map_err(Error::Inputs)?;
     grid.hints(&model).iter().for_each(|hint| warn(hint));
     let shard = Shard::read(&request.shard)?;
     let threads = threads(request.threads)?;
@@ -38,7 +39,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     }
     if let Some(name) = Columns::new(&sweep).twice() {
         let what = format!("two columns of the table would be called `{name}`");
-        return Err(Failure::Request(what, "give the scene's output another name".to_owned()));
+        return Err(Failure::request(what, "give the scene's output another name".to_owned()));
     }
     let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
     let mut table = Rows::create(&request.out, existing)?;
@@ -52,7 +53,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     if request.json {
         let summary = json!({
             "model": short_name(&model),
-            "formulation": by.name,
+            "formulation": by.name(),
             "method": scene.integration.method,
             "solve": sweep.solve.name(),
             "compiled": sweep.code.is_compiled(),
@@ -70,7 +71,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
         say(&format!(
             "{}, {}, {} code, accelerations {}, {}",
             model.title,
-            by.title,
+            by.title(),
             sweep.code.name(),
             sweep.solve.name(),
             method_words(&scene)
@@ -135,7 +136,7 @@ fn threads(asked: Option<usize>) -> Result<usize, Failure> {
         Some(n) if (1..=MOST_THREADS).contains(&n) => Ok(n),
         Some(n) => {
             let help = format!("give a number from 1 to {MOST_THREADS}, or leave it out");
-            Err(Failure::Request(format!("--threads is {n}"), help))
+            Err(Failure::request(format!("--threads is {n}"), help))
         }
     }
 }

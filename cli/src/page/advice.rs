@@ -1,9 +1,8 @@
 //! Which equations, solve and method to use for a scene: what was measured, in one paragraph and a table.
 
-use super::Advice;
-use super::html::{escape, number, table};
-use super::scene::rounded;
-use crate::chart::files::seconds;
+use super::content::Advice;
+use super::html::{escape, number, rounded, table};
+use crate::chart::words::seconds;
 
 const HEAD: [&str; 7] = ["Error below", "Equations", "Accelerations", "Method", "Tolerance", "Time of a run", "Error"];
 

@@ -1,11 +1,11 @@
 //! One formulation: the derivation step by step, then the equations.
 
 use super::html::{escape, folded, scroll};
-use super::math::{formula, inline, length, lines, matrix, row_name, step_name, step_title};
+use super::math::{formula, inline, length, line_name, lines, matrix, row_name, stage_title};
 use std::fmt::Write;
-use tripos_derive::algebra::print::latex;
+use tripos_derive::algebra::print::{latex, mathml_terms, view_of};
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{DerivationInSteps, Equations, Step};
+use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, Method, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
 
 /// A step of more lines than this is folded.
@@ -39,37 +39,20 @@ pub fn section(
 }
 
 /// The principle, in a sentence.
-fn principle(formulation: Formulation) -> &'static str {
-    match formulation {
-        Formulation::Kane => {
-            "For each generalized speed the generalized active force and the generalized inertia force add to zero: \
-             <math><mrow><msub><mi>F</mi><mi>r</mi></msub><mo>+</mo><msubsup><mi>F</mi><mi>r</mi><mo>⋆</mo></msubsup>\
-             <mo>=</mo><mn>0</mn></mrow></math>."
-        }
-        Formulation::Lagrange => {
-            "For each generalized coordinate <math><mrow><mfrac><mi mathvariant=\"normal\">d</mi><mrow>\
-             <mi mathvariant=\"normal\">d</mi><mi>t</mi></mrow></mfrac><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi>\
-             </mrow><mrow><mo form=\"prefix\">∂</mo><msub><mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi>\
-             </msub></mrow></mfrac><mo>−</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi></mrow><mrow>\
-             <mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi></msub></mrow></mfrac><mo>+</mo><mfrac><mrow>\
-             <mo form=\"prefix\">∂</mo><mi>V</mi></mrow><mrow><mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi>\
-             </msub></mrow></mfrac><mo>=</mo><msub><mi>Q</mi><mi>i</mi></msub></mrow></math>."
-        }
-        Formulation::NewtonEuler => {
-            "For each body the forces give its mass times the acceleration of its mass centre, and the moments about \
-             the mass centre give the rate of its angular momentum; the reactions are unknowns beside the accelerations."
-        }
-    }
+fn principle(formulation: Formulation) -> String {
+    let Method { principle, law, .. } = formulation.method();
+    if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline(law)) }
 }
 
 fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>) -> String {
     if step.lines.is_empty() {
         return String::new();
     }
-    let mut title = step_title(model, &step.title);
-    let pairs: Vec<_> = step.lines.iter().map(|(name, e)| (step_name(model, name), formula(arena, *e))).collect();
-    let mut content = scroll(&step.title, &lines(&pairs));
-    if step.lines.iter().any(|(name, _)| name.starts_with("d ")) {
+    let mut title = stage_title(model, step.stage);
+    let pairs: Vec<_> = step.lines.iter().map(|(name, e)| (line_name(model, name), formula(arena, *e))).collect();
+    let mut content = scroll(&step.stage.title(model), &lines(&pairs));
+    let is_partial = |name: &LineName| matches!(name, LineName::Quantity(QuantityKind::Partial { .. }));
+    if step.lines.iter().any(|(name, _)| is_partial(name)) {
         content += "<p class=\"quiet\">Partial derivatives that are not listed are zero.</p>\n";
     }
     let size: usize = step.lines.iter().map(|(_, e)| length(arena, *e).unwrap_or(LONG)).sum();
@@ -192,12 +175,11 @@ fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
 /// Terms in their order, with signs between them.
 fn joined(arena: &Arena, terms: &[Expr]) -> String {
     let mut out = String::new();
-    for (at, term) in terms.iter().enumerate() {
-        let term = formula(arena, *term);
-        match term.strip_prefix("<mrow><mo>−</mo>") {
-            _ if at == 0 => out += &term,
-            Some(rest) => out.extend(["<mo>−</mo><mrow>", rest]),
-            None => out.extend(["<mo>+</mo>", &term]),
+    for term in terms.iter().flat_map(|term| mathml_terms(&view_of(arena, *term))) {
+        match term {
+            (true, body) => out.extend(["<mo>−</mo><mrow>", &body, "</mrow>"]),
+            (false, body) if out.is_empty() => out.extend(["<mrow>", &body, "</mrow>"]),
+            (false, body) => out.extend(["<mo>+</mo><mrow>", &body, "</mrow>"]),
         }
     }
     if out.is_empty() { "<mn>0</mn>".to_owned() } else { out }

@@ -1,14 +1,15 @@
 //! A published derivation against the derived one: what is wrong, entry by entry, and what that does to the motion.
 
-use super::html::{each, escape, folded, table};
-use super::math::{formula, inline, length, widest, wrapped};
+use super::content::Page;
+use super::html::{breakable, each, escape, folded, table};
+use super::math::{Side, inline, value, widest, wrapped};
+use super::motion;
 use super::proof::witness;
 use super::typeset::typeset;
-use super::{Page, motion};
-use crate::commands::diff::entries;
+use crate::words::entries;
 use std::fmt::Write;
 use tripos::study::Published;
-use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::algebra::Arena;
 use tripos_derive::diff::{Finding, Judgement};
 
 /// Verdicts in the order of the counts, with the words of a heading.
@@ -19,9 +20,6 @@ const VERDICTS: [(&str, &str); 5] = [
     ("undecided", "Undecided"),
     ("stated", "Stated only"),
 ];
-
-/// Formulas of more characters of plain text are cut.
-const LONGEST: usize = 420;
 
 /// Visible characters of a printed term that fit beside its label.
 const WIDEST: usize = 80;
@@ -120,31 +118,14 @@ fn entry(arena: &Arena, finding: &Finding) -> String {
     format!("<tbody>\n{rows}</tbody>\n")
 }
 
-/// An id that may break behind its hyphens.
-pub fn breakable(id: &str) -> String {
-    escape(id).replace('-', "-<wbr>")
-}
-
 /// What is printed: typeset where it is a formula that fits.
 fn printed(text: &str) -> String {
     match typeset(text) {
-        Some(sides) if sides.iter().all(|side| widest(side) <= WIDEST) => wrapped(&sides),
+        Some(sides) if sides.iter().all(|side| widest(side) <= WIDEST) => {
+            wrapped(&sides.into_iter().map(Side::Marks).collect::<Vec<_>>())
+        }
         _ => format!("<code>{}</code>", escape(text)),
     }
-}
-
-/// A formula; of a long one the beginning, as text.
-pub fn value(arena: &Arena, e: Expr) -> String {
-    if length(arena, e).is_some_and(|length| length <= LONGEST) {
-        return wrapped(&[formula(arena, e)]);
-    }
-    let text = tripos_derive::algebra::print::text(arena, e);
-    let start: String = text.chars().take(120).collect();
-    format!(
-        "<code>{} …</code> <span class=\"quiet\">({} characters; <code>tripos diff --json</code> has it whole)</span>",
-        escape(&start),
-        text.chars().count()
-    )
 }
 
 /// Entries that are right but for a factor: of the row of a linear system.

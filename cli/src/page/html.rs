@@ -52,3 +52,15 @@ pub fn number(text: &str) -> String {
         None => text,
     }
 }
+
+/// An id that may break behind its hyphens.
+pub fn breakable(id: &str) -> String {
+    escape(id).replace('-', "-<wbr>")
+}
+
+/// Some significant digits, without trailing zeros.
+pub fn rounded(x: f64, digits: usize) -> String {
+    let digits = digits.saturating_sub(1);
+    let short = format!("{x:.digits$e}").parse::<f64>().unwrap_or(x);
+    if short != 0.0 && !(1e-4..1e6).contains(&short.abs()) { format!("{short:e}") } else { short.to_string() }
+}

@@ -1,10 +1,11 @@
 //! Names and formulas as MathML.
 
 use super::html::{each, escape};
-use crate::step_name::{Axis, StepName, VectorName};
 use tripos_derive::Model;
 use tripos_derive::algebra::print::{self, mathml_name};
+use tripos_derive::algebra::view::View;
 use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::{BalanceName, LineName, QuantityKind, RowName, Stage, VectorName};
 
 /// Characters of plain text after which a formula is not printed: nobody reads on, and pages must load.
 const LONGEST: usize = 12_000;
@@ -19,90 +20,108 @@ pub fn length(arena: &Arena, e: Expr) -> Option<usize> {
 /// A formula, or a remark that it is too long.
 pub fn formula(arena: &Arena, e: Expr) -> String {
     match length(arena, e) {
-        Some(_) => spaced(&print::mathml(arena, e)),
-        None => "<mtext>an expression too long to print here</mtext>".to_owned(),
+        Some(_) => print::mathml(arena, e),
+        None => TOO_LONG.to_owned(),
     }
 }
 
-/// A function and an argument without parentheses, with the space that browsers leave out between them.
-pub fn spaced(mathml: &str) -> String {
-    let wide = mathml.replace("<mo>&#8289;</mo>", "<mo>&#8289;</mo><mspace width=\"0.17em\"/>");
-    wide.replace("<mspace width=\"0.17em\"/><mrow><mo>(</mo>", "<mrow><mo>(</mo>")
+const TOO_LONG: &str = "<mtext>an expression too long to print here</mtext>";
+
+/// One side of an equation that is laid out in lines.
+pub enum Side {
+    /// What stays in one piece, as MathML.
+    Whole(String),
+    /// Marks whose outermost sum may be broken.
+    Marks(View),
+}
+
+impl Side {
+    /// A formula, or a remark that it is too long.
+    pub fn of(arena: &Arena, e: Expr) -> Self {
+        match length(arena, e) {
+            Some(_) => Self::Marks(print::view_of(arena, e)),
+            None => Self::Whole(TOO_LONG.to_owned()),
+        }
+    }
+
+    /// The pieces between which a line may end, each with its sign.
+    fn pieces(&self) -> Vec<String> {
+        match self {
+            Self::Whole(content) => vec![content.clone()],
+            Self::Marks(view) => print::mathml_terms(view).into_iter().enumerate().map(signed).collect(),
+        }
+    }
+}
+
+/// A term with the sign that it has at its place of a sum.
+fn signed((at, (negative, term)): (usize, (bool, String))) -> String {
+    let sign = if negative { '−' } else { '+' };
+    match (at, negative) {
+        (0, false) => term,
+        (0, true) => format!("<mo form=\"prefix\">{sign}</mo>{term}"),
+        _ => format!("<mo form=\"infix\" lspace=\"0\">{sign}</mo>{term}"),
+    }
 }
 
 /// Sides of an equation, or one formula, in pieces that may stand on several lines: it breaks behind `=` and before the
 /// signs of its outermost sums.
-pub fn wrapped(sides: &[String]) -> String {
+pub fn wrapped(sides: &[Side]) -> String {
     let last = sides.len().saturating_sub(1);
     let mut pieces = Vec::new();
     for (at, side) in sides.iter().enumerate() {
-        let first = pieces.len();
-        terms(bare(side), &mut pieces);
-        if at < last && pieces.len() > first {
-            pieces.last_mut().expect("just pushed").push_str("<mo form=\"infix\">=</mo>");
+        pieces.extend(side.pieces());
+        if let (true, Some(end)) = (at < last, pieces.last_mut()) {
+            end.push_str("<mo form=\"infix\">=</mo>");
         }
     }
     pieces.iter().map(|piece| inline(&format!("<mrow>{piece}</mrow>"))).collect::<Vec<_>>().join(" ")
 }
 
-/// The terms of a row of MathML, each with its sign.
-fn terms(row: &str, pieces: &mut Vec<String>) {
-    let (mut piece, mut depth) = (String::new(), 0_i32);
-    let mut tokens = row.split_inclusive('>').peekable();
-    while let Some(token) = tokens.next() {
-        let is_sign = tokens.peek().is_some_and(|next| ["+</mo>", "−</mo>"].contains(next));
-        if depth == 0 && token == "<mo>" && is_sign {
-            let form = if piece.is_empty() { "prefix" } else { "infix\" lspace=\"0" };
-            if !piece.is_empty() {
-                pieces.push(std::mem::take(&mut piece));
-            }
-            piece = format!("<mo form=\"{form}\">{}", tokens.next().unwrap_or_default());
-            continue;
+/// Visible characters of the longest term of some marks: what cannot stand on several lines.
+pub fn widest(view: &View) -> usize {
+    match view {
+        View::Sum(terms) => terms.iter().map(|(_, term)| 1 + factor_width(term)).max().unwrap_or(0),
+        view => width(view),
+    }
+}
+
+/// Visible characters of some marks beside each other.
+fn width(view: &View) -> usize {
+    match view {
+        View::Number(text) | View::Name(text) | View::Shared(text) => text.chars().count(),
+        View::Pi | View::Cut => 1,
+        View::Sum(terms) => {
+            let sign = |at: usize, negative: bool| usize::from(at > 0 || negative);
+            terms.iter().enumerate().map(|(at, (negative, term))| sign(at, *negative) + factor_width(term)).sum()
         }
-        depth += nesting(token);
-        piece += token;
-    }
-    pieces.push(piece);
-}
-
-/// Visible characters of the longest term of a row of MathML: what cannot stand on several lines.
-pub fn widest(side: &str) -> usize {
-    let mut pieces = Vec::new();
-    terms(bare(side), &mut pieces);
-    let visible = |piece: &String| {
-        piece
-            .split('<')
-            .filter_map(|part| Some(part.split_once('>')?.1))
-            .map(|text| text.chars().count())
-            .sum::<usize>()
-    };
-    pieces.iter().map(visible).max().unwrap_or(0)
-}
-
-/// How much deeper it is behind the tag at the end of a token.
-fn nesting(token: &str) -> i32 {
-    match token.find('<').map(|at| &token[at..]) {
-        Some(tag) if tag.starts_with("</") => -1,
-        Some(tag) if !tag.ends_with("/>") => 1,
-        _ => 0,
+        View::Product(factors) => factors.iter().map(factor_width).sum(),
+        View::Fraction(above, below) => width(above).max(width(below)),
+        View::Power(base, n) => factor_width(base) + n.to_string().len(),
+        View::Call(name, argument) => name.len() + factor_width(argument),
+        View::Root(argument) => 1 + width(argument),
     }
 }
 
-/// A formula without the rows around the whole.
-fn bare(mathml: &str) -> &str {
-    let mut inner = mathml;
-    while let Some(content) = inner.strip_prefix("<mrow>").and_then(|rest| rest.strip_suffix("</mrow>")) {
-        let depths = content.split_inclusive('>').scan(0, |depth, token| {
-            *depth += nesting(token);
-            Some(*depth)
-        });
-        // Two rows beside each other are not a row around both.
-        if depths.min().is_some_and(|least| least < 0) {
-            break;
-        }
-        inner = content;
+/// Visible characters of marks as a factor: a sum stands in parentheses.
+fn factor_width(view: &View) -> usize {
+    width(view) + if matches!(view, View::Sum(_)) { 2 } else { 0 }
+}
+
+/// Formulas of more characters of plain text are cut.
+const LONGEST_VALUE: usize = 420;
+
+/// A formula; of a long one the beginning, as text.
+pub fn value(arena: &Arena, e: Expr) -> String {
+    if length(arena, e).is_some_and(|length| length <= LONGEST_VALUE) {
+        return wrapped(&[Side::of(arena, e)]);
     }
-    inner
+    let text = print::text(arena, e);
+    let start: String = text.chars().take(120).collect();
+    format!(
+        "<code>{} …</code> <span class=\"quiet\">({} characters; <code>tripos diff --json</code> has it whole)</span>",
+        escape(&start),
+        text.chars().count()
+    )
 }
 
 /// A number with up to six significant digits.
@@ -139,66 +158,71 @@ fn vector(letter: &str) -> String {
     format!("<mi mathvariant=\"normal\" class=\"vector\">{}</mi>", escape(letter))
 }
 
-/// Basis vector b₂ of frame B.
-pub fn basis(frame: &str, index: &str) -> String {
-    format!("<msub>{}<mn>{}</mn></msub>", vector(&frame.to_lowercase()), escape(index))
+/// Basis vector b₂ of frame B, for the axis 1 that is counted from 0.
+pub fn basis(frame: &str, axis: usize) -> String {
+    format!("<msub>{}<mn>{}</mn></msub>", vector(&frame.to_lowercase()), axis + 1)
 }
 
-/// The velocity, angular velocity or acceleration of a frame or point in the inertial frame.
-fn motion(model: &Model, VectorName { kind, of }: VectorName<'_>) -> Option<String> {
-    let letter = match kind {
-        "omega" => "ω",
-        "alpha" => "α",
-        letter => letter,
+/// A vector of a point, frame or body in the inertial frame, such as ᴺωᶜ.
+fn motion(model: &Model, name: VectorName, of: usize) -> String {
+    let letter = match name {
+        VectorName::AngularVelocity => "ω",
+        VectorName::AngularAcceleration => "α",
+        other => other.name(),
     };
-    let inertial = symbol(&model.frames.first()?.name);
-    let (base, of) = (vector(letter), symbol(of));
-    Some(format!("<mmultiscripts>{base}<mrow></mrow>{of}<mprescripts/><mrow></mrow>{inertial}</mmultiscripts>"))
+    let (base, of) = (vector(letter), symbol(name.owner_name(model, of)));
+    let inertial = symbol(&model.frames[0].name);
+    format!("<mmultiscripts>{base}<mrow></mrow>{of}<mprescripts/><mrow></mrow>{inertial}</mmultiscripts>")
 }
 
-/// The name of a line of a derivation, such as `omega(C) @ B [1]`, `d v(P) @ B [3]/d u2`, `F[u1]`, `q1'`.
-pub fn step_name(model: &Model, name: &str) -> String {
-    let along = |axis: Axis<'_>| format!("<mo>·</mo>{}", basis(axis.frame, axis.index));
-    let typeset = match StepName::read(name) {
-        StepName::Component(of, axis) => motion(model, of).map(|of| format!("<mrow>{of}{}</mrow>", along(axis))),
-        StepName::Partial(of, axis, speed) => motion(model, of).map(|of| {
-            let (speed, d) = (symbol(speed), "<mo form=\"prefix\">∂</mo>");
-            let fraction = format!("<mfrac><mrow>{d}{of}</mrow><mrow>{d}{speed}</mrow></mfrac>");
-            format!("<mrow>{fraction}{}</mrow>", along(axis))
-        }),
-        StepName::Of(letter, of) => {
-            Some(format!("<msub><mi>{}</mi><mrow>{}</mrow></msub>", escape(letter), symbol(of)))
-        }
-        StepName::Symbol(_) => None,
-    };
-    typeset.unwrap_or_else(|| symbol(name))
-}
-
-/// The title of a step, with a quantity at its end typeset, as HTML.
-pub fn step_title(model: &Model, title: &str) -> String {
-    let typeset = || {
-        let (words, quantity) = title.split_once(": ")?;
-        let (of, frame) = quantity.split_once(" @ ")?;
-        let (of, frame) = (inline(&motion(model, VectorName::read(of)?)?), inline(&symbol(frame)));
-        Some(format!("{}: {of}, components in {frame}", escape(words)))
-    };
-    typeset().unwrap_or_else(|| escape(title))
-}
-
-/// What a row balances: a speed, a coordinate, or words such as `disk force b1`.
-pub fn row_name(model: &Model, row: &str) -> String {
-    if let Some((words, last)) = row.rsplit_once(' ') {
-        let frame = model.frames.iter().find_map(|f| last.strip_prefix(&f.name.to_lowercase()));
-        return match frame {
-            Some(index @ ("1" | "2" | "3")) => {
-                let of = &last[..last.len() - 1];
-                format!("{} along {}", escape(words), inline(&basis(of, index)))
-            }
-            _ => escape(row),
-        };
+/// What a line of a derivation is.
+pub fn line_name(model: &Model, name: &LineName) -> String {
+    match name {
+        LineName::Quantity(kind) => quantity(model, kind),
+        LineName::ActiveForce(at) => force("F", &model.speeds[*at].name),
+        LineName::GeneralizedForce(at) => force("Q", &model.coordinates[*at].name),
     }
-    let known = model.speeds.iter().any(|s| s.name == row) || model.coordinates.iter().any(|c| c.name == row);
-    if known { inline(&symbol(row)) } else { escape(row) }
+}
+
+fn quantity(model: &Model, kind: &QuantityKind) -> String {
+    let basis = |frame: usize, axis| basis(&model.frames[frame].name, axis);
+    match *kind {
+        QuantityKind::Component { vector, of, frame, axis } => {
+            format!("<mrow>{}<mo>·</mo>{}</mrow>", motion(model, vector, of), basis(frame, axis))
+        }
+        QuantityKind::Partial { vector, of, frame, axis, speed } => format!(
+            "<mrow><mfrac><mrow><mo form=\"prefix\">∂</mo>{}</mrow><mrow><mo form=\"prefix\">∂</mo>{}</mrow></mfrac>\
+             <mo>·</mo>{}</mrow>",
+            motion(model, vector, of),
+            symbol(&model.speeds[speed].name),
+            basis(frame, axis)
+        ),
+        _ => symbol(&kind.name(model)),
+    }
+}
+
+/// A generalized force of a speed or coordinate.
+fn force(letter: &str, of: &str) -> String {
+    format!("<msub><mi>{letter}</mi><mrow>{}</mrow></msub>", symbol(of))
+}
+
+/// The heading of a step, with a velocity typeset, as HTML.
+pub fn stage_title(model: &Model, stage: Stage) -> String {
+    let Stage::Velocities { vector, of, frame } = stage else { return escape(&stage.title(model)) };
+    let (of, frame) = (inline(&motion(model, vector, of)), inline(&symbol(&model.frames[frame].name)));
+    format!("Velocity and partial velocities: {of}, components in {frame}")
+}
+
+/// What a row is of: a speed, a coordinate, or words such as `disk force along b₁`.
+pub fn row_name(model: &Model, row: &RowName) -> String {
+    match row {
+        RowName::Speed(_) | RowName::Coordinate(_) => inline(&symbol(&row.text(model))),
+        RowName::Balance(BalanceName { frame, axis, .. }) => {
+            let along = inline(&basis(&model.frames[*frame].name, *axis));
+            format!("{} along {along}", escape(&row.subject(model)))
+        }
+        RowName::Along(_) | RowName::Printed(_) => escape(&row.text(model)),
+    }
 }
 
 /// Rows in square brackets. The brackets are drawn by the style sheet: without a mathematical font a

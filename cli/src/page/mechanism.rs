@@ -79,7 +79,7 @@ fn frames(model: &Model) -> String {
     let rows = model.frames.iter().filter_map(|f| {
         let (parent, axis, angle) = f.rotation?;
         let parent = &model.frames[parent].name;
-        let axis = basis(parent, &(axis + 1).to_string());
+        let axis = basis(parent, axis);
         Some(vec![
             inline(&symbol(&f.name)),
             inline(&symbol(parent)),

@@ -1,9 +1,8 @@
 //! What the printed systems make of the motion: accelerations, determinants, first integrals, agreement.
 
-use super::Page;
-use super::errata::{breakable, value};
-use super::html::{escape, folded, table};
-use super::math::inline;
+use super::content::Page;
+use super::html::{breakable, escape, folded, table};
+use super::math::{inline, value};
 use super::proof::{integral_name, integral_symbol, zeros};
 use std::fmt::Write;
 use tripos::study::Published;

@@ -1,15 +1,14 @@
 //! What a scene needs of its model: what its own equations keep, what they leave out, and why that is exact.
 
-use super::html::{escape, folded, number, scroll, table};
-use super::math::{formula, inline, lines, symbol, wrapped};
-use super::scene::rounded;
+use super::content::{Needs, Page};
+use super::html::{escape, folded, number, rounded, scroll, table};
+use super::math::{Side, formula, inline, lines, symbol, wrapped};
 use super::typeset::typeset;
-use super::{Needs, Page};
 use std::fmt::Write;
 use tripos_codegen::plan::Costs;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::print::{mathml_of, text};
 use tripos_derive::algebra::{Arena, Expr, Node};
-use tripos_derive::reduce::{Omission, Quantity};
+use tripos_derive::reduce::{Omission, Piece, Prose, Quantity};
 
 /// The part of one scene.
 pub fn section(page: &Page, needs: &Result<Needs, String>) -> String {
@@ -25,7 +24,10 @@ pub fn section(page: &Page, needs: &Result<Needs, String>) -> String {
     out += &equations(needs);
     out += &folded("What it shows, from these", &outputs(needs));
     if !omitted.is_empty() {
-        out += &folded(&format!("What is left out, and why ({})", omitted.len()), &left_out(omitted));
+        out += &folded(
+            &format!("What is left out, and why ({})", omitted.len()),
+            &left_out(needs.reduced.reduction.terms(), omitted),
+        );
     }
     out
 }
@@ -79,8 +81,9 @@ fn without_number(arena: &Arena, e: Expr) -> Expr {
 /// States, integrals and constants, with what they are.
 fn kept(needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
+    let arena = reduction.terms();
     let row = |kind: &str, q: &Quantity, value: String| {
-        vec![kind.to_owned(), inline(&symbol(&q.name)), value, prose(&q.about)]
+        vec![kind.to_owned(), inline(&symbol(&q.name)), value, prose(arena, &q.about)]
     };
     let mut rows: Vec<Vec<String>> = reduction.states.iter().map(|q| row("state", q, String::new())).collect();
     rows.extend(reduction.quadratures.iter().map(|q| row("integral", q, String::new())));
@@ -111,7 +114,7 @@ fn equations(needs: &Needs) -> String {
 fn outputs(needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let line = |o: &tripos_derive::reduce::Output| {
-        let name = typeset(&o.name).map_or_else(|| symbol(&o.name), |sides| sides.concat());
+        let name = typeset(&o.name).map_or_else(|| symbol(&o.name), |sides| sides.iter().map(mathml_of).collect());
         (name, formula(reduction.terms(), o.value))
     };
     // What is kept shows itself.
@@ -119,41 +122,17 @@ fn outputs(needs: &Needs) -> String {
     scroll("What the scene shows", &lines(&list))
 }
 
-fn left_out(omitted: &[Omission]) -> String {
-    let what = |text: &str| match text.rsplit_once(' ') {
-        Some((words, name)) => format!("{} {}", escape(words), inline(&symbol(name))),
-        None => inline(&symbol(text)),
-    };
-    let row = |o: &Omission| vec![what(&o.what), prose(&o.why), escape(&o.proof)];
+fn left_out(arena: &Arena, omitted: &[Omission]) -> String {
+    let row = |o: &Omission| vec![prose(arena, &o.what), prose(arena, &o.why), escape(&o.proof)];
     table("Left out", &["What", "Why", "How that is known"], &omitted.iter().map(row).collect::<Vec<_>>())
 }
 
-/// Words in which formulas stand: apart by `: `, `; ` or `, since `, or before `at the start`.
-fn prose(words: &str) -> String {
-    for separator in ["; ", ": ", ", since "] {
-        if let Some((before, after)) = words.split_once(separator) {
-            return format!("{}{separator}{}", prose(before), prose(after));
-        }
-    }
-    if let Some(before) = words.strip_suffix(" at the start") {
-        return format!("{} at the start", prose(before));
-    }
-    // A word alone is a word.
-    let is_formula = words.contains(['*', '/', '=', '+', '-', '^']);
-    let sides = typeset(words).filter(|_| is_formula);
-    sides.map_or_else(|| escape(words), |sides| wrapped(&sides))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::prose;
-
-    #[test]
-    fn formulas_among_words_are_typeset_and_words_are_not() {
-        let found = prose("u3 = 2*p_q3, since it does not change: momentum of <q3>; heading");
-        assert!(found.starts_with("<math>") && found.matches("<math>").count() == 2, "{found}");
-        assert!(found.ends_with(", since it does not change: momentum of &lt;q3&gt;; heading"), "{found}");
-        assert!(prose("q4 - sin(q1) at the start").ends_with("</math> at the start"));
-        assert_eq!(prose("free-body angle"), "free-body angle");
-    }
+/// Words with the formulas that stand in them typeset.
+fn prose(arena: &Arena, prose: &Prose) -> String {
+    let piece = |piece: &Piece| match piece {
+        Piece::Words(words) => escape(words),
+        Piece::Term(e) => wrapped(&[Side::of(arena, *e)]),
+        Piece::Equation(left, right) => wrapped(&[*left, *right].map(|e| Side::of(arena, e))),
+    };
+    prose.0.iter().map(piece).collect()
 }

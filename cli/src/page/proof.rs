@@ -1,8 +1,7 @@
 //! What is proved: the formulations say the same, what a motion conserves, where matrices are singular.
 
-use super::errata::value;
 use super::html::{each, escape, head, table};
-use super::math::{decimal, formula, inline, symbol, wrapped};
+use super::math::{Side, decimal, formula, inline, symbol, value, wrapped};
 use std::fmt::Write;
 use tripos::study::Study;
 use tripos_derive::algebra::compare::{Verdict, Witness};
@@ -39,7 +38,7 @@ pub fn section(model: &Model, study: &Study) -> String {
     if !proof.reactions.is_empty() {
         out += "<h3>Reactions</h3>\n<p>From the equations that Kane's method leaves over.</p>\n";
         let values = each(&proof.reactions, |reaction| {
-            format!("<div>{}</div>\n", wrapped(&[symbol(&reaction.name), formula(arena, reaction.value)]))
+            format!("<div>{}</div>\n", wrapped(&[Side::Whole(symbol(&reaction.name)), Side::of(arena, reaction.value)]))
         });
         let _ = writeln!(out, "<div class=\"formula\">\n{values}</div>");
     }
@@ -102,7 +101,7 @@ fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) 
         "<h4>{}: {}, {verdict}</h4>\n<div class=\"formula\">{}</div>\n{places}",
         inline(&integral_symbol(at)),
         integral_name(model, arena, integral),
-        wrapped(&[integral_symbol(at), formula(arena, integral.expression)])
+        wrapped(&[Side::Whole(integral_symbol(at)), Side::of(arena, integral.expression)])
     )
 }
 

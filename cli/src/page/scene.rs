@@ -1,9 +1,10 @@
 //! One simulated scene: what was given, how each run went, figures.
 
-use super::html::{address, anchor, escape, head, number, scroll};
+use super::content::{Fact, Figure, Page, RunRow, SceneSection};
+use super::html::{address, anchor, escape, head, number, rounded, scroll};
 use super::math::inline;
 use super::proof::{integral_name, integral_symbol};
-use super::{Figure, Page, RunRow, SceneSection, advice, needs, singular};
+use super::{advice, needs, singular};
 use crate::plot::pretty;
 use std::fmt::Write;
 use tripos_derive::algebra::compare::Verdict;
@@ -77,13 +78,17 @@ fn words(text: &str) -> String {
     escape(&out)
 }
 
-/// `q1 = 0.2, q2 = 1e-3` with subscripts; other texts as they are.
-fn fact(value: &str) -> String {
-    let assignment = |text: &str| match text.split_once(" = ") {
-        Some((name, value)) => format!("{}\u{a0}=\u{a0}{}", pretty(name), value.replace('-', "−")),
-        None => text.to_owned(),
-    };
-    value.split(", ").map(assignment).collect::<Vec<_>>().join(", ")
+/// `q₁ = 0.2, q₂ = 1e−3`, or words as they are.
+fn fact(fact: &Fact) -> String {
+    match fact {
+        Fact::Words(words) => words.clone(),
+        Fact::Values(list) => {
+            let one = |(name, value): &(String, f64)| {
+                format!("{}\u{a0}=\u{a0}{}", pretty(name), value.to_string().replace('-', "−"))
+            };
+            list.iter().map(one).collect::<Vec<_>>().join(", ")
+        }
+    }
 }
 
 fn runs(page: &Page, scene: &SceneSection) -> String {
@@ -208,13 +213,6 @@ fn run(run: &RunRow) -> String {
         remark("Warning:", warning);
     }
     out
-}
-
-/// Some significant digits, without trailing zeros.
-pub fn rounded(x: f64, digits: usize) -> String {
-    let digits = digits.saturating_sub(1);
-    let short = format!("{x:.digits$e}").parse::<f64>().unwrap_or(x);
-    if short != 0.0 && !(1e-4..1e6).contains(&short.abs()) { format!("{short:e}") } else { short.to_string() }
 }
 
 /// Two significant digits.

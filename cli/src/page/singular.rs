@@ -2,10 +2,9 @@
 //!
 //! Invariant: every sentence is computed. A proof speaks of all configurations, a run only of where it has been.
 
-use super::html::{each, escape, head, number, scroll};
+use super::content::{Page, RunRow, SceneSection};
+use super::html::{each, escape, head, number, rounded, scroll};
 use super::math::{formula, inline};
-use super::scene::rounded;
-use super::{Page, RunRow, SceneSection};
 use std::fmt::Write;
 use tripos_derive::algebra::Expr;
 use tripos_derive::prove::{Singularity, There};

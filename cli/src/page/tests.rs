@@ -3,8 +3,11 @@
 use super::*;
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
+use tripos::Reduced;
+use tripos::study::Study;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::derive_in_steps;
+use tripos_derive::mechanics::{Energy, LineName, QuantityKind, VectorName, derive_in_steps};
+use tripos_derive::{Formulation, Model};
 
 const PENDULUM: &str = r#"
 name = "A <b>bob</b> & \"string\""
@@ -103,7 +106,7 @@ fn scene() -> SceneSection {
         title: "Fall <1>".to_owned(),
         about: "a & b".to_owned(),
         needs: needs(),
-        facts: vec![("Start".to_owned(), "q1 = -0.5, u1 = 0".to_owned())],
+        facts: vec![("Start", Fact::Values(vec![("q1".to_owned(), -0.5), ("u1".to_owned(), 0.0)]))],
         runs: vec![
             run("Kane's method", None, true),
             run("Lagrange's equations", None, false),
@@ -296,12 +299,22 @@ fn a_run_without_integrals_is_left_out_of_their_table() {
 #[test]
 fn names_of_steps_are_typeset() {
     let model = tripos_derive::model::load(&Source::from_text("model.toml", PENDULUM)).unwrap();
-    for name in ["omega(B) @ N [1]", "v(Pstar) @ B [3]", "d v(P) @ N [1]/d u1", "F[u1]", "Q[q1]", "T", "q1'"] {
-        let typeset = math::step_name(&model, name);
-        assert_eq!(unbalanced(&typeset), None, "{name}");
-        assert!(!typeset.contains(['@', '[', '\'']), "{name}: {typeset}");
+    let component = |vector, of| QuantityKind::Component { vector, of, frame: 1, axis: 0 };
+    let names = [
+        component(VectorName::AngularVelocity, 1),
+        component(VectorName::Velocity, 1),
+        QuantityKind::Partial { vector: VectorName::Velocity, of: 1, frame: 0, axis: 0, speed: 0 },
+        QuantityKind::Energy(Energy::Kinetic),
+        QuantityKind::Rate(0),
+    ];
+    let forces = [LineName::ActiveForce(0), LineName::GeneralizedForce(0)];
+    for name in names.map(LineName::Quantity).iter().chain(&forces) {
+        let typeset = math::line_name(&model, name);
+        assert_eq!(unbalanced(&typeset), None, "{name:?}");
+        assert!(!typeset.contains(['@', '[', '\'']), "{name:?}: {typeset}");
     }
-    assert!(math::step_name(&model, "v(P) @ B [2]").contains("<mprescripts/><mrow></mrow><mi>N</mi>"));
+    let velocity = math::line_name(&model, &LineName::Quantity(component(VectorName::Velocity, 1)));
+    assert!(velocity.contains("<mprescripts/><mrow></mrow><mi>N</mi>"));
 }
 
 #[test]
@@ -358,15 +371,12 @@ fn printed_runs_stand_apart_and_raise_no_alarm() {
 
 #[test]
 fn long_sums_may_stand_on_several_lines() {
-    let sides = [
-        "<mrow><mi>I</mi></mrow>",
-        "<mrow><mo>−</mo><mi>a</mi><mo>+</mo><mrow><mo>(</mo><mi>b</mi><mo>−</mo><mi>c</mi><mo>)</mo></mrow></mrow>",
-    ];
-    let pieces = math::wrapped(&sides.map(str::to_owned));
+    let sum = typeset::typeset("-a + (b - c)").unwrap().remove(0);
+    assert_eq!(math::widest(&sum), 6, "+(b−c)");
+    let pieces = math::wrapped(&[math::Side::Whole("<mi>I</mi>".to_owned()), math::Side::Marks(sum)]);
     assert_eq!(pieces.matches("<math>").count(), 3, "{pieces}");
     assert_eq!(unbalanced(&pieces), None);
     assert!(pieces.contains(
         "<mi>I</mi><mo form=\"infix\">=</mo></mrow></math> <math><mrow><mo form=\"prefix\">−</mo><mi>a</mi>"
     ));
-    assert_eq!(math::widest(sides[1]), 6, "+(b−c)");
 }

@@ -1,10 +1,8 @@
-//! Transcribed formulas as MathML, term by term as they are printed.
+//! Transcribed formulas as marks, term by term as they are printed.
 //!
 //! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do: a reader finds the
 //! printed formula again. What is not a formula is left to be shown as text.
 
-use super::math::spaced;
-use tripos_derive::algebra::print::mathml_of;
 use tripos_derive::algebra::view::View;
 
 /// Parentheses inside one another beyond this many are shown as text.
@@ -15,9 +13,9 @@ const FUNCTIONS: [&str; 16] = [
     "sign",
 ];
 
-/// The sides of `left = right`, or one formula, as MathML; nothing if the text is not in the language of model files.
-pub fn typeset(text: &str) -> Option<Vec<String>> {
-    text.split(" = ").map(|side| Some(spaced(&mathml_of(&formula(side)?)))).collect()
+/// The sides of `left = right`, or one formula, as marks; nothing if the text is not in the language of model files.
+pub fn typeset(text: &str) -> Option<Vec<View>> {
+    text.split(" = ").map(formula).collect()
 }
 
 fn formula(text: &str) -> Option<View> {
@@ -125,10 +123,12 @@ fn one(mut factors: Vec<View>) -> View {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tripos_derive::algebra::print::mathml_of;
 
     /// MathML without tags: enough to see the order of what is printed.
     fn plain(text: &str) -> String {
-        let mathml = typeset(text).unwrap_or_else(|| panic!("{text} is a formula")).join("<mo>=</mo>");
+        let sides = typeset(text).unwrap_or_else(|| panic!("{text} is a formula"));
+        let mathml = sides.iter().map(mathml_of).collect::<Vec<_>>().join("<mo>=</mo>");
         mathml.split('<').map(|piece| piece.split_once('>').map_or("", |(_, text)| text)).collect()
     }
 
@@ -143,14 +143,14 @@ mod tests {
 
     #[test]
     fn quotients_are_fractions_of_what_stands_before() {
-        let fraction = &typeset("R^2/2*x").unwrap()[0];
+        let fraction = mathml_of(&typeset("R^2/2*x").unwrap()[0]);
         assert!(fraction.contains("</mfrac><mspace") && fraction.ends_with("<mi>x</mi></mrow>"), "{fraction}");
     }
 
     #[test]
     fn what_is_no_formula_is_left_as_text() {
         for text in ["", "v = v1 b1 + v2 b2", "f(x)", "2 ** 3", "x^y", "a < b", "(a", &"(".repeat(100)] {
-            assert_eq!(typeset(text), None, "{text}");
+            assert!(typeset(text).is_none(), "{text}");
         }
     }
 }

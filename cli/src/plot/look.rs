@@ -1,6 +1,7 @@
 //! How curves look, and the strokes that figures are made of.
 
-use super::{PlotError, axis::whole};
+use super::axis::whole;
+use super::error::PlotError;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

@@ -1,8 +1,10 @@
 //! What the studies of a singular surface say in words. Every figure in a sentence is one of their findings.
 
 use crate::plot::pretty;
-use tripos::stability::{Findings, Passed, Row};
+use tripos::stability::{Findings, Looked, Passed, Variable};
+use tripos_derive::algebra::elimination::divisors;
 use tripos_derive::algebra::print::text;
+use tripos_derive::mechanics::By;
 use tripos_derive::scene::Solve;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
@@ -52,16 +54,17 @@ fn errors(list: &[Passed], of: impl Fn(&Passed) -> bool) -> Vec<&Passed> {
 fn solves(list: &[Passed]) -> Option<String> {
     let mut parts = Vec::new();
     for solve in Solve::ALL {
-        let mut names: Vec<&str> = Vec::new();
+        let mut all: Vec<&By> = Vec::new();
         for p in list.iter().filter(|p| p.solve == solve.name()) {
-            if !names.contains(&p.formulation.as_str()) {
-                names.push(&p.formulation);
+            if !all.contains(&&p.by) {
+                all.push(&p.by);
             }
         }
-        for name in names {
-            let runs = errors(list, |p| p.solve == solve.name() && p.formulation == name && p.variable == "distance");
+        for by in all {
+            let of = |p: &Passed| p.solve == solve.name() && p.by == *by && p.variable == Variable::Distance;
+            let runs = errors(list, of);
             let last = runs.iter().rev().find(|p| p.error.is_some())?;
-            parts.push(format!("{name} {} {:.0e} ({})", solve.name(), last.least, size(last.error)));
+            parts.push(format!("{} {} {:.0e} ({})", by.name(), solve.name(), last.least, size(last.error)));
         }
     }
     (!parts.is_empty())
@@ -70,7 +73,7 @@ fn solves(list: &[Passed]) -> Option<String> {
 
 /// How a scene's own equations pass, by each way that they were run.
 pub fn own(list: &[Passed]) -> Option<String> {
-    let own: Vec<&Passed> = list.iter().filter(|p| p.formulation == "reduced").collect();
+    let own: Vec<&Passed> = list.iter().filter(|p| p.by.is_reduced()).collect();
     let mut methods: Vec<&str> = own.iter().map(|p| p.method).collect();
     methods.dedup();
     let parts: Vec<String> = methods
@@ -91,27 +94,24 @@ pub fn own(list: &[Passed]) -> Option<String> {
 /// Whether Lagrange's equations keep digits in the coordinate itself that formulations in other speeds lose, and what
 /// the distance makes of it; nothing where the findings do not show it.
 pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
-    let of = |name: &str, variable: &str| {
-        errors(list, |p| p.formulation == name && p.variable == variable && p.solve == Solve::Eliminated.name())
+    let of = |formulation: Formulation, variable: Variable| {
+        let by = By::from(formulation);
+        errors(list, |p| p.by == by && p.variable == variable && p.solve == Solve::Eliminated.name())
     };
-    let lagrange = Formulation::Lagrange.name();
-    let keeps = of(lagrange, "coordinate");
+    let lagrange = Formulation::Lagrange;
+    let keeps = of(lagrange, Variable::Coordinate);
     let loses = |runs: &[&Passed]| {
         let near: Vec<(&&Passed, &&Passed)> =
             keeps.iter().zip(runs).filter(|(a, _)| a.error.is_some() && a.least < NEAR).collect();
         let lost = |(a, b): &(&&Passed, &&Passed)| b.error.is_none_or(|e| a.error.is_some_and(|a| e >= CLEARLY * a));
         near.len() > 1 && near.iter().all(lost)
     };
-    let losers: Vec<&str> = Formulation::ALL
-        .into_iter()
-        .map(Formulation::name)
-        .filter(|name| *name != lagrange && loses(&of(name, "coordinate")))
-        .collect();
-    let first = losers.first()?;
+    let losers: Vec<Formulation> =
+        Formulation::ALL.into_iter().filter(|f| !f.is_in_rates() && loses(&of(*f, Variable::Coordinate))).collect();
+    let first = *losers.first()?;
     let places: Vec<String> = keeps.iter().map(|p| format!("{:.0e}", p.least)).collect();
-    let row =
-        |name: &str, variable: &str| joined(&of(name, variable).iter().map(|p| size(p.error)).collect::<Vec<_>>());
-    let names = joined(&losers.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>());
+    let row = |f: Formulation, variable| joined(&of(f, variable).iter().map(|p| size(p.error)).collect::<Vec<_>>());
+    let names = joined(&losers.iter().map(|f| f.name().to_owned()).collect::<Vec<_>>());
     let rate = rate(model).map_or_else(String::new, |rate| format!(", as {rate}"));
     Some(format!(
         "With eliminated accelerations and dop853 in the coordinate itself, the equations by {lagrange} keep digits that those by \
@@ -119,20 +119,21 @@ pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
          itself; the speeds of those by {names} give it only by a division{rate}. In the distance the errors by {first} are {}.",
         divisor(model),
         joined(&places),
-        row(lagrange, "coordinate"),
-        row(first, "coordinate"),
-        row(first, "distance"),
+        row(lagrange, Variable::Coordinate),
+        row(first, Variable::Coordinate),
+        row(first, Variable::Distance),
+        lagrange = lagrange.name(),
+        first = first.name(),
     ))
 }
 
 /// The first rate of a coordinate that divides by what vanishes, as an equation.
 fn rate(model: &Model) -> Option<String> {
     let equations = &model.kinematic_equations;
-    let divisor = text(&model.arena, *equations.divisors.first()?);
-    let rates = model.coordinates.iter().zip(&equations.rates);
-    let texts = rates.map(|(c, rate)| (format!("{}'", c.name), text(&model.arena, *rate)));
-    let (name, rate) = { texts }.find(|(_, rate)| rate.contains(&format!("/{divisor}")))?;
-    Some(pretty(&format!("{name} = {rate}")))
+    let divisor = *equations.divisors.first()?;
+    let mut rates = model.coordinates.iter().zip(&equations.rates);
+    let (coordinate, rate) = rates.find(|(_, rate)| divisors(&model.arena, &[**rate]).contains(&divisor))?;
+    Some(pretty(&format!("{}' = {}", coordinate.name, text(&model.arena, *rate))))
 }
 
 /// What the figure of errors and condition numbers shows.
@@ -143,34 +144,27 @@ pub fn conditioning(model: &Model, findings: &Findings) -> String {
          the same state, by |{divisor}|; right, the condition numbers of the matrices, as they stand (plain) and with rows and \
          columns scaled (equilibrated)."
     )];
-    let rows: Vec<&Row> = findings.rows.iter().filter(|r| r.check == "conditioning").collect();
-    let mut places: Vec<&str> = Vec::new();
-    for row in &rows {
-        if !places.contains(&row.case.as_str()) {
-            places.push(&row.case);
+    let mut places: Vec<f64> = Vec::new();
+    for looked in &findings.looked {
+        if places.iter().all(|place| place.total_cmp(&looked.divisor).is_ne()) {
+            places.push(looked.divisor);
         }
     }
     // Half way in, and as near as it comes.
     let middle = places.get(places.len() / 2).copied();
-    for place in [middle, places.last().copied().filter(|last| Some(*last) != middle)].into_iter().flatten() {
-        list.extend(at(&rows, place, &divisor));
-    }
+    let last = places.last().copied().filter(|_| places.len() / 2 + 1 < places.len());
+    list.extend([middle, last].into_iter().flatten().filter_map(|place| at(&findings.looked, place, &divisor)));
     list.join(" ")
 }
 
 /// What was found at one place of a passage.
-fn at(rows: &[&Row], place: &str, divisor: &str) -> Option<String> {
-    let here = |quantity: &str, solve: Solve| -> Vec<(&str, f64)> {
-        let found = rows.iter().filter(|r| r.case == place && r.quantity == quantity && r.solve == solve.name());
-        found.filter_map(|r| Some((r.formulation.as_str(), r.value?))).collect()
+fn at(list: &[Looked], place: f64, divisor: &str) -> Option<String> {
+    let here = |solve: Solve| list.iter().filter(move |l| l.divisor.total_cmp(&place).is_eq() && l.solve == solve);
+    let eliminated = here(Solve::Eliminated).map(|l| l.error).reduce(f64::max)?;
+    let named = |of: fn(&Looked) -> f64| {
+        joined(&here(Solve::Numeric).map(|l| format!("{:.0e} ({})", of(l), l.by.name())).collect::<Vec<_>>())
     };
-    let eliminated = here("acceleration error", Solve::Eliminated).iter().map(|e| e.1).reduce(f64::max)?;
-    let named = |list: Vec<(&str, f64)>| {
-        joined(&list.iter().map(|(name, value)| format!("{value:.0e} ({name})")).collect::<Vec<_>>())
-    };
-    let errors = named(here("acceleration error", Solve::Numeric));
-    let conditions = named(here("equilibrated condition", Solve::Numeric));
-    let place: f64 = place.parse().ok()?;
+    let (errors, conditions) = (named(|l| l.error), named(|l| l.equilibrated));
     Some(format!(
         "At |{divisor}| = {place:.1e} the eliminated accelerations err by at most {eliminated:.0e} of the largest, the numeric \
          solves by {errors}; the equilibrated condition numbers there are {conditions}."

@@ -3,11 +3,11 @@
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::names::spelled;
 use crate::taylor::{Recurrences, TaylorPlan};
+use tripos_derive::Equations;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::Solved;
-use tripos_derive::{Equations, Formulation};
 
 /// One formulation of one model.
 pub struct FormulationPlan<'a> {
@@ -32,7 +32,7 @@ impl<'a> FormulationPlan<'a> {
             functions.extend(eliminated(planner, solved));
         }
         functions.extend(kinematics_and_energies(planner));
-        if planner.equations.formulation == Formulation::Lagrange {
+        if planner.equations.formulation.is_in_rates() {
             functions.extend(conversions(planner));
         }
         let facts = facts(planner, &functions, solved);
@@ -57,8 +57,9 @@ fn linear_system(planner: &Planner<'_>) -> Vec<Function> {
         .map(|(i, value)| (format!("f{}", index(i, n)), format!("f{}", index(i, n)), *value))
         .collect();
     let symmetry = if e.symmetric { "symmetric, rows" } else { "rows" };
-    let product = equation_text(e.formulation);
-    let matrix_about = format!("Matrix of the linear system {product}; {symmetry} {}.", e.rows.join(", "));
+    let product = e.formulation.method().equation;
+    let matrix_about =
+        format!("Matrix of the linear system {product}; {symmetry} {}.", e.row_names(planner.model).join(", "));
     let forcing_about =
         format!("Right-hand side of the linear system; unknowns {}.", vector_text(planner.arena, &e.unknowns));
     let returns = Returns::Matrix { symmetric: e.symmetric };
@@ -184,16 +185,6 @@ fn index(i: usize, n: usize) -> String {
 fn vector_text(arena: &Arena, symbols: &[Expr]) -> String {
     let names: Vec<&str> = symbols.iter().filter_map(|s| arena.symbol_name(*s)).collect();
     format!("({})", names.join(", "))
-}
-
-/// The form of the linear system that determines the unknowns.
-#[must_use]
-pub fn equation_text(formulation: Formulation) -> &'static str {
-    match formulation {
-        Formulation::Kane => "M(q) u' = f(q, u)",
-        Formulation::Lagrange => "E(q) q'' = A(q, q')",
-        Formulation::NewtonEuler => "A(q, u) (u', reactions) = b(q, u)",
-    }
 }
 
 /// The sizes of the problem, what calls cost, and where the equations are singular.

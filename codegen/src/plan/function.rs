@@ -8,7 +8,7 @@ use tripos_derive::algebra::sharing::{Reading, share};
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::{Equations, Formulation, Model};
+use tripos_derive::{Equations, Model};
 
 /// A planned function.
 #[derive(Clone, Debug)]
@@ -141,7 +141,7 @@ impl<'a> Planner<'a> {
         language: &Language,
         shares: bool,
     ) -> Self {
-        let variables = Variables::new(arena, language, &type_name(&equations.name));
+        let variables = Variables::new(arena, language, &type_name(&equations.name(model)));
         Self { model, arena, equations, variables, shares }
     }
 
@@ -226,7 +226,7 @@ impl<'a> Planner<'a> {
             let variable = |s: &Expr| inputs.contains(s).then(|| self.variables.of[s].clone());
             Argument::Array { name, entries: symbols.iter().map(variable).collect() }
         };
-        let own = if e.formulation == Formulation::Lagrange { "q_dot" } else { "u" };
+        let own = if e.formulation.is_in_rates() { "q_dot" } else { "u" };
         let mut list = vec![self.parameters(inputs)];
         if let Arguments::Shown { time } = arguments {
             list.push(Argument::Number(self.variables.of.get(&time).filter(|_| inputs.contains(&time)).cloned()));

@@ -91,7 +91,7 @@ fn facts(reduction: &Reduction, functions: &[Function]) -> Vec<String> {
         format!("States: {}. Quadratures: {}.", names(&reduction.states), names(&reduction.quadratures)),
     ];
     for constant in &reduction.constants {
-        lines.push(format!("{} = {}: {}.", constant.name, text(arena, constant.of_start), constant.about));
+        lines.push(format!("{} = {}: {}.", constant.name, text(arena, constant.of_start), constant.about.text(arena)));
     }
     let folded: Vec<String> =
         reduction.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_f64())).collect();

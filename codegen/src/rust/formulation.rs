@@ -4,7 +4,7 @@ use super::function::{fields, function};
 use super::system::{self, Part};
 use super::taylor;
 use super::text::{format, prose};
-use crate::plan::{FormulationPlan, equation_text};
+use crate::plan::FormulationPlan;
 use quote::quote;
 
 /// The file of one formulation, such as `kane.rs`; `origin` is the sentence of its header that says where it comes from.
@@ -20,8 +20,12 @@ pub fn file(plan: &FormulationPlan<'_>, origin: &str) -> String {
     let system = system::system(model, equations, &parts);
     let series = plan.taylor.as_ref().map(taylor::imports);
     let taylor = plan.taylor.as_ref().map(|plan| taylor::function(plan, &fields));
-    let first =
-        format!("{}: {}, {}.", prose(&model.title), prose(&equations.title), equation_text(equations.formulation));
+    let first = format!(
+        "{}: {}, {}.",
+        prose(&model.title),
+        prose(&equations.title(model)),
+        equations.formulation.method().equation
+    );
     format(
         &header(first, origin, &plan.facts),
         quote! {

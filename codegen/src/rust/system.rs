@@ -4,7 +4,7 @@ use super::text::prose;
 use crate::plan::type_name;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
-use tripos_derive::{Equations, Formulation, Model};
+use tripos_derive::{Equations, Model};
 
 /// What there may be of a set of equations beside its kinematics and energies.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -108,8 +108,8 @@ fn state() -> TokenStream {
 
 /// The `System` that hands slices to the functions above.
 pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
-    let name = format_ident!("{}", type_name(&e.name));
-    let about = format!(" {} of this model as a [`System`].", prose(&e.title));
+    let name = format_ident!("{}", type_name(&e.name(model)));
+    let about = format!(" {} of this model as a [`System`].", prose(&e.title(model)));
     let symmetric = e.symmetric;
     let reactions = e.unknowns.len() - e.variables.len();
     let lengths = [model.parameters.len(), model.coordinates.len(), e.variables.len(), model.speeds.len(), reactions];
@@ -156,7 +156,7 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
 /// Between motion variables and generalized speeds: functions of their own for Lagrange's q′, copies for others.
 fn conversions(e: &Equations) -> TokenStream {
     let (q, u, v_dot, state) = (array("q"), array("u"), array("v_dot"), state());
-    if e.formulation == Formulation::Lagrange {
+    if e.formulation.is_in_rates() {
         return quote! {
             fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
                 out.copy_from_slice(&generalized_speeds(#state));

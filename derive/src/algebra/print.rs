@@ -7,7 +7,7 @@ mod mathml;
 mod name;
 
 pub use latex::latex_name;
-pub use mathml::mathml_name;
+pub use mathml::{mathml_name, mathml_terms};
 
 use super::view::{View, view};
 use super::{Arena, Expr};
@@ -57,7 +57,9 @@ pub fn mathml_of(view: &View) -> String {
     out
 }
 
-fn view_of(arena: &Arena, e: Expr) -> View {
+/// The marks of a term, as far as people read.
+#[must_use]
+pub fn view_of(arena: &Arena, e: Expr) -> View {
     view(arena, e, &FxHashMap::default(), BUDGET)
 }
 

@@ -148,20 +148,21 @@ fn entries(of: &Derived<'_>, left_out: &[Formulation]) -> Vec<(String, Expr)> {
     let mut list: Vec<(String, Expr)> = model.speeds.iter().map(|s| (s.name.clone(), s.definition)).collect();
     let rates = model.coordinates.iter().zip(&model.kinematic_equations.rates);
     list.extend(rates.map(|(c, rate)| (format!("{}'", c.name), *rate)));
-    for formulation in Formulation::ALL.into_iter().filter(|f| !left_out.contains(f)) {
-        let Some(e) = derivations.get(formulation) else { continue };
+    let compared = Formulation::ALL.into_iter().filter(|f| !left_out.contains(f));
+    for (at, (formulation, e)) in compared.filter_map(|f| Some((f, derivations.get(f)?))).enumerate() {
         let name = formulation.name();
-        if !list.iter().any(|(n, _)| n == "T") {
-            list.push(("T".to_owned(), e.kinetic_energy));
-            list.push(("V".to_owned(), e.potential_energy));
+        // Once: every formulation has the same.
+        if at == 0 {
+            list.extend([("T".to_owned(), e.kinetic_energy), ("V".to_owned(), e.potential_energy)]);
         }
-        for (label, row) in e.rows.iter().zip(&e.matrix) {
+        let rows = e.row_names(model);
+        for (label, row) in rows.iter().zip(&e.matrix) {
             for (unknown, entry) in e.unknowns.iter().zip(row) {
                 let unknown = arena.symbol_name(*unknown).unwrap_or_default();
                 list.push((format!("{name} M[{label}, {unknown}]"), *entry));
             }
         }
-        let forcing = e.rows.iter().zip(&e.forcing);
+        let forcing = rows.iter().zip(&e.forcing);
         list.extend(forcing.map(|(label, entry)| (format!("{name} f[{label}]"), *entry)));
     }
     list

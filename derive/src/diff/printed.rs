@@ -1,11 +1,11 @@
 //! Printed systems and listings as equations of motion that can be emitted and run.
 
 use super::motions;
-use crate::mechanics::{Derivations, Equations, Formulation};
+use crate::mechanics::{By, Derivations, Equations, RowName};
 use crate::model::Model;
 use crate::report::{EntryKind, Report};
 
-/// Every printed system of a report, and every listing, as equations named `printed:ID`.
+/// Every printed system of a report, and every listing, as equations of their own.
 ///
 /// They are run exactly as printed: nothing but the order of the unknowns is ours. Energies and the conversions
 /// between q̇ and u are the derived ones, so that a printed run can be measured. What is not whole, such as a system
@@ -19,21 +19,17 @@ pub fn printed_equations(model: &Model, derivations: &mut Derivations, report: &
             EntryKind::Listing(listing) => listing.formulation,
             _ => continue,
         };
-        // A program that eliminates the reactions has as many unknowns as Kane's equations.
-        let alike = if motion.right.len() == model.speeds.len() && formulation == Formulation::NewtonEuler {
-            Formulation::Kane
-        } else {
-            formulation
-        };
+        // A program that eliminates the reactions has as many unknowns as equations without them.
+        let eliminated = motion.right.len() == model.speeds.len();
+        let alike = if eliminated { formulation.without_reactions() } else { formulation };
         let Some(derived) = derivations.get(alike) else { continue };
         if derived.unknowns.len() != motion.right.len() {
             continue;
         }
         list.push(Equations {
-            name: format!("printed:{}", motion.id),
-            title: format!("{} as printed ({})", formulation.title(), motion.id),
+            by: By::Printed { id: motion.id, formulation },
             formulation: alike,
-            rows: (1..=motion.right.len()).map(|i| format!("row {i}")).collect(),
+            rows: (0..motion.right.len()).map(RowName::Printed).collect(),
             matrix: motion.matrix,
             forcing: motion.right,
             symmetric: false,

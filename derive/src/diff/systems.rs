@@ -46,7 +46,7 @@ fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Option<u
         None => return Err(format!("{} was not derived", system.name())),
     };
     let unknowns = equations.unknowns.clone();
-    if let (Formulation::NewtonEuler, Some(frame)) = (system, frame) {
+    if let (true, Some(frame)) = (system.carries_reactions(), frame) {
         let kinematics = &mut quantities.derivations.kinematics;
         let velocities = kinematics.in_speeds(model);
         let mut form = LinearForm::new(&unknowns);
@@ -78,7 +78,7 @@ fn printed(
     system: &System,
     order: &[Expr],
 ) -> Result<Vec<Row>, String> {
-    let in_rates = system.formulation == Formulation::Lagrange;
+    let in_rates = system.formulation.is_in_rates();
     let mut rows = Vec::new();
     for (entries, right) in system.matrix.iter().zip(&system.right) {
         let mut row = Vec::new();
@@ -108,7 +108,7 @@ pub fn system_motion(quantities: &mut Quantities<'_>, names: &Names, entry: &Ent
 
 fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows: &[Row]) -> Motion {
     let model = quantities.model;
-    let in_rates = formulation == Formulation::Lagrange;
+    let in_rates = formulation.is_in_rates();
     Motion {
         id: id.to_owned(),
         in_rates,
@@ -121,7 +121,7 @@ fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows:
 /// Where the model's coordinates and its motion variables stand in the state of a listing, if they do.
 fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
     let model = quantities.model;
-    let variables = if listing.formulation == Formulation::Lagrange { model.q_dot() } else { model.u() };
+    let variables = listing.formulation.variables(model);
     let place = |symbol: &Expr| listing.state.iter().position(|s| s == symbol);
     (model.q().iter().map(place).collect(), variables.iter().map(place).collect())
 }
@@ -135,7 +135,7 @@ pub fn listing_motion(
     listing: &Listing,
 ) -> Result<(Motion, bool), String> {
     let n = listing.state.len() / 2;
-    let in_rates = listing.formulation == Formulation::Lagrange;
+    let in_rates = listing.formulation.is_in_rates();
     let (coordinates, variables) = places(quantities, listing);
     let mut resolved = |e: Expr| value(quantities, names, e, in_rates);
     let derivative: Vec<Expr> = listing.derivative.iter().map(|e| resolved(*e)).collect::<Result<_, _>>()?;
@@ -232,10 +232,7 @@ impl Judge<'_, '_> {
             Err(why) => return undecided(why),
         };
         // A program that eliminates the reactions is compared with equations that have none.
-        let alike = match listing.formulation {
-            Formulation::NewtonEuler => Formulation::Kane,
-            other => other,
-        };
+        let alike = listing.formulation.without_reactions();
         let order = match derived(self.quantities, alike, None) {
             Ok(order) => order,
             Err(why) => return undecided(why),

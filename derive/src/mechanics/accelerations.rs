@@ -1,6 +1,6 @@
 //! The accelerations v̇ of a set of equations, solved for at derivation time.
 
-use super::Equations;
+use super::equations::Equations;
 use crate::algebra::calculus::Differential;
 use crate::algebra::elimination::{Elimination, LinearSystem, eliminate};
 use crate::algebra::linear::Singular;

@@ -1,6 +1,6 @@
 //! Kinetic and potential energy, and the momenta that the former is made of.
 
-use super::DeriveError;
+use super::error::DeriveError;
 use super::kinematics::{Kinematics, Velocities};
 use super::vector::{Dots, Vector};
 use crate::algebra::calculus::{Gradient, Substitution};

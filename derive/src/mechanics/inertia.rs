@@ -1,9 +1,12 @@
 //! Whether what moves has inertia where parameters are 0.
 //!
-//! There the mass matrix may be singular in every configuration, and what divides by it has no meaning. Which parameters are 0
-//! decides; their other values do not matter.
+//! There the mass matrix may be singular in every configuration, and what divides by it has no meaning. Which
+//! parameters are 0 decides; their other values do not matter.
 
-use super::{Derivation, DeriveError, Equations, Formulation, derive};
+use super::derivation::{Derivation, derive};
+use super::equations::Equations;
+use super::error::DeriveError;
+use super::formulation::Formulation;
 use crate::algebra::calculus::Substitution;
 use crate::algebra::rank::rank;
 use crate::algebra::{Arena, Expr, Rational};
@@ -11,8 +14,8 @@ use crate::model::Model;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::{Mutex, PoisonError};
 
-/// The question for many values of one model's parameters: what answers need is derived once, and only if one is 0 that inertia can
-/// depend on.
+/// The question for many values of one model's parameters: what answers need is derived once, and only if one is 0
+/// that inertia can depend on.
 pub struct InertiaCheck<'a> {
     model: &'a Model,
     inertial: Vec<bool>,
@@ -36,7 +39,8 @@ impl<'a> InertiaCheck<'a> {
     /// Asks for these values, one for each parameter; letters have none.
     ///
     /// # Errors
-    /// [`DeriveError::NoInertiaAt`] if something that moves has no inertia; another if Kane's equations cannot be derived.
+    /// [`DeriveError::NoInertiaAt`] if something that moves has no inertia; another if Kane's equations cannot be
+    /// derived.
     pub fn at(&self, values: &[Option<Rational>]) -> Result<(), DeriveError> {
         let absent = absent(&self.inertial, values);
         if absent.is_empty() {
@@ -71,7 +75,8 @@ pub fn has_inertia_at(
     if absent.is_empty() { Ok(()) } else { without(arena, kane, model, &absent) }
 }
 
-/// Which parameters inertia can depend on: those of masses, of inertias, of where things are and of what the speeds are.
+/// Which parameters inertia can depend on: those of masses, of inertias, of where things are and of what the speeds
+/// are.
 fn inertial(model: &Model) -> Vec<bool> {
     let bodies = model.bodies.iter().flat_map(|body| {
         let tensor = body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied());

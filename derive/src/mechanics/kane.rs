@@ -3,9 +3,11 @@
 //! Kane & Levinson, *Dynamics: Theory and Applications* (1985), §§ 4.4, 4.11, 6.1.
 
 use super::energy::Momentum;
+use super::error::DeriveError;
 use super::kinematics::{Kinematics, Load, Velocities, motion_rates_without_acceleration, rates_to_speeds};
-use super::vector::Dots;
-use super::{DeriveError, Equations, Formulation, Step};
+use super::quantity::{QuantityKind, VectorName};
+use super::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
+use super::vector::{Dots, Vector};
 use crate::algebra::Expr;
 use crate::algebra::calculus::{Differential, Gradient};
 use crate::model::Model;
@@ -14,40 +16,24 @@ use crate::model::Model;
 ///
 /// # Errors
 /// [`DeriveError::NoZeroOfPotential`]; a speed that moves no mass is found by the rank of the matrix.
-pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, DeriveError> {
+pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
     let active = active_forces(model, kinematics, &velocities);
     let inertia = Inertia::new(model, kinematics, &velocities);
     let Kinematics { arena, simplifier, .. } = kinematics;
-    let rates: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
     // F + F* = 0 with F* = −(M u̇ + rest):  M u̇ = F − rest.
     let matrix = inertia.matrix.iter().map(|row| row.iter().map(|e| simplifier.simplify(arena, *e)).collect());
     let matrix: Vec<Vec<Expr>> = matrix.collect();
     let forcing = active.iter().zip(&inertia.rest).map(|(force, rest)| arena.sub(*force, *rest)).collect();
-    let mut equations = Equations {
-        name: Formulation::Kane.name().to_owned(),
-        title: Formulation::Kane.title().to_owned(),
-        formulation: Formulation::Kane,
-        definitions: Vec::new(),
-        coordinates: model.q(),
-        variables: model.u(),
-        unknowns: rates.clone(),
-        rows: model.speeds.iter().map(|s| s.name.clone()).collect(),
+    Ok(Rows {
+        names: (0..model.speeds.len()).map(RowName::Speed).collect(),
         // M is the matrix of the kinetic energy, too.
         kinetic_energy: kinematics.energy_with_form(model, &velocities, &model.u(), &matrix),
+        potential_energy: kinematics.potential_energy(model)?,
         matrix,
         forcing,
-        symmetric: true,
         projection: Vec::new(),
-        coordinate_rates: model.kinematic_equations.rates.clone(),
-        generalized_speeds: model.u(),
-        generalized_speed_rates: rates,
-        motion_variables: model.u(),
-        potential_energy: kinematics.potential_energy(model)?,
-        divisors: model.kinematic_equations.divisors.clone(),
-    };
-    kinematics.simplify_equations(&mut equations);
-    Ok(equations)
+    })
 }
 
 /// F_r = Σ_P (∂v_P/∂u_r)·R_P + Σ_B (∂ω_B/∂u_r)·T_B, weights among the forces; reactions do not contribute.
@@ -62,7 +48,7 @@ pub(super) fn generalized_active_forces(
     forces.into_iter().map(|e| kinematics.simplifier.simplify(&mut kinematics.arena, e)).collect()
 }
 
-/// The same as they come.
+/// The generalized active forces before they are simplified.
 fn active_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Expr> {
     let mut to_speeds = rates_to_speeds(model);
     let mut gradient = Gradient::new(&model.u());
@@ -80,8 +66,8 @@ fn active_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Veloci
 
 /// The generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt] as −(matrix · u̇ + rest).
 ///
-/// u̇_s enters a_C with ∂v_C/∂u_s and dH/dt with ∂H/∂u_s = I·∂ω/∂u_s, and the rest is what is left for u̇ = 0; so nothing
-/// has to be read out of a long expression.
+/// u̇_s enters a_C with ∂v_C/∂u_s and dH/dt with ∂H/∂u_s = I·∂ω/∂u_s, and the rest is what is left for u̇ = 0; so
+/// nothing has to be read out of a long expression.
 struct Inertia {
     /// Symmetric.
     matrix: Vec<Vec<Expr>>,
@@ -138,38 +124,48 @@ pub(super) fn generalized_inertia_forces(
 }
 
 /// Velocities, partial velocities and generalized active forces, to be shown.
-pub(super) fn steps(model: &Model, kinematics: &mut Kinematics) -> Vec<Step> {
+///
+/// # Errors
+/// None.
+#[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
+pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);
     let active = generalized_active_forces(model, kinematics, &velocities);
-    let mut steps = vec![super::kinematic_step(model)];
+    let mut steps = vec![kinematic_step(model)];
     for body in &model.bodies {
         let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
-        let basis = &model.frames[frame].name;
-        let mut vectors =
-            vec![(format!("v({}) @ {basis}", model.points[body.centre].name), velocities.linear[body.centre].clone())];
-        if let Some((own, _)) = &body.rigid {
-            vectors
-                .insert(0, (format!("omega({}) @ {basis}", model.frames[*own].name), velocities.angular[*own].clone()));
-        }
-        for (name, vector) in vectors {
-            let mut lines = Vec::new();
-            let Kinematics { arena, frames, simplifier, .. } = kinematics;
-            let total = frames.express(arena, &vector, frame).map(|e| simplifier.simplify(arena, e));
-            lines.extend(total.iter().enumerate().map(|(i, e)| (format!("{name} [{}]", i + 1), *e)));
-            for speed in &model.speeds {
-                let mut partial = Differential::partial(speed.symbol);
-                for (i, e) in total.iter().enumerate() {
-                    let slope = partial.apply(arena, *e);
-                    let slope = simplifier.simplify(arena, slope);
-                    if slope != Expr::ZERO {
-                        lines.push((format!("d {name} [{}]/d {}", i + 1, speed.name), slope));
-                    }
-                }
-            }
-            steps.push(Step { title: format!("Velocity and partial velocities: {name}"), lines });
+        let turning =
+            body.rigid.as_ref().map(|(own, _)| (VectorName::AngularVelocity, *own, &velocities.angular[*own]));
+        let moving = (VectorName::Velocity, body.centre, &velocities.linear[body.centre]);
+        for (vector, of, value) in turning.into_iter().chain([moving]) {
+            steps.push(velocity_step(model, kinematics, (vector, of, frame), value));
         }
     }
-    let lines = model.speeds.iter().zip(&active).map(|(s, f)| (format!("F[{}]", s.name), *f)).collect();
-    steps.push(Step { title: "Generalized active forces".to_owned(), lines });
-    steps
+    let lines = active.iter().enumerate().map(|(at, force)| (LineName::ActiveForce(at), *force)).collect();
+    steps.push(Step { stage: Stage::ActiveForces, lines });
+    Ok(steps)
+}
+
+/// The components of a velocity, then its partial velocities that are not zero.
+fn velocity_step(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    (vector, of, frame): (VectorName, usize, usize),
+    value: &Vector,
+) -> Step {
+    let Kinematics { arena, frames, simplifier, .. } = kinematics;
+    let total = frames.express(arena, value, frame).map(|e| simplifier.simplify(arena, e));
+    let mut lines: Vec<(LineName, Expr)> = component_lines((vector, of, frame), total).collect();
+    for (speed, symbol) in model.u().into_iter().enumerate() {
+        let mut partial = Differential::partial(symbol);
+        for (axis, e) in total.iter().enumerate() {
+            let slope = partial.apply(arena, *e);
+            let slope = simplifier.simplify(arena, slope);
+            if slope != Expr::ZERO {
+                let kind = QuantityKind::Partial { vector, of, frame, axis, speed };
+                lines.push((LineName::Quantity(kind), slope));
+            }
+        }
+    }
+    Step { stage: Stage::Velocities { vector, of, frame }, lines }
 }

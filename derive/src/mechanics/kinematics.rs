@@ -1,7 +1,7 @@
 //! Positions, velocities and accelerations: what all three formulations start from.
 
+use super::error::DeriveError;
 use super::vector::{Components, Frames, Vector, apply_tensor};
-use super::{DeriveError, Equations};
 use crate::algebra::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
@@ -163,8 +163,8 @@ impl Kinematics {
         Ok(())
     }
 
-    /// A reaction of an ideal constraint does no work in any permitted motion: along each q̇, or along each speed where motion constraints
-    /// leave fewer of them.
+    /// A reaction of an ideal constraint does no work in any permitted motion: along each q̇, or along each speed
+    /// where motion constraints leave fewer of them.
     fn check_reactions(&mut self, model: &Model) -> Result<(), DeriveError> {
         let velocities = self.in_rates.clone();
         let mut to_permitted = (!model.motion_constraints.is_empty()).then(|| rates_to_speeds(model));
@@ -217,16 +217,6 @@ impl Kinematics {
                 let back = b.neg(&mut self.arena);
                 a.add(&mut self.arena, &back)
             }
-        }
-    }
-
-    /// Simplifies every entry of finished equations.
-    pub fn simplify_equations(&mut self, equations: &mut Equations) {
-        let Self { arena, simplifier, .. } = self;
-        let entries = equations.matrix.iter_mut().flatten().chain(&mut equations.forcing);
-        let entries = entries.chain(&mut equations.coordinate_rates).chain(&mut equations.generalized_speeds);
-        for e in entries.chain(&mut equations.generalized_speed_rates).chain(&mut equations.motion_variables) {
-            *e = simplifier.simplify(arena, *e);
         }
     }
 }

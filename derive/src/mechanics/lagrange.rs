@@ -1,18 +1,20 @@
 //! Lagrange's equations: d/dt(∂T/∂q̇_i) − ∂T/∂q_i + ∂V/∂q_i = Q_i.
 
+use super::error::DeriveError;
 use super::kinematics::{Kinematics, Load, speeds_to_rates};
+use super::quantity::{Energy, QuantityKind};
+use super::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
 use super::vector::Dots;
-use super::{DeriveError, Equations, Formulation, Step};
-use crate::algebra::calculus::{Differential, Gradient};
+use crate::algebra::calculus::Gradient;
 use crate::algebra::{Expr, Rational};
 use crate::model::Model;
 
 /// E(q) q̈ = A(q, q̇).
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`]; [`DeriveError::MotionConstraint`] where multipliers would be needed; a coordinate that moves no
-/// mass is found by the rank of the matrix.
-pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, DeriveError> {
+/// [`DeriveError::NoZeroOfPotential`]; [`DeriveError::MotionConstraint`] where multipliers would be needed; a
+/// coordinate that moves no mass is found by the rank of the matrix.
+pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     // Without multipliers these would be the equations of another mechanism, that moves as it likes.
     if let Some(constraint) = model.motion_constraints.first() {
         return Err(DeriveError::MotionConstraint { constraint: constraint.name.clone() });
@@ -33,41 +35,21 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
         sums[*i].push((*slope, Rational::MINUS_ONE));
     }
     let forcing = sums.iter().map(|terms| arena.linear_combination(terms)).collect();
-    let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
-    rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
-    let mut d_dt = Differential::along(&rates);
-    let speeds: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
-    let speed_rates = speeds.iter().map(|e| d_dt.apply(arena, *e)).collect();
-    let mut equations = Equations {
-        name: Formulation::Lagrange.name().to_owned(),
-        title: Formulation::Lagrange.title().to_owned(),
-        formulation: Formulation::Lagrange,
-        definitions: Vec::new(),
-        coordinates: model.q(),
-        variables: model.q_dot(),
-        unknowns: model.coordinates.iter().map(|c| c.second_rate).collect(),
-        rows: model.coordinates.iter().map(|c| c.name.clone()).collect(),
+    Ok(Rows {
+        names: (0..model.coordinates.len()).map(RowName::Coordinate).collect(),
         matrix,
         forcing,
-        symmetric: true,
         projection: Vec::new(),
-        coordinate_rates: model.q_dot(),
-        generalized_speeds: speeds,
-        generalized_speed_rates: speed_rates,
-        motion_variables: model.kinematic_equations.rates.clone(),
         kinetic_energy: t,
         potential_energy: v,
-        divisors: model.kinematic_equations.divisors.clone(),
-    };
-    kinematics.simplify_equations(&mut equations);
-    Ok(equations)
+    })
 }
 
 /// ∂T/∂q_i − (d/dt ∂T/∂q̇_i without its terms in q̈), row by row, as terms to be added up.
 ///
-/// With T = ½ Σ E_ab q̇_a q̇_b the row i reads  ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each slope of each entry above the
-/// diagonal is taken once and put where it belongs: an entry depends on few coordinates, so that the work grows with the number
-/// of entries.
+/// With T = ½ Σ E_ab q̇_a q̇_b the row i reads  ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each slope of each
+/// entry above the diagonal is taken once and put where it belongs: an entry depends on few coordinates, so that the
+/// work grows with the number of entries.
 fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]) -> Vec<Vec<(Expr, Rational)>> {
     let arena = &mut kinematics.arena;
     let rates = model.q_dot();
@@ -96,16 +78,18 @@ fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]
 ///
 /// # Errors
 /// [`DeriveError::NoZeroOfPotential`].
-pub(super) fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_rates.clone();
     let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());
     let v = kinematics.potential_energy(model)?;
     let forces = generalized_forces(model, kinematics);
-    let lines = model.coordinates.iter().zip(&forces).map(|(c, f)| (format!("Q[{}]", c.name), *f));
+    let energies = [(Energy::Kinetic, t), (Energy::Potential, v)];
+    let energies = energies.map(|(energy, e)| (LineName::Quantity(QuantityKind::Energy(energy)), e));
+    let forces = forces.into_iter().enumerate().map(|(at, force)| (LineName::GeneralizedForce(at), force));
     Ok(vec![
-        super::kinematic_step(model),
-        Step { title: "Energies".to_owned(), lines: vec![("T".to_owned(), t), ("V".to_owned(), v)] },
-        Step { title: "Generalized forces other than gravity".to_owned(), lines: lines.collect() },
+        kinematic_step(model),
+        Step { stage: Stage::Energies, lines: energies.to_vec() },
+        Step { stage: Stage::GeneralizedForces, lines: forces.collect() },
     ])
 }
 

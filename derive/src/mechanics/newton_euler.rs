@@ -3,9 +3,11 @@
 //! Forces: m a_C = ΣF. Moments about the mass centre: dH/dt = ΣM. Components are taken in the frame
 //! of the body's inertia, for particles in the inertial frame; components that read 0 = 0 are left out.
 
+use super::error::DeriveError;
 use super::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
-use super::vector::Vector;
-use super::{DeriveError, Equations, Formulation, Step};
+use super::quantity::VectorName;
+use super::rows::{BalanceName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
+use super::vector::{Components, Vector};
 use crate::algebra::Expr;
 use crate::algebra::calculus::Gradient;
 use crate::algebra::linear::LinearForm;
@@ -16,7 +18,7 @@ use crate::model::{Body, Model, Place, ReactionKind};
 /// # Errors
 /// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies feel;
 /// [`DeriveError::TorqueOnNothing`] for a torque on a frame that carries no body.
-pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, DeriveError> {
+pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     if let Some(torque) = model.torques.iter().find(|t| t.on.1.is_none() || t.against.is_some_and(|(_, b)| b.is_none()))
     {
         return Err(DeriveError::TorqueOnNothing { torque: torque.name.clone() });
@@ -45,56 +47,40 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Equations, D
             speeds: model.speeds.len(),
             reactions: model.reactions.len(),
             all: model.bodies.iter().map(|body| if body.rigid.is_some() { 6 } else { 3 }).sum(),
+            felt: felt(model, &rows),
         });
     }
-    let mut equations = Equations {
-        name: Formulation::NewtonEuler.name().to_owned(),
-        title: Formulation::NewtonEuler.title().to_owned(),
-        formulation: Formulation::NewtonEuler,
-        definitions: Vec::new(),
-        coordinates: model.q(),
-        variables: model.u(),
-        unknowns,
-        rows: rows.iter().map(|row| row.label(model)).collect(),
+    Ok(Rows {
+        names: rows.iter().map(|row| RowName::Balance(row.name)).collect(),
         matrix,
         forcing,
-        symmetric: false,
         projection: partial_velocities(model, kinematics, &velocities, &rows, &model.u()),
-        coordinate_rates: model.kinematic_equations.rates.clone(),
-        generalized_speeds: model.u(),
-        generalized_speed_rates: model.speeds.iter().map(|s| s.rate).collect(),
-        motion_variables: model.u(),
         kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),
         potential_energy: kinematics.potential_energy(model)?,
-        divisors: model.kinematic_equations.divisors.clone(),
-    };
-    kinematics.simplify_equations(&mut equations);
-    Ok(equations)
+    })
+}
+
+/// The components that are not 0 = 0, body by body.
+fn felt(model: &Model, rows: &[Balance]) -> Vec<String> {
+    let mut list: Vec<(String, Vec<String>)> = Vec::new();
+    for Balance { name, .. } in rows {
+        let subject = RowName::Balance(*name).subject(model);
+        let direction = format!("{}{}", model.frames[name.frame].name.to_lowercase(), name.axis + 1);
+        match list.last_mut().filter(|(last, _)| *last == subject) {
+            Some((_, axes)) => axes.push(direction),
+            None => list.push((subject, vec![direction])),
+        }
+    }
+    list.into_iter().map(|(subject, axes)| format!("{subject} {}", axes.join(", "))).collect()
 }
 
 /// One component of Newton's or Euler's equation of one body.
 #[derive(Clone, Debug)]
 pub struct Balance {
-    /// The body.
-    pub body: usize,
-    /// Whether it is of moments about the mass centre, and not of forces.
-    pub moments: bool,
-    /// The frame of the component.
-    pub frame: usize,
-    /// The axis of the component: 0, 1 or 2.
-    pub axis: usize,
+    /// Which component.
+    pub name: BalanceName,
     /// m a − ΣF or dH/dt − ΣM, in q, u, u̇ and reactions.
     pub residual: Expr,
-}
-
-impl Balance {
-    /// What the row balances, in words.
-    #[must_use]
-    pub fn label(&self, model: &Model) -> String {
-        let what = if self.moments { "moment" } else { "force" };
-        let axis = model.frames[self.frame].name.to_lowercase();
-        format!("{} {what} {axis}{}", model.bodies[self.body].name, self.axis + 1)
-    }
 }
 
 /// Newton's and Euler's equations of every body, component by component, in `frame` or each in the frame of
@@ -112,7 +98,8 @@ pub fn balances(
         for (moments, vector) in [Some((false, force)), moment.map(|m| (true, m))].into_iter().flatten() {
             let components = kinematics.frames.express(&mut kinematics.arena, &vector, frame);
             let entries = components.into_iter().enumerate();
-            list.extend(entries.map(|(axis, residual)| Balance { body: at, moments, frame, axis, residual }));
+            let name = |axis| BalanceName { body: at, moments, frame, axis };
+            list.extend(entries.map(|(axis, residual)| Balance { name: name(axis), residual }));
         }
     }
     list
@@ -129,7 +116,7 @@ pub fn partial_velocities(
 ) -> Vec<Vec<Expr>> {
     let mut gradient = Gradient::new(variables);
     let mut result = vec![vec![Expr::ZERO; rows.len()]; variables.len()];
-    for (place, row) in rows.iter().enumerate() {
+    for (place, row) in rows.iter().map(|row| row.name).enumerate() {
         let body = &model.bodies[row.body];
         let velocity = match &body.rigid {
             Some((frame, _)) if row.moments => &velocities.angular[*frame],
@@ -218,27 +205,36 @@ pub(super) fn torques_on(model: &Model, kinematics: &mut Kinematics, body: usize
 }
 
 /// Accelerations, to be shown.
-pub(super) fn steps(model: &Model, kinematics: &mut Kinematics) -> Vec<Step> {
+///
+/// # Errors
+/// None.
+#[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
+pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);
-    let mut steps = vec![super::kinematic_step(model)];
-    let mut rates = motion_rates(model);
-    for body in &model.bodies {
+    let mut steps = vec![kinematic_step(model)];
+    for (at, body) in model.bodies.iter().enumerate() {
         let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
-        let name = format!("a({}) @ {}", model.points[body.centre].name, model.frames[frame].name);
-        let Kinematics { arena, frames, simplifier, .. } = kinematics;
-        let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
-        let a = frames.express(arena, &a, frame).map(|e| simplifier.simplify(arena, e));
-        let mut lines: Vec<_> = a.iter().enumerate().map(|(i, e)| (format!("{name} [{}]", i + 1), *e)).collect();
+        let a = rate(model, kinematics, &velocities, frame, &velocities.linear[body.centre]);
+        let mut lines: Vec<_> = component_lines((VectorName::Acceleration, body.centre, frame), a).collect();
         if let Some((own, _)) = &body.rigid {
             let omega = kinematics.angular_velocity_in(body, &velocities).unwrap_or([Expr::ZERO; 3]);
-            let name = format!("alpha({}) @ {}", model.frames[*own].name, model.frames[frame].name);
-            let Kinematics { arena, frames, simplifier, .. } = kinematics;
-            let omega = Vector::in_frame(frame, omega);
-            let alpha = frames.time_derivative(arena, &omega, &velocities.angular, &mut rates);
-            let alpha = frames.express(arena, &alpha, frame).map(|e| simplifier.simplify(arena, e));
-            lines.extend(alpha.iter().enumerate().map(|(i, e)| (format!("{name} [{}]", i + 1), *e)));
+            let alpha = rate(model, kinematics, &velocities, frame, &Vector::in_frame(frame, omega));
+            lines.extend(component_lines((VectorName::AngularAcceleration, *own, frame), alpha));
         }
-        steps.push(Step { title: format!("Accelerations of {}", body.name), lines });
+        steps.push(Step { stage: Stage::Accelerations(at), lines });
     }
-    steps
+    Ok(steps)
+}
+
+/// The time derivative of a vector in the inertial frame, in components along a frame.
+fn rate(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+    frame: usize,
+    vector: &Vector,
+) -> Components {
+    let Kinematics { arena, frames, simplifier, .. } = kinematics;
+    let rate = frames.time_derivative(arena, vector, &velocities.angular, &mut motion_rates(model));
+    frames.express(arena, &rate, frame).map(|e| simplifier.simplify(arena, e))
 }

@@ -1,10 +1,9 @@
 //! Values of the quantities that a textbook derivation names: velocities, loads, generalized forces, energies.
 //!
-//! Everything is computed from the kinematics that the formulations share, or read off their finished equations; what was
-//! computed once is remembered. Absent on purpose: solving. Accelerations stay linear in u̇, loads in the
+//! Everything is computed from the kinematics that the formulations share, or read off their finished equations; what
+//! was computed once is remembered. Absent on purpose: solving. Accelerations stay linear in u̇, loads in the
 //! reactions.
 
-mod name;
 #[cfg(test)]
 mod name_tests;
 mod parse;
@@ -12,12 +11,16 @@ mod parse;
 mod tests;
 mod vectors;
 
-pub use name::{Energy, Owner, Quantity, QuantityKind, Row, VectorName};
 pub use parse::QuantityError;
 
+use super::accelerations::accelerations;
+use super::derivation::Derivations;
+use super::equations::Equations;
+use super::formulation::Formulation;
+use super::kane;
 use super::kinematics::{Kinematics, Velocities, motion_rates};
+use super::quantity::{Energy, Quantity, QuantityKind, Row, VectorName};
 use super::vector::{Components, Vector, apply_tensor};
-use super::{Derivations, Equations, Formulation, accelerations, kane};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
 use crate::model::Model;

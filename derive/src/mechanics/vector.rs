@@ -92,8 +92,8 @@ impl Vector {
         self.map(|e| along.apply(arena, e))
     }
 
-    /// The derivatives of the vector along each variable on which it depends by form, (which, derivative), in order; basis
-    /// vectors are held fixed. Of a velocity, along the motion variables, these are the partial velocities.
+    /// The derivatives of the vector along each variable on which it depends by form, (which, derivative), in order;
+    /// basis vectors are held fixed. Of a velocity, along the motion variables, these are the partial velocities.
     #[must_use]
     pub fn slopes(&self, arena: &mut Arena, gradient: &mut Gradient) -> Vec<(usize, Self)> {
         let mut by_variable: BTreeMap<usize, Self> = BTreeMap::new();
@@ -274,8 +274,8 @@ impl Frames {
 
 /// Σ weight · (a · b), to be written down once all are known.
 ///
-/// Equal pairs of parts are put together first: where a chain's bodies move alike, their masses add up to one factor of one
-/// dot product, Σ m_k (a · b) = (Σ m_k) (a · b), and a sum over n bodies takes n terms rather than n².
+/// Equal pairs of parts are put together first: where a chain's bodies move alike, their masses add up to one factor
+/// of one dot product, Σ m_k (a · b) = (Σ m_k) (a · b), and a sum over n bodies takes n terms rather than n².
 #[derive(Default)]
 pub struct Dots {
     places: FxHashMap<(Part, Part), usize>,

@@ -13,8 +13,8 @@ use crate::algebra::linear::solve;
 use crate::algebra::rank::rank;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{
-    Balance, Derivations, Equations, Formulation, Kinematics, Vector, balances, partial_velocities, rates_to_speeds,
-    speeds_to_rates,
+    Balance, BalanceName, Derivations, Equations, Formulation, Kinematics, RowName, Vector, balances,
+    partial_velocities, rates_to_speeds, speeds_to_rates,
 };
 use crate::model::{Model, ReactionKind};
 
@@ -48,46 +48,109 @@ pub fn prove(
     derivations: &mut Derivations,
     comparer: &mut Comparer,
 ) -> (Vec<Pair>, Vec<ReactionEquation>) {
-    let [kane, lagrange, newton_euler] = Formulation::ALL.map(|f| derivations.get(f).cloned());
+    let list: Vec<Equations> = Formulation::ALL.into_iter().filter_map(|f| derivations.get(f).cloned()).collect();
     let kinematics = &mut derivations.kinematics;
     let maps = Maps::new(model, &mut kinematics.arena);
-    let (mut pairs, mut reactions) = (Vec::new(), Vec::new());
-    if let (Some(kane), Some(lagrange)) = (&kane, &lagrange) {
-        pairs.push(kane_and_lagrange(model, &mut kinematics.arena, comparer, &maps, kane, lagrange));
+    let mut prover = Prover { model, kinematics, comparer, maps, reactions: None };
+    let mut pairs = Vec::new();
+    for (at, left) in list.iter().enumerate() {
+        for right in &list[at + 1..] {
+            let found = prover.one_from_the_other(left, right).or_else(|| prover.one_from_the_other(right, left));
+            let both = (left.formulation, right.formulation);
+            pairs.extend(found.map(|(verdict, map)| Pair { left: both.0, right: both.1, verdict, map }));
+        }
     }
-    let Some(newton_euler) = newton_euler else { return (pairs, reactions) };
-    let rows = rows_of(model, kinematics, &newton_euler);
-    if let Some(kane) = &kane {
-        let partial = &newton_euler.projection;
-        let combined = combine(&mut kinematics.arena, partial, &newton_euler);
-        let identity = equal_systems(&mut kinematics.arena, comparer, &combined, kane, model.reactions.len());
-        let (back, equations) = reactions_from(model, kinematics, &rows, &newton_euler);
+    (pairs, prover.reactions.unwrap_or_default())
+}
+
+/// A verdict on two formulations, and how one follows from the other in words.
+type Found = (Verdict, String);
+
+struct Prover<'a> {
+    model: &'a Model,
+    kinematics: &'a mut Kinematics,
+    comparer: &'a mut Comparer,
+    maps: Maps,
+    /// As soon as some equations in speeds were shown to leave them over.
+    reactions: Option<Vec<ReactionEquation>>,
+}
+
+impl Prover<'_> {
+    /// By the map that leads from such equations as these to such as the others; nothing if it leads the other way.
+    fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<Found> {
+        let (from, to) = (left.formulation, right.formulation);
+        match (from.carries_reactions(), to.carries_reactions()) {
+            (false, false) if from.is_in_rates() == to.is_in_rates() => Some(self.row_by_row(left, right)),
+            (false, false) if to.is_in_rates() => Some(self.speeds_and_rates(left, right)),
+            (false, true) if from.is_in_rates() => Some(self.rates_and_balances(left, right)),
+            (false, true) => Some(self.speeds_and_balances(left, right)),
+            _ => None,
+        }
+    }
+
+    /// Two that state the same rows.
+    fn row_by_row(&mut self, left: &Equations, right: &Equations) -> Found {
+        let rows = (left.matrix.clone(), left.forcing.clone());
+        let verdict = equal_systems(&mut self.kinematics.arena, self.comparer, &rows, right, 0);
+        (verdict, format!("{} = {}, row by row", label(left), label(right)))
+    }
+
+    /// Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds.
+    fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+        let Self { model, kinematics, comparer, maps, .. } = self;
+        let arena = &mut kinematics.arena;
+        let in_speeds = maps.to_speeds(model, arena, rates);
+        let forward = combine(arena, &transposed(&maps.w), &in_speeds);
+        let forward = equal_systems(arena, comparer, &forward, speeds, 0);
+        let in_rates = maps.to_rates(model, arena, speeds);
+        let mut to_rates = speeds_to_rates(model);
+        let j: Matrix =
+            transposed(&maps.j).iter().map(|row| row.iter().map(|e| to_rates.apply(arena, *e)).collect()).collect();
+        let backward = combine(arena, &j, &in_rates);
+        let backward = equal_systems(arena, comparer, &backward, rates, 0);
+        // At rest in q̇, a speed that is not homogeneous has an offset.
+        let pairs: Vec<_> = model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
+        let mut at_rest = Substitution::new(&pairs);
+        let homogeneous = model.speeds.iter().all(|s| at_rest.apply(arena, s.definition) == Expr::ZERO);
+        let with = if homogeneous { "q' = W u and u = J q'" } else { "q' = W u + w and u = J q' + d" };
+        let (u, q) = (label(speeds), label(rates));
+        (all([forward, backward]), format!("{u} = Wᵀ · {q} and {q} = Jᵀ · {u}, with {with}"))
+    }
+
+    /// Speeds = P · Balances; the rows that P leaves over give the reactions.
+    fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> Found {
+        let Self { model, kinematics, comparer, .. } = self;
+        let combined = combine(&mut kinematics.arena, &balances.projection, balances);
+        let identity = equal_systems(&mut kinematics.arena, comparer, &combined, speeds, model.reactions.len());
+        let rows = rows_of(model, kinematics, balances);
+        let (back, equations) = reactions_from(model, kinematics, &rows, balances);
+        self.reactions.get_or_insert(equations);
         let names: Vec<&str> = model.reactions.iter().map(|r| r.name.as_str()).collect();
-        let given = if names.is_empty() {
-            "both have the same number of rows".to_owned()
-        } else {
-            let s = if names.len() == 1 { "the remaining equation gives" } else { "the remaining equations give" };
-            format!("{s} {}", names.join(", "))
+        let given = match names.as_slice() {
+            [] => "both have the same number of rows".to_owned(),
+            [one] => format!("the remaining equation gives {one}"),
+            _ => format!("the remaining equations give {}", names.join(", ")),
         };
-        let map = format!("Kane = (partial velocities) · Newton–Euler, the reactions cancel; {given}");
-        pairs.push(Pair {
-            left: Formulation::Kane,
-            right: Formulation::NewtonEuler,
-            verdict: all([identity, back]),
-            map,
-        });
-        reactions = equations;
+        let (u, b) = (label(speeds), label(balances));
+        (all([identity, back]), format!("{u} = (partial velocities) · {b}, the reactions cancel; {given}"))
     }
-    if let Some(lagrange) = &lagrange {
+
+    /// Rates = P · Balances, with the partial velocities with respect to q̇.
+    fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> Found {
+        let Self { model, kinematics, comparer, maps, .. } = self;
+        let rows = rows_of(model, kinematics, balances);
         let velocities = kinematics.in_rates.clone();
         let partial = partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
-        let in_rates = maps.to_rates(model, &mut kinematics.arena, &newton_euler);
+        let in_rates = maps.to_rates(model, &mut kinematics.arena, balances);
         let combined = combine(&mut kinematics.arena, &partial, &in_rates);
-        let identity = equal_systems(&mut kinematics.arena, comparer, &combined, lagrange, model.reactions.len());
-        let map = "Lagrange = (partial velocities with respect to q') · Newton–Euler, the reactions cancel".to_owned();
-        pairs.push(Pair { left: Formulation::Lagrange, right: Formulation::NewtonEuler, verdict: identity, map });
+        let identity = equal_systems(&mut kinematics.arena, comparer, &combined, rates, model.reactions.len());
+        let (q, b) = (label(rates), label(balances));
+        (identity, format!("{q} = (partial velocities with respect to q') · {b}, the reactions cancel"))
     }
-    (pairs, reactions)
+}
+
+fn label(equations: &Equations) -> &'static str {
+    equations.formulation.method().label
 }
 
 /// q̇ = W u + w, q̈ = W u̇ + x and u = J q̇ + d, u̇ = J q̈ + y.
@@ -156,6 +219,10 @@ impl Maps {
     }
 }
 
+fn transposed(matrix: &Matrix) -> Matrix {
+    (0..matrix.first().map_or(0, Vec::len)).map(|at| column(matrix, at)).collect()
+}
+
 fn column(matrix: &Matrix, at: usize) -> Vec<Expr> {
     matrix.iter().map(|row| row[at]).collect()
 }
@@ -192,38 +259,11 @@ fn equal_systems(
     all(verdicts)
 }
 
-fn kane_and_lagrange(
-    model: &Model,
-    arena: &mut Arena,
-    comparer: &mut Comparer,
-    maps: &Maps,
-    kane: &Equations,
-    lagrange: &Equations,
-) -> Pair {
-    let transposed = |m: &Matrix| -> Matrix { (0..m.len()).map(|c| column(m, c)).collect() };
-    let in_speeds = maps.to_speeds(model, arena, lagrange);
-    let forward = combine(arena, &transposed(&maps.w), &in_speeds);
-    let forward = equal_systems(arena, comparer, &forward, kane, 0);
-    let in_rates = maps.to_rates(model, arena, kane);
-    let mut to_rates = speeds_to_rates(model);
-    let j: Matrix =
-        transposed(&maps.j).iter().map(|row| row.iter().map(|e| to_rates.apply(arena, *e)).collect()).collect();
-    let backward = combine(arena, &j, &in_rates);
-    let backward = equal_systems(arena, comparer, &backward, lagrange, 0);
-    // At rest in q̇, a speed that is not homogeneous has an offset.
-    let pairs: Vec<_> = model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
-    let mut at_rest = Substitution::new(&pairs);
-    let homogeneous = model.speeds.iter().all(|s| at_rest.apply(arena, s.definition) == Expr::ZERO);
-    let with = if homogeneous { "q' = W u and u = J q'" } else { "q' = W u + w and u = J q' + d" };
-    let map = format!("Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, with {with}");
-    Pair { left: Formulation::Kane, right: Formulation::Lagrange, verdict: all([forward, backward]), map }
-}
-
 /// The balances that are rows of Newton–Euler: those that are not 0 = 0.
 fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations) -> Vec<Balance> {
     let velocities = kinematics.in_speeds(model);
     let mut rows = balances(model, kinematics, &velocities, None);
-    rows.retain(|row| newton_euler.rows.contains(&row.label(model)));
+    rows.retain(|row| newton_euler.rows.contains(&RowName::Balance(row.name)));
     rows
 }
 
@@ -286,10 +326,11 @@ fn directions(model: &Model, kinematics: &mut Kinematics, rows: &[Balance]) -> M
         let direction = Vector::in_frame(reaction.frame, reaction.direction);
         let Kinematics { arena, frames, simplifier, .. } = kinematics;
         let mut entry = |row: &Balance| {
-            if row.body != body || row.moments != moments {
+            let BalanceName { frame, axis, .. } = row.name;
+            if row.name.body != body || row.name.moments != moments {
                 return Expr::ZERO;
             }
-            let component = frames.express(arena, &direction, row.frame)[row.axis];
+            let component = frames.express(arena, &direction, frame)[axis];
             simplifier.simplify(arena, component)
         };
         result.push(rows.iter().map(&mut entry).collect());

@@ -123,9 +123,10 @@ impl Lagrangian {
         }
         Some(fields)
     }
-    /// Fields e_k + Σ m(q) e_s whose momenta are conserved, e_s along cyclic coordinates and m sums of the products of sines and
-    /// cosines by which these hang together with others: then q_k is quasi-cyclic. With the p_s held, ∂L/∂q_k is the rate of
-    /// f = −Σ m(q) p_s, and p_k − f does not change. Nothing if there is none, or if it is too large to decide.
+    /// Fields e_k + Σ m(q) e_s whose momenta are conserved, e_s along cyclic coordinates and m sums of the products
+    /// of sines and cosines by which these hang together with others: then q_k is quasi-cyclic. With the p_s held,
+    /// ∂L/∂q_k is the rate of f = −Σ m(q) p_s, and p_k − f does not change. Nothing if there is none, or if it is too
+    /// large to decide.
     pub fn quasi_cyclic(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Vec<Field> {
         let cyclic: Vec<usize> = (0..self.q.len()).filter(|s| self.is_cyclic(arena, *s)).collect();
         let products = self.trigonometric(arena, &cyclic);
@@ -147,7 +148,8 @@ impl Lagrangian {
         zero_test(arena, gain) == ZeroTest::Zero
     }
 
-    /// The products of one or two sines and cosines in the rows of the mass matrix of these coordinates, and in their derivatives.
+    /// The products of one or two sines and cosines in the rows of the mass matrix of these coordinates, and in their
+    /// derivatives.
     fn trigonometric(&self, arena: &mut Arena, cyclic: &[usize]) -> BTreeSet<Expr> {
         let mut normalizer = Normalizer::new(Normalizer::BUDGET);
         let mut products = BTreeSet::new();

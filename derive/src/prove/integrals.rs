@@ -18,7 +18,7 @@ use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::{
-    Derivations, Equations, Formulation, Kinematics, motion_rates, rates_to_speeds, speeds_to_rates, visit,
+    Derivations, Equations, Formulation, Kinematics, motion_rates, rates_to_speeds, speeds_to_rates,
 };
 use crate::model::Model;
 
@@ -55,8 +55,8 @@ impl Integral {
         self.kinds.iter().any(|kind| kind.is_energy())
     }
 
-    /// What it divides by and is not proved to be zero nowhere: where one of these is 0, it says nothing. A parameter that is
-    /// not stated to be positive is one.
+    /// What it divides by and is not proved to be zero nowhere: where one of these is 0, it says nothing. A parameter
+    /// that is not stated to be positive is one.
     #[must_use]
     pub fn divisors(&self, arena: &Arena) -> Vec<Expr> {
         let all = divisors(arena, &[self.expression]);
@@ -81,7 +81,8 @@ pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Compare
     }
 }
 
-/// What a search for integrals starts from. Parameters may be replaced in it by numbers, which may have integrals of their own.
+/// What a search for integrals starts from. Parameters may be replaced in it by numbers, which may have integrals of
+/// their own.
 #[derive(Clone)]
 pub struct Basis {
     /// T, V and Q in q and q̇.
@@ -107,7 +108,7 @@ impl Basis {
 
     /// Rewrites every term.
     pub fn change(&mut self, arena: &mut Arena, rewrite: &mut dyn FnMut(&mut Arena, Expr) -> Expr) {
-        visit(&mut self.kane, &mut |e, arena| *e = rewrite(arena, *e), arena);
+        self.kane.visit(&mut |e, arena| *e = rewrite(arena, *e), arena);
         let of_fields = self.fields.iter_mut().flat_map(|f| &mut f.xi);
         for e in self.lagrangian.terms().chain(of_fields) {
             *e = rewrite(arena, *e);
@@ -318,8 +319,9 @@ mod tests {
     use crate::mechanics::derive_all;
     use std::path::Path;
 
-    /// Goal: a symmetry is found from the Lagrangian alone. Method: the heading q1 of the disk is quasi-cyclic: with the momenta of the
-    /// contact point, p1 makes the angular momentum about the vertical through the mass centre, which the rigid motions give.
+    /// Goal: a symmetry is found from the Lagrangian alone. Method: the heading q1 of the disk is quasi-cyclic: with
+    /// the momenta of the contact point, p1 makes the angular momentum about the vertical through the mass centre,
+    /// which the rigid motions give.
     #[test]
     fn heading_of_the_disk_is_quasi_cyclic() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/disk/model.toml");

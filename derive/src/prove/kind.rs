@@ -4,7 +4,8 @@ use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 
-/// What is conserved. Coordinates, bodies and axes are positions from 0; axes are of the inertial frame unless another is named.
+/// What is conserved. Coordinates, bodies and axes are positions from 0; axes are of the inertial frame unless
+/// another is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum IntegralKind {
     /// T + V, where no applied force works.
@@ -63,7 +64,8 @@ impl IntegralKind {
         matches!(self, Self::Energy | Self::EnergyOfForces)
     }
 
-    /// What it is, in full: a momentum with its definition, a symmetry with its components ξ, whose terms are in `arena`.
+    /// What it is, in full: a momentum with its definition, a symmetry with its components ξ, whose terms are in
+    /// `arena`.
     #[must_use]
     pub fn words(self, model: &Model, arena: &Arena, xi: &[Expr]) -> String {
         let title = self.title(model);

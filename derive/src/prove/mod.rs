@@ -42,10 +42,11 @@ pub struct Proof {
 }
 
 impl Proof {
-    /// Whether every pair is proved.
+    /// Whether the formulations that there are were proved to be one and the same: false where there are no two to
+    /// compare.
     #[must_use]
     pub fn is_equivalent(&self) -> bool {
-        self.pairs.iter().all(|pair| pair.verdict.is_equal())
+        !self.pairs.is_empty() && self.pairs.iter().all(|pair| pair.verdict.is_equal())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Rigid motions of the whole system, or of one of its bodies, that the constraints permit.
 //!
-//! A field ξ(q) is the motion "all of it turns about an axis e through S" iff with q̇ = ξ every moved frame has ω = e and
-//! every moved mass centre has v = e × (r − r_S), and what is not moved has neither. That is a linear
+//! A field ξ(q) is the motion "all of it turns about an axis e through S" iff with q̇ = ξ every moved frame has ω = e
+//! and every moved mass centre has v = e × (r − r_S), and what is not moved has neither. That is a linear
 //! system for ξ with more rows than unknowns; the motion is permitted iff it is consistent.
 
 use super::fields::Field;

@@ -31,8 +31,8 @@ pub struct Place {
     pub divisor: Expr,
     /// The determinant there.
     pub determinant: There,
-    /// Whether entries of the matrix divide by zero there: near it they are large, and the matrix is ill-conditioned even
-    /// where its determinant is far from zero.
+    /// Whether entries of the matrix divide by zero there: near it they are large, and the matrix is ill-conditioned
+    /// even where its determinant is far from zero.
     pub entries_divide: bool,
 }
 

@@ -3,7 +3,7 @@
 use crate::algebra::compare::{Engine, Verdict};
 
 /// One verdict for many: the first that is not "equal", else the weakest engine.
-pub(crate) fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
+pub fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     let mut engine = Engine::NormalForm;
     for verdict in verdicts {
         match verdict {

@@ -6,6 +6,7 @@
 use super::ground::Ground;
 use super::held::Held;
 use super::pivots::Solved;
+use super::prose::Prose;
 use crate::algebra::Expr;
 use crate::algebra::calculus::Substitution;
 use crate::algebra::linear::LinearForm;
@@ -36,7 +37,7 @@ impl Ground {
             let is_number = self.arena.as_number(coefficient).is_some();
             let new = if alone && is_number {
                 let speed = self.kane.variables[column];
-                held[row].about = format!("generalized speed, constant with the {}", held[row].about);
+                held[row].about = Prose::from("generalized speed, constant with the ").then(held[row].about.clone());
                 held[row].of_state = speed;
                 held[row].unit = self.model.speeds[column].unit.clone();
                 speed
@@ -46,8 +47,7 @@ impl Ground {
                 let name = self.arena.symbol_name(held[row].symbol).unwrap_or_default().to_owned();
                 let scaled = self.arena.mul(factor, held[row].of_state);
                 held[row].of_state = self.simplifier.simplify(&mut self.arena, scaled);
-                held[row].about =
-                    format!("{} times the {}", crate::algebra::print::text(&self.arena, factor), held[row].about);
+                held[row].about = Prose::term(factor).then(" times the ").then(held[row].about.clone());
                 fresh_symbol(&mut self.arena, &format!("{name}_scaled"))
             };
             let instead = self.arena.div(new, factor).expect("not zero");

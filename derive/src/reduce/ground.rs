@@ -6,9 +6,7 @@ use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::mechanics::{
-    Derivations, DeriveError, Equations, Formulation, derive_all, motion_rates, rates_to_speeds, visit,
-};
+use crate::mechanics::{Derivations, DeriveError, Equations, Formulation, derive_all, motion_rates, rates_to_speeds};
 use crate::model::{Model, Unit};
 use crate::prove::{Basis, Integral, IntegralKind};
 use crate::scene::Scene;
@@ -75,7 +73,9 @@ pub struct Ground {
     pub kane: Equations,
     /// The force balance that determines reactions, or why there is none.
     pub balance: Result<Equations, DeriveError>,
-    /// Momenta of symmetries.
+    /// What the motions conserve.
+    pub integrals: Vec<Integral>,
+    /// Momenta of symmetries among that.
     pub momenta: Vec<Momentum>,
     /// The energy, if it is conserved.
     pub energy: Option<Expr>,
@@ -104,20 +104,15 @@ impl Ground {
     /// [`DeriveError`] if Kane's equations cannot be derived.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         let mut derivations = derive_all(model)?;
-        let kane = match derivations.list.iter().find(|(f, _)| *f == Formulation::Kane) {
-            Some((_, Ok(kane))) => kane.clone(),
-            Some((_, Err(error))) => return Err(error.clone()),
-            None => return Err(DeriveError::NotLinear),
-        };
-        let balance = derivations.list.iter().find(|(f, _)| *f == Formulation::NewtonEuler);
-        let balance = balance.map_or(Err(DeriveError::NotLinear), |(_, balance)| balance.clone());
+        let kane = derivations.result(Formulation::Kane)?.clone();
+        let balance = derivations.result(Formulation::NewtonEuler).cloned();
         let search = match model.coordinates.len() {
             0..=MOST_COORDINATES => Search::new(model, &mut derivations),
             _ => None,
         };
         let crate::mechanics::Kinematics { arena, simplifier, .. } = derivations.kinematics;
         let (q, q_start, u_start) = (model.q(), model.q(), model.u());
-        let (relatives, folded, momenta, energy) = Default::default();
+        let (relatives, folded, integrals, momenta, energy) = Default::default();
         let model = model.clone();
         let mut ground = Self {
             model,
@@ -129,6 +124,7 @@ impl Ground {
             relatives,
             kane,
             balance,
+            integrals,
             momenta,
             energy,
             folded,
@@ -146,6 +142,7 @@ impl Ground {
         self.energy = integrals.iter().find(|i| i.is_energy()).map(|i| i.expression);
         let terms = &mut (&mut self.arena, &mut self.simplifier);
         self.momenta = integrals.iter().filter_map(|i| search.momentum(&self.model, terms, i)).collect();
+        self.integrals = integrals;
     }
 
     /// Puts the numbers of the scene in the place of the parameters that it does not leave free, where they are short and exact.
@@ -192,7 +189,7 @@ impl Ground {
     pub(super) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
         let Self { arena, simplifier, model, kane, balance, momenta, energy, .. } = self;
         for equations in [Some(kane), balance.as_mut().ok()].into_iter().flatten() {
-            visit(equations, &mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
+            equations.visit(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
         }
         let speeds = model.speeds.iter_mut().map(|s| &mut s.definition);
         let conditions = model.domain.iter_mut().map(|c| &mut c.positive);

@@ -1,6 +1,7 @@
 //! Momenta that are held fixed, each with a symbol for its value.
 
 use super::ground::Ground;
+use super::prose::Prose;
 use crate::algebra::Expr;
 use crate::algebra::calculus::Differential;
 use crate::algebra::steps::fresh_symbol;
@@ -17,7 +18,7 @@ pub struct Held {
     /// What the symbol is, in q and u: the momentum, or what is left of it on a singular surface.
     pub of_state: Expr,
     /// What the symbol is, in words.
-    pub about: String,
+    pub about: Prose,
     /// Its unit.
     pub unit: Unit,
 }
@@ -27,7 +28,7 @@ impl Ground {
     pub(super) fn hold(&mut self, at: usize) -> Held {
         let momentum = &self.momenta[at];
         let wanted = symbol_of(&self.model, &momentum.kinds, at);
-        let (of_state, about) = (momentum.value, momentum.about.clone());
+        let (of_state, about) = (momentum.value, momentum.about.as_str().into());
         let unit = momentum.unit.clone();
         Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
     }

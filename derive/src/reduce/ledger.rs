@@ -3,6 +3,7 @@
 use super::ground::Ground;
 use super::level::Level;
 use super::proof::Proof;
+use super::prose::{Piece, Prose};
 use super::reduction::Omission;
 use super::slice::{Flow, Variable};
 use crate::algebra::Expr;
@@ -17,26 +18,25 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene,
     let mut list = Vec::new();
     for (name, value) in &ground.folded {
         list.push(Omission {
-            what: format!("parameter {name}"),
-            why: format!("the scene fixes it at {}", value.to_f64()),
+            what: format!("parameter {name}").into(),
+            why: format!("the scene fixes it at {}", value.to_f64()).into(),
             proof: "the number of the scene file, put in exactly".to_owned(),
         });
     }
     list.extend(held(ground, level, flow, proof));
     for carried in &flow.carried {
-        let name = text(&ground.arena, carried.coordinate);
+        let equation = Piece::Equation(carried.coordinate, carried.value);
         list.push(Omission {
-            what: name.clone(),
-            why: format!("not integrated: {name} = {}", text(&ground.arena, carried.value)),
+            what: Prose::term(carried.coordinate),
+            why: Prose::from("not integrated: ").then(equation),
             proof: format!("the rate of that position is the momentum, by identity{}", proof.doubt()),
         });
     }
     for relative in &ground.relatives {
         let (arena, name) = (&ground.arena, text(&ground.arena, relative.variable));
-        let symbol = text(arena, relative.symbol);
         list.push(Omission {
-            what: name.clone(),
-            why: format!("{symbol} stands for it"),
+            what: Prose::term(relative.variable),
+            why: Prose::term(relative.symbol).then(" stands for it"),
             proof: format!("a symmetry moves {name} and {} together, by identity", text(arena, relative.pivot)),
         });
     }
@@ -53,16 +53,21 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene,
 fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omission> {
     let used = flow.dependence.mentioned(&ground.arena, &flow.terms());
     let one = |d: &Definition| {
-        let (name, value) = (text(&ground.arena, d.symbol), text(&ground.arena, d.value));
         if !used.contains(&d.symbol) {
-            let why = format!("no output and nothing that outputs need depends on {name}");
-            return Omission { what: name, why, proof: "no formula that is left mentions it".to_owned() };
+            return Omission {
+                what: Prose::term(d.symbol),
+                why: unneeded(d.symbol),
+                proof: "no formula that is left mentions it".to_owned(),
+            };
         }
         let constants = level.held.iter().filter(|h| ground.arena.mentions(d.value, h.symbol));
-        let constants: Vec<&str> = constants.map(|h| h.about.as_str()).collect();
+        let mut why = Prose::from(Piece::Equation(d.symbol, d.value)).then(", from what is constant: ");
+        for (at, held) in constants.enumerate() {
+            why = why.then(if at == 0 { "" } else { "; " }).then(held.about.clone());
+        }
         Omission {
-            why: format!("{name} = {value}, from what is constant: {}", constants.join("; ")),
-            what: name,
+            why,
+            what: Prose::term(d.symbol),
             proof: format!("Kane's equations of the whole model hold with it, by identity{}", proof.doubt()),
         }
     };
@@ -71,7 +76,6 @@ fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omiss
 
 /// A variable that neither the outputs nor what they need depends on.
 fn independence(ground: &mut Ground, flow: &Flow, variable: Variable) -> Omission {
-    let name = text(&ground.arena, variable.symbol);
     let (mut weakest, mut shown) = (f64::INFINITY, Vec::new());
     for (rate, value) in &flow.raw {
         let present = flow.core.iter().chain(&flow.quadratures).any(|v| v.symbol == *rate);
@@ -84,14 +88,18 @@ fn independence(ground: &mut Ground, flow: &Flow, variable: Variable) -> Omissio
             shown.push(format!("{}'", text(&ground.arena, *rate)));
         }
     }
-    let why = format!("no output and nothing that outputs need depends on {name}");
     let proof = if shown.is_empty() {
         "no formula that is left mentions it".to_owned()
     } else {
         let exponent = weakest.min(999.0).floor();
         format!("{} mention it and do not depend on it: exact (in doubt by less than 2^-{exponent})", shown.join(", "))
     };
-    Omission { what: name, why, proof }
+    Omission { what: Prose::term(variable.symbol), why: unneeded(variable.symbol), proof }
+}
+
+/// That what a scene wants does not ask for this.
+fn unneeded(symbol: Expr) -> Prose {
+    Prose::from("no output and nothing that outputs need depends on ").then(Piece::Term(symbol))
 }
 
 /// What no output asks for.
@@ -112,18 +120,16 @@ fn unasked(ground: &Ground, flow: &Flow, scene: &Scene) -> Vec<Omission> {
         .map(|r| r.name.as_str())
         .collect();
     if !reactions.is_empty() {
-        let what = reactions.join(", ");
         list.push(Omission {
-            what,
-            why: "no output or event asks for it".to_owned(),
+            what: reactions.join(", ").into(),
+            why: "no output or event asks for it".into(),
             proof: "reactions enter no equation of motion".to_owned(),
         });
     }
     if flow.energy.is_none() && ground.energy.is_some() {
-        let why = "it depends on what is left out".to_owned();
         list.push(Omission {
-            what: "the total energy".to_owned(),
-            why,
+            what: "the total energy".into(),
+            why: "it depends on what is left out".into(),
             proof: "zero tests of its derivatives".to_owned(),
         });
     }

@@ -20,6 +20,7 @@ mod one_degree;
 mod pack;
 mod pivots;
 mod proof;
+mod prose;
 mod reduction;
 mod relative;
 mod separate;
@@ -30,6 +31,7 @@ mod wanted;
 pub use ground::Ground;
 pub use one_degree::Slope;
 pub use proof::Proof;
+pub use prose::{Piece, Prose};
 pub use reduction::{Omission, Output, Quantity, Reduction};
 
 use crate::mechanics::{DeriveError, has_inertia_at};
@@ -46,18 +48,6 @@ use std::cmp::Reverse;
 /// [`DeriveError::ReductionNotProved`] if even the system without momenta cannot be proved to give what the scene wants.
 pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
     Ground::new(model)?.reduce(scene)
-}
-
-/// The same without momenta: nothing is divided by but what the model's own equations divide by.
-///
-/// # Errors
-/// As [`reduce`].
-pub fn reduce_without_momenta(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
-    let mut ground = Ground::new(model)?;
-    ground.fold(scene);
-    let wanted = ground.wanted(scene)?;
-    let whole = Whole { kane: ground.kane.clone(), wanted };
-    ground.on_level(&[], &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
 }
 
 impl Ground {
@@ -92,6 +82,18 @@ impl Ground {
         // What is not proved is not used. Without momenta there is less to prove.
         let found = if momenta.is_empty() { found } else { found.or_else(|_| ground.on_level(&[], &whole, scene)) };
         found.map_err(|what| DeriveError::ReductionNotProved { what })
+    }
+
+    /// The system of a scene that holds no momenta: nothing is divided by but what the model's own equations divide by.
+    ///
+    /// # Errors
+    /// As [`reduce`].
+    pub fn reduce_without_momenta(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
+        let mut ground = self.clone();
+        ground.fold(scene);
+        let wanted = ground.wanted(scene)?;
+        let whole = Whole { kane: ground.kane.clone(), wanted };
+        ground.on_level(&[], &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
     /// The reduced system on the level set of these momenta.

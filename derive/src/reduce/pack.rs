@@ -5,6 +5,7 @@ use super::hoist::Hoist;
 use super::ledger::omissions;
 use super::level::Level;
 use super::proof::{Whole, prove};
+use super::prose::Prose;
 use super::reduction::{Output, Quantity, Reduction};
 use super::slice::{Flow, Variable};
 use super::wanted::Wanted;
@@ -14,7 +15,7 @@ use crate::algebra::print::text;
 use crate::algebra::range::never_zero;
 use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr, Node};
-use crate::mechanics::{Derivation, Equations, Formulation};
+use crate::mechanics::{By, Derivation, Equations, Formulation, RowName};
 use crate::model::{Condition, Coordinate, KinematicEquations, Parameter, Speed, Unit};
 use crate::scene::Scene;
 use rustc_hash::FxHashSet;
@@ -119,7 +120,7 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
             let coordinate = &model.coordinates[v.place];
             (ground.q_start[v.place], coordinate.symbol, coordinate.about.as_str(), &coordinate.unit)
         };
-        let about = if of_start == own { about.to_owned() } else { text(&ground.arena, of_start) };
+        let about = if of_start == own { about.into() } else { Prose::term(of_start) };
         Quantity { name, symbol: v.symbol, about, unit: unit.clone(), of_start }
     };
     list.iter().map(quantity).collect()
@@ -129,16 +130,16 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
 fn constants(ground: &mut Ground, level: &Level, flow: &Flow, equations: &Equations, hoisted: &Hoist) -> Vec<Quantity> {
     let held = level.held.iter().map(|h| (h.symbol, h.about.clone(), h.unit.clone(), h.of_state));
     let places = flow.carried.iter().map(|c| {
-        let about = format!("{} at the start", text(&ground.arena, c.position));
+        let about = Prose::term(c.position).then(" at the start");
         let unit = ground.momenta[level.held[c.held].momentum].position_unit.clone();
         (c.symbol, about, unit, c.position)
     });
-    let mut all: Vec<(Expr, String, Unit, Expr)> = held.chain(places).collect();
+    let mut all: Vec<(Expr, Prose, Unit, Expr)> = held.chain(places).collect();
     let mut of_held = Substitution::new(&level.held.iter().map(|h| (h.symbol, h.of_state)).collect::<Vec<_>>());
     for (symbol, value) in &hoisted.constants {
         let unit = ground.model.unit_of(&ground.arena, *value).unwrap_or_default();
         let of_state = of_held.apply(&mut ground.arena, *value);
-        all.push((*symbol, text(&ground.arena, *value), unit, of_state));
+        all.push((*symbol, Prose::term(*value), unit, of_state));
     }
     let mentioned = mentioned(&ground.arena, flow, equations);
     let mut back = ground.back();
@@ -281,12 +282,12 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     divisors.dedup();
     Equations {
         definitions,
-        name: "reduced".to_owned(),
-        title: "Reduced equations".to_owned(),
+        by: By::Reduced,
+        distance: None,
         formulation: Formulation::Kane,
         coordinates: coordinates.iter().map(|v| v.symbol).collect(),
         unknowns: unknowns.clone(),
-        rows: variables.iter().map(|u| format!("along {}", text(arena, *u))).collect(),
+        rows: variables.iter().map(|u| RowName::Along(text(arena, *u))).collect(),
         matrix,
         forcing,
         symmetric: true,
@@ -324,7 +325,7 @@ fn model(ground: Ground, flow: &Flow, constants: &[Quantity], equations: &Equati
         unit: c.unit.clone(),
         value: None,
         positive: false,
-        about: c.about.clone(),
+        about: c.about.text(&arena),
     });
     let parameters = free.chain(held).collect();
     let all = || flow.core.iter().chain(&flow.quadratures);

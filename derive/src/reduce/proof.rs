@@ -153,7 +153,8 @@ impl Check {
         for held in &level.held {
             let of_start = back.apply(&mut ground.arena, held.of_state);
             let value = self.written.apply(&mut ground.arena, of_start);
-            self.equal(ground, value, held.symbol, || format!("that {} is constant", held.about))?;
+            let about = held.about.text(&ground.arena);
+            self.equal(ground, value, held.symbol, || format!("that {about} is constant"))?;
         }
         for carried in &flow.carried {
             let change = self.change.apply(&mut ground.arena, carried.position);

@@ -2,6 +2,7 @@
 
 use super::one_degree::Slope;
 use super::proof::Proof;
+use super::prose::Prose;
 use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr, Rational, print};
 use crate::mechanics::Derivation;
@@ -14,8 +15,8 @@ pub struct Quantity {
     pub name: String,
     /// Its symbol there.
     pub symbol: Expr,
-    /// What it is, in words.
-    pub about: String,
+    /// What it is.
+    pub about: Prose,
     /// Its unit.
     pub unit: Unit,
     /// Its value in parameters, coordinates and speeds of the whole model.
@@ -35,9 +36,9 @@ pub struct Output {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Omission {
     /// What is not there.
-    pub what: String,
+    pub what: Prose,
     /// Why it need not be.
-    pub why: String,
+    pub why: Prose,
     /// How that is known.
     pub proof: String,
 }

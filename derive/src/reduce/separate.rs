@@ -100,7 +100,7 @@ impl Surface {
         *quotient = arena.div(moved, divisor)?;
         let terms: Vec<Expr> = coefficients.iter().zip(held.iter()).map(|(c, h)| arena.mul(*c, h.of_state)).collect();
         let of_state = arena.sum(&terms);
-        let about = format!("{}, what is left of it on the singular surface", held[at].about);
+        let about = held[at].about.clone().then(", what is left of it on the singular surface");
         held[at] = Held { symbol: fresh, of_state: simplifier.simplify(arena, of_state), about, ..held[at].clone() };
         Some((symbols[at], instead))
     }

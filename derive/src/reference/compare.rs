@@ -128,8 +128,9 @@ impl Judge<'_, '_> {
 
     /// Entry by entry; `derived` are rows with the right-hand side at their end.
     fn system(&mut self, system: &System, derived: &[Entries]) -> Result<(), ReferenceError> {
-        let (name, in_rates) = (system.formulation.name(), system.formulation == Formulation::Lagrange);
-        let unknowns = unknowns(self.quantities.model, system.formulation);
+        let (name, in_rates) = (system.formulation.name(), system.formulation.is_in_rates());
+        let unknowns = system.formulation.unknowns(self.quantities.model);
+        let unknowns: Vec<String> = unknowns.into_iter().map(|(name, _)| name).collect();
         if system.unknowns != unknowns {
             let expected = format!("{}, in this order", unknowns.join(", "));
             return Err(super::form(&self.reference.file, &format!("unknowns of {name}"), &expected));
@@ -150,7 +151,8 @@ impl Judge<'_, '_> {
             }
             stated.push(row);
         }
-        if system.formulation == Formulation::NewtonEuler {
+        // Of what states balances, rows may stand in another order.
+        if system.formulation.carries_reactions() {
             self.match_rows(first, &stated, derived);
         }
         Ok(())
@@ -195,18 +197,6 @@ fn names(model: &Model) -> FxHashMap<String, Expr> {
         names.extend([(s.name.clone(), s.symbol), (format!("{}'", s.name), s.rate)]);
     }
     names.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
-    names
-}
-
-/// The names of what a formulation solves for.
-fn unknowns(model: &Model, formulation: Formulation) -> Vec<String> {
-    if formulation == Formulation::Lagrange {
-        return model.coordinates.iter().map(|c| format!("{}''", c.name)).collect();
-    }
-    let mut names: Vec<String> = model.speeds.iter().map(|s| format!("{}'", s.name)).collect();
-    if formulation == Formulation::NewtonEuler {
-        names.extend(model.reactions.iter().map(|r| r.name.clone()));
-    }
     names
 }
 

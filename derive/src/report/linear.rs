@@ -5,7 +5,7 @@ use super::read::Loading;
 use super::{Listing, System};
 use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, nearest, shown};
-use crate::mechanics::Formulation;
+use crate::mechanics::{Formulation, MotionVariables};
 use crate::read::Located;
 use std::ops::Range;
 use toml::Spanned;
@@ -40,7 +40,7 @@ impl<'a> Loading<'a, '_> {
         let frame = self.frame(item, formulation);
         let unknowns = self.required_array(item, "unknowns", "[\"u1'\", \"u2'\"]");
         let unknowns = unknowns.and_then(|(array, span)| {
-            let known = self.unknowns_of(formulation?);
+            let known = formulation?.unknowns(self.model);
             let (what, of) = ("an unknown", formulation?.name());
             self.members(array, &span, &known, &format!("{what} of {of}"))
         });
@@ -113,7 +113,7 @@ impl<'a> Loading<'a, '_> {
 
     fn formulation(&mut self, item: &Item<'a>) -> Option<Formulation> {
         let name = self.required_text(item, "formulation")?;
-        let found = Formulation::ALL.into_iter().find(|f| f.name() == name.text);
+        let found = Formulation::named(&name.text);
         if found.is_none() {
             let help = nearest(&name.text, Formulation::ALL.map(Formulation::name));
             self.reader.error(name.span, format!("there is no formulation `{}`", shown(&name.text)), help);
@@ -121,9 +121,9 @@ impl<'a> Loading<'a, '_> {
         found
     }
 
-    /// The frame of the components: Newton–Euler systems have one, others have none.
+    /// The frame of the components: systems with reactions have one, others have none.
     fn frame(&mut self, item: &Item<'a>, formulation: Option<Formulation>) -> Result<Option<usize>, Reported> {
-        if formulation.ok_or(Reported)? != Formulation::NewtonEuler {
+        if !formulation.ok_or(Reported)?.carries_reactions() {
             let Some(value) = self.reader.get(item.table, "frame") else { return Ok(None) };
             let message = "only a newton-euler system has a `frame`";
             self.reader.error(value.span(), message, "remove it: generalized forces have no components");
@@ -136,19 +136,6 @@ impl<'a> Loading<'a, '_> {
             self.reader.error(name.span, format!("the model has no frame `{}`", shown(&name.text)), help);
         }
         found.map(Some).ok_or(Reported)
-    }
-
-    /// What the equations of a formulation are solved for.
-    fn unknowns_of(&self, formulation: Formulation) -> Vec<(String, Expr)> {
-        let model = &self.model;
-        if formulation == Formulation::Lagrange {
-            return model.coordinates.iter().map(|c| (format!("{}''", c.name), c.second_rate)).collect();
-        }
-        let mut known: Vec<_> = model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate)).collect();
-        if formulation == Formulation::NewtonEuler {
-            known.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
-        }
-        known
     }
 
     /// Coordinates, then as many speeds, or time derivatives for Lagrange.
@@ -165,15 +152,12 @@ impl<'a> Loading<'a, '_> {
         }
         let model = &self.model;
         let coordinates: Vec<_> = model.coordinates.iter().map(|c| (c.name.clone(), c.symbol)).collect();
-        let (speeds, what): (Vec<_>, _) = match formulation {
-            Formulation::Lagrange => {
-                let rates = model.coordinates.iter().map(|c| (format!("{}'", c.name), c.rate));
-                (rates.collect(), "a coordinate's derivative, as the second half of this state is")
-            }
-            _ => {
-                let speeds = model.speeds.iter().map(|s| (s.name.clone(), s.symbol));
-                (speeds.collect(), "a speed, as the second half of this state is")
-            }
+        let variables = formulation.variables(model);
+        let named = |symbol: &Expr| (model.arena.symbol_name(*symbol).unwrap_or_default().to_owned(), *symbol);
+        let speeds: Vec<(String, Expr)> = variables.iter().map(named).collect();
+        let what = match formulation.method().variables {
+            MotionVariables::Rates => "a coordinate's derivative, as the second half of this state is",
+            MotionVariables::Speeds => "a speed, as the second half of this state is",
         };
         let (first, second) = array.split_at(array.len() / 2);
         let first = self.members(first, span, &coordinates, "a coordinate, as the first half of a state is");

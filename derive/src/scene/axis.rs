@@ -6,7 +6,7 @@
 use super::values::{Number, Values, Varied};
 use super::{Scene, Stated};
 use crate::algebra::Rational;
-use crate::diagnostic::{Diagnostics, Source, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
 use crate::model::Model;
 use crate::read::{Located, Reader};
 
@@ -39,14 +39,14 @@ enum Spacing {
 }
 
 impl Grid {
-    /// Reads one axis from each text.
+    /// Reads one axis from each text; `named` is what errors call the texts.
     ///
     /// # Errors
     /// [`Diagnostics`] for each text with errors: not of this form, a name that the scene's start does not state and that is
     /// no parameter, a name that is there already, a count that is 0, ends that are not finite, not positive if they are
     /// spaced by logarithms, or that mention a swept parameter; more than [`MOST_POINTS`] points.
-    pub fn read(texts: &[String], scene: &Scene, model: &mut Model) -> Result<Self, Vec<Diagnostics>> {
-        let sources: Vec<Source> = texts.iter().map(|text| Source::from_text("--over", text)).collect();
+    pub fn read(texts: &[String], named: &str, scene: &Scene, model: &mut Model) -> Result<Self, Vec<Diagnostics>> {
+        let sources: Vec<Source> = texts.iter().map(|text| Source::from_text(named, text)).collect();
         let (mut axes, mut errors) = (Vec::<Axis>::new(), Vec::new());
         // Names first: no value may depend on a parameter that is swept itself.
         let split = |text: &str| text.find('=').unwrap_or(text.len());
@@ -63,7 +63,7 @@ impl Grid {
                 && axes.iter().any(|other| other.place == axis.place)
             {
                 let message = format!("`{}` is swept twice", axis.name);
-                let help = "give all its values in one --over, as a list NAME=a,b,c if need be";
+                let help = "give all its values at once, as a list NAME=a,b,c if need be";
                 values.reader.error(0..axis.name.len(), message, help);
             }
             match (values.reader.finish(), axis) {
@@ -75,7 +75,8 @@ impl Grid {
         let count = axes.iter().fold(1_u128, |n, axis| n.saturating_mul(u128::from(axis.count)));
         if errors.is_empty() && count > u128::from(MOST_POINTS) {
             let message = format!("the grid has {count} points, more than {MOST_POINTS}");
-            errors.push(of_request(&texts.join(" "), message, "give fewer values, or sweep parts of it one by one"));
+            let error = Diagnostic::of_file(message, "give fewer values, or sweep parts of it one by one");
+            errors.push(Diagnostics::new(Source::from_text(named, &texts.join(" ")), vec![error]));
         }
         if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
     }
@@ -144,12 +145,6 @@ struct Context<'c> {
     parameters: &'c [Number],
     /// Parameters that are swept.
     swept: &'c [usize],
-}
-
-/// An error of the request as a whole.
-fn of_request(text: &str, message: String, help: &str) -> Diagnostics {
-    let error = crate::diagnostic::Diagnostic::of_file(message, help);
-    Diagnostics::new(Source::from_text("--over", text), vec![error])
 }
 
 impl Axis {
@@ -329,7 +324,7 @@ mod tests {
     fn grid(over: &[&str]) -> Result<Grid, Vec<Diagnostics>> {
         let mut model = load(&Source::from_text("model.toml", MODEL)).unwrap();
         let scene = crate::scene::load(&Source::from_text("scene.toml", SCENE), &mut model).unwrap();
-        Grid::read(&over.iter().map(|text| (*text).to_owned()).collect::<Vec<_>>(), &scene, &mut model)
+        Grid::read(&over.iter().map(|text| (*text).to_owned()).collect::<Vec<_>>(), "--over", &scene, &mut model)
     }
 
     fn values(over: &str) -> Vec<f64> {

@@ -71,7 +71,7 @@ mod tests {
         let mut model = crate::model::load(&Source::from_text("model.toml", MODEL)).unwrap();
         let scene = load(&Source::from_text("scene.toml", SCENE), &mut model).unwrap();
         let over = ["l=1:3:4".to_owned(), "theta=80*deg,90*deg-1e-9,sqrt(2)".to_owned()];
-        let grid = Grid::read(&over, &scene, &mut model).unwrap();
+        let grid = Grid::read(&over, "--over", &scene, &mut model).unwrap();
         let mut family = Family::new(&scene, &model, &grid).unwrap();
         let lengths = ["1", "1 + 2*1/3", "1 + 2*2/3", "3"];
         let angles = ["80*deg", "90*deg-1e-9", "sqrt(2)"];
@@ -90,7 +90,8 @@ mod tests {
     fn points_may_be_read_in_any_order() {
         let mut model = crate::model::load(&Source::from_text("model.toml", MODEL)).unwrap();
         let scene = load(&Source::from_text("scene.toml", SCENE), &mut model).unwrap();
-        let grid = Grid::read(&["l=-1:1:3".to_owned(), "omega=1:2:5".to_owned()], &scene, &mut model).unwrap();
+        let grid =
+            Grid::read(&["l=-1:1:3".to_owned(), "omega=1:2:5".to_owned()], "--over", &scene, &mut model).unwrap();
         let mut family = Family::new(&scene, &model, &grid).unwrap();
         let numbers = |scene: Result<Scene, Diagnostics>| scene.map(|s| (s.parameters, s.u, s.span));
         let forward: Vec<_> = (0..15).map(|at| numbers(family.point(at).1)).collect();

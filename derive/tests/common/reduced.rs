@@ -8,7 +8,7 @@ use tripos_derive::Model;
 use tripos_derive::algebra::print::text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model;
-use tripos_derive::reduce::{Quantity, Reduction, reduce};
+use tripos_derive::reduce::{Omission, Quantity, Reduction, reduce};
 use tripos_derive::scene::{self, Scene};
 
 /// A model of the library, and one of its scenes with these outputs: `["q2", "u1"]`; its own without.
@@ -108,5 +108,6 @@ pub fn show(r: &Reduction) -> String {
 
 /// Every omission on a line.
 pub fn ledger(r: &Reduction) -> String {
-    r.omitted.iter().fold(String::new(), |out, o| format!("{out}{} | {} | {}\n", o.what, o.why, o.proof))
+    let line = |o: &Omission| format!("{} | {} | {}\n", o.what.text(r.terms()), o.why.text(r.terms()), o.proof);
+    r.omitted.iter().map(line).collect()
 }

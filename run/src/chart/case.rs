@@ -1,19 +1,19 @@
 //! What is charted: equations, how their accelerations are found, and the ways to run them.
 
-use crate::code::{By, Code, Ready, code};
-use crate::error::Error;
+use crate::code::{Code, Ready, code};
+use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
 use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
-use crate::run::refused;
+use tripos_derive::mechanics::By;
 use tripos_derive::reduce::Reduction;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_sim::work_precision::options;
 use tripos_sim::{Method, Options, Solution, quadrature};
 
-/// The methods that a scene's own equations are also run by at absolute tolerances alone: they lose so little that relative ones end
-/// too early.
+/// The methods that a scene's own equations are also run by at absolute tolerances alone: they lose so little that
+/// relative ones end too early.
 const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
 
 /// Equations and how their accelerations are found.
@@ -29,8 +29,8 @@ pub struct Case {
 }
 
 impl Case {
-    /// Whether a method can run it: without a Jacobian there is no implicit method, and Taylor coefficients are known of
-    /// eliminated accelerations only.
+    /// Whether a method can run it: without a Jacobian there is no implicit method, and Taylor coefficients are known
+    /// of eliminated accelerations only.
     #[must_use]
     pub fn has(&self, method: Method) -> bool {
         let system = self.code.system();
@@ -109,13 +109,19 @@ pub enum Way {
 }
 
 impl Way {
+    /// The method of the steps; none where no steps are taken.
+    #[must_use]
+    pub fn method(self) -> Option<Method> {
+        match self {
+            Self::Steps(method, _) | Self::Absolute(method, _) => Some(method),
+            Self::Quadrature => None,
+        }
+    }
+
     /// The name of the method.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Steps(method, _) | Self::Absolute(method, _) => method.name(),
-            Self::Quadrature => QUADRATURE,
-        }
+        self.method().map_or(QUADRATURE, Method::name)
     }
 
     /// The tolerance of the steps.
@@ -208,7 +214,7 @@ pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
                 list.extend(solves.map(|solve| Case { by: by.clone(), code: code.clone(), solve, reduction: None }));
             }
             Err(failure) => {
-                left_out.push(format!("{}: {}", by.name, failure.first_line()));
+                left_out.push(format!("{}: {}", by.name(), failure.first_line()));
                 why = Some(failure);
             }
         }

@@ -3,16 +3,18 @@
 use super::case::cases;
 use super::compared::Compared;
 use super::{Measurement, Plan, Truth, measure};
-use crate::code::{By, Ready, code};
-use crate::error::Error;
+use crate::code::{Ready, code};
+use crate::error::{Error, refused};
 use crate::follow::Progress;
+use crate::how::options;
 use crate::invariants::Watch;
 use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::reference::Reference;
-use crate::run::{Balance, events, options, refused};
+use crate::watched::{Balance, events};
+use tripos_derive::mechanics::By;
 use tripos_derive::scene::Scene;
-use tripos_sim::{Method, Options, Output};
+use tripos_sim::{Method, Options, Output, Stop};
 use tripos_traits::Real;
 
 /// Measurements and what they were held against.
@@ -89,6 +91,5 @@ fn leaves(model: &Mechanism, scene: &Scene, by: &By) -> Result<Option<f64>, Erro
     let mut events = events(&problem, &balance);
     let how = Options { method: Method::Ode45, output: Output::Ends, rtol: 1e-9, step: None, ..options(scene)? };
     let solution = problem.integrate(&problem.start()?, &how, &mut events).map_err(|error| refused(scene, &error))?;
-    let code = solution.stop.code();
-    Ok((code.starts_with("event:") || code.starts_with("domain:")).then_some(solution.t_end))
+    Ok(matches!(solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. }).then_some(solution.t_end))
 }

@@ -1,14 +1,13 @@
 //! Errors of each solve along a passage, beside condition numbers: what a numeric solve loses, and why.
 
+use super::findings::{Findings, Looked, Row, Study, Topic};
 use super::ladder::passage;
-use super::{Findings, Row, Study};
 use crate::chart::case::{Case, whole};
 use crate::code::{Ready, code, tape};
-use crate::error::Error;
+use crate::error::{Error, refused};
 use crate::figure::{Figure, Panel, Scale, Series};
 use crate::follow::uninterrupted;
 use crate::problem::Problem;
-use crate::run::refused;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::print::text;
 use tripos_derive::scene::{Scene, Solve};
@@ -37,8 +36,8 @@ fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint)
     u_dot
 }
 
-/// The largest error of u̇ in units of the largest u̇, not a number where the linear system has no solution, and the condition
-/// numbers (plain, equilibrated) of the matrix.
+/// The largest error of u̇ in units of the largest u̇, not a number where the linear system has no solution, and the
+/// condition numbers (plain, equilibrated) of the matrix.
 fn look(
     case: &Case,
     extended: &dyn System<DoubleDouble>,
@@ -86,7 +85,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     }
     let Some((least, _, mut scene)) = narrow else { return Ok(Vec::new()) };
     scene.integration.distance = None;
-    let by = crate::code::By::from(Formulation::Kane);
+    let by = tripos_derive::mechanics::By::from(Formulation::Kane);
     let code = code(model, &by, None, Ready::Solved)?;
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let options = Options {
@@ -112,7 +111,8 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     Ok(list)
 }
 
-/// Looks along a passage, if there is one and the model has Lagrange's equations, whose accelerations are the exact ones.
+/// Looks along a passage, if there is one and the model has Lagrange's equations, whose accelerations are the exact
+/// ones.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -128,7 +128,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (cases, _) = whole(study.model, &scene, false)?;
     let (mut errors, mut conditions) = (Vec::new(), Vec::new());
     for (at, case) in cases.iter().enumerate() {
-        let label = format!("{}, {}", case.by.name, case.solve.name());
+        let label = format!("{}, {}", case.by.name(), case.solve.name());
         let (mut error_points, mut plain, mut scaled) = (Vec::new(), Vec::new(), Vec::new());
         for place in &places {
             let exact = exact(study, lagrange.extended(), place);
@@ -137,12 +137,14 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             error_points.push((place.divisor, larger(error, 1e-17)));
             plain.push((place.divisor, cond));
             scaled.push((place.divisor, equilibrated));
+            let (by, divisor) = (case.by.clone(), place.divisor);
+            findings.looked.push(Looked { by, solve: case.solve, divisor, error, equilibrated });
             for (quantity, value) in
                 [("acceleration error", error), ("condition", cond), ("equilibrated condition", equilibrated)]
             {
                 findings.rows.push(Row {
                     check: "conditioning",
-                    formulation: case.by.name.clone(),
+                    formulation: case.by.name(),
                     solve: case.solve.name(),
                     case: format!("{:.6e}", place.divisor),
                     quantity,
@@ -152,8 +154,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             }
         }
         if case.solve == Solve::Numeric {
-            conditions.push(Series::curve(format!("{}, plain", case.by.name), at, plain));
-            conditions.push(Series::curve(format!("{}, equilibrated", case.by.name), at + 3, scaled));
+            conditions.push(Series::curve(format!("{}, plain", case.by.name()), at, plain));
+            conditions.push(Series::curve(format!("{}, equilibrated", case.by.name()), at + 3, scaled));
         }
         errors.push(Series::curve(label, at, error_points));
     }
@@ -173,7 +175,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     };
     let worst = |s: &Series| s.points.iter().map(|p| p.1).fold(0.0, larger);
     let list: Vec<String> = errors.iter().map(|s| format!("{} {:.0e}", s.label, worst(s))).collect();
-    findings.say("conditioning", format!("largest error of the accelerations on the way in: {}", list.join("; ")));
+    findings.say(Topic::Conditioning, format!("largest error of the accelerations on the way in: {}", list.join("; ")));
     let panels = [
         panel("Errors of the accelerations", "largest |e| / largest |u'|", errors),
         panel("Condition numbers of the matrices", "cond A", conditions),

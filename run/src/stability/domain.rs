@@ -1,13 +1,15 @@
 //! The domain: what stops a run that has left the world its equations describe.
 
-use super::{Findings, Row, Study};
-use crate::code::{By, Ready, code};
-use crate::error::Error;
+use super::findings::{Findings, Row, Study, Topic};
+use crate::code::{Ready, code};
+use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
+use crate::how::options;
 use crate::problem::Problem;
-use crate::run::{Balance, events, options, refused};
+use crate::watched::{Balance, events};
 use tripos_derive::Formulation;
-use tripos_sim::{Method, Options, Output};
+use tripos_derive::mechanics::By;
+use tripos_sim::{Method, Options, Output, Stop};
 
 /// Runs with and without the domain, if the model has one and the motion leaves it.
 ///
@@ -44,7 +46,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             drop(watched);
             let row = |quantity, value, remark: String| Row {
                 check: "domain",
-                formulation: by.name.clone(),
+                formulation: by.name(),
                 solve: problem.solve.name(),
                 method: method.name(),
                 case: "with the domain".to_owned(),
@@ -56,9 +58,10 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             for event in &run.events {
                 findings.rows.push(row("event at", event.t, event.name.clone()));
             }
-            if !run.stop.code().starts_with("domain:") {
+            if !matches!(run.stop, Stop::LeftDomain { .. }) {
                 continue;
             }
+            findings.left_domain = true;
             findings.rows.push(row("left at", run.t_end, run.stop.code()));
             let through =
                 uninterrupted(problem.integrate(&y0, &tight, &mut []).map_err(|e| refused(study.scene, &e))?)?;
@@ -68,7 +71,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             findings.rows.push(unseen);
             if !said {
                 said = true;
-                findings.say("domain", format!(
+                findings.say(Topic::Domain, format!(
                     "the motion leaves its domain at t = {:.12} s ({}); without the domain the run goes on to t = {} s, ends with `{}`, and its energy has changed by {drift:.1e} J",
                     run.t_end,
                     run.stop.code(),

@@ -1,14 +1,16 @@
-//! Long runs: whether what is conserved drifts for ever or stays bounded, by method; and tolerances finer than rounding.
+//! Long runs: whether what is conserved drifts for ever or stays bounded, by method; and tolerances finer than
+//! rounding.
 
-use super::{Findings, Row, Study};
-use crate::code::{By, Ready, code};
-use crate::error::Error;
+use super::findings::{Findings, Row, Study, Topic};
+use crate::code::{Ready, code};
+use crate::error::{Error, refused};
 use crate::figure::{Figure, Panel, Scale, Series};
 use crate::follow::uninterrupted;
+use crate::how::instants;
 use crate::invariants::Watch;
-use crate::problem::{Problem, instants};
-use crate::run::refused;
+use crate::problem::Problem;
 use tripos_derive::Formulation;
+use tripos_derive::mechanics::By;
 use tripos_sim::stability::{Trend, trend};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::larger;
@@ -24,7 +26,6 @@ const FIXED: f64 = 400.0;
 /// [`Error`] if the scene cannot be run at all.
 pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
-    let left = findings.rows.iter().any(|r| r.check == "domain" && r.quantity == "left at");
     let watch = Watch::of_model(model)?;
     let Some(energy) = watch.integrals.iter().position(|integral| integral.kind.is_energy()) else { return Ok(()) };
     let by = By::from(Formulation::Kane);
@@ -32,7 +33,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let problem = Problem::new(model, scene, &by, &code, None)?;
     let y0 = problem.start()?;
     below_rounding(study, &problem, &y0, findings)?;
-    if left {
+    if findings.left_domain {
         return Ok(());
     }
     let (from, to) = scene.span;
@@ -61,39 +62,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
                 output: Output::At(samples.clone()),
                 ..Options::tolerances(1e-6, 1e-8)
             };
-            let run =
-                uninterrupted(problem.integrate_over(long, &y0, &options, &mut []).map_err(|e| refused(scene, &e))?)?;
-            let drifts = watch.course(&problem, &run, energy);
-            let trend = trend(&drifts);
-            let largest = drifts.iter().map(|x| x.abs()).fold(0.0, larger);
-            // Of a run that did not arrive nothing is said.
-            let word = match trend {
-                _ if run.stop.is_failure() => "stopped",
-                Trend::Secular => "secular",
-                Trend::Bounded => "bounded",
-            };
-            findings.rows.push(Row {
-                check: "long run",
-                formulation: by.name.clone(),
-                solve: problem.solve.name(),
-                method: method.name(),
-                case: how.to_owned(),
-                quantity: "energy drift",
-                value: Some(largest),
-                expected: None,
-                remark: format!("{word}; {} after {} steps", run.stop.code(), run.steps),
-            });
-            let points: Vec<(f64, f64)> = run.t.iter().copied().zip(drifts.iter().map(|x| x.abs())).skip(1).collect();
-            for (t, drift) in &points {
-                findings.rows.push(Row {
-                    check: "long run",
-                    method: method.name(),
-                    case: format!("{how} t={t}"),
-                    quantity: "energy change",
-                    value: Some(*drift),
-                    ..Row::default()
-                });
-            }
+            let (word, points) = energy_along(&problem, &y0, long, &options, (&watch, energy), (how, findings))?;
             series.push(Series::curve(format!("{}, {how}: {word}", method.name()), series.len() + at, points));
         }
     }
@@ -110,6 +79,50 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
+/// A word, and (time, how far from the start).
+type Told = (&'static str, Vec<(f64, f64)>);
+
+/// One long run: whether the energy drifts, in a word, and how far it is from its start, sample by sample.
+fn energy_along(
+    problem: &Problem<'_>,
+    y0: &[f64],
+    span: (f64, f64),
+    options: &Options,
+    (watch, energy): (&Watch, usize),
+    (how, findings): (&str, &mut Findings),
+) -> Result<Told, Error> {
+    let run = problem.integrate_over(span, y0, options, &mut []).map_err(|e| refused(problem.scene, &e))?;
+    let run = uninterrupted(run)?;
+    let drifts = watch.course(problem, &run, energy);
+    // Of a run that did not arrive nothing is said.
+    let word = match trend(&drifts) {
+        _ if run.stop.is_failure() => "stopped",
+        Trend::Secular => "secular",
+        Trend::Bounded => "bounded",
+    };
+    findings.rows.push(Row {
+        check: "long run",
+        formulation: problem.by.name(),
+        solve: problem.solve.name(),
+        method: options.method.name(),
+        case: how.to_owned(),
+        quantity: "energy drift",
+        value: Some(drifts.iter().map(|x| x.abs()).fold(0.0, larger)),
+        expected: None,
+        remark: format!("{word}; {} after {} steps", run.stop.code(), run.steps),
+    });
+    let points: Vec<(f64, f64)> = run.t.iter().copied().zip(drifts.iter().map(|x| x.abs())).skip(1).collect();
+    findings.rows.extend(points.iter().map(|(t, drift)| Row {
+        check: "long run",
+        method: options.method.name(),
+        case: format!("{how} t={t}"),
+        quantity: "energy change",
+        value: Some(*drift),
+        ..Row::default()
+    }));
+    Ok((word, points))
+}
+
 /// A tolerance below the rounding of the variables makes a run longer and no better: it must be said.
 fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings: &mut Findings) -> Result<(), Error> {
     for (tolerance, case) in [(1e-12, "1e-12"), (1e-18, "1e-18")] {
@@ -123,7 +136,7 @@ fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings
         let said: Vec<String> = run.warnings.iter().map(|w| w.described(&problem.variables())).collect();
         findings.rows.push(Row {
             check: "tolerance below rounding",
-            formulation: problem.by.name.clone(),
+            formulation: problem.by.name(),
             solve: problem.solve.name(),
             method: Method::Dop853.name(),
             case: case.to_owned(),
@@ -133,7 +146,8 @@ fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings
             remark: if said.is_empty() { run.stop.code() } else { format!("{}: {}", run.stop.code(), said.join("; ")) },
         });
         if let Some(warning) = said.first() {
-            findings.say("drift", format!("absolute tolerance {case}: {} steps; {warning}", run.steps + run.rejected));
+            findings
+                .say(Topic::Drift, format!("absolute tolerance {case}: {} steps; {warning}", run.steps + run.rejected));
         }
     }
     Ok(())

@@ -1,14 +1,15 @@
 //! Growth of small errors: the horizon after which no digit is left, predicted and confirmed.
 
-use super::{Findings, Row, Study};
-use crate::code::{By, Ready, code};
-use crate::error::Error;
+use super::findings::{Findings, Row, Study, Topic};
+use crate::code::{Ready, code};
+use crate::error::{Error, refused};
 use crate::figure::{Figure, Panel, Scale, Series};
 use crate::follow::uninterrupted;
-use crate::problem::{Problem, instants};
+use crate::how::instants;
+use crate::problem::Problem;
 use crate::reference::Reference;
-use crate::run::refused;
 use tripos_derive::Formulation;
+use tripos_derive::mechanics::By;
 use tripos_sim::stability::growth;
 use tripos_sim::work_precision::error;
 use tripos_sim::{Eliminated, Method, Options, Output};
@@ -38,7 +39,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let reference = Reference::new(model, scene, &times)?;
     let row = |case: String, quantity, value, expected, remark: &str| Row {
         check: "growth",
-        formulation: by.name.clone(),
+        formulation: by.name(),
         solve: problem.solve.name(),
         method: Method::Dop853.name(),
         case,
@@ -55,21 +56,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         found.times.iter().zip(&found.logarithms).map(|(t, l)| (*t, f64::EPSILON * l.exp())).collect(),
     )];
     for (at, tolerance) in TOLERANCES.into_iter().enumerate() {
-        let options = Options {
-            method: Method::Dop853,
-            output: Output::At(times.clone()),
-            ..Options::tolerances(tolerance, tolerance)
-        };
-        let run = uninterrupted(problem.integrate(&y0, &options, &mut []).map_err(|e| refused(scene, &e))?)?;
-        let errors: Vec<(f64, f64)> = run
-            .t
-            .iter()
-            .zip(&run.y)
-            .zip(&reference.states)
-            .map(|((t, y), state)| (*t, larger(error(&problem.precise_state(*t, y), state), reference.uncertainty)))
-            .collect();
+        let (steps, errors) = errors_along(&problem, &y0, tolerance, &times, &reference)?;
         // Every step adds an error of its own.
-        let steps = run.steps as f64;
         let predicted = found.horizon(|t| tolerance * (steps * (t - from) / (to - from)).max(1.0));
         let lost = errors.iter().find(|(_, e)| *e >= 1.0).map(|(t, _)| *t);
         let remark = if lost.is_none() { "a digit is left to the end" } else { "first instant with an error of 1" };
@@ -80,7 +68,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         if let Some(t) = predicted {
             let confirmed =
                 lost.map_or("a digit is left to the end".to_owned(), |t| format!("the error is 1 at t = {t:.3} s"));
-            findings.say("growth", format!(
+            findings.say(Topic::Growth, format!(
                 "at a tolerance of {tolerance:.0e} the growth of errors leaves no digit after t = {t:.3} s; measured: {confirmed}"
             ));
         }
@@ -91,7 +79,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     } else {
         "over the scene".to_owned()
     };
-    findings.say("growth", format!("a small error at the start grows at most {:.0e} times {part}", most.exp()));
+    findings.say(Topic::Growth, format!("a small error at the start grows at most {:.0e} times {part}", most.exp()));
     let panel = Panel {
         title: "Growth of errors".to_owned(),
         x_label: "t [s]".to_owned(),
@@ -103,4 +91,22 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     };
     findings.figures.push(("growth.svg", Figure::Panels(vec![panel], 1)));
     Ok(())
+}
+
+/// A run at a tolerance: how many steps it took, and its error at each of these instants.
+fn errors_along(
+    problem: &Problem<'_>,
+    y0: &[f64],
+    tolerance: f64,
+    times: &[f64],
+    reference: &Reference,
+) -> Result<(f64, Vec<(f64, f64)>), Error> {
+    let output = Output::At(times.to_vec());
+    let options = Options { method: Method::Dop853, output, ..Options::tolerances(tolerance, tolerance) };
+    let run = uninterrupted(problem.integrate(y0, &options, &mut []).map_err(|e| refused(problem.scene, &e))?)?;
+    let samples = run.t.iter().zip(&run.y).zip(&reference.states);
+    let error = |((t, y), state): ((&f64, &Vec<f64>), &Vec<_>)| {
+        (*t, larger(error(&problem.precise_state(*t, y), state), reference.uncertainty))
+    };
+    Ok((run.steps as f64, samples.map(error).collect()))
 }

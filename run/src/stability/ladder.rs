@@ -1,18 +1,18 @@
 //! Passages near a singular surface: every formulation, solve and method, in the coordinate and in its distance.
 
-use super::{Findings, Passed, Row, Study};
+use super::findings::{Findings, Passed, Row, Study, Topic, Variable};
 use crate::chart::case::{Case, Way, own, whole};
 use crate::chart::compared::Compared;
-use crate::code::{By, Ready, code, tape};
-use crate::error::Error;
+use crate::code::{Ready, code, tape};
+use crate::error::{Error, refused};
 use crate::figure::{Cell, Figure, HeatMap};
 use crate::follow::uninterrupted;
 use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::reference::Reference;
-use crate::run::refused;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::print::text;
+use tripos_derive::mechanics::By;
 use tripos_derive::mechanics::{Distance, distances};
 use tripos_derive::scene::Scene;
 use tripos_sim::work_precision::{error, options};
@@ -27,8 +27,8 @@ const METHODS: [(Method, f64); 5] = [
     (Method::Gauss6, 1e-11),
     (Method::Rk4, 1e-12),
 ];
-/// How a scene's own equations are stepped. Their states are of very different sizes near the surface, and none loses digits there: an
-/// absolute tolerance alone lets all of them be kept.
+/// How a scene's own equations are stepped. Their states are of very different sizes near the surface, and none loses
+/// digits there: an absolute tolerance alone lets all of them be kept.
 const OWN: Way = Way::Absolute(Method::Dop853, 1e-14);
 /// How many of them a quick study takes.
 const QUICK: usize = 2;
@@ -92,24 +92,23 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let limit = if study.quick { 20_000 } else { 200_000 };
     let length = study.scene.span.1 - study.scene.span.0;
     let mut rows: Vec<(String, Vec<Cell>)> = Vec::new();
-    let mut row = |findings: &mut Findings, case: &Case, variable: Variable, way: Way| -> Result<(), Error> {
-        let name = [case.by.name.as_str(), way.solve(case.solve), way.name()].join(" ").replace(" - ", " ");
-        let name = variable.distance.map_or_else(|| name.clone(), |v| format!("{name}, {}", v.name(model)));
+    let mut row = |findings: &mut Findings, case: &Case, what: Integrated, way: Way| -> Result<(), Error> {
+        let name = [case.by.name().as_str(), way.solve(case.solve), way.name()].join(" ").replace(" - ", " ");
+        let name = what.distance.map_or_else(|| name.clone(), |v| format!("{name}, {}", v.name(model)));
         study.progress.set_message(&name);
-        let cells =
-            rungs.iter().map(|rung| cell(study, findings, rung, case, variable, way, &way.options(length, limit)));
+        let cells = rungs.iter().map(|rung| cell(study, findings, rung, case, what, way, &way.options(length, limit)));
         rows.push((name, cells.collect::<Result<Vec<_>, _>>()?));
         Ok(())
     };
     for distance in std::iter::once(None).chain(distances(model).first().copied().map(Some)) {
         let mut scene = study.scene.clone();
         scene.integration.distance = distance;
-        let variable = Variable { distance, name: distance.map_or("coordinate", |_| "distance") };
+        let what = Integrated { distance, variable: distance.map_or(Variable::Coordinate, |_| Variable::Distance) };
         // A formulation that the model does not have has no passages.
         for case in whole(model, &scene, false)?.0 {
             for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
                 if case.has(method) {
-                    row(findings, &case, variable, Way::Steps(method, tolerance))?;
+                    row(findings, &case, what, Way::Steps(method, tolerance))?;
                 }
             }
         }
@@ -117,14 +116,15 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     // A scene's own equations are in the distance where they have one.
     let own = own(model, study.scene);
     if let Err(failure) = &own {
-        findings.say("passages", format!("the scene's own equations were not run: {}", failure.first_line()));
+        findings.say(Topic::Passages, format!("the scene's own equations were not run: {}", failure.first_line()));
     }
     if let Ok(case) = own {
         let measured = case.reduction.as_ref().is_some_and(|reduction| !reduction.divisors.is_empty());
-        let variable = Variable { distance: None, name: if measured { "distance" } else { "coordinate" } };
-        row(findings, &case, variable, OWN)?;
+        let variable = if measured { Variable::Distance } else { Variable::Coordinate };
+        let what = Integrated { distance: None, variable };
+        row(findings, &case, what, OWN)?;
         if case.has_quadrature() {
-            row(findings, &case, variable, Way::Quadrature)?;
+            row(findings, &case, what, Way::Quadrature)?;
         }
     }
     let t = study.scene.span.1;
@@ -143,12 +143,12 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-/// What is integrated in a row: the coordinate, or a distance from the surface.
+/// What is integrated in a row.
 #[derive(Clone, Copy)]
-struct Variable {
+struct Integrated {
     /// The distance that the equations of the whole model are written in.
     distance: Option<Distance>,
-    name: &'static str,
+    variable: Variable,
 }
 
 /// One run of one rung: its rows and its cell.
@@ -157,31 +157,31 @@ fn cell(
     findings: &mut Findings,
     rung: &Rung,
     case: &Case,
-    variable: Variable,
+    Integrated { distance, variable }: Integrated,
     way: Way,
     options: &Options,
 ) -> Result<Cell, Error> {
     let mut scene = rung.scene.clone();
-    scene.integration.distance = variable.distance;
+    scene.integration.distance = distance;
     let prepared = case.prepare(study.model, &scene)?;
     let problem = prepared.problem()?;
     let compared = Compared::new(study.model, &scene)?;
     let row = |quantity, value, remark: &str| Row {
         check: "passage",
-        formulation: case.by.name.clone(),
+        formulation: case.by.name(),
         solve: way.solve(case.solve),
         method: way.name(),
-        case: format!("{:.2e} {}", rung.least, variable.name),
+        case: format!("{:.2e} {}", rung.least, variable.name()),
         quantity,
         value,
         expected: None,
         remark: remark.to_owned(),
     };
     let passed = |error, steps, stop: &str, t_end| Passed {
-        formulation: case.by.name.clone(),
+        by: case.by.clone(),
         solve: way.solve(case.solve),
         method: way.name(),
-        variable: variable.name,
+        variable,
         least: rung.least,
         error,
         steps,
@@ -192,22 +192,18 @@ fn cell(
     let (mut t, mut y, mut steps, mut last) = (scene.span.0, start.clone(), 0, f64::NAN);
     let instants = rung.reference.times.iter().zip(&rung.reference.states);
     for (quantity, (next, state)) in ["error inside", "error at the end"].into_iter().zip(instants) {
-        // Quadrature takes no steps that a first part could spare it, and a state inside the passage holds the energy with fewer digits.
+        // Quadrature takes no steps that a first part could spare it, and a state inside the passage holds the energy
+        // with fewer digits.
         if way == Way::Quadrature {
             (t, y) = (scene.span.0, start.clone());
         }
-        let (stop, t_end) = match way.run(&problem, (t, *next), &y, options) {
-            Ok(solution) => {
-                steps += solution.steps;
-                let stop = solution.stop.is_failure().then(|| solution.stop.code());
-                y = solution.y_end;
-                (stop, solution.t_end)
-            }
-            // Quadrature does not give every motion.
-            Err(_) if way == Way::Quadrature && !study.model.follow.asked() => (Some("no-quadrature".to_owned()), t),
-            Err(failure) => return Err(failure),
-        };
-        if let Some(stop) = stop {
+        let arrival = arrive(study, &problem, (t, *next), &y, way, options)?;
+        steps += arrival.steps;
+        if let Some(y_end) = arrival.y_end {
+            y = y_end;
+        }
+        let t_end = arrival.t_end;
+        if let Some(stop) = arrival.stop {
             let why = format!("{stop} at {t_end:.3} s");
             findings.passages.push(passed(None, steps, &stop, t_end));
             findings.rows.push(row(quantity, None, &why));
@@ -225,19 +221,48 @@ fn cell(
     Ok(Cell::Value(last))
 }
 
+/// How one part of a passage ended.
+struct Arrival {
+    /// Why it stopped before its end, if it did.
+    stop: Option<String>,
+    t_end: f64,
+    steps: u64,
+    y_end: Option<Vec<f64>>,
+}
+
+fn arrive(
+    study: &Study<'_>,
+    problem: &Problem<'_>,
+    span: (f64, f64),
+    y0: &[f64],
+    way: Way,
+    options: &Options,
+) -> Result<Arrival, Error> {
+    match way.run(problem, span, y0, options) {
+        Ok(solution) => Ok(Arrival {
+            stop: solution.stop.is_failure().then(|| solution.stop.code()),
+            t_end: solution.t_end,
+            steps: solution.steps,
+            y_end: Some(solution.y_end),
+        }),
+        // Quadrature does not give every motion.
+        Err(_) if way == Way::Quadrature && !study.model.follow.asked() => {
+            Ok(Arrival { stop: Some("no-quadrature".to_owned()), t_end: span.0, steps: 0, y_end: None })
+        }
+        Err(failure) => Err(failure),
+    }
+}
+
 /// The best and the worst of the narrowest passage that arrived.
 fn summary(findings: &mut Findings, rungs: &[Rung]) {
     let Some(narrow) = rungs.iter().min_by(|a, b| a.least.total_cmp(&b.least)) else { return };
-    let prefix = format!("{:.2e} ", narrow.least);
-    let ends = findings.rows.iter().filter(|r| r.quantity == "error at the end" && r.case.starts_with(&prefix));
-    let describe = |r: &Row| {
-        format!("{}, {}, {}, in the {}", r.formulation, r.solve, r.method, r.case.trim_start_matches(&prefix))
-    };
-    let arrived: Vec<(f64, String)> = ends.filter_map(|r| Some((r.value?, describe(r)))).collect();
+    let describe = |p: &Passed| format!("{}, {}, {}, in the {}", p.by.name(), p.solve, p.method, p.variable.name());
+    let ends = findings.passages.iter().filter(|p| p.least.total_cmp(&narrow.least).is_eq());
+    let arrived: Vec<(f64, String)> = ends.filter_map(|p| Some((p.error?, describe(p)))).collect();
     let by_error = |a: &&(f64, String), b: &&(f64, String)| a.0.total_cmp(&b.0);
     if let (Some(best), Some(worst)) = (arrived.iter().min_by(by_error), arrived.iter().max_by(by_error)) {
         findings.say(
-            "passages",
+            Topic::Passages,
             format!(
                 "narrowest passage, {:.0e}: best {:.1e} ({}), worst that arrived {:.1e} ({})",
                 narrow.least, best.0, best.1, worst.0, worst.1
@@ -245,5 +270,5 @@ fn summary(findings: &mut Findings, rungs: &[Rung]) {
         );
     }
     let known = rungs.iter().map(|r| r.reference.uncertainty).fold(0.0, larger);
-    findings.say("passages", format!("the references are known to {:.0e}: {}", known, narrow.reference.how));
+    findings.say(Topic::Passages, format!("the references are known to {:.0e}: {}", known, narrow.reference.how));
 }

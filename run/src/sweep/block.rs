@@ -2,17 +2,19 @@
 
 use super::lanes::{self, Request};
 use super::row::{Ended, Row};
-use crate::code::{By, Code, Ready, code};
-use crate::error::Error;
+use crate::code::{Code, Ready, code};
+use crate::error::{Error, refused};
+use crate::how::options_of_ends;
 use crate::invariants::Watch;
 use crate::mechanism::Mechanism;
 use crate::overrides::Overrides;
 use crate::problem::Problem;
-use crate::run::{Balance, events, options_of_ends, proved, refused};
 use crate::shown::Shown;
+use crate::simulate::proved;
+use crate::watched::{Balance, events};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
-use tripos_derive::mechanics::InertiaCheck;
+use tripos_derive::mechanics::{By, InertiaCheck};
 use tripos_derive::scene::{Family, Grid, QUADRATURE, Scene, Solve};
 use tripos_sim::{Options, SimError, Solution, Warning};
 use tripos_traits::InLanes;
@@ -62,7 +64,7 @@ impl<'a> Sweep<'a> {
         let how_own = scene.integration.method == QUADRATURE || scene.integration.project.is_some();
         if how_own {
             let what = "a sweep runs whole equations, which know neither quadrature nor projection".to_owned();
-            let help = "give --method with a stepper, and leave `project` out of the scene".to_owned();
+            let help = "give a stepping method, and leave `project` out of the scene".to_owned();
             return Err(Error::request(what, help));
         }
         let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
@@ -99,7 +101,8 @@ impl<'a> Sweep<'a> {
         self.model.forces.is_empty() && self.model.torques.is_empty()
     }
 
-    /// What is constant in each motion: the names of the first integrals that were proved; of a large model energy alone.
+    /// What is constant in each motion: the names of the first integrals that were proved; of a large model energy
+    /// alone.
     pub fn conserved(&self) -> Vec<&str> {
         match &self.watch {
             Some(watch) => watch.integrals.iter().map(|integral| integral.title.as_str()).collect(),
@@ -114,7 +117,7 @@ impl<'a> Sweep<'a> {
     /// [`Error`] if the scene's text cannot be read again.
     pub fn worker(&'a self) -> Result<Worker<'a>, Error> {
         let family = Family::new(self.scene, self.model, self.grid)?;
-        Ok(Worker { sweep: self, family, lanes: lanes::equations(self, &self.code) })
+        Ok(Worker { sweep: self, family, lanes: lanes::equations(self.model, self.scene, self.solve, &self.code) })
     }
 }
 

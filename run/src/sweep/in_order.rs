@@ -1,8 +1,8 @@
 //! Work on many threads whose results are taken in order.
 //!
-//! Invariant: results are taken one by one in the order of their blocks, and no block is begun that is more than a fixed number
-//! ahead of the first that is not taken, so that what waits is bounded. Where blocks are cut depends on the clock; that may
-//! show in no result.
+//! Invariant: results are taken one by one in the order of their blocks, and no block is begun that is more than a
+//! fixed number ahead of the first that is not taken, so that what waits is bounded. Where blocks are cut depends on
+//! the clock; that may show in no result.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -20,8 +20,8 @@ const LASTING: Duration = Duration::from_secs(1);
 /// Blocks on their way for each thread.
 const AHEAD: usize = 4;
 
-/// Does `work` on blocks of a range, one worker on a thread, and hands the results to `take` in order. An error of `take`
-/// sets `stop`, which `work` should look at, and ends it all.
+/// Does `work` on blocks of a range, one worker on a thread, and hands the results to `take` in order. An error of
+/// `take` sets `stop`, which `work` should look at, and ends it all.
 ///
 /// # Errors
 /// That of `take`.

@@ -3,22 +3,22 @@
 //! Invariant: whether a point runs in lanes depends on the point and the scene alone, and its result on nothing else in
 //! its block: so a sweep cut into shards gives the same rows.
 
-use super::block::Sweep;
 use crate::code::Code;
+use crate::how::options_of_ends;
 use crate::problem::Problem;
-use crate::run::options_of_ends;
+use tripos_derive::Model;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::batch::{self, Outcome, Plan, Trajectory};
 use tripos_sim::{Method, Options, Output, Solution};
 use tripos_traits::{CompiledSystem, InLanes};
 
-/// The equations of a sweep in lanes, if its runs may share them: they are compiled and eliminated, the method is DOP853 with
-/// steps chosen by the error, and nothing is watched on the way.
-pub fn equations(sweep: &Sweep<'_>, code: &Code) -> Option<InLanes<'static>> {
+/// The equations of a sweep in lanes, if its runs may share them: they are compiled and eliminated, the method is
+/// DOP853 with steps chosen by the error, and nothing is watched on the way.
+pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Option<InLanes<'static>> {
     let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
-    let how = &sweep.scene.integration;
-    let watched = !sweep.model.domain.is_empty() || !sweep.scene.events.is_empty();
-    let plain = sweep.solve == Solve::Eliminated && how.method == Method::Dop853.name() && how.step.is_none();
+    let how = &scene.integration;
+    let watched = !model.domain.is_empty() || !scene.events.is_empty();
+    let plain = solve == Solve::Eliminated && how.method == Method::Dop853.name() && how.step.is_none();
     (plain && !watched).then_some(*lanes)
 }
 

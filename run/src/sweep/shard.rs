@@ -21,12 +21,12 @@ impl Shard {
         let number = |text: &str| text.trim().parse::<u64>().ok();
         let numbers = text.split_once('/').and_then(|(part, of)| Some((number(part)?, number(of)?)));
         let Some((part, of)) = numbers else {
-            let help = "write the number of the part and how many there are, such as --shard 3/8".to_owned();
-            return Err(Error::request(format!("--shard is `{text}`"), help));
+            let help = "write the number of the part and how many there are, such as 3/8".to_owned();
+            return Err(Error::request(format!("the shard is `{text}`"), help));
         };
         if part == 0 || part > of {
             let help = format!("parts are counted from 1 to {of}");
-            let help = if of == 0 { "there must be one part at least, as in --shard 1/1".to_owned() } else { help };
+            let help = if of == 0 { "there must be one part at least, as in 1/1".to_owned() } else { help };
             return Err(Error::request(format!("there is no part {part} of {of}"), help));
         }
         Ok(Self { part, of })

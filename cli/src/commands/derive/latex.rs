@@ -3,14 +3,13 @@
 //! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, formulas break
 //! over lines at their signs, and no matrix is wider than a page can hold: its entries are listed then.
 
-use crate::step_name::{Axis, StepName, VectorName};
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::elimination::Elimination;
 use tripos_derive::algebra::print::{latex, latex_name};
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{DerivationInSteps, Step};
+use tripos_derive::mechanics::{DerivationInSteps, LineName, QuantityKind, Stage, Step, VectorName};
 use tripos_derive::plain::called;
 use tripos_derive::prove::Integral;
 
@@ -38,8 +37,11 @@ pub fn formulation(model: &Model, derivation: &DerivationInSteps, solved: Option
     for step in steps {
         self::step(&mut out, model, arena, step);
     }
-    let _ =
-        writeln!(out, "\n\\subsection{{Equations of motion}}\nOne row for each of {}.\n", escape(&e.rows.join(", ")));
+    let _ = writeln!(
+        out,
+        "\n\\subsection{{Equations of motion}}\nOne row for each of {}.\n",
+        escape(&e.row_names(model).join(", "))
+    );
     let wide = |row: &Vec<Expr>| row.iter().map(|x| latex(arena, *x).len()).sum::<usize>() > WIDEST;
     let right_is_wide = e.forcing.iter().any(|x| latex(arena, *x).len() > WIDEST);
     if right_is_wide || e.matrix.iter().any(wide) {
@@ -79,15 +81,16 @@ pub fn integrals(model: &Model, arena: &Arena, list: &[Integral]) -> String {
 }
 
 fn step(out: &mut String, model: &Model, arena: &Arena, step: &Step) {
-    let typeset = || {
-        let (words, quantity) = step.title.split_once(": ")?;
-        let (of, frame) = quantity.split_once(" @ ")?;
-        let of = vector(model, VectorName::read(of)?);
-        Some(format!("{}: ${of}$, components in {}", escape(words), escape(frame)))
+    let title = match step.stage {
+        Stage::Velocities { vector: name, of, frame } => {
+            let (of, frame) = (vector(model, name, of), escape(&model.frames[frame].name));
+            format!("Velocity and partial velocities: ${of}$, components in {frame}")
+        }
+        stage => escape(&stage.title(model)),
     };
-    let _ = writeln!(out, "\n\\subsection{{{}}}", typeset().unwrap_or_else(|| escape(&step.title)));
+    let _ = writeln!(out, "\n\\subsection{{{title}}}");
     for (name, value) in &step.lines {
-        equation(out, &step_name(model, name), &latex(arena, *value));
+        equation(out, &line_name(model, name), &latex(arena, *value));
     }
 }
 
@@ -139,36 +142,38 @@ fn equation(out: &mut String, left: &str, right: &str) {
 }
 
 /// The name of a line of a derivation, for math mode.
-fn step_name(model: &Model, name: &str) -> String {
-    match StepName::read(name) {
-        StepName::Component(of, axis) => format!("{} \\cdot {}", vector(model, of), basis(axis)),
-        StepName::Partial(of, axis, speed) => {
-            format!(
-                "\\frac{{\\partial {}}}{{\\partial {}}} \\cdot {}",
-                vector(model, of),
-                latex_name(speed),
-                basis(axis)
-            )
+fn line_name(model: &Model, name: &LineName) -> String {
+    let force = |letter: &str, of: &str| format!("{letter}_{{{}}}", latex_name(of));
+    match name {
+        LineName::Quantity(QuantityKind::Component { vector: name, of, frame, axis }) => {
+            format!("{} \\cdot {}", vector(model, *name, *of), basis(model, *frame, *axis))
         }
-        StepName::Of(letter, of) => format!("{}_{{{}}}", latex_name(letter), latex_name(of)),
-        StepName::Symbol(name) => latex_name(name),
+        LineName::Quantity(QuantityKind::Partial { vector: name, of, frame, axis, speed }) => format!(
+            "\\frac{{\\partial {}}}{{\\partial {}}} \\cdot {}",
+            vector(model, *name, *of),
+            latex_name(&model.speeds[*speed].name),
+            basis(model, *frame, *axis)
+        ),
+        LineName::Quantity(kind) => latex_name(&kind.name(model)),
+        LineName::ActiveForce(at) => force("F", &model.speeds[*at].name),
+        LineName::GeneralizedForce(at) => force("Q", &model.coordinates[*at].name),
     }
 }
 
-/// The velocity, angular velocity or acceleration of a frame or point in the inertial frame.
-fn vector(model: &Model, VectorName { kind, of }: VectorName<'_>) -> String {
-    let letter = match kind {
-        "omega" => "\\boldsymbol{\\omega}".to_owned(),
-        "alpha" => "\\boldsymbol{\\alpha}".to_owned(),
-        kind => format!("\\mathbf{{{kind}}}"),
+/// A vector of a point, frame or body in the inertial frame.
+fn vector(model: &Model, name: VectorName, of: usize) -> String {
+    let letter = match name {
+        VectorName::AngularVelocity => "\\boldsymbol{\\omega}".to_owned(),
+        VectorName::AngularAcceleration => "\\boldsymbol{\\alpha}".to_owned(),
+        other => format!("\\mathbf{{{}}}", other.name()),
     };
-    let inertial = model.frames.first().map_or("", |frame| &frame.name);
-    format!("{{}}^{{{}}}{letter}^{{{}}}", latex_name(inertial), latex_name(of))
+    let inertial = latex_name(&model.frames[0].name);
+    format!("{{}}^{{{inertial}}}{letter}^{{{}}}", latex_name(name.owner_name(model, of)))
 }
 
 /// Basis vector b₂ of frame B.
-fn basis(Axis { frame, index }: Axis<'_>) -> String {
-    format!("\\mathbf{{{}}}_{{{index}}}", escape(&frame.to_lowercase()))
+fn basis(model: &Model, frame: usize, axis: usize) -> String {
+    format!("\\mathbf{{{}}}_{{{}}}", escape(&model.frames[frame].name.to_lowercase()), axis + 1)
 }
 
 /// Words for text mode: what TeX reads otherwise is written out, and what its fonts do not have is named.

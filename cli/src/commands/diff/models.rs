@@ -4,8 +4,8 @@
 //! A person reads a screenful: an entry is its difference, in a line; `--json` has all entries, old, new and
 //! difference.
 
-use super::{entries, shortened};
 use crate::failure::{Failure, print, print_json, status};
+use crate::words::{entries, shortened};
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;

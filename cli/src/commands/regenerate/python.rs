@@ -12,8 +12,8 @@ const TIME_TO_IMPORT: Duration = Duration::from_secs(60);
 /// More than any program here writes.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// The interpreter that runs the reference: the variable `TRIPOS_PYTHON`; else the environment that the tests made, if
-/// they did; else `python3`. Why there is none, otherwise.
+/// The interpreter that runs the reference: the variable `TRIPOS_PYTHON`; else the environment that the tests made,
+/// if they did; else `python3`. Why there is none, otherwise.
 pub fn find(root: &Path) -> Result<PathBuf, String> {
     let requirements = root.join("tests/sympy/requirements.txt");
     let requirements =

@@ -8,7 +8,7 @@ use crate::page::Figure;
 use crate::plot::{Panel, draw};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use tripos::Mechanism;
+use tripos::{Error, Mechanism};
 use tripos_codegen::scene_files::name_beside;
 use tripos_derive::plain::is_forbidden;
 use tripos_derive::scene::Scene;
@@ -48,7 +48,7 @@ impl Drawn<'_> {
     /// Panels as a figure: `NAME.svg` and `NAME.csv`, a second one of the name `NAME-2`.
     ///
     /// # Errors
-    /// [`Failure::Stopped`] if it cannot be drawn, [`Failure::Output`] if a file cannot be written.
+    /// [`Failure::Refused`] if it cannot be drawn, [`Failure::Output`] if a file cannot be written.
     pub fn figure(&mut self, name: &str, caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
         let count = self.names.entry(name.to_owned()).or_default();
         *count += 1;
@@ -77,10 +77,10 @@ fn rows(panel: &Panel) -> impl Iterator<Item = Vec<String>> + '_ {
 /// Panels as a figure of the page alone.
 ///
 /// # Errors
-/// [`Failure::Stopped`] if it cannot be drawn.
+/// [`Failure::Refused`] if it cannot be drawn.
 pub fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
     let svg = draw(panels, columns)
-        .map_err(|error| Failure::Stopped(format!("the figure `{caption}` cannot be drawn: {error}")))?;
+        .map_err(|error| Error::Stopped(format!("the figure `{caption}` cannot be drawn: {error}")))?;
     Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
 }
 

@@ -71,10 +71,10 @@ impl<'a> Measured<'a> {
         let choice = |target: f64| {
             let m = fastest(&session.list, target, |_| true)?;
             Some(Choice {
-                equations: m.formulation.clone(),
-                solve: m.solve,
-                method: m.method,
-                tolerance: m.tolerance,
+                equations: m.by.name(),
+                solve: m.way.solve(m.solve),
+                method: m.way.name(),
+                tolerance: m.way.tolerance(),
                 seconds: m.seconds.median,
                 error: m.error?,
             })

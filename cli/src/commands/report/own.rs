@@ -2,12 +2,8 @@
 
 use crate::failure::Failure;
 use crate::page::Needs;
-use tripos::Mechanism;
 use tripos::chart::compared::Compared;
-use tripos::invariants::{Course, Watch};
-use tripos::problem::Problem;
-use tripos::reduced::Reduced;
-use tripos::run::{Run, run_problem, whole_energies};
+use tripos::{Course, Mechanism, Problem, Reduced, Run, Watch, run_problem, whole_energies};
 use tripos_codegen::plan::costs;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_traits::{DoubleDouble, Real, Scalar};
@@ -37,7 +33,7 @@ impl Own {
         let watch = (!scene.states_outputs).then_some(watch);
         let mut run = run_problem(&Problem::reduced(model, &reduced, scene, &code)?, watch)?;
         whole_energies(model, scene, &reduced, &mut run)?;
-        let course = watch.map(|watch| watch.along(scene, &code, &run)).transpose()?;
+        let course = watch.map(|watch| run.course(watch, scene, &code)).transpose()?;
         let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
         let has_energy = reduced.reduction.has_energy;
         Ok(Self { needs: Needs { reduced, costs }, run, course, has_energy })

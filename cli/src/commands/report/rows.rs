@@ -1,11 +1,10 @@
 //! What the page says of a scene and of each of its runs, in words and numbers.
 
 use super::own::Own;
-use crate::page::{Nearest, RunRow};
-use tripos::Mechanism;
-use tripos::invariants::Course;
-use tripos::run::{Run, method_words, state_names};
+use crate::page::{Fact, Nearest, RunRow};
+use tripos::{Course, Mechanism, Run, method_words, state_names};
 use tripos_derive::scene::Scene;
+use tripos_sim::Stop;
 
 /// The course of a run along which nothing was watched.
 pub static UNWATCHED: Course = Course {
@@ -22,38 +21,37 @@ pub fn title(scene: &Scene) -> String {
     if scene.title.is_empty() { stem() } else { scene.title.clone() }
 }
 
-/// (what, value) of what is given: parameters, start, span, tolerances, domain.
-pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(String, String)> {
-    let pairs = |names: Vec<String>, values: &[f64]| {
-        let list = names.iter().zip(values).map(|(name, x)| format!("{name} = {x}"));
-        list.collect::<Vec<_>>().join(", ")
-    };
-    let parameters = model.parameters.iter().map(|p| p.name.clone()).collect();
-    let start = [scene.q.as_slice(), &scene.u].concat();
-    let mut facts = vec![
-        ("Parameters".to_owned(), pairs(parameters, &scene.parameters)),
-        ("Start".to_owned(), pairs(state_names(model), &start)),
-        ("Span".to_owned(), format!("{} s to {} s", scene.span.0, scene.span.1)),
-        ("Integration".to_owned(), method_words(scene)),
-        ("Domain".to_owned(), model.domain.iter().map(|c| c.text.clone()).collect::<Vec<_>>().join(", ")),
+/// What is given: parameters, start, span, tolerances, domain; what there is none of is left out.
+pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Fact)> {
+    let values = |names: Vec<String>, values: &[f64]| names.into_iter().zip(values.iter().copied()).collect::<Vec<_>>();
+    let parameters = values(model.parameters.iter().map(|p| p.name.clone()).collect(), &scene.parameters);
+    let start = values(state_names(model), &[scene.q.as_slice(), &scene.u].concat());
+    let domain = model.domain.iter().map(|c| c.text.clone()).collect::<Vec<_>>().join(", ");
+    let numbers = [("Parameters", parameters), ("Start", start)];
+    let numbers = numbers.into_iter().filter(|(_, list)| !list.is_empty());
+    let words = [
+        ("Span", format!("{} s to {} s", scene.span.0, scene.span.1)),
+        ("Integration", method_words(scene)),
+        ("Domain", domain),
     ];
-    facts.retain(|(_, value)| !value.is_empty());
-    facts
+    let words = words.into_iter().filter(|(_, words)| !words.is_empty());
+    let numbers = numbers.map(|(what, list)| (what, Fact::Values(list)));
+    numbers.chain(words.map(|(what, words)| (what, Fact::Words(words)))).collect()
 }
 
 /// The row of a run.
 pub fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
     let solution = &run.solution;
     RunRow {
-        title: run.by.title.clone(),
-        printed: run.by.name.strip_prefix("printed:").map(str::to_owned),
+        title: run.by.title(),
+        printed: run.by.printed_id().map(str::to_owned),
         method: scene.integration.method.clone(),
-        code: run.code.to_owned(),
+        code: run.code.name().to_owned(),
         steps: solution.steps,
         rejected: solution.rejected,
         evaluations: solution.evaluations,
         t_end: solution.t_end,
-        arrived: solution.stop.code() == "end",
+        arrived: solution.stop == Stop::End,
         stop: run.why.clone(),
         trusted: run.objections().is_empty(),
         energy_drift: run.energy_drift,

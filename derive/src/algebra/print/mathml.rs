@@ -29,6 +29,21 @@ fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     }
 }
 
+/// The terms of the outermost sum of some marks, each with whether it is subtracted, as presentation `MathML`; one term
+/// if it is no sum.
+#[must_use]
+pub fn mathml_terms(view: &View) -> Vec<(bool, String)> {
+    let one = |write: fn(&View, &mut String), term: &View| {
+        let mut out = String::new();
+        write(term, &mut out);
+        out
+    };
+    match view {
+        View::Sum(terms) => terms.iter().map(|(negative, term)| (*negative, one(mathml_factor, term))).collect(),
+        _ => vec![(false, one(write_mathml, view))],
+    }
+}
+
 /// Appends an expression.
 pub(super) fn write_mathml(view: &View, out: &mut String) {
     match view {
@@ -102,6 +117,8 @@ fn mathml_factor(view: &View, out: &mut String) {
 
 fn mathml_argument(view: &View, out: &mut String) {
     if matches!(view, View::Name(_)) {
+        // Browsers leave no space between a function and an argument without parentheses.
+        out.push_str("<mspace width=\"0.17em\"/>");
         write_mathml(view, out);
     } else {
         mathml_parenthesized(view, out);

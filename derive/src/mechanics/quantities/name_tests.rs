@@ -1,7 +1,7 @@
 //! Goal: every name in the table of docs/report.md is read, and every other is refused at its place.
 
-use super::Quantity;
 use super::tests::{disk, pendulum};
+use crate::mechanics::quantity::Quantity;
 
 #[test]
 fn a_name_reads_back_as_itself() {

@@ -1,7 +1,7 @@
 //! From the text `v(Cstar) @ B [1]` to a [`Quantity`] of a model, every name resolved.
 
-use super::name::{Energy, Owner, Quantity, QuantityKind, Row, VectorName};
 use crate::diagnostic::{nearest, shown};
+use crate::mechanics::quantity::{Energy, Owner, Quantity, QuantityKind, Row, VectorName};
 use crate::model::Model;
 use std::ops::Range;
 

@@ -1,10 +1,12 @@
-//! Goal: every named quantity is what the textbook calls by that name. Method: against formulas worked by hand, proved equal.
+//! Goal: every named quantity is what the textbook calls by that name. Method: against formulas worked by hand,
+//! proved equal.
 
-use super::{Quantities, Quantity};
+use super::Quantities;
 use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::parse::parse_primed;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::Source;
+use crate::mechanics::quantity::Quantity;
 use crate::mechanics::{Derivations, balances, derive_all};
 use crate::model::{Model, load};
 use std::path::Path;
@@ -143,7 +145,8 @@ fn loads_energies_and_generalized_forces_of_the_disk_are_those_worked_by_hand() 
             ("I(disk) @ H [2,2]", "M*R^2/4*(sin(q2)^2 + 2*cos(q2)^2)"),
             ("I(disk) @ H [2,3]", "-M*R^2/4*sin(q2)*cos(q2)"),
             ("I(disk) @ C [3,3]", "M*R^2/2"),
-            // omega_B = (u1, u2, u2 tan q2) and H = M R^2/4 (u1, u2, 2 u3): dH/dt = M R^2/4 (u1', u2', 2 u3') + omega_B x H.
+            // omega_B = (u1, u2, u2 tan q2) and H = M R^2/4 (u1, u2, 2 u3): dH/dt = M R^2/4 (u1', u2', 2 u3') +
+            // omega_B x H.
             ("H(disk) @ B [3]", "M*R^2/2*u3"),
             ("Hdot(disk) @ B [1]", "M*R^2/4*(u1' + 2*u2*u3 - u2^2*tan(q2))"),
             ("Hdot(disk) @ B [3]", "M*R^2/2*u3'"),
@@ -235,9 +238,13 @@ fn loads_and_inertia_loads_are_those_of_the_newton_euler_balances() {
         let balances = balances(&model, &mut derivations.kinematics, &velocities, Some(1));
         let mut q = Quantities::new(&model, &mut derivations);
         for balance in balances {
-            let place =
-                format!("({}) @ {} [{}]", model.bodies[balance.body].name, model.frames[1].name, balance.axis + 1);
-            let (inertia, load) = if balance.moments { ("Tstar", "moment") } else { ("Rstar", "force") };
+            let place = format!(
+                "({}) @ {} [{}]",
+                model.bodies[balance.name.body].name,
+                model.frames[1].name,
+                balance.name.axis + 1
+            );
+            let (inertia, load) = if balance.name.moments { ("Tstar", "moment") } else { ("Rstar", "force") };
             let terms = [value(&mut q, &format!("{inertia}{place}")), value(&mut q, &format!("{load}{place}"))];
             let sum = q.derivations.kinematics.arena.sum(&terms);
             let opposite = q.derivations.kinematics.arena.neg(sum);

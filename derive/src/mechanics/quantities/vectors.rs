@@ -1,8 +1,9 @@
 //! The vectors among the quantities: motion, momentum and loads, each remembered.
 
-use super::{Quantities, VectorName};
+use super::Quantities;
 use crate::mechanics::kinematics::Kinematics;
 use crate::mechanics::newton_euler;
+use crate::mechanics::quantity::VectorName;
 use crate::mechanics::vector::{Components, Vector};
 use crate::model::Body;
 

@@ -18,7 +18,7 @@ pub enum Owner {
 
 impl Owner {
     /// The word in a form such as `v(POINT) @ FRAME [COMPONENT]`.
-    pub(super) const fn placeholder(self) -> &'static str {
+    pub(crate) const fn placeholder(self) -> &'static str {
         match self {
             Self::Point => "POINT",
             Self::Frame => "FRAME",
@@ -60,7 +60,7 @@ pub enum VectorName {
 
 impl VectorName {
     /// All of them, with their names.
-    pub(super) const ALL: [(Self, &'static str); 13] = [
+    pub(crate) const ALL: [(Self, &'static str); 13] = [
         (Self::Position, "p"),
         (Self::Velocity, "v"),
         (Self::Acceleration, "a"),
@@ -87,12 +87,21 @@ impl VectorName {
         }
     }
 
-    fn name(self) -> &'static str {
+    /// Its letter or word in report files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1
     }
 
+    /// The vector without a frame, in plain text: `v(P)`.
+    #[must_use]
+    pub fn text(self, model: &Model, of: usize) -> String {
+        format!("{}({})", self.name(), self.owner_name(model, of))
+    }
+
     /// The name of the point, frame or body at a position of the model's list.
-    fn owner_name(self, model: &Model, of: usize) -> &str {
+    #[must_use]
+    pub fn owner_name(self, model: &Model, of: usize) -> &str {
         match self.owner() {
             Owner::Point => &model.points[of].name,
             Owner::Frame => &model.frames[of].name,
@@ -116,7 +125,7 @@ pub enum Row {
 
 impl Row {
     /// All of them, with their names.
-    pub(super) const ALL: [(Self, &'static str); 4] =
+    pub(crate) const ALL: [(Self, &'static str); 4] =
         [(Self::ActiveForce, "F"), (Self::InertiaForce, "Fstar"), (Self::Forcing, "f"), (Self::LagrangeForcing, "A")];
 }
 
@@ -145,7 +154,7 @@ impl Energy {
     }
 
     /// All of them, with their names.
-    pub(super) const ALL: [(Self, &'static str); 6] = [
+    pub(crate) const ALL: [(Self, &'static str); 6] = [
         (Self::Kinetic, "T"),
         (Self::Translation, "T_translation"),
         (Self::Rotation, "T_rotation"),
@@ -220,10 +229,10 @@ pub enum QuantityKind {
 
 impl QuantityKind {
     /// The name in full, with numbers for components and rows: two quantities are the same iff their names are.
-    pub(super) fn name(&self, model: &Model) -> String {
+    #[must_use]
+    pub fn name(&self, model: &Model) -> String {
         let component = |vector: VectorName, of: usize, frame: usize, axis: usize| {
-            let (owner, frame) = (vector.owner_name(model, of), &model.frames[frame].name);
-            format!("{}({owner}) @ {frame} [{}]", vector.name(), axis + 1)
+            format!("{} @ {} [{}]", vector.text(model, of), model.frames[frame].name, axis + 1)
         };
         match *self {
             Self::Rotation { from, to, entry: (i, j) } => {

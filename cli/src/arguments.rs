@@ -1,0 +1,269 @@
+//! The command line.
+
+use clap::{Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+use tripos::Overrides;
+
+/// Derives the equations of motion of a mechanism by Kane, Lagrange and Newton–Euler from one model
+/// file, generates Rust for them, and runs it.
+///
+/// Exit status: 0 done; 1 the answer is "no" (stale, different); 2 bad input; 3 a run that could not
+/// go on; 130 interrupted, with what was finished kept. With --json, standard output is the JSON alone, also that
+/// of a failure.
+#[derive(Parser)]
+#[command(name = "tripos", version)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand)]
+pub enum Command {
+    /// Derive, run every scene of a model by all formulations, and write one page that shows it
+    Report {
+        /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
+        model: Option<PathBuf>,
+        /// Where index.html goes
+        #[arg(long, default_value = "target/report")]
+        out: PathBuf,
+    },
+    /// Print the equations of motion of a model
+    Derive {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// kane, lagrange or newton-euler; all that the model supports if not given
+        #[arg(long)]
+        by: Option<String>,
+        /// How to write mathematics
+        #[arg(long, value_enum, default_value_t = Format::Text)]
+        format: Format,
+    },
+    /// Prove the formulations equivalent and find what the motion conserves; exit status 1 if they are not
+    Prove {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Compare a model with a published derivation, or with an edited model; exit status 1 if anything differs
+    Diff {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// A report file (docs/report.md), or the newer of two models
+        other: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Write generated/ anew from models/
+    Regenerate {
+        /// Models of the workspace, by the names of their folders; all of them if none is given
+        models: Vec<PathBuf>,
+        /// Only say what would change; exit status 1 if anything would
+        #[arg(long)]
+        check: bool,
+    },
+    /// Write the generated Rust module of any model file: mod.rs, and one file a formulation
+    Emit {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// The folder of the module, named as the module; files in it that this command did not write stay untouched
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// kane, lagrange or newton-euler, more than once for several; all that the model supports if not given, and
+        /// what the report beside it prints
+        #[arg(long = "formulation", value_name = "F")]
+        formulations: Vec<String>,
+    },
+    /// Evaluate the equations of motion at one state
+    Evaluate {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model
+        #[arg(long)]
+        by: String,
+        /// A TOML file with [parameters] and [state]
+        #[arg(long, value_name = "STATE.toml")]
+        at: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Run a scene
+    Simulate(Simulate),
+    /// Print what a scene keeps of its model, what it leaves out, and why that is exact
+    Scene {
+        /// A scene file
+        scene: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Run a scene from many starts or with many parameters, on all cores
+    ///
+    /// For example, the disk from a thousand leans, and the second hundredth of half a million runs between the Moon's
+    /// gravity and the Earth's:
+    ///
+    ///   tripos sweep models/disk/scenes/report-10s.toml --over q2=0.01:1.5:1000 --out leans.csv
+    ///
+    ///   tripos sweep models/disk/scenes/report-10s.toml --over g=1.62:9.81:500 --over 'q2=1*deg:80*deg:1000' \
+    ///       --shard 2/100 --out part-002.csv
+    ///
+    /// Exit status: 0 if every point has an answer, 3 if one could not start or go on; its row says why. docs/sweep.md
+    /// describes the table.
+    #[command(verbatim_doc_comment)]
+    Sweep(Sweep),
+    /// Find where runs of a scene give way: passages, conditioning, domain, growth of errors, drifts
+    Stability {
+        /// A scene file
+        scene: PathBuf,
+        /// Shorter runs and fewer steps
+        #[arg(long)]
+        quick: bool,
+        /// Where the table and the figures go
+        #[arg(long, default_value = "target/stability")]
+        out: PathBuf,
+    },
+    /// Measure a scene by every formulation, solve and method at many tolerances: speed against accuracy
+    Chart {
+        /// A scene file
+        scene: PathBuf,
+        /// Fewer tolerances and repeats: less than two minutes
+        #[arg(long)]
+        quick: bool,
+        /// Also the printed equations of the report beside the model
+        #[arg(long)]
+        printed: bool,
+        /// Where the tables and the chart go
+        #[arg(long, default_value = "target/chart")]
+        out: PathBuf,
+    },
+}
+
+/// A run of a scene.
+#[derive(clap::Args)]
+pub struct Simulate {
+    /// A scene file
+    pub scene: PathBuf,
+    #[command(flatten)]
+    pub how: How,
+    /// Write the samples to this file; one that is there is replaced if its name ends in .csv
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Replace the file of --csv whatever its name is; never what the run reads
+    #[arg(long, requires = "csv")]
+    pub overwrite: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Runs of a scene from many starts or with many parameters.
+#[derive(clap::Args)]
+pub struct Sweep {
+    /// A scene file
+    pub scene: PathBuf,
+    /// Values of a parameter or of a number of the start: NAME=FROM:TO:COUNT (evenly spaced, both ends included),
+    /// NAME=FROM:TO:COUNT:log, or NAME=a,b,c, each as a scene would state it; of several, every combination, the last
+    /// varying fastest
+    #[arg(long, required = true, value_name = "NAME=VALUES")]
+    pub over: Vec<String>,
+    #[command(flatten)]
+    pub how: How,
+    /// Run the i-th of n parts of the points; the files of all parts, one after another with one header, are the file
+    /// of the whole sweep
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    pub shard: String,
+    /// Threads; all that the machine has if not given. The results do not depend on them
+    #[arg(long)]
+    pub threads: Option<usize>,
+    /// Write a row for each point to this file
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Replace the file if it is there
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Print a summary as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What the command line may change of the way a scene is run.
+#[derive(clap::Args)]
+pub struct How {
+    /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model. If not given,
+    /// `simulate` takes the scene's own reduced equations (`tripos scene`), other commands the first formulation that
+    /// the model supports
+    #[arg(long)]
+    pub by: Option<String>,
+    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6 or taylor; or quadrature, for a scene's own
+    /// equations with one degree of freedom
+    #[arg(long)]
+    pub method: Option<String>,
+    /// What each step is projected onto: energy, for a scene's own equations; what that removes is reported
+    #[arg(long)]
+    pub project: Option<String>,
+    /// How accelerations are found: eliminated (solved for when the code was generated) or numeric (the linear
+    /// system at each state)
+    #[arg(long)]
+    pub solve: Option<String>,
+    /// The length of every step, s, instead of steps chosen by the error
+    #[arg(long)]
+    pub step: Option<f64>,
+    /// Relative tolerance
+    #[arg(long)]
+    pub rtol: Option<f64>,
+    /// Absolute tolerance
+    #[arg(long)]
+    pub atol: Option<f64>,
+    /// The last instant, s; before the first, the run goes backward
+    #[arg(long, allow_negative_numbers = true)]
+    pub until: Option<f64>,
+}
+
+impl How {
+    /// What stands in the place of what a scene says.
+    pub fn overrides(&self) -> Overrides {
+        let Self { by, method, project, solve, step, rtol, atol, until } = self;
+        Overrides {
+            by: by.clone(),
+            method: method.clone(),
+            project: project.clone(),
+            solve: solve.clone(),
+            step: *step,
+            rtol: *rtol,
+            atol: *atol,
+            until: *until,
+        }
+    }
+}
+
+/// How to write mathematics.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// The language of model files
+    Text,
+    /// LaTeX for math mode
+    Latex,
+    /// `MathML` for web pages
+    Mathml,
+    /// Text inside JSON
+    Json,
+}
+
+impl Command {
+    /// Whether programs read the answer.
+    pub fn is_json(&self) -> bool {
+        match self {
+            Self::Derive { format, .. } => *format == Format::Json,
+            Self::Prove { json, .. }
+            | Self::Diff { json, .. }
+            | Self::Evaluate { json, .. }
+            | Self::Scene { json, .. } => *json,
+            Self::Simulate(request) => request.json,
+            Self::Sweep(request) => request.json,
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! Words that several parts of the command say.
+
+/// How many entries, in words.
+pub fn entries(count: usize) -> String {
+    if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
+}
+
+/// Formulas that nobody reads to their end are cut; --json has them whole.
+pub fn shortened(formula: &str) -> String {
+    const MOST: usize = 400;
+    match formula.char_indices().nth(MOST) {
+        Some((at, _)) => format!("{} … ({} characters, see --json)", &formula[..at], formula.chars().count()),
+        None => formula.to_owned(),
+    }
+}

@@ -1,0 +1,110 @@
+//! Deriving a model: one formulation, one with its steps, or all of them over one store of terms.
+
+use super::equations::{Equations, complete};
+use super::error::DeriveError;
+use super::formulation::Formulation;
+use super::kinematics::Kinematics;
+use super::rows::{RowName, Step};
+use crate::algebra::Arena;
+use crate::algebra::rank::rank;
+use crate::model::Model;
+
+/// One formulation of a model, with the store of its terms.
+#[derive(Clone)]
+pub struct Derivation {
+    /// The terms of `equations`.
+    pub arena: Arena,
+    /// The equations.
+    pub equations: Equations,
+}
+
+/// One formulation of a model as a textbook shows it, with the store of its terms.
+#[derive(Clone)]
+pub struct DerivationInSteps {
+    /// The terms of `equations` and `steps`.
+    pub arena: Arena,
+    /// The equations.
+    pub equations: Equations,
+    /// What they come from, in order.
+    pub steps: Vec<Step>,
+}
+
+/// All formulations of a model over one store of terms, so that they can be compared.
+pub struct Derivations {
+    /// The kinematics that they share, with the store of all terms.
+    pub kinematics: Kinematics,
+    /// Each formulation, or why this one cannot be had.
+    pub list: Vec<(Formulation, Result<Equations, DeriveError>)>,
+}
+
+impl Derivations {
+    /// The equations by one method, if it is possible.
+    #[must_use]
+    pub fn get(&self, formulation: Formulation) -> Option<&Equations> {
+        self.result(formulation).ok()
+    }
+
+    /// The equations by one method.
+    ///
+    /// # Errors
+    /// [`DeriveError`] if this method cannot be used.
+    pub fn result(&self, formulation: Formulation) -> Result<&Equations, DeriveError> {
+        let found = self.list.iter().find(|(f, _)| *f == formulation);
+        found.map_or(Err(DeriveError::NotLinear), |(_, equations)| equations.as_ref().map_err(Clone::clone))
+    }
+}
+
+/// Derives the equations of motion of a model.
+///
+/// # Errors
+/// [`DeriveError`]; ask [`DeriveError::is_unsupported`] whether another formulation may succeed.
+pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, DeriveError> {
+    let mut kinematics = Kinematics::new(model)?;
+    let equations = derive_with(model, &mut kinematics, formulation)?;
+    Ok(Derivation { arena: kinematics.arena, equations })
+}
+
+/// Derives the equations of motion of a model, and shows what they come from, step by step.
+///
+/// # Errors
+/// As [`derive()`].
+pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<DerivationInSteps, DeriveError> {
+    let mut kinematics = Kinematics::new(model)?;
+    let equations = derive_with(model, &mut kinematics, formulation)?;
+    let steps = (formulation.method().steps)(model, &mut kinematics)?;
+    Ok(DerivationInSteps { arena: kinematics.arena, equations, steps })
+}
+
+/// Derives the equations of motion of a model by every method.
+///
+/// # Errors
+/// [`DeriveError`] if the model is wrong; a formulation that this model does not support is listed with its reason.
+pub fn derive_all(model: &Model) -> Result<Derivations, DeriveError> {
+    let mut kinematics = Kinematics::new(model)?;
+    let mut list = Vec::new();
+    for f in Formulation::ALL {
+        match derive_with(model, &mut kinematics, f) {
+            Err(error) if !error.is_unsupported() => return Err(error),
+            result => list.push((f, result)),
+        }
+    }
+    Ok(Derivations { kinematics, list })
+}
+
+fn derive_with(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Result<Equations, DeriveError> {
+    let rows = (formulation.method().derive)(model, kinematics)?;
+    let equations = complete(model, kinematics, formulation, rows);
+    match rank(&kinematics.arena, &equations.matrix).and_then(|rank| rank.dependent) {
+        Some(row) => Err(singular(model, &equations.rows[row])),
+        None => Ok(equations),
+    }
+}
+
+/// The matrix is singular in every configuration: this row follows from those before it.
+fn singular(model: &Model, row: &RowName) -> DeriveError {
+    match row {
+        RowName::Balance(_) => DeriveError::ReactionsDependent,
+        RowName::Coordinate(_) => DeriveError::NoInertia { speed: format!("{}'", row.text(model)) },
+        _ => DeriveError::NoInertia { speed: row.text(model) },
+    }
+}

@@ -1,0 +1,152 @@
+//! Equations of motion, whichever method gave them.
+
+use super::by::{By, Distance};
+use super::formulation::{Formulation, MotionVariables};
+use super::kinematics::Kinematics;
+use super::rows::{RowName, Rows};
+use crate::algebra::calculus::Differential;
+use crate::algebra::steps::Definition;
+use crate::algebra::{Arena, Expr};
+use crate::model::Model;
+
+/// Equations of motion  matrix · unknowns = forcing,  q̇ = `coordinate_rates`.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    /// Which these are.
+    pub by: By,
+    /// The distance that stands for a coordinate, if one does.
+    pub distance: Option<Distance>,
+    /// The formulation whose motion variables and unknowns these have.
+    pub formulation: Formulation,
+    /// Symbols that stand for terms in parameters, q and v in everything below, each after those that it mentions:
+    /// none but in reduced equations.
+    pub definitions: Vec<Definition>,
+    /// The generalized coordinates q, or the distance that stands for one ([`super::in_distance`]).
+    pub coordinates: Vec<Expr>,
+    /// The motion variables v that are integrated beside q: u, or q̇ for Lagrange.
+    pub variables: Vec<Expr>,
+    /// Their time derivatives, then the reactions.
+    pub unknowns: Vec<Expr>,
+    /// What each row is of.
+    pub rows: Vec<RowName>,
+    /// Square; in parameters, q and v.
+    pub matrix: Vec<Vec<Expr>>,
+    /// One entry a row; in parameters, q and v.
+    pub forcing: Vec<Expr>,
+    /// Whether the matrix is symmetric by construction, and positive definite where it is regular.
+    pub symmetric: bool,
+    /// Multipliers of the rows, one list for each motion variable, under which the reactions cancel and a
+    /// symmetric, positive definite system is left: the partial velocities. Empty without reactions.
+    pub projection: Vec<Vec<Expr>>,
+    /// q̇ in q and v.
+    pub coordinate_rates: Vec<Expr>,
+    /// u in q and v.
+    pub generalized_speeds: Vec<Expr>,
+    /// u̇ in q, v and v̇.
+    pub generalized_speed_rates: Vec<Expr>,
+    /// v in q and u.
+    pub motion_variables: Vec<Expr>,
+    /// T in q and v.
+    pub kinetic_energy: Expr,
+    /// V in q.
+    pub potential_energy: Expr,
+    /// Expressions in q that the kinematic equations divide by.
+    pub divisors: Vec<Expr>,
+}
+
+impl Equations {
+    /// What they are called in files: `kane`, `kane@q2-90deg`, `printed:ID`.
+    #[must_use]
+    pub fn name(&self, model: &Model) -> String {
+        self.by.name_in(self.distance, model)
+    }
+
+    /// What they are called in a heading.
+    #[must_use]
+    pub fn title(&self, model: &Model) -> String {
+        let title = self.by.title();
+        self.distance.map_or_else(|| title.clone(), |distance| format!("{title} in {}", distance.title(model)))
+    }
+
+    /// The names of the rows, in plain text.
+    #[must_use]
+    pub fn row_names(&self, model: &Model) -> Vec<String> {
+        self.rows.iter().map(|row| row.text(model)).collect()
+    }
+
+    /// Changes every expression.
+    pub(crate) fn visit(&mut self, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
+        let vectors = [
+            &mut self.forcing,
+            &mut self.coordinate_rates,
+            &mut self.generalized_speeds,
+            &mut self.generalized_speed_rates,
+            &mut self.motion_variables,
+            &mut self.divisors,
+        ];
+        let matrices = self.matrix.iter_mut().chain(&mut self.projection);
+        let scalars = [&mut self.kinetic_energy, &mut self.potential_energy];
+        let definitions = self.definitions.iter_mut().map(|d| &mut d.value);
+        for value in vectors.into_iter().chain(matrices).flatten().chain(scalars).chain(definitions) {
+            change(value, arena);
+        }
+    }
+}
+
+/// The equations whose rows a method gave: with q̇ and u in its motion variables, every entry simplified.
+pub(super) fn complete(model: &Model, kinematics: &mut Kinematics, formulation: Formulation, rows: Rows) -> Equations {
+    let Rows { names, matrix, forcing, projection, kinetic_energy, potential_energy } = rows;
+    let rates = &model.kinematic_equations.rates;
+    let (generalized_speeds, generalized_speed_rates, coordinate_rates, motion_variables) = match formulation
+        .method()
+        .variables
+    {
+        MotionVariables::Speeds => (model.u(), model.speeds.iter().map(|s| s.rate).collect(), rates.clone(), model.u()),
+        MotionVariables::Rates => {
+            let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
+            let speed_rates = along_rates(model, &mut kinematics.arena, &definitions);
+            (definitions, speed_rates, model.q_dot(), rates.clone())
+        }
+    };
+    let mut equations = Equations {
+        by: formulation.into(),
+        distance: None,
+        formulation,
+        definitions: Vec::new(),
+        coordinates: model.q(),
+        variables: formulation.variables(model),
+        unknowns: formulation.unknowns(model).into_iter().map(|(_, symbol)| symbol).collect(),
+        rows: names,
+        matrix,
+        forcing,
+        symmetric: formulation.method().symmetric,
+        projection,
+        coordinate_rates,
+        generalized_speeds,
+        generalized_speed_rates,
+        motion_variables,
+        kinetic_energy,
+        potential_energy,
+        divisors: model.kinematic_equations.divisors.clone(),
+    };
+    simplify(kinematics, &mut equations);
+    equations
+}
+
+/// Time derivatives of terms in q and q̇, in q, q̇ and q̈.
+fn along_rates(model: &Model, arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
+    let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+    rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
+    let mut d_dt = Differential::along(&rates);
+    terms.iter().map(|e| d_dt.apply(arena, *e)).collect()
+}
+
+/// Simplifies all but the energies, which are simplified where they are made.
+fn simplify(kinematics: &mut Kinematics, equations: &mut Equations) {
+    let Kinematics { arena, simplifier, .. } = kinematics;
+    let entries = equations.matrix.iter_mut().flatten().chain(&mut equations.forcing);
+    let entries = entries.chain(&mut equations.coordinate_rates).chain(&mut equations.generalized_speeds);
+    for e in entries.chain(&mut equations.generalized_speed_rates).chain(&mut equations.motion_variables) {
+        *e = simplifier.simplify(arena, *e);
+    }
+}

@@ -1,0 +1,215 @@
+//! Why equations cannot be derived.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::Model;
+use std::fmt;
+
+/// Why a formulation cannot be derived.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DeriveError {
+    /// The inertia of a body, stated in a frame that the body turns in, is not constant in the body.
+    InertiaNotConstant {
+        /// The body.
+        body: String,
+        /// The frame its inertia is stated in.
+        frame: String,
+        /// The body's own frame.
+        body_frame: String,
+    },
+    /// A reaction does work in a permitted motion.
+    ReactionWorks {
+        /// The reaction.
+        reaction: String,
+        /// The rate of a coordinate, or the speed, that it works along.
+        motion: String,
+        /// The power for each unit of that.
+        rate: String,
+    },
+    /// The direction of a reaction has another length than 1, so its value would not be the force.
+    DirectionNotUnit {
+        /// The reaction.
+        reaction: String,
+        /// The square of the length.
+        square: String,
+    },
+    /// The potential energy has no value where the model puts its zero.
+    NoZeroOfPotential {
+        /// The term that divides by zero.
+        term: String,
+    },
+    /// A speed moves no mass: the mass matrix has a zero row.
+    NoInertia {
+        /// The speed.
+        speed: String,
+    },
+    /// At the values of a scene a speed moves no mass.
+    NoInertiaAt {
+        /// The speed.
+        speed: String,
+        /// The parameters that are 0 there.
+        zero: Vec<String>,
+    },
+    /// An acceleration did not come out linear: cannot happen for a checked model.
+    NotLinear,
+    /// Newton–Euler needs as many reactions as there are equations left.
+    ReactionCount {
+        /// Equations that are not 0 = 0.
+        equations: usize,
+        /// Generalized speeds.
+        speeds: usize,
+        /// Reactions named.
+        reactions: usize,
+        /// Equations of all bodies: as many reactions as speeds leave over of these can be needed, and no more.
+        all: usize,
+        /// The components in which the bodies feel something, body by body: `disk force b1, b2`.
+        felt: Vec<String>,
+    },
+    /// The reactions named are not independent: they cannot be told apart.
+    ReactionsDependent,
+    /// Lagrange's equations of coordinates that a motion constraint ties together need a multiplier.
+    MotionConstraint {
+        /// The constraint.
+        constraint: String,
+    },
+    /// A torque on a frame without a body: no moment balance holds it.
+    TorqueOnNothing {
+        /// The torque.
+        torque: String,
+    },
+    /// A scene's own equations are not known to give what the model's give.
+    ReductionNotProved {
+        /// What is not known.
+        what: String,
+    },
+}
+
+impl DeriveError {
+    /// Whether the model is right and only this formulation cannot be had.
+    #[must_use]
+    pub fn is_unsupported(&self) -> bool {
+        matches!(
+            self,
+            Self::ReactionCount { .. }
+                | Self::ReactionsDependent
+                | Self::MotionConstraint { .. }
+                | Self::TorqueOnNothing { .. }
+        )
+    }
+
+    /// The name in the model file that it is about, and what to do.
+    fn place_and_help(&self) -> (Option<&str>, &'static str) {
+        match self {
+            Self::InertiaNotConstant { body, .. } => (
+                Some(body),
+                "state the inertia in the body's frame, or in one that it turns in about an axis of symmetry",
+            ),
+            Self::ReactionWorks { reaction, .. } => (
+                Some(reaction),
+                "a reaction acts where and along what its constraint forbids; a force that works is an applied force",
+            ),
+            Self::DirectionNotUnit { reaction, .. } => {
+                (Some(reaction), "divide the direction by its length, as in [\"sqrt(1/2)\", \"sqrt(1/2)\", 0]")
+            }
+            Self::NoZeroOfPotential { .. } => {
+                (None, "give every coordinate that divides a value in `zero_at`, or leave `zero_at` out")
+            }
+            Self::NoInertia { speed } => {
+                (Some(speed.trim_end_matches('\'')), "give mass to what moves with it, or leave the coordinate out")
+            }
+            Self::NoInertiaAt { speed, .. } => {
+                (Some(speed), "give mass to what moves with it, or leave the coordinate out of the model")
+            }
+            Self::NotLinear => (None, "this is a defect of the program: please report the model"),
+            Self::ReactionCount { .. } => (
+                None,
+                "name in [reactions] every force and torque that each joint exerts, along every direction and axis that it prevents, or use kane or lagrange",
+            ),
+            Self::ReactionsDependent => (
+                None,
+                "let each constraint be enforced by one reaction along its own direction, or use kane or lagrange",
+            ),
+            Self::MotionConstraint { constraint } => (Some(constraint), "use kane, which needs no multiplier"),
+            Self::TorqueOnNothing { torque } => (Some(torque), "let it act on a rigid body, or use kane or lagrange"),
+            Self::ReductionNotProved { .. } => (None, "run the scene by one of the model's formulations"),
+        }
+    }
+}
+
+impl std::error::Error for DeriveError {}
+
+impl fmt::Display for DeriveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InertiaNotConstant { body, frame, body_frame } => {
+                write!(f, "the inertia of `{body}` is constant in `{frame}` but not in its own frame `{body_frame}`")
+            }
+            Self::ReactionWorks { reaction, motion, rate } => {
+                let along = motion.trim_end_matches('\'');
+                write!(f, "the reaction `{reaction}` works along `{along}`: power {rate} for each unit of {motion}")
+            }
+            Self::DirectionNotUnit { reaction, square } => {
+                write!(f, "the direction of `{reaction}` is no unit vector: the square of its length is {square}")
+            }
+            Self::NoZeroOfPotential { term } => {
+                write!(
+                    f,
+                    "the potential energy has no value where `zero_at` puts its zero: {term} divides by zero there"
+                )
+            }
+            Self::NoInertia { speed } => {
+                write!(f, "`{speed}` moves no mass of its own: the mass matrix is singular in every configuration")
+            }
+            Self::NoInertiaAt { speed, zero } => {
+                let zero: Vec<String> = zero.iter().map(|name| format!("{name} = 0")).collect();
+                let zero = zero.join(" and ");
+                write!(
+                    f,
+                    "`{speed}` moves no mass of its own where {zero}: the mass matrix is singular in every configuration"
+                )
+            }
+            Self::NotLinear => write!(f, "the equations are not linear in the accelerations"),
+            Self::ReactionCount { equations, speeds, reactions, all, felt } => {
+                let needed = equations.saturating_sub(*speeds);
+                let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
+                write!(
+                    f,
+                    "newton-euler has {equations} equations for {} unknowns, {} and {}: {} needed{}",
+                    speeds + reactions,
+                    plural(*speeds, "speed"),
+                    plural(*reactions, "reaction"),
+                    if needed == 1 { "1 reaction is".to_owned() } else { format!("{needed} reactions are") },
+                    if equations == all {
+                        String::new()
+                    } else {
+                        format!(
+                            ", in no other components than these: {}; each that acts in another brings another equation into play, up to {} reactions when all {all} are",
+                            felt.join("; "),
+                            all.saturating_sub(*speeds)
+                        )
+                    }
+                )
+            }
+            Self::ReactionsDependent => {
+                write!(f, "newton-euler is not possible: its equations do not determine the reactions one by one")
+            }
+            Self::MotionConstraint { constraint } => {
+                write!(f, "lagrange is not possible: the motion constraint `{constraint}` needs a multiplier")
+            }
+            Self::TorqueOnNothing { torque } => {
+                write!(f, "newton-euler is not possible: the torque `{torque}` acts on a frame without a body")
+            }
+            Self::ReductionNotProved { what } => write!(f, "the reduced equations of the scene are not proved: {what}"),
+        }
+    }
+}
+
+impl Model {
+    /// The same error with its place in the model file.
+    #[must_use]
+    pub fn diagnose(&self, error: &DeriveError) -> Diagnostics {
+        let (name, help) = error.place_and_help();
+        let span = name.and_then(|n| self.declared.get(n).cloned());
+        let diagnostic = Diagnostic { message: error.to_string(), span, other: None, help: Some(help.to_owned()) };
+        Diagnostics::new(self.source.clone(), vec![diagnostic])
+    }
+}

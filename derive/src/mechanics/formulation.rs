@@ -1,0 +1,177 @@
+//! The formulations: all that the program knows of a method of derivation is its row of one table.
+
+use super::error::DeriveError;
+use super::kinematics::Kinematics;
+use super::rows::{Rows, Step};
+use super::{kane, lagrange, newton_euler};
+use crate::algebra::Expr;
+use crate::model::Model;
+
+/// A method of derivation: a row of the table, by its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Formulation {
+    /// Kane's method.
+    Kane,
+    /// Lagrange's equations.
+    Lagrange,
+    /// Newton's and Euler's equations of each body.
+    NewtonEuler,
+}
+
+/// What the motion variables v of equations are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MotionVariables {
+    /// The generalized speeds u.
+    Speeds,
+    /// The rates q̇ of the coordinates.
+    Rates,
+}
+
+/// What is known of a method of derivation.
+pub struct Method {
+    /// The name on the command line and in files.
+    pub name: &'static str,
+    /// The name in a heading.
+    pub title: &'static str,
+    /// The name in a formula, such as `Kane = Wᵀ · Lagrange`.
+    pub label: &'static str,
+    /// What it states, in words.
+    pub principle: &'static str,
+    /// The formula that the words end with, as presentation MathML; empty if they need none.
+    pub law: &'static str,
+    /// The system that it gives, in plain text.
+    pub equation: &'static str,
+    /// What is integrated beside q.
+    pub variables: MotionVariables,
+    /// Whether the reactions are among the unknowns.
+    pub carries_reactions: bool,
+    /// Whether the matrix is symmetric by construction, and positive definite where it is regular.
+    pub symmetric: bool,
+    /// Derives the rows.
+    pub derive: fn(&Model, &mut Kinematics) -> Result<Rows, DeriveError>,
+    /// What the rows come from, step by step, to be shown.
+    pub steps: fn(&Model, &mut Kinematics) -> Result<Vec<Step>, DeriveError>,
+}
+
+static TABLE: [Method; Formulation::ALL.len()] = [
+    Method {
+        name: "kane",
+        title: "Kane's method",
+        label: "Kane",
+        principle: "For each generalized speed the generalized active force and the generalized inertia force add to zero:",
+        law: "<mrow><msub><mi>F</mi><mi>r</mi></msub><mo>+</mo><msubsup><mi>F</mi><mi>r</mi><mo>⋆</mo></msubsup><mo>=</mo>\
+              <mn>0</mn></mrow>",
+        equation: "M(q) u' = f(q, u)",
+        variables: MotionVariables::Speeds,
+        carries_reactions: false,
+        symmetric: true,
+        derive: kane::derive,
+        steps: kane::steps,
+    },
+    Method {
+        name: "lagrange",
+        title: "Lagrange's equations",
+        label: "Lagrange",
+        principle: "For each generalized coordinate",
+        law: "<mrow><mfrac><mi mathvariant=\"normal\">d</mi><mrow>\
+              <mi mathvariant=\"normal\">d</mi><mi>t</mi></mrow></mfrac><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi>\
+              </mrow><mrow><mo form=\"prefix\">∂</mo><msub><mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi>\
+              </msub></mrow></mfrac><mo>−</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi></mrow><mrow>\
+              <mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi></msub></mrow></mfrac><mo>+</mo><mfrac><mrow>\
+              <mo form=\"prefix\">∂</mo><mi>V</mi></mrow><mrow><mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi>\
+              </msub></mrow></mfrac><mo>=</mo><msub><mi>Q</mi><mi>i</mi></msub></mrow>",
+        equation: "E(q) q'' = A(q, q')",
+        variables: MotionVariables::Rates,
+        carries_reactions: false,
+        symmetric: true,
+        derive: lagrange::derive,
+        steps: lagrange::steps,
+    },
+    Method {
+        name: "newton-euler",
+        title: "Newton–Euler equations",
+        label: "Newton–Euler",
+        principle: "For each body the forces give its mass times the acceleration of its mass centre, and the moments about \
+                    the mass centre give the rate of its angular momentum; the reactions are unknowns beside the accelerations",
+        law: "",
+        equation: "A(q, u) (u', reactions) = b(q, u)",
+        variables: MotionVariables::Speeds,
+        carries_reactions: true,
+        symmetric: false,
+        derive: newton_euler::derive,
+        steps: newton_euler::steps,
+    },
+];
+
+impl Formulation {
+    /// All of them, in the order in which they are always listed.
+    pub const ALL: [Self; 3] = [Self::Kane, Self::Lagrange, Self::NewtonEuler];
+
+    /// All that is known of it.
+    #[must_use]
+    pub fn method(self) -> &'static Method {
+        &TABLE[self as usize]
+    }
+
+    /// The name on the command line and in files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.method().name
+    }
+
+    /// The name in a heading.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        self.method().title
+    }
+
+    /// The formulation of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|f| f.name() == name)
+    }
+
+    /// Whether the motion variables are the rates q̇, and not the speeds u.
+    #[must_use]
+    pub fn is_in_rates(self) -> bool {
+        self.method().variables == MotionVariables::Rates
+    }
+
+    /// Whether the reactions are among the unknowns.
+    #[must_use]
+    pub fn carries_reactions(self) -> bool {
+        self.method().carries_reactions
+    }
+
+    /// The formulation in the same motion variables whose equations are left when the reactions are eliminated:
+    /// itself if it has none.
+    #[must_use]
+    pub fn without_reactions(self) -> Self {
+        let alike = |f: &Self| f.method().variables == self.method().variables && !f.carries_reactions();
+        if self.carries_reactions() { Self::ALL.into_iter().find(alike).unwrap_or(self) } else { self }
+    }
+
+    /// The motion variables v.
+    #[must_use]
+    pub fn variables(self, model: &Model) -> Vec<Expr> {
+        match self.method().variables {
+            MotionVariables::Speeds => model.u(),
+            MotionVariables::Rates => model.q_dot(),
+        }
+    }
+
+    /// What its equations are solved for, with names: v̇, then the reactions if it carries them.
+    #[must_use]
+    pub fn unknowns(self, model: &Model) -> Vec<(String, Expr)> {
+        let rates = model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate));
+        let second = model.coordinates.iter().map(|c| (format!("{}''", c.name), c.second_rate));
+        let mut unknowns: Vec<_> = match self.method().variables {
+            MotionVariables::Speeds => rates.collect(),
+            MotionVariables::Rates => second.collect(),
+        };
+        if self.carries_reactions() {
+            unknowns.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
+        }
+        unknowns
+    }
+}

@@ -1,0 +1,98 @@
+//! How a scene is integrated: what its words are to the simulator.
+
+use crate::error::Error;
+use tripos_derive::scene::{Project, QUADRATURE, Scene};
+use tripos_sim::{Method, Options, Output};
+use tripos_traits::AbsoluteTolerance;
+
+/// How a scene is integrated, and at which instants it is sampled.
+///
+/// # Errors
+/// [`Error::Request`] if there is no such method.
+pub fn options(scene: &Scene) -> Result<Options, Error> {
+    Ok(Options { output: output(scene), ..options_of_ends(scene)? })
+}
+
+/// How a scene is integrated where only the ends of its runs are kept: the same steps.
+///
+/// # Errors
+/// [`Error::Request`] if there is no such method.
+pub fn options_of_ends(scene: &Scene) -> Result<Options, Error> {
+    let how = &scene.integration;
+    Ok(Options {
+        // Quadrature takes no steps: any method will do.
+        method: if how.method == QUADRATURE { Method::Dop853 } else { method(&how.method)? },
+        step: how.step,
+        step_limit: how.step_limit,
+        output: Output::Ends,
+        ..Options::tolerances(how.rtol, how.atol.clone())
+    })
+}
+
+/// The method of this name.
+///
+/// # Errors
+/// [`Error::Request`] if there is none.
+pub fn method(name: &str) -> Result<Method, Error> {
+    Method::ALL.iter().copied().find(|m| m.name() == name).ok_or_else(|| {
+        let names = Method::ALL.iter().map(|m| m.name());
+        Error::request(format!("there is no method `{name}`"), tripos_derive::diagnostic::nearest(name, names))
+    })
+}
+
+/// The method and what its steps are made by: "ode45 with rtol 1e-3, atol 1e-5".
+pub fn method_words(scene: &Scene) -> String {
+    let how = &scene.integration;
+    if how.method == QUADRATURE {
+        return QUADRATURE.to_owned();
+    }
+    let projected = match how.project {
+        Some(Project::Energy) => ", each projected onto the energy",
+        None => "",
+    };
+    let steps = match (how.step, &how.atol) {
+        (Some(step), _) => format!("steps of {step:e} s"),
+        (None, AbsoluteTolerance::Uniform(atol)) => format!("rtol {:e}, atol {atol:e}", how.rtol),
+        (None, AbsoluteTolerance::Each(_)) => format!("rtol {:e}, an atol for each state", how.rtol),
+    };
+    let distance = how.distance.map_or_else(String::new, |d| {
+        format!(", in a coordinate's distance from {}°", 90 * i64::from(d.quarter_turns))
+    });
+    format!("{} with {steps}{projected}{distance}", how.method)
+}
+
+fn output(scene: &Scene) -> Output {
+    match scene.integration.samples {
+        None => Output::Steps { refine: 4 },
+        Some(n) => {
+            let (from, to) = scene.span;
+            let last = (n - 1).max(1) as f64;
+            // The last instant is exact, whatever the division rounds to.
+            Output::At((0..n).map(|i| if i + 1 == n { to } else { from + (to - from) * i as f64 / last }).collect())
+        }
+    }
+}
+
+/// `count` + 1 instants, evenly from the first to the last, which is exact whatever the division rounds to.
+#[must_use]
+pub fn instants((from, to): (f64, f64), count: u32) -> Vec<f64> {
+    (0..=count).map(|i| if i == count { to } else { from + (to - from) * (f64::from(i) / f64::from(count)) }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::instants;
+
+    /// Spans whose parts do not add up in doubles, both ways.
+    #[test]
+    fn the_last_instant_is_the_end_of_the_span() {
+        for hundredths in 1..1000 {
+            let to = f64::from(hundredths) / 100.0;
+            for span in [(0.0, to), (to, 0.1), (0.0, 1e-12 * to)] {
+                let list = instants(span, 40);
+                assert!(list[0].total_cmp(&span.0).is_eq() && list[40].total_cmp(&span.1).is_eq(), "{span:?}");
+                assert!(list.windows(2).all(|w| (w[1] - w[0]) * (span.1 - span.0) >= 0.0), "{span:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Runs of scenes: by their own reduced equations, or by whole ones, and what is made of them.
+
+use crate::code::{Code, Ready, by_or_first, code};
+use crate::error::{Error, refused};
+use crate::how::options;
+use crate::invariants::Watch;
+use crate::mechanism::Mechanism;
+use crate::problem::Problem;
+use crate::reduced::Reduced;
+use crate::run::Run;
+use crate::shown::{Shown, state_names};
+use crate::trust;
+use crate::watched::{Balance, events};
+use tripos_derive::Formulation;
+use tripos_derive::mechanics::By;
+use tripos_derive::reduce::Ground;
+use tripos_derive::scene::{QUADRATURE, Scene, Solve};
+use tripos_sim::Solution;
+use tripos_traits::larger;
+
+/// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced ones
+/// where these are a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
+///
+/// # Errors
+/// [`Error`] if there are no such equations, or they cannot be run.
+pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Run, Error> {
+    let numeric = scene.integration.solve == Some(Solve::Numeric);
+    let whole = |by| run(mechanism, scene, &by_or_first(mechanism, by)?);
+    match by.filter(|by| *by != By::Reduced.name()) {
+        Some(by) => whole(Some(by)),
+        None if numeric => {
+            let mut done = whole(None)?;
+            let what = "accelerations are found numerically for whole equations only: every coordinate and speed is run \
+                        and shown";
+            done.warnings.insert(0, what.to_owned());
+            Ok(done)
+        }
+        None => {
+            let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
+            let reduced = Reduced::of_ground(&ground, mechanism, scene)?;
+            // Quadrature needs the one degree of freedom that only a reduction has.
+            let may_run_whole = by.is_none() && scene.integration.method != QUADRATURE;
+            match if may_run_whole { reduced.no_gain(mechanism)? } else { None } {
+                None => run_reduced(mechanism, scene, &ground, &reduced),
+                Some(why) => {
+                    let by = by_or_first(mechanism, None)?;
+                    let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
+                    let notes = vec![format!("whole equations are run: {why}")];
+                    Ok(Run { notes, ..run_whole(mechanism, scene, &by, watch.as_ref())? })
+                }
+            }
+        }
+    }
+}
+
+/// Runs a scene by one set of equations, and shows what it asks for.
+///
+/// # Errors
+/// [`Error`] if the formulation is not to be had, or the scene asks for what it cannot give.
+pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
+    run_whole(model, scene, by, proved(model)?.as_ref())
+}
+
+/// Runs a scene by one set of equations, with what is conserved known.
+fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -> Result<Run, Error> {
+    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
+    let problem = Problem::new(model, scene, by, &code, None)?;
+    let mut run = run_problem(&problem, watch)?;
+    run.show(&Shown::new(model, scene)?, &problem)?;
+    Ok(run)
+}
+
+/// Runs a scene by its own reduced equations. Where they have no value at the start, since what determines a speed
+/// from a momentum is singular there, no momentum is held.
+///
+/// # Errors
+/// As [`run`].
+fn run_reduced(model: &Mechanism, scene: &Scene, ground: &Ground, reduced: &Reduced) -> Result<Run, Error> {
+    // Integrals of the whole are functions of all states, which a scene may not show.
+    let watch = !scene.states_outputs && is_proved(model);
+    let watch = watch.then(|| Watch::of_ground(model, ground)).transpose()?;
+    let code = reduced.code(model)?;
+    let singular = Problem::reduced(model, reduced, scene, &code)?.singular_start()?;
+    let (Some(singular), false) = (singular, reduced.constants().next().is_none()) else {
+        return run_own(model, scene, (reduced, &code), watch.as_ref());
+    };
+    let plain = Reduced::without_momenta(ground, model, scene)?;
+    let code = plain.code(model)?;
+    if Problem::reduced(model, &plain, scene, &code)?.singular_start()?.is_some() {
+        return Err(Error::Stopped(format!("the run cannot start: {singular}")));
+    }
+    let mut run = run_own(model, scene, (&plain, &code), watch.as_ref())?;
+    run.warnings.insert(0, format!("no momentum is held, since {singular}"));
+    Ok(run)
+}
+
+/// Runs a scene by these of its own equations.
+fn run_own(
+    model: &Mechanism,
+    scene: &Scene,
+    (reduced, code): (&Reduced, &Code),
+    watch: Option<&Watch>,
+) -> Result<Run, Error> {
+    let problem = Problem::reduced(model, reduced, scene, code)?;
+    let mut run = run_problem(&problem, watch)?;
+    whole_energies(model, scene, reduced, &mut run)?;
+    Ok(run)
+}
+
+/// The energies of the whole model, from the states that are shown; where a scene shows outputs of its own, none, and
+/// the drift of its own energy if it has one.
+///
+/// The energies of reduced equations are others: what moves by the momenta that are held counts as potential.
+///
+/// # Errors
+/// [`Error`] if Kane's equations cannot be had.
+pub fn whole_energies(model: &Mechanism, scene: &Scene, reduced: &Reduced, run: &mut Run) -> Result<(), Error> {
+    if scene.states_outputs {
+        run.energies.clear();
+        run.energy_drift = run.energy_drift.filter(|_| reduced.reduction.has_energy);
+        return Ok(());
+    }
+    let code = code(model, &Formulation::Kane.into(), None, Ready::AsDerived)?;
+    let (system, p, n) = (code.system(), scene.parameters.as_slice(), scene.q.len());
+    let energies = |state: &Vec<f64>| {
+        let (q, u) = state.split_at(n);
+        (system.kinetic_energy(p, q, u), system.potential_energy(p, q))
+    };
+    run.energies = run.states.iter().map(energies).collect();
+    let start = run.energies.first().map_or(f64::NAN, |(t, v)| t + v);
+    let end = energies(&run.end);
+    let changes = run.energies.iter().chain([&end]).map(|(t, v)| (t + v - start).abs());
+    run.energy_drift = Some(changes.fold(0.0, larger));
+    Ok(())
+}
+
+/// The names of what a run shows: of the outputs of a scene, or of coordinates and generalized speeds.
+fn shown(problem: &Problem<'_>) -> Vec<String> {
+    if problem.by.is_reduced() {
+        problem.shown.outputs.iter().map(|o| o.name.clone()).collect()
+    } else {
+        state_names(problem.model)
+    }
+}
+
+/// What is conserved; nothing of a large model, of which the proof may take longer than the run: there energy alone
+/// is watched.
+///
+/// # Errors
+/// [`Error`] if the model cannot be derived.
+pub fn proved(model: &Mechanism) -> Result<Option<Watch>, Error> {
+    is_proved(model).then(|| Watch::of_model(model)).transpose()
+}
+
+/// Whether what a model conserves is proved before a run watches it.
+fn is_proved(model: &Mechanism) -> bool {
+    model.coordinates.len() <= MOST_PROVED
+}
+
+/// Coordinates up to which a run proves what is conserved before it watches it.
+const MOST_PROVED: usize = 8;
+
+/// Runs a scene by one set of equations that is ready, in the scene's distance if it has one.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_code(model: &Mechanism, scene: &Scene, by: &By, code: &Code, watch: Option<&Watch>) -> Result<Run, Error> {
+    run_problem(&Problem::new(model, scene, by, code, None)?, watch)
+}
+
+/// Runs a problem over the span of its scene, as the scene says.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Error> {
+    let scene = problem.scene;
+    let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;
+    let y0 = problem.start()?;
+    let mut events = events(problem, &balance);
+    let solution = problem.solve(&y0, &options(scene)?, &mut events)?;
+    drop(events);
+    finish(problem, solution, watch)
+}
+
+fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> Result<Run, Error> {
+    let scene = problem.scene;
+    let (system, p) = (problem.system(), scene.parameters.as_slice());
+    let dynamics = problem.dynamics().map_err(|error| refused(scene, &error))?;
+    let energy = |y: &[f64]| {
+        let (q, v) = dynamics.split(y);
+        (system.kinetic_energy(p, q, v), system.potential_energy(p, q))
+    };
+    let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
+    let energy_drift = dynamics.energy_drift(&solution);
+    let warnings = trust::objections(problem, &solution, watch, energy_drift)?;
+    let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
+    let names = problem.variables();
+    let at = if solution.stop.is_failure() { problem.near_divisors(&solution.y_end)? } else { String::new() };
+    let mut run = Run {
+        why: solution.stop.described(&names) + &at,
+        ending: solution.described(&names) + &at,
+        missing: None,
+        drifts,
+        by: problem.by.clone(),
+        code: problem.code.form(),
+        solve: problem.solve,
+        states: solution.t.iter().zip(&solution.y).map(|(t, y)| problem.state(*t, y)).collect(),
+        energies,
+        names: shown(problem),
+        end: problem.state(solution.t_end, &solution.y_end),
+        energy_drift: Some(energy_drift),
+        notes: Vec::new(),
+        warnings,
+        solution,
+    };
+    run.look_for_missing(problem)?;
+    Ok(run)
+}
