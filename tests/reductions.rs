@@ -119,3 +119,54 @@ fn reduced_systems_move_by_the_closed_forms() {
         }
     }
 }
+
+/// What a scene's module makes of a start, and what runs make of it.
+struct Start {
+    parameters: Vec<f64>,
+    q: Vec<f64>,
+    u: Vec<f64>,
+}
+
+/// The start of a scene's own equations as its runs have it, and the start of the whole model.
+fn starts(model: &str, scene: &str) -> (Start, Start) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model);
+    let mut model = Model::read(&folder.join("model.toml")).unwrap();
+    let source = Source::read(&folder.join(format!("scenes/{scene}.toml"))).unwrap();
+    let scene = scene::load(&source, &mut model).unwrap();
+    let own = tripos::Reduced::new(&model, &scene).unwrap().scene;
+    let start = |scene: &Scene| Start { parameters: scene.parameters.clone(), q: scene.q.clone(), u: scene.u.clone() };
+    (start(&own), start(&scene))
+}
+
+/// Both to rounding: runs have 32 digits of the start, the generated function has doubles.
+fn agree(name: &str, found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len(), "{name}");
+    for (x, exact) in found.iter().zip(expected) {
+        assert!((x - exact).abs() <= 1e-14 * (1.0 + exact.abs()), "{name}: {x}, {exact}");
+    }
+}
+
+/// Goal: who uses a scene's module needs nothing else. Method: the module's functions from a start to its constants and to its own state,
+/// against what runs of the scene begin with.
+#[test]
+fn generated_constants_of_a_motion_are_those_of_its_runs() {
+    macro_rules! check {
+        ($($model:ident $module:ident $scene:literal),*) => { $({
+            use tripos_models::$model::{Parameters, scenes::$module::{PARAMETERS, constants, start}};
+            let (own, whole) = starts(stringify!($model), $scene);
+            let p = Parameters::from_slice(&whole.parameters);
+            let (q, u) = (whole.q.as_slice().try_into().unwrap(), whole.u.as_slice().try_into().unwrap());
+            let found = constants(&p, q, u);
+            assert_eq!(found.len(), PARAMETERS.len());
+            agree($scene, &found, &own.parameters);
+            let (found_q, found_u) = start(&p, q, u);
+            agree($scene, &found_q, &own.q);
+            agree($scene, &found_u, &own.u);
+        })* };
+    }
+    check!(
+        cart_pendulum_3 fall "fall", chaotic_pendulum swing "swing", disk flat_fall "flat-fall", disk lean "lean",
+        disk near_flat "near-flat", euler_top cusps "cusps", floating_chain folding "folding", free_body steady "steady",
+        free_body tumbling "tumbling", heavy_top looping "looping", pendulum over "over", spherical_pendulum narrow "narrow"
+    );
+}

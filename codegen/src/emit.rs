@@ -20,7 +20,7 @@ const COMMAND: &str = "emit";
 /// The module of one model.
 #[derive(Debug)]
 pub struct Emission {
-    /// Text of each file by its name: `mod.rs`, and one a formulation.
+    /// Text of each file by its name: `mod.rs`, one a formulation with its equations, and its code under `code/`.
     pub files: BTreeMap<String, String>,
     /// Formulations that the model does not support, each with the reason.
     pub left_out: Vec<(Formulation, DeriveError)>,
@@ -131,7 +131,9 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
             placed.push(Placed::Unchanged(file.clone()));
             continue;
         }
-        files::write(&folder.join(file), text)?;
+        let path = folder.join(file);
+        files::folder(path.parent().unwrap_or(folder))?;
+        files::write(&path, text)?;
         placed.push(Placed::Written(file.clone()));
     }
     for file in old.into_keys().filter(|file| !emission.files.contains_key(file)) {
@@ -142,8 +144,15 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
     Ok(placed)
 }
 
-/// The files of a folder that an earlier emission wrote, with their texts; none if there is no such folder.
+/// The files of a module that an earlier emission wrote, with their texts; none if there is no such folder.
 fn written_before(folder: &Path) -> Result<BTreeMap<String, String>, PlaceError> {
+    let mut files = written_in(folder)?;
+    let code = written_in(&folder.join("code"))?;
+    files.extend(code.into_iter().map(|(name, text)| (format!("code/{name}"), text)));
+    Ok(files)
+}
+
+fn written_in(folder: &Path) -> Result<BTreeMap<String, String>, PlaceError> {
     let failed = |path: &Path| {
         let path = path.to_owned();
         move |error| PlaceError::Io(path, error)

@@ -48,6 +48,6 @@ fn advice(command: &str) -> String {
 /// Whether a text has the header of what this command writes: an origin in a comment before the first item.
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
     let advice = advice(command);
-    let mut header = text.lines().map_while(|line| line.strip_prefix("//!"));
+    let mut header = text.lines().map_while(|line| line.strip_prefix("//!").or_else(|| line.strip_prefix("//")));
     header.any(|line| line.trim_start().starts_with(GENERATED) && line.ends_with(&advice))
 }

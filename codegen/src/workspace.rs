@@ -4,7 +4,8 @@ use crate::files::{self, WriteError};
 use crate::origin::Origin;
 use crate::plan::{FormulationPlan, Planner, module_name};
 use crate::rust::{
-    Entry, LANGUAGE, Named, SceneFile, formulation_file, is_name, library, module_file, scene_file, scene_list,
+    About, Entry, FormulationFiles, LANGUAGE, Named, SceneFile, Written, formulation_files, is_name, library,
+    module_files as module_files_of, scene_file, scene_list,
 };
 use crate::scene_files::{is_same, name_beside, scene_files};
 use crate::taylor::recurrences_of;
@@ -121,19 +122,13 @@ pub(crate) fn module_files(
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
     let report = if formulations.is_none() { load_beside(path, &mut with_report)? } else { None };
-    let (mut files, mut entries, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut module_text, mut left_out, mut near) = (ModuleText::new(origin), Vec::new(), Vec::new());
     for &f in formulations.unwrap_or(&Formulation::ALL) {
         // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
         match derive(model, f) {
             Ok(derivation) => {
-                let near = distances(model).into_iter().map(|d| in_distance(model, derivation.clone(), d));
-                for derivation in std::iter::once(derivation.clone()).chain(near) {
-                    let equations = derivation.equations.clone();
-                    let text =
-                        solved_file(model, origin, derivation).map_err(|_| undetermined(&model.source, f.title()))?;
-                    files.push((format!("{}.rs", module_name(&equations.name(model))), text));
-                    entries.push(Entry { name: equations.name(model), solved: true });
-                }
+                near.extend(distances(model).into_iter().map(|d| (f, in_distance(model, derivation.clone(), d))));
+                module_text.solved(model, derivation, true).map_err(|_| undetermined(&model.source, f.title()))?;
             }
             Err(error) if error.is_unsupported() => left_out.push((f, error)),
             Err(error) => return Err(model.diagnose(&error)),
@@ -142,17 +137,15 @@ pub(crate) fn module_files(
     if let Some(report) = &report {
         let mut derivations = derive_all(&with_report).map_err(|error| model.diagnose(&error))?;
         for equations in printed_equations(&with_report, &mut derivations, report) {
-            let name = equations.name(model);
-            let file = format!("{}.rs", module_name(&name));
-            if files.iter().any(|(known, _)| *known == file) {
-                let message = format!("another entry than `{name}` gives the same file {file}");
-                let diagnostic = Diagnostic::of_file(message, "let ids differ in more than signs");
-                return Err(Diagnostics::new(report.source.clone(), vec![diagnostic]));
-            }
             let arena = &derivations.kinematics.arena;
-            files.push((file, printed_file(&with_report, origin, arena, &equations)));
-            entries.push(Entry { name: equations.name(model), solved: false });
+            module_text
+                .printed(&with_report, arena, &equations)
+                .map_err(|diagnostic| Diagnostics::new(report.source.clone(), vec![diagnostic]))?;
         }
+    }
+    // Measured from a singular surface, they are for runs alone; last, so that what they have in common with others stands there.
+    for (f, derivation) in near {
+        module_text.solved(model, derivation, false).map_err(|_| undetermined(&model.source, f.title()))?;
     }
     let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();
     let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
@@ -164,29 +157,68 @@ pub(crate) fn module_files(
             }
         }
     }
-    let modules: Vec<String> = scenes.iter().map(|file| file.module.clone()).collect();
+    let about = About { module, origin: &origin.of_model(), report_hash: &report_hash, has_scenes: !scenes.is_empty() };
+    let mut files = module_text.files;
+    let [own, code] = module_files_of(model, &about, &module_text.entries);
+    files.extend([("mod.rs".to_owned(), own), ("code/mod.rs".to_owned(), code)]);
     if !scenes.is_empty() {
-        files.push(("scenes/mod.rs".to_owned(), scene_list(&model.title, &origin.of_model(), &modules)));
-        files.extend(scenes.into_iter().map(|file| (format!("scenes/{}.rs", file.module), file.text)));
+        let [list, code] = scene_list(&model.title, &origin.of_model(), &scenes);
+        files.extend([("scenes/mod.rs".to_owned(), list), ("scenes/code/mod.rs".to_owned(), code)]);
     }
-    files.push(("mod.rs".to_owned(), module_file(model, module, &origin.of_model(), &report_hash, &entries, &modules)));
+    for SceneFile { module, text, code, .. } in scenes {
+        files.push((format!("scenes/{module}.rs"), text));
+        files.extend(code.map(|text| (format!("scenes/code/{module}.rs"), text)));
+    }
     Ok(ModuleFiles { files, left_out, broken_scenes })
 }
 
-/// The file of derived equations, solved for their accelerations.
-fn solved_file(model: &Model, origin: &Origin, derivation: Derivation) -> Result<String, Singular> {
-    let Derivation { mut arena, equations } = derivation;
-    let solved = Solved::new(&mut arena, &equations)?;
-    let recurrences = recurrences_of(&mut arena, &equations, &solved.accelerations);
-    let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
-    let plan = FormulationPlan::new(&planner, Some(&solved), recurrences.as_ref());
-    Ok(formulation_file(&plan, &origin.of_model()))
+/// The text of a model's module while it is written.
+struct ModuleText<'a> {
+    origin: &'a Origin,
+    files: Vec<(String, String)>,
+    entries: Vec<Entry>,
+    written: Written,
 }
 
-/// The file of equations that a report prints, as they stand.
-fn printed_file(model: &Model, origin: &Origin, arena: &Arena, equations: &Equations) -> String {
-    let planner = Planner::new(model, arena, equations, &LANGUAGE, false);
-    formulation_file(&FormulationPlan::new(&planner, None, None), &origin.of_report())
+impl<'a> ModuleText<'a> {
+    fn new(origin: &'a Origin) -> Self {
+        Self { origin, files: Vec::new(), entries: Vec::new(), written: Written::default() }
+    }
+
+    /// Adds derived equations, solved for their accelerations; with a file for people, or their code alone.
+    fn solved(&mut self, model: &Model, derivation: Derivation, shown: bool) -> Result<(), Singular> {
+        let Derivation { mut arena, equations } = derivation;
+        let solved = Solved::new(&mut arena, &equations)?;
+        let recurrences = recurrences_of(&mut arena, &equations, &solved.accelerations);
+        let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
+        let plan = FormulationPlan::new(&planner, Some(&solved), recurrences.as_ref());
+        self.add(&plan, &self.origin.of_model(), shown);
+        Ok(())
+    }
+
+    /// Adds equations that a report prints, as they stand.
+    fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) -> Result<(), Diagnostic> {
+        let name = equations.name(model);
+        let file = format!("{}.rs", module_name(&name));
+        if self.files.iter().any(|(known, _)| *known == file) {
+            let message = format!("another entry than `{name}` gives the same file {file}");
+            return Err(Diagnostic::of_file(message, "let ids differ in more than signs"));
+        }
+        let planner = Planner::new(model, arena, equations, &LANGUAGE, false);
+        let plan = FormulationPlan::new(&planner, None, None);
+        self.add(&plan, &self.origin.of_report(), true);
+        Ok(())
+    }
+
+    fn add(&mut self, plan: &FormulationPlan<'_>, origin: &str, shown: bool) {
+        let (equations, model) = (plan.planner.equations, plan.planner.model);
+        let (name, title) = (equations.name(model), equations.title(model));
+        let FormulationFiles { equations, code } = formulation_files(plan, origin, &mut self.written);
+        let file = format!("{}.rs", module_name(&name));
+        self.files.push((format!("code/{file}"), code));
+        self.files.extend(shown.then_some((file, equations)));
+        self.entries.push(Entry { name, title, solved: plan.is_solved(), shown });
+    }
 }
 
 /// The derivation tests the rank by meaning, so that this is not seen of its equations.
@@ -215,7 +247,7 @@ fn file_of_scene(
     let name = name_beside(&model.source.path, path);
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let named = Named { name: &stem, title: &loaded.title, origin: &origin.of_scene(&name) };
-    let file = scene_file(&reduction, &named, before);
+    let file = scene_file(&model, &reduction, &named, before);
     file.map(Some).map_err(|_| undetermined(&source, "the scene's own equations"))
 }
 

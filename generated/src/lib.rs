@@ -4,24 +4,40 @@
 //! A model that was edited since is run interpreted: compiled equations carry the hash of their text.
 
 #![no_std]
-#![allow(non_snake_case)]
-#![allow(clippy::pedantic, clippy::let_and_return)]
+#![allow(clippy::pedantic)]
+/// The model `cart_pendulum_3`.
 #[rustfmt::skip]
 pub mod cart_pendulum_3;
+
+/// The model `chaotic_pendulum`.
 #[rustfmt::skip]
 pub mod chaotic_pendulum;
+
+/// The model `disk`.
 #[rustfmt::skip]
 pub mod disk;
+
+/// The model `euler_top`.
 #[rustfmt::skip]
 pub mod euler_top;
+
+/// The model `floating_chain`.
 #[rustfmt::skip]
 pub mod floating_chain;
+
+/// The model `free_body`.
 #[rustfmt::skip]
 pub mod free_body;
+
+/// The model `heavy_top`.
 #[rustfmt::skip]
 pub mod heavy_top;
+
+/// The model `pendulum`.
 #[rustfmt::skip]
 pub mod pendulum;
+
+/// The model `spherical_pendulum`.
 #[rustfmt::skip]
 pub mod spherical_pendulum;
 

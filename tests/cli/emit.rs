@@ -3,7 +3,7 @@
 use crate::support::{cargo, make_crate, root, tripos_in};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use tripos_codegen::emit::emit_model;
+use tripos_codegen::emit::{emit_model, place};
 use tripos_derive::{Formulation, Model};
 
 /// (exit status, standard output, standard error)
@@ -12,11 +12,16 @@ fn emit(model: &Path, out: &Path, more: &[&str]) -> (i32, String, String) {
     tripos_in(&root(), &[&arguments, more].concat())
 }
 
+/// The files of a module, those of its code among them. The equations of scenes stand in a folder of their own.
 fn files(folder: &Path) -> BTreeMap<String, String> {
-    // The equations of scenes stand in a folder of their own.
-    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap()).filter(|e| e.path().is_file());
-    let text = |path: &Path| std::fs::read_to_string(path).unwrap();
-    entries.map(|entry| (entry.file_name().into_string().unwrap(), text(&entry.path()))).collect()
+    let of = |inside: &str| {
+        let entries = std::fs::read_dir(folder.join(inside)).unwrap().map(|entry| entry.unwrap());
+        let entries: Vec<_> = entries.filter(|entry| entry.path().is_file()).collect();
+        let text = |path: &Path| std::fs::read_to_string(path).unwrap();
+        let name = |entry: &std::fs::DirEntry| format!("{inside}{}", entry.file_name().into_string().unwrap());
+        entries.into_iter().map(|entry| (name(&entry), text(&entry.path()))).collect::<Vec<_>>()
+    };
+    of("").into_iter().chain(of("code/")).collect()
 }
 
 /// A copy of a model of the library under another name, without its report.
@@ -40,7 +45,8 @@ fn a_module_is_what_regenerate_writes_but_for_its_origin() {
         assert_eq!(emitted.keys().collect::<Vec<_>>(), committed.keys().collect::<Vec<_>>());
         for (file, text) in &emitted {
             // A module for another crate has no scenes.
-            let committed = committed[file].replace("#[rustfmt::skip]\npub mod scenes;\n", "");
+            let scenes = "/// The equations of its scenes.\n#[rustfmt::skip]\npub mod scenes;\n";
+            let committed = committed[file].replace(&format!("\n{scenes}"), "");
             let committed = committed.replace("scenes: scenes::SCENES", "scenes: &[]");
             let committed = committed.replace("`models/", "`").replace("`tripos regenerate`", "`tripos emit`");
             assert_eq!(*text, committed, "{name}/{file}");
@@ -54,22 +60,36 @@ fn only_the_formulations_asked_for_are_emitted_and_what_went_is_removed() {
     let (model, out) = (pendulum(folder.path()), folder.path().join("swing"));
     let (status, said, err) = emit(&model, &out, &[]);
     assert!(status == 0 && err.contains("pub mod swing"), "{err}");
-    assert_eq!(said, "written    kane.rs\nwritten    lagrange.rs\nwritten    mod.rs\nwritten    newton_euler.rs\n");
+    let written =
+        |names: &[&str]| names.iter().map(|name| format!("written    {name}.rs\n")).collect::<Vec<_>>().concat();
+    let code = ["code/kane", "code/lagrange", "code/mod", "code/newton_euler"];
+    assert_eq!(said, written(&[&code[..], &["kane", "lagrange", "mod", "newton_euler"]].concat()));
     let all = files(&out);
     assert!(all["kane.rs"].contains("Generated from `swing.toml`. Do not edit; run `tripos emit`."));
 
     std::fs::write(out.join("mine.rs"), "// Mine.\n").unwrap();
     let (status, said, _) = emit(&model, &out, &["--formulation", "kane"]);
     assert_eq!(status, 0);
-    assert_eq!(said, "unchanged  kane.rs\nwritten    mod.rs\nremoved    lagrange.rs\nremoved    newton_euler.rs\n");
+    let gone = "removed    code/lagrange.rs\nremoved    code/newton_euler.rs\nremoved    lagrange.rs\nremoved    newton_euler.rs\n";
+    let kept = "unchanged  code/kane.rs\nwritten    code/mod.rs\nunchanged  kane.rs\nwritten    mod.rs\n";
+    assert_eq!(said, format!("{kept}{gone}"));
     let one = files(&out);
-    assert_eq!(one.keys().collect::<Vec<_>>(), ["kane.rs", "mine.rs", "mod.rs"]);
+    assert_eq!(one.keys().collect::<Vec<_>>(), ["code/kane.rs", "code/mod.rs", "kane.rs", "mine.rs", "mod.rs"]);
     assert_eq!(one["kane.rs"], all["kane.rs"]);
     assert!(one["mod.rs"].contains("pub mod kane;") && !one["mod.rs"].contains("lagrange"), "{}", one["mod.rs"]);
 
     let (status, _, _) = emit(&model, &out, &["--formulation", "newton-euler", "--formulation", "lagrange"]);
     assert_eq!(status, 0);
-    assert_eq!(files(&out).keys().collect::<Vec<_>>(), ["lagrange.rs", "mine.rs", "mod.rs", "newton_euler.rs"]);
+    let names = [
+        "code/lagrange.rs",
+        "code/mod.rs",
+        "code/newton_euler.rs",
+        "lagrange.rs",
+        "mine.rs",
+        "mod.rs",
+        "newton_euler.rs",
+    ];
+    assert_eq!(files(&out).keys().collect::<Vec<_>>(), names);
 }
 
 #[test]
@@ -113,13 +133,15 @@ fn bad_requests_are_answered_with_what_to_do() {
 
     // Not asked for by name, what cannot be had is said and left out.
     let (status, said, err) = emit(&elbow, &out, &[]);
-    assert_eq!((status, said.as_str()), (0, "written    kane.rs\nwritten    lagrange.rs\nwritten    mod.rs\n"));
+    let names = ["code/kane", "code/lagrange", "code/mod", "kane", "lagrange", "mod"];
+    assert_eq!((status, said), (0, names.map(|name| format!("written    {name}.rs\n")).concat()));
     assert!(err.contains("not emitted: newton-euler is not possible: "), "{err}");
 }
 
-/// Goal: a module is Rust that compiles without a warning and gives the numbers of the command's own interpreter, in a
-/// crate that has nothing but the traits. Method: the acceleration of the pendulum at 90°, which is −g/l; and a model
-/// whose names, angles and constants a generator gets wrong first, by two formulations, as `evaluate` has it.
+/// Goal: a module is Rust that compiles without a warning, clippy's included, wherever it stands, and gives the numbers of
+/// the command's own interpreter, in a crate that has nothing but the traits. Method: the acceleration of the pendulum at
+/// 90°, which is −g/l; and a model whose names, angles and constants a generator gets wrong first, by two formulations, as
+/// `evaluate` has it.
 #[test]
 fn emitted_modules_compile_in_a_crate_of_their_own_and_give_the_same_numbers() {
     let folder = tempfile::tempdir().unwrap();
@@ -131,24 +153,24 @@ fn emitted_modules_compile_in_a_crate_of_their_own_and_give_the_same_numbers() {
     let disc = root().join("tests/data/rolling_disc.toml");
     let rolling = Model::read(&disc).unwrap().holding(&["slip_x", "slip_y"]).unwrap();
     let emission = emit_model(&rolling, "disc", &[Formulation::Kane]).unwrap();
-    std::fs::create_dir_all(folder.path().join("src/disc")).unwrap();
-    for (name, text) in emission.files {
-        std::fs::write(folder.path().join("src/disc").join(name), text).unwrap();
-    }
+    place(&emission, &folder.path().join("src/disc")).unwrap();
+    // What a build script writes is included from another folder.
+    std::fs::rename(folder.path().join("src/swing"), folder.path().join("swing")).unwrap();
     make_crate(folder.path());
     let main = r#"
-#[allow(non_snake_case)]
 pub mod awkward;
-#[allow(non_snake_case)]
 pub mod disc;
-#[allow(non_snake_case)]
-pub mod swing;
+pub mod swing {
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/swing/mod.rs"));
+}
 use tripos_traits::System;
 fn main() {
     let mut out = [0.0];
     let p: Vec<f64> = swing::PARAMETERS.iter().map(|name| if *name == "l" { 0.5 } else { 2.0 }).collect();
     swing::kane::Kane.accelerations(&p, &[std::f64::consts::FRAC_PI_2], &[0.0], &mut out);
     println!("{}", out[0]);
+    let standard = swing::Parameters::default();
+    assert_eq!(swing::kane::accelerations(&standard, &[1.0], &[0.0]), [-standard.g / standard.l * f64::sin(1.0)]);
     let p = [1.5, 0.5, 0.7, 1.3, 0.31, 0.2, 0.4, 0.05, 9.81, 0.25, 0.8, 2.0, 3.0, 1e-300];
     let (q, u) = ([0.3, -0.2, 0.4, 0.1], [0.5, -0.3, 0.2, 0.6]);
     show(&awkward::kane::Kane, &p, &q, &u);
@@ -168,6 +190,8 @@ fn show(system: &dyn System, p: &[f64], q: &[f64], u: &[f64]) {
 "#;
     std::fs::write(folder.path().join("src/main.rs"), main).unwrap();
     let (out, warnings) = cargo(folder.path(), &["run", "--quiet"]);
+    assert!(warnings.is_empty(), "{warnings}");
+    let (_, warnings) = cargo(folder.path(), &["clippy", "--quiet"]);
     assert!(warnings.is_empty(), "{warnings}");
     let numbers: Vec<f64> = out.lines().map(|line| line.parse().unwrap()).collect();
     assert!(numbers.len() == 17 && (numbers[0] + 4.0).abs() < 1e-15, "{out}");

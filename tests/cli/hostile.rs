@@ -3,7 +3,7 @@
 use crate::support::{cargo, make_crate, tripos_in};
 use serde_json::Value;
 use std::fmt::Write;
-use tripos_codegen::rust::{Named, scene_file};
+use tripos_codegen::rust::{Named, scene_file, scene_list};
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::is_forbidden;
@@ -97,13 +97,23 @@ fn generated_code_of_hostile_texts_compiles_and_runs_nothing_of_theirs() {
         let arguments = ["emit", path.to_str().unwrap(), "--out", &format!("src/{name}"), "--formulation", "lagrange"];
         let (status, _, err) = tripos_in(folder.path(), &arguments);
         assert_eq!(status, 0, "{text}: {err}");
-        let _ = writeln!(modules, "pub mod {name};\npub mod s{at};");
+        let _ = writeln!(modules, "pub mod {name};");
         let mut read = Model::read(&path).unwrap();
         let stated = Source::from_text("scene.toml", &scene([other(1), other(2), other(3), other(4)]));
         let loaded = tripos_derive::scene::load(&stated, &mut read).unwrap_or_else(|e| panic!("{e}"));
         let reduction = reduce(&read, &loaded).unwrap();
         let named = Named { name: &stem, title: other(1), origin: "Generated from a scene." };
-        std::fs::write(sources.join(format!("s{at}.rs")), scene_file(&reduction, &named, &[]).unwrap().text).unwrap();
+        let file = scene_file(&read, &reduction, &named, &[]).unwrap();
+        let scenes = sources.join(&name).join("scenes");
+        std::fs::create_dir_all(scenes.join("code")).unwrap();
+        std::fs::write(scenes.join(format!("{}.rs", file.module)), &file.text).unwrap();
+        std::fs::write(scenes.join(format!("code/{}.rs", file.module)), file.code.as_ref().unwrap()).unwrap();
+        let [list, code] = scene_list(&read.title, "Generated from a scene.", &[file]);
+        std::fs::write(scenes.join("mod.rs"), list).unwrap();
+        std::fs::write(scenes.join("code/mod.rs"), code).unwrap();
+        let module = sources.join(&name).join("mod.rs");
+        let text = std::fs::read_to_string(&module).unwrap();
+        std::fs::write(&module, format!("{text}\n/// Scenes.\npub mod scenes;\n")).unwrap();
     }
     std::fs::write(sources.join("lib.rs"), format!("//! Hostile.\n#![allow(non_snake_case)]\n{modules}")).unwrap();
     make_crate(folder.path());

@@ -1,5 +1,6 @@
 //! All tests of the command, as one program.
 
+mod changed_force;
 mod charts;
 mod command_line;
 mod differences;

@@ -51,7 +51,7 @@ impl Problem {
         let Derivation { arena, equations } = &self.derivation;
         let planner = Planner::new(&self.model, arena, equations, &Language::NONE, false);
         let plan = FormulationPlan::new(&planner, None, None);
-        let costs = plan.functions.iter().take(2).map(|function| function.cost);
+        let costs = plan.equations.iter().take(2).map(|function| function.cost);
         let counts = costs.map(|c| [c.operations as f64, (2 * c.sincos + c.functions) as f64]);
         counts.fold(vec![0.0, 0.0], |sum, count| vec![sum[0] + count[0], sum[1] + count[1]])
     }

@@ -25,7 +25,7 @@ pub fn emit(model: &Path, out: &Path, formulations: &[String]) -> Result<u8, Fai
     let lines: Vec<String> = placed.iter().map(|file| format!("{file}\n")).collect();
     print(&lines.concat())?;
     say(&format!(
-        "declare it as `#[allow(non_snake_case)] pub mod {module};` in a crate that depends on tripos-traits"
+        "declare it as `pub mod {module};` in a crate that depends on tripos-traits, or include its mod.rs in a module"
     ));
     Ok(0)
 }

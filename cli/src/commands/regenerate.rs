@@ -6,7 +6,7 @@ mod reference;
 
 use crate::failure::{Failure, print, status};
 use crate::workspace::workspace_here;
-use changes::equation_changes;
+use changes::{Detail, equation_changes};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::Error;
@@ -82,13 +82,30 @@ fn summary(found: &Freshness, committed: &Path, asked: usize) -> String {
         let models = if asked == 1 { "1 model".to_owned() } else { format!("{asked} models") };
         return format!("generated/ is fresh: {models}\n");
     }
+    let (code, read): (Vec<_>, Vec<_>) = found.differences.iter().partition(|difference| is_code(difference.file()));
+    // A scene's equations follow from those of its model: where these changed, what became of the others is no news.
+    let is_scene = |file: &str| Path::new(file).parent().is_some_and(|folder| folder.ends_with("scenes"));
+    let is_equations = |file: &str| !file.ends_with("mod.rs") && !file.ends_with("lib.rs");
+    let of_models = read.iter().any(|difference| is_equations(difference.file()) && !is_scene(difference.file()));
     let mut out = String::new();
-    for difference in &found.differences {
+    for difference in read {
         let _ = writeln!(out, "{difference}");
-        if let Difference::Changed(file) = difference {
+        if let Difference::Changed(file) = difference
+            && is_equations(file)
+        {
+            let detail = if is_scene(file) && of_models { Detail::Counted } else { Detail::Listed };
             let old = std::fs::read_to_string(committed.join(file)).unwrap_or_default();
-            out.push_str(&equation_changes(&old, &found.generated.files[file]));
+            out.push_str(&equation_changes(&old, &found.generated.files[file], detail));
         }
     }
+    if !code.is_empty() {
+        let plural = if code.len() == 1 { "file" } else { "files" };
+        let _ = writeln!(out, "and the code of these equations, {} {plural} under `code`", code.len());
+    }
     out
+}
+
+/// Whether a file is for machines: the equations that it computes stand in another.
+fn is_code(file: &str) -> bool {
+    Path::new(file).parent().is_some_and(|folder| folder.ends_with("code"))
 }

@@ -3,20 +3,19 @@
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::names::spelled;
 use crate::taylor::{Recurrences, TaylorPlan};
-use tripos_derive::Equations;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
-use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::algebra::{Arena, Expr, Node};
 use tripos_derive::mechanics::Solved;
 
 /// One formulation of one model.
 pub struct FormulationPlan<'a> {
     /// The names and the store of its terms.
     pub planner: &'a Planner<'a>,
-    /// Its functions, in the order in which they are read.
-    pub functions: Vec<Function>,
-    /// Whether `accelerations`, `derivative` and `jacobian` are among them.
-    pub solved: bool,
+    /// The equations, in the order in which they are read.
+    pub equations: Vec<Function>,
+    /// What runs use beside the equations: `derivative` and `jacobian`, where accelerations were solved for.
+    pub machine: Vec<Function>,
     /// The recurrences of its Taylor coefficients.
     pub taylor: Option<TaylorPlan<'a>>,
     /// What its header says of it, line by line.
@@ -27,17 +26,23 @@ impl<'a> FormulationPlan<'a> {
     /// Plans the equations, and what was solved of them.
     #[must_use]
     pub fn new(planner: &'a Planner<'a>, solved: Option<&Solved>, recurrences: Option<&'a Recurrences>) -> Self {
-        let mut functions = linear_system(planner);
-        if let Some(solved) = solved {
-            functions.extend(eliminated(planner, solved));
-        }
-        functions.extend(kinematics_and_energies(planner));
+        let mut equations = linear_system(planner);
+        equations.extend(solved.map(|solved| accelerations(planner, &solved.accelerations.steps)));
+        equations.extend(kinematics_and_energies(planner));
         if planner.equations.formulation.is_in_rates() {
-            functions.extend(conversions(planner));
+            equations.extend(conversions(planner));
         }
-        let facts = facts(planner, &functions, solved);
+        let machine = solved.map_or_else(Vec::new, |solved| {
+            vec![derivative(planner, &solved.accelerations.steps), jacobian(planner, solved)]
+        });
         let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
-        Self { planner, functions, solved: solved.is_some(), taylor, facts }
+        Self { planner, equations, machine, taylor, facts: facts(planner, solved) }
+    }
+
+    /// Whether the accelerations were solved for.
+    #[must_use]
+    pub fn is_solved(&self) -> bool {
+        !self.machine.is_empty()
     }
 }
 
@@ -69,18 +74,22 @@ fn linear_system(planner: &Planner<'_>) -> Vec<Function> {
     ]
 }
 
-/// `accelerations`, `derivative` and `jacobian`.
-pub(super) fn eliminated(planner: &Planner<'_>, solved: &Solved) -> Vec<Function> {
+/// `accelerations`: v̇.
+pub(super) fn accelerations(planner: &Planner<'_>, steps: &[Definition]) -> Function {
+    let unknowns = rates(planner);
+    let about =
+        format!("The accelerations {}, solved for when this code was generated.", vector_text(planner.arena, unknowns));
+    let values = named(names(planner.arena, unknowns).into_iter(), unknowns);
+    planner.stepwise("accelerations", &about, Arguments::State, Returns::Vector, steps, &values)
+}
+
+/// `jacobian`: ∂(q̇, v̇)/∂(q, v).
+pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Function {
     let e = planner.equations;
-    let unknowns = &e.unknowns[..e.variables.len()];
-    let names = |list: &[Expr]| {
-        list.iter().map(|s| planner.arena.symbol_name(*s).unwrap_or_default().to_owned()).collect::<Vec<_>>()
-    };
-    let v_dot = named(names(unknowns).into_iter(), unknowns);
-    let q_dot = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
-    let state = [names(&e.coordinates), names(&e.variables)].concat();
-    let rates = q_dot.iter().chain(&v_dot).map(|(_, label, _)| label.clone());
-    let slopes: Vec<Value> = rates
+    let state = names(planner.arena, &[e.coordinates.as_slice(), &e.variables].concat());
+    let q_dot = planner.model.coordinates.iter().map(|c| format!("{}'", c.name));
+    let slopes: Vec<Value> = q_dot
+        .chain(names(planner.arena, rates(planner)))
         .zip(&solved.jacobian.entries)
         .flat_map(|(rate, row)| {
             let entry = |(by, value): (&String, &Expr)| {
@@ -89,37 +98,27 @@ pub(super) fn eliminated(planner: &Planner<'_>, solved: &Solved) -> Vec<Function
             state.iter().zip(row).map(entry).collect::<Vec<_>>()
         })
         .collect();
-    let steps = &solved.accelerations.steps;
-    let unknown_text = vector_text(planner.arena, unknowns);
-    vec![
-        planner.stepwise(
-            "accelerations",
-            &format!("The accelerations {unknown_text}, solved for when this code was generated."),
-            Arguments::State,
-            Returns::Vector,
-            steps,
-            &v_dot,
-        ),
-        derivative(planner, steps),
-        planner.stepwise(
-            "jacobian",
-            &format!("Jacobian of the derivative by the state; columns {}.", state.join(", ")),
-            Arguments::State,
-            Returns::Matrix { symmetric: false },
-            &solved.jacobian.steps,
-            &slopes,
-        ),
-    ]
+    let about = format!("Jacobian of the derivative by the state; columns {}.", state.join(", "));
+    let returns = Returns::Matrix { symmetric: false };
+    planner.stepwise("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes)
+}
+
+/// The symbols of v̇.
+fn rates<'a>(planner: &'a Planner<'_>) -> &'a [Expr] {
+    &planner.equations.unknowns[..planner.equations.variables.len()]
+}
+
+fn names(arena: &Arena, symbols: &[Expr]) -> Vec<String> {
+    symbols.iter().map(|s| arena.symbol_name(*s).unwrap_or_default().to_owned()).collect()
 }
 
 /// `derivative`: q̇ and v̇ together.
 #[must_use]
 pub fn derivative(planner: &Planner<'_>, steps: &[Definition]) -> Function {
     let e = planner.equations;
-    let unknowns = &e.unknowns[..e.variables.len()];
-    let names = unknowns.iter().map(|s| planner.arena.symbol_name(*s).unwrap_or_default().to_owned());
+    let v_dot = named(names(planner.arena, rates(planner)).into_iter(), rates(planner));
     let q_dot = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
-    let both = [q_dot.clone(), named(names, unknowns)].concat();
+    let both = [q_dot.clone(), v_dot].concat();
     planner.stepwise(
         "derivative",
         "The derivative of the state: the rates of the coordinates, and the accelerations.",
@@ -187,25 +186,12 @@ fn vector_text(arena: &Arena, symbols: &[Expr]) -> String {
     format!("({})", names.join(", "))
 }
 
-/// The sizes of the problem, what calls cost, and where the equations are singular.
-fn facts(planner: &Planner<'_>, functions: &[Function], solved: Option<&Solved>) -> Vec<String> {
-    let (e, model) = (planner.equations, planner.model);
-    let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
-    let mut counts = vec![
-        plural(model.coordinates.len(), "coordinate"),
-        plural(model.speeds.len(), "speed"),
-        plural(model.parameters.len(), "parameter"),
-    ];
-    let reactions = e.unknowns.len() - e.variables.len();
-    if reactions > 0 {
-        counts.push(plural(reactions, "reaction"));
-    }
-    let shown = if solved.is_some() { 3 } else { 2 };
-    let costs: Vec<String> = functions.iter().take(shown).map(|f| format!("{} {}", f.name, f.cost)).collect();
+/// What is solved for, and where the equations are singular.
+fn facts(planner: &Planner<'_>, solved: Option<&Solved>) -> Vec<String> {
+    let e = planner.equations;
     let mut lines = vec![
-        format!("{}. Unknowns: {}.", counts.join(", "), vector_text(planner.arena, &e.unknowns)),
-        format!("Cost: {}.", costs.join("; ")),
-        singular_text(planner.arena, e),
+        format!("Unknowns: {}.", vector_text(planner.arena, &e.unknowns)),
+        singular_text(planner.arena, "The kinematic equations are singular", &e.divisors),
     ];
     lines.extend(solved.map(|solved| divisors_text(planner.arena, &solved.accelerations.divisors)));
     lines
@@ -216,14 +202,30 @@ fn divisors_text(arena: &Arena, divisors: &[Expr]) -> String {
     if divisors.is_empty() {
         return "The accelerations divide by nothing.".to_owned();
     }
-    let list: Vec<String> = divisors.iter().map(|d| text(arena, *d)).collect();
+    let list: Vec<String> = distinct(arena, divisors).iter().map(|d| text(arena, *d)).collect();
     format!("The accelerations divide by {}.", list.join(", by "))
 }
 
-fn singular_text(arena: &Arena, e: &Equations) -> String {
-    if e.divisors.is_empty() {
-        return "The kinematic equations are singular nowhere.".to_owned();
+/// Where equations are singular that divide by these.
+pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> String {
+    let places: Vec<String> = distinct(arena, divisors).iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
+    match places.as_slice() {
+        [] => format!("{what} nowhere."),
+        list => format!("{what} where {}.", list.join(" and where ")),
     }
-    let places: Vec<String> = e.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
-    format!("The kinematic equations are singular where {}.", places.join(" and where "))
+}
+
+/// Divisors that vanish at different places: without factors that are numbers, each once.
+fn distinct(arena: &Arena, divisors: &[Expr]) -> Vec<Expr> {
+    let mut list: Vec<Expr> = Vec::new();
+    for &divisor in divisors {
+        let bare = match arena.node(divisor) {
+            Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+            _ => divisor,
+        };
+        if !list.contains(&bare) {
+            list.push(bare);
+        }
+    }
+    list
 }

@@ -36,8 +36,6 @@ pub enum Argument {
     Parameters {
         /// Those that are read.
         read: Vec<(usize, String)>,
-        /// How many there are.
-        count: usize,
     },
     /// An array, with a variable for each entry that is read.
     Array {
@@ -141,7 +139,10 @@ impl<'a> Planner<'a> {
         language: &Language,
         shares: bool,
     ) -> Self {
-        let variables = Variables::new(arena, language, &type_name(&equations.name(model)));
+        let mut variables = Variables::new(arena, language, &type_name(&equations.name(model)));
+        let rates =
+            arena.symbol_names().iter().filter(|name| name.ends_with('\'')).filter_map(|name| arena.find_symbol(name));
+        variables.moving = equations.variables.iter().copied().chain(rates).collect();
         Self { model, arena, equations, variables, shares }
     }
 
@@ -249,8 +250,7 @@ impl<'a> Planner<'a> {
     pub(crate) fn parameters(&self, inputs: &FxHashSet<Expr>) -> Argument {
         let all = &self.model.parameters;
         let read = all.iter().enumerate().filter(|(_, p)| inputs.contains(&p.symbol));
-        let read = read.map(|(at, p)| (at, self.variables.of[&p.symbol].clone())).collect();
-        Argument::Parameters { read, count: all.len() }
+        Argument::Parameters { read: read.map(|(at, p)| (at, self.variables.of[&p.symbol].clone())).collect() }
     }
 }
 

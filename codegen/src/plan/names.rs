@@ -5,7 +5,12 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::{Arena, Expr, Function, Node};
+use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
+
+/// The longest name that spells a formula.
+const LONGEST: usize = 24;
+/// The longest list of variables in a name.
+const LONGEST_LIST: usize = 12;
 
 /// What a plan asks of the language that it is for.
 pub struct Language {
@@ -64,6 +69,10 @@ pub struct Variables {
     pub of: FxHashMap<Expr, String>,
     /// What is taken by them.
     pub allocator: Allocator,
+    /// What changes fastest: motion variables and rates. Terms are named after those that they have.
+    pub moving: FxHashSet<Expr>,
+    /// What stands behind the symbols that sharing introduced.
+    pub behind: FxHashMap<Expr, Expr>,
     /// The variables of symbols that sharing introduced, by their names in formulas.
     shared: FxHashMap<String, String>,
 }
@@ -79,13 +88,34 @@ impl Variables {
             let Some(symbol) = arena.find_symbol(name) else { continue };
             of.insert(symbol, allocator.unique(&spelled(name)));
         }
-        Self { of, allocator, shared: FxHashMap::default() }
+        Self { of, allocator, moving: FxHashSet::default(), behind: FxHashMap::default(), shared: FxHashMap::default() }
     }
 
     /// Enters the variable of a symbol that sharing introduced.
     pub fn insert(&mut self, arena: &Arena, symbol: Expr, name: &str) {
         self.of.insert(symbol, name.to_owned());
         self.shared.insert(arena.symbol_name(symbol).unwrap_or_default().to_owned(), name.to_owned());
+    }
+
+    /// The variables that a term depends on, as a word: those that move, or the coordinates, if these are few.
+    fn dependence(&self, arena: &Arena, e: Expr) -> String {
+        let (mut symbols, mut stack, mut seen) = (Vec::new(), vec![e], FxHashSet::default());
+        while let Some(e) = stack.pop() {
+            if !seen.insert(e) {
+                continue;
+            }
+            match (self.behind.get(&e), arena.node(e)) {
+                (Some(value), _) => stack.push(*value),
+                (None, Node::Symbol(_)) => symbols.push(e),
+                (None, _) => stack.extend(arena.operands(e)),
+            }
+        }
+        symbols.sort_unstable();
+        let moving: Vec<Expr> = symbols.iter().copied().filter(|e| self.moving.contains(e)).collect();
+        let (list, many) = if moving.is_empty() { (symbols, "place") } else { (moving, "motion") };
+        let names: Vec<&str> = list.iter().filter_map(|e| self.of.get(e)).map(String::as_str).collect();
+        let word = names.join("_").to_lowercase();
+        if word.len() > LONGEST_LIST { many.to_owned() } else { word }
     }
 
     /// A formula with the variables of symbols that sharing introduced: they are spelled `#1`, `#2`, …, or `#` before what
@@ -172,55 +202,95 @@ impl Names {
         pair
     }
 
-    /// A name after what the term holds, or after the output that needs it first.
-    pub fn descriptive(
-        &mut self,
-        arena: &Arena,
-        variables: &Variables,
-        e: Expr,
-        needs: &FxHashMap<Expr, String>,
-    ) -> String {
-        let factors: Vec<(Expr, i32)> = match arena.node(e) {
-            Node::Product(factors) => factors.to_vec(),
-            Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => match arena.node(terms[0].0) {
-                Node::Product(factors) => factors.to_vec(),
-                _ => vec![(terms[0].0, 1)],
-            },
-            _ => Vec::new(),
-        };
-        let mut words = Vec::new();
-        for (base, n) in &factors {
-            let Some(word) = self.word(arena, variables, *base) else {
-                words.clear();
-                break;
-            };
-            let power = match n {
-                1 => String::new(),
-                2 => "_sq".to_owned(),
-                n if *n > 0 => format!("_p{n}"),
-                -1 => "_inv".to_owned(),
-                n => format!("_inv{}", -n),
-            };
-            words.push(format!("{word}{power}"));
-        }
-        let joined = words.join("_").to_lowercase();
-        if !joined.is_empty() && joined.len() <= 20 {
-            let scaled = matches!(arena.node(e), Node::Sum(..));
-            return self.allocator.unique(&if scaled { format!("{joined}_scaled") } else { joined });
-        }
-        if let Some(word) = identifier(&variables.spell(&text(arena, e)), 16) {
-            return self.allocator.unique(&word);
-        }
-        let stem = needs.get(&e).map_or("shared", String::as_str);
-        self.allocator.unique(&format!("{stem}_part"))
+    /// A name that is free, after what a term holds.
+    pub fn descriptive(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
+        let wanted = self.describe(arena, variables, e, stem);
+        self.allocator.unique(&wanted)
     }
 
-    fn word(&mut self, arena: &Arena, variables: &Variables, base: Expr) -> Option<String> {
-        match arena.node(base) {
-            Node::Symbol(_) => variables.of.get(&base).cloned(),
-            Node::Apply(Function::Sin, angle) => Some(self.circular(arena, *angle).0),
-            Node::Apply(Function::Cos, angle) => Some(self.circular(arena, *angle).1),
-            _ => None,
+    /// What a term holds as a word, as far as that is short; otherwise what needs it, and the variables that it depends on.
+    pub fn describe(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
+        let word = self.word(arena, variables, e).map(|word| word.to_lowercase());
+        let word = word.filter(|word| word.len() <= LONGEST && word.starts_with(|c: char| c.is_ascii_alphabetic()));
+        word.unwrap_or_else(|| format!("{stem}_of_{}", variables.dependence(arena, e)))
+    }
+
+    /// A formula spelled as a word: `u2_by_c2`, `r_s1_plus_x`. None where it nests too deep to be read so.
+    fn word(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
+        match arena.node(e) {
+            Node::Sum(constant, terms) => {
+                let mut out = if constant.is_zero() { String::new() } else { scaled("", constant)? };
+                for (term, k) in terms {
+                    let word = scaled(&self.product(arena, variables, *term)?, k)?;
+                    let joint = match (out.is_empty(), k.is_negative()) {
+                        (true, false) => "",
+                        (true, true) => "minus_",
+                        (false, false) => "_plus_",
+                        (false, true) => "_minus_",
+                    };
+                    out = format!("{out}{joint}{word}");
+                }
+                Some(out)
+            }
+            _ => self.product(arena, variables, e),
         }
     }
+
+    fn product(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
+        let factors = match arena.node(e) {
+            Node::Product(factors) => factors.to_vec(),
+            _ => vec![(e, 1)],
+        };
+        let mut words = Vec::new();
+        for (base, n) in factors {
+            let sum = matches!(arena.node(base), Node::Sum(..));
+            let word =
+                if sum { self.sum_below(arena, variables, base, n)? } else { self.atom(arena, variables, base)? };
+            words.push(match n {
+                1 => word,
+                2 => format!("{word}_sq"),
+                n if n > 0 => format!("{word}_p{n}"),
+                -1 if sum => format!("over_{word}"),
+                -1 => format!("{word}_inv"),
+                n => format!("{word}_inv{}", -n),
+            });
+        }
+        Some(words.join("_"))
+    }
+
+    /// A sum that is divided by; other sums inside products would read as if the product ended with their first term.
+    fn sum_below(&mut self, arena: &Arena, variables: &Variables, e: Expr, n: i32) -> Option<String> {
+        let flat = |e: &Expr| arena.operands(*e).all(|part| !matches!(arena.node(part), Node::Sum(..)));
+        let is_flat = flat(&e) && arena.operands(e).all(|part| flat(&part));
+        if n == -1 && is_flat { self.word(arena, variables, e) } else { None }
+    }
+
+    fn atom(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
+        match arena.node(e) {
+            Node::Symbol(_) => variables.of.get(&e).cloned(),
+            Node::Apply(Function::Sin, angle) => Some(self.circular(arena, *angle).0),
+            Node::Apply(Function::Cos, angle) => Some(self.circular(arena, *angle).1),
+            Node::Apply(f, argument) => Some(format!("{}_{}", f.name(), self.atom(arena, variables, *argument)?)),
+            Node::Pi => Some("pi".to_owned()),
+            Node::Number(_) | Node::Sum(..) | Node::Product(_) => None,
+        }
+    }
+}
+
+/// A word with the size of its factor: `x_doubled`, `x_by_4`, `x_times_3_by_2`; the number alone where there is no word. None if the
+/// number is long.
+fn scaled(word: &str, k: &Rational) -> Option<String> {
+    let (n, d) = k.small()?;
+    let (n, d) = (n.unsigned_abs(), d.unsigned_abs());
+    if word.is_empty() {
+        return Some(if d == 1 { n.to_string() } else { format!("{n}_by_{d}") });
+    }
+    Some(match (n, d) {
+        (1, 1) => word.to_owned(),
+        (2, 1) => format!("{word}_doubled"),
+        (1, 2) => format!("{word}_halved"),
+        (1, d) => format!("{word}_by_{d}"),
+        (n, 1) => format!("{word}_times_{n}"),
+        (n, d) => format!("{word}_times_{n}_by_{d}"),
+    })
 }

@@ -1,6 +1,7 @@
 //! A straight-line program: sines and cosines, shared terms, outputs, each with a name that says what
 //! it holds.
 
+use super::form::is_flat;
 use super::names::{Names, Variables, identifier};
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::print::text;
@@ -19,8 +20,8 @@ pub struct Statement {
     pub name: String,
     /// Its value, with shared terms standing as their names.
     pub value: View,
-    /// What the variable is, in the language of model files, and where it comes from.
-    pub comment: String,
+    /// What the variable is, in the language of model files; nothing where its value says so by itself.
+    pub comment: Option<String>,
 }
 
 /// One line of a program.
@@ -64,6 +65,15 @@ pub struct Program {
 }
 
 impl Program {
+    /// The equations that it computes, each as a formula: of the steps of an elimination, and of the outputs.
+    pub fn equations(&self) -> impl Iterator<Item = &str> {
+        let steps = self.lines.iter().filter_map(|line| match line {
+            Line::Step(step) => Some(step),
+            Line::Circular { .. } | Line::Let(_) => None,
+        });
+        steps.chain(&self.outputs).filter_map(|statement| statement.comment.as_deref())
+    }
+
     /// Whether a variable is read by a line or an output.
     #[must_use]
     pub fn reads(&self, name: &str) -> bool {
@@ -190,9 +200,9 @@ impl Builder<'_> {
 
     /// A line for a term that is used more than once.
     fn share(&mut self, e: Expr) {
-        let name = self.names.descriptive(self.arena, &self.variables, e, &self.needs);
+        let name = self.descriptive(e);
         let value = self.resolve(view(self.arena, e, &self.shared, BUDGET));
-        let comment = format!("{}; used {} times", self.variables.spell(&text(self.arena, e)), self.uses[&e]);
+        let comment = self.meaning(e, &value);
         self.shared.insert(e, name.clone());
         self.lines.push(Line::Let(Statement { name, value, comment }));
     }
@@ -202,19 +212,17 @@ impl Builder<'_> {
         let value = self.operand(step.value);
         let value = self.resolve(value);
         if let View::Shared(name) = &value {
-            self.name(step.symbol, name);
+            let name = name.clone();
+            self.name(step.symbol, &name);
             return;
         }
         let held = self.arena.symbol_name(step.symbol).and_then(|name| identifier(name.trim_start_matches('#'), 24));
         let name = match held {
             Some(word) => self.names.allocator.unique(&word),
-            None => self.names.descriptive(self.arena, &self.variables, step.value, &self.needs),
+            None => self.descriptive(step.value),
         };
-        let meaning = self.variables.spell(&text(self.arena, step.value));
-        let comment = match self.uses.get(&step.symbol) {
-            Some(n) if *n > 1 => format!("{meaning}; used {n} times"),
-            _ => meaning,
-        };
+        let comment = self.meaning(step.value, &value);
+        self.variables.behind.insert(step.symbol, step.value);
         self.name(step.symbol, &name);
         self.lines.push(Line::Let(Statement { name, value, comment }));
     }
@@ -226,14 +234,26 @@ impl Builder<'_> {
         let value = self.resolve(value);
         let symbol = self.arena.symbol_name(step.symbol).unwrap_or_default();
         let stated = stated.iter().find(|s| s.symbol == step.symbol).map_or(step.value, |s| s.value);
-        let comment = format!("{symbol} = {}", text(self.arena, stated));
+        let comment = Some(format!("{symbol} = {}", text(self.arena, stated)));
         self.lines.push(Line::Step(Statement { name, value, comment }));
     }
 
     fn output(&mut self, output: &Output, name: String) -> Statement {
         let value = self.operand(output.value);
         let value = self.resolve(value);
-        Statement { name, value, comment: format!("{} = {}", output.label, text(self.arena, output.stated)) }
+        let comment = Some(format!("{} = {}", output.label, text(self.arena, output.stated)));
+        Statement { name, value, comment }
+    }
+
+    /// A name after what a term holds, or after what needs it first.
+    fn descriptive(&mut self, e: Expr) -> String {
+        let stem = self.needs.get(&e).map_or("shared", String::as_str);
+        self.names.descriptive(self.arena, &self.variables, e, stem)
+    }
+
+    /// A shared term as a formula; nothing where it is a product, which reads as well in any language.
+    fn meaning(&self, e: Expr, value: &View) -> Option<String> {
+        (!is_flat(value)).then(|| self.variables.spell(&text(self.arena, e)))
     }
 
     /// Enters the variable of a symbol that sharing introduced.
@@ -269,8 +289,7 @@ impl Builder<'_> {
         };
         let name = self.names.allocator.unique(&stem);
         let value = View::Fraction(Box::new(View::Shared(sine)), Box::new(View::Shared(cosine)));
-        let comment = format!("tan({})", text(self.arena, e));
-        self.lines.push(Line::Let(Statement { name: name.clone(), value, comment }));
+        self.lines.push(Line::Let(Statement { name: name.clone(), value, comment: None }));
         self.tangents.push((angle.clone(), name.clone()));
         View::Shared(name)
     }

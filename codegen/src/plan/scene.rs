@@ -1,7 +1,7 @@
 //! The functions of one scene's own equations, and what a call costs beside the whole model.
 
 use super::cost::Cost;
-use super::formulation::{derivative, eliminated, kinematics_and_energies};
+use super::formulation::{accelerations, derivative, jacobian, kinematics_and_energies, singular_text};
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::names::{Language, spelled};
 use crate::taylor::{Recurrences, TaylorPlan, recurrences_of};
@@ -10,7 +10,7 @@ use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{DeriveError, Solved, accelerations, energy_gradient as energy_gradient_of};
+use tripos_derive::mechanics::{self, DeriveError, Solved};
 use tripos_derive::reduce::{Quantity, Reduction, Slope};
 use tripos_derive::{Equations, Formulation, derive};
 
@@ -35,7 +35,7 @@ impl<'a> SceneEquations<'a> {
         let equations = &reduction.derivation.equations;
         let solved = Solved::new(&mut arena, equations)?;
         let recurrences = recurrences_of(&mut arena, equations, &solved.accelerations);
-        let gradient = energy_gradient_of(&mut arena, &mut Simplifier::default(), equations);
+        let gradient = mechanics::energy_gradient(&mut arena, &mut Simplifier::default(), equations);
         Ok(Self { reduction, arena, solved, recurrences, gradient })
     }
 
@@ -50,8 +50,12 @@ impl<'a> SceneEquations<'a> {
 pub struct ScenePlan<'a> {
     /// The scene's reduction.
     pub reduction: &'a Reduction,
-    /// Its functions, in the order in which they are read.
-    pub functions: Vec<Function>,
+    /// From a start of the whole model: its constants, and its start. Their parameters are those of the whole model.
+    pub from_start: [Function; 2],
+    /// The equations, in the order in which they are read.
+    pub equations: Vec<Function>,
+    /// What runs use beside the equations.
+    pub machine: Vec<Function>,
     /// The recurrences of its Taylor coefficients.
     pub taylor: Option<TaylorPlan<'a>>,
     /// What its header says of it, line by line.
@@ -59,27 +63,51 @@ pub struct ScenePlan<'a> {
 }
 
 impl<'a> ScenePlan<'a> {
-    /// Plans the functions of a scene.
+    /// Plans the functions of a scene of the whole model.
     #[must_use]
-    pub fn new(planner: &'a Planner<'a>, equations: &'a SceneEquations<'a>) -> Self {
+    pub fn new(whole: &Model, planner: &'a Planner<'a>, equations: &'a SceneEquations<'a>) -> Self {
         let reduction = equations.reduction;
-        let mut functions = eliminated(planner, &equations.solved);
-        functions.extend(kinematics_and_energies(planner));
-        functions.push(outputs(planner, reduction));
+        let steps = &equations.solved.accelerations.steps;
+        let mut own = vec![accelerations(planner, steps)];
+        own.extend(kinematics_and_energies(planner));
+        own.push(outputs(planner, reduction));
+        let mut machine = vec![derivative(planner, steps), jacobian(planner, &equations.solved)];
         if reduction.has_energy {
-            functions.push(energy_gradient(planner, &equations.gradient));
+            machine.push(energy_gradient(planner, &equations.gradient));
         }
         if let Some(slope) = &reduction.slope {
-            functions.extend(potential_slope(planner, slope));
+            machine.extend(potential_slope(planner, slope));
         }
-        let facts = facts(reduction, &functions);
         let taylor = equations.recurrences.as_ref().map(|list| TaylorPlan::new(planner, list));
-        Self { reduction, functions, taylor, facts }
+        let from_start = from_start(whole, planner, reduction);
+        Self { reduction, from_start, equations: own, machine, taylor, facts: facts(reduction) }
     }
 }
 
+/// `constants` and `start`: the parameters of the scene's equations, and their state, from a start of the whole model.
+fn from_start(whole: &Model, planner: &Planner<'_>, reduction: &Reduction) -> [Function; 2] {
+    let e = planner.equations;
+    let equations = Equations { coordinates: whole.q(), variables: whole.u(), ..e.clone() };
+    let planner = Planner { model: whole, equations: &equations, variables: planner.variables.clone(), ..*planner };
+    let kept = || reduction.states.iter().chain(&reduction.quadratures).chain(&reduction.constants);
+    let value = |symbol: Expr| -> Value {
+        let quantity = kept().find(|quantity| quantity.symbol == symbol);
+        let name = planner.arena.symbol_name(symbol).unwrap_or_default();
+        (format!("{}_value", spelled(name)), name.to_owned(), quantity.map_or(symbol, |quantity| quantity.of_start))
+    };
+    let function = |name, about, returns, symbols: &[Expr]| {
+        let values: Vec<Value> = symbols.iter().copied().map(value).collect();
+        planner.function(name, about, Arguments::State, returns, &values)
+    };
+    let about = "The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.";
+    let constants = function("constants", about, Returns::Vector, &reduction.model.p());
+    let about = "The coordinates and the motion variables of these equations, at this start of the whole model.";
+    let state = [e.coordinates.as_slice(), &e.variables].concat();
+    [constants, function("start", about, Returns::Pair(e.coordinates.len()), &state)]
+}
+
 /// What the scene asks for, what is left to integrate, and what stays constant.
-fn facts(reduction: &Reduction, functions: &[Function]) -> Vec<String> {
+fn facts(reduction: &Reduction) -> Vec<String> {
     let arena = reduction.terms();
     let names = |list: &[Quantity]| match list {
         [] => "none".to_owned(),
@@ -91,21 +119,24 @@ fn facts(reduction: &Reduction, functions: &[Function]) -> Vec<String> {
         format!("States: {}. Quadratures: {}.", names(&reduction.states), names(&reduction.quadratures)),
     ];
     for constant in &reduction.constants {
-        lines.push(format!("{} = {}: {}.", constant.name, text(arena, constant.of_start), constant.about.text(arena)));
+        lines.push(stated(&constant.name, &text(arena, constant.of_start), &constant.about.text(arena)));
     }
     let folded: Vec<String> =
         reduction.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_f64())).collect();
     if !folded.is_empty() {
         lines.push(format!("Parameters that the scene fixes: {}.", folded.join(", ")));
     }
-    let costs: Vec<String> = functions.iter().take(2).map(|f| format!("{} {}", f.name, f.cost)).collect();
-    lines.push(format!("Cost: {}.", costs.join("; ")));
-    let divisors: Vec<String> = reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
-    lines.push(match divisors.as_slice() {
-        [] => "Singular nowhere.".to_owned(),
-        list => format!("Singular where {}.", list.join(" and where ")),
-    });
+    lines.push(singular_text(arena, "Singular", &reduction.divisors));
     lines
+}
+
+/// A constant with what it is at the start and what it is called, each said once.
+fn stated(name: &str, formula: &str, about: &str) -> String {
+    match (name == formula, formula == about) {
+        (true, _) => format!("{name}: {about}."),
+        (false, true) => format!("{name} = {formula}."),
+        (false, false) => format!("{name} = {formula}: {about}."),
+    }
 }
 
 fn outputs(planner: &Planner<'_>, reduction: &Reduction) -> Function {
@@ -188,8 +219,8 @@ pub struct Costs {
 pub fn costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError> {
     let of = |model: &Model, arena: &Arena, equations: &Equations| {
         let mut arena = arena.clone();
-        let solved =
-            accelerations(&mut arena, &mut Simplifier::default(), equations).map_err(|_| DeriveError::NotLinear)?;
+        let solved = mechanics::accelerations(&mut arena, &mut Simplifier::default(), equations)
+            .map_err(|_| DeriveError::NotLinear)?;
         Ok(derivative(&Planner::new(model, &arena, equations, &Language::NONE, true), &solved.steps).cost)
     };
     let kane = derive(model, Formulation::Kane)?;

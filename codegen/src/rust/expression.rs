@@ -35,6 +35,13 @@ pub fn ident(name: &str) -> TokenStream {
     quote!(#ident)
 }
 
+/// A number as an exact constant.
+pub fn constant(value: &Rational) -> TokenStream {
+    let magnitude = if value.is_negative() { value.neg() } else { value.clone() }.to_big();
+    let magnitude = number(&magnitude.numer().to_string(), &magnitude.denom().to_string());
+    if value.is_negative() { quote!(-#magnitude) } else { magnitude }
+}
+
 /// An exact constant; whole where the denominator is 1.
 fn number(numerator: &str, denominator: &str) -> TokenStream {
     match (numerator.parse::<i64>(), denominator.parse::<i64>()) {

@@ -1,47 +1,70 @@
-//! One formulation of one model as a Rust file.
+//! One formulation of one model as Rust: the equations in a file for people, and the code in one for machines.
 
-use super::function::{fields, function};
+use super::function::{Parameters, function};
 use super::system::{self, Part};
 use super::taylor;
-use super::text::{format, prose};
-use crate::plan::FormulationPlan;
-use quote::quote;
+use super::text::{format, header, prose, stated};
+use super::written::{Written, reexport};
+use crate::plan::{FormulationPlan, module_name, type_name};
+use quote::{format_ident, quote};
 
-/// The file of one formulation, such as `kane.rs`; `origin` is the sentence of its header that says where it comes from.
+/// The files of one formulation.
+pub struct FormulationFiles {
+    /// The equations, such as `kane.rs`, for people: formulas of mass matrix, forcing, accelerations, kinematic equations and
+    /// energies, each where its function is re-exported.
+    pub equations: String,
+    /// The code, such as `code/kane.rs`: the functions, what runs use beside them, and the `System`.
+    pub code: String,
+}
+
+/// Emits the files of a formulation; `origin` is the sentence of their headers that says where they come from. Functions that another
+/// formulation of the model has are not written again.
 #[must_use]
-pub fn file(plan: &FormulationPlan<'_>, origin: &str) -> String {
+pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) -> FormulationFiles {
     let (model, equations) = (plan.planner.model, plan.planner.equations);
-    let fields = fields(model);
-    let functions = plan.functions.iter().map(|planned| function(planned, &fields));
-    let state = model.coordinates.len() + model.speeds.len();
-    let mut parts = vec![Part::LinearSystem, Part::WholeState(state)];
-    parts.extend(plan.solved.then_some(Part::Eliminated));
+    let (parameters, module) = (Parameters::of(model), module_name(&equations.name(model)));
+    let taylor = plan.taylor.as_ref().map(|plan| ("taylor", taylor::function(plan, &parameters)));
+    let planned =
+        plan.equations.iter().chain(&plan.machine).map(|planned| (planned.name, function(planned, &parameters)));
+    let sorted = written.sort(&module, planned.chain(taylor));
+
+    let mut parts = vec![Part::LinearSystem, Part::WholeState(model.coordinates.len() + model.speeds.len())];
+    parts.extend(plan.is_solved().then_some(Part::Eliminated));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
     let system = system::system(model, equations, &parts);
-    let series = plan.taylor.as_ref().map(taylor::imports);
-    let taylor = plan.taylor.as_ref().map(|plan| taylor::function(plan, &fields));
-    let first = format!(
+    let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, sorted.has("taylor")));
+    let (own, imports) = (&sorted.own, sorted.imports());
+    let title = format!(
         "{}: {}, {}.",
         prose(&model.title),
         prose(&equations.title(model)),
         equations.formulation.method().equation
     );
-    format(
-        &header(first, origin, &plan.facts),
+    let code = format(
+        &header(title.clone(), origin, &[]),
         quote! {
-            use super::Parameters;
+            use super::super::Parameters;
+            #(#imports)*
             #series
             use tripos_traits::{Lengths, Scalar, System};
-            #(#functions)*
-            #taylor
+            #(#own)*
             #system
         },
-    )
-}
+    );
 
-/// The lines of a header: what it is, where it comes from, and what is known of it.
-pub fn header(first: String, origin: &str, facts: &[String]) -> Vec<String> {
-    let mut lines = vec![first, String::new(), origin.to_owned()];
-    lines.extend(facts.iter().map(|fact| prose(fact)));
-    lines
+    let own = plan.equations.iter().filter(|planned| sorted.has(planned.name));
+    let shown = own.map(|planned| {
+        let (docs, module, name) = (stated(planned), format_ident!("{module}"), format_ident!("{}", planned.name));
+        quote!(#docs #[doc(inline)] pub use super::code::#module::#name;)
+    });
+    // What another formulation has is explained there.
+    let is_shown = |name: &&str| plan.equations.iter().any(|planned| planned.name == *name);
+    let shared = sorted.others.iter().map(|(module, names)| (module, names.iter().copied().filter(is_shown)));
+    let shared = shared.filter(|(_, names)| names.clone().next().is_some());
+    let shared = shared.map(|(module, names)| reexport(&quote!(super), module, names));
+    let unit = type_name(&equations.name(model));
+    let machine = plan.machine.iter().map(|planned| planned.name).chain(plan.taylor.as_ref().map(|_| "taylor"));
+    let rest = reexport(&quote!(super::code), &module, machine.chain([unit.as_str()]));
+    let equations = format(&header(title, origin, &plan.facts), quote!(#rest #(#shared)* #(#shown)*));
+    FormulationFiles { equations, code }
 }

@@ -11,19 +11,34 @@ use tripos_derive::Model;
 /// The functions that runs spend their time in: `System` calls them through `Scalar::dispatch`.
 const DISPATCHED: [&str; 2] = ["accelerations", "derivative"];
 
+/// The struct that functions are given the parameters in.
+pub struct Parameters {
+    /// Its path, as it is seen from the functions.
+    pub path: TokenStream,
+    /// The field of each parameter.
+    pub fields: Vec<String>,
+}
+
+impl Parameters {
+    /// The struct `Parameters` of a model, in scope.
+    pub fn of(model: &Model) -> Self {
+        Self { path: quote!(Parameters), fields: fields(model) }
+    }
+}
+
 /// The struct field of each parameter: its own name, escaped where it is a keyword.
 pub fn fields(model: &Model) -> Vec<String> {
     let mut allocator = Allocator::new(&Language { in_scope: &[], ..LANGUAGE });
     model.parameters.iter().map(|p| allocator.unique(&p.name)).collect()
 }
 
-/// The function, with the parameters in the fields of these names.
-pub fn function(planned: &Function, fields: &[String]) -> TokenStream {
+/// The function, given its parameters in this struct.
+pub fn function(planned: &Function, parameters: &Parameters) -> TokenStream {
     let (name, about, cost) = (ident(planned.name), format!(" {}", planned.about), format!(" {}.", planned.cost));
     // What `System` dispatches is compiled again for the instructions of the processor, which reach only inlined code.
     let inline = DISPATCHED.contains(&planned.name).then(|| quote!(#[inline(always)]));
-    let arguments = planned.arguments.iter().map(signature);
-    let unpack = planned.arguments.iter().map(|argument| unpack(argument, fields));
+    let arguments = planned.arguments.iter().map(|argument| signature(argument, parameters));
+    let unpack = planned.arguments.iter().map(|argument| unpack(argument, parameters));
     let zero = planned.entries.contains(&Entry::Zero).then(|| quote!(let zero = S::int(0);));
     let head = statements(&planned.program);
     let body = section(planned.returns.heading(), &planned.program.outputs);
@@ -45,12 +60,12 @@ pub fn function(planned: &Function, fields: &[String]) -> TokenStream {
 }
 
 /// An argument as it stands in a signature; with an underscore before its name if nothing is read of it.
-pub fn signature(argument: &Argument) -> TokenStream {
+pub fn signature(argument: &Argument, parameters: &Parameters) -> TokenStream {
     let named = |name: &str, is_read: bool| format_ident!("{}{name}", if is_read { "" } else { "_" });
     match argument {
         Argument::Parameters { read, .. } => {
-            let name = named("p", !read.is_empty());
-            quote!(#name: &Parameters<S>)
+            let (name, path) = (named("p", !read.is_empty()), &parameters.path);
+            quote!(#name: &#path<S>)
         }
         Argument::Array { name, entries } => {
             let (name, count) =
@@ -65,15 +80,16 @@ pub fn signature(argument: &Argument) -> TokenStream {
 }
 
 /// The statement that gives what is read of an argument its variables.
-pub fn unpack(argument: &Argument, fields: &[String]) -> TokenStream {
+pub fn unpack(argument: &Argument, parameters: &Parameters) -> TokenStream {
     match argument {
-        Argument::Parameters { read, count } if !read.is_empty() => {
+        Argument::Parameters { read } if !read.is_empty() => {
+            let (path, fields) = (&parameters.path, &parameters.fields);
             let patterns = read.iter().map(|(place, variable)| {
                 let (field, name) = (ident(&fields[*place]), ident(variable));
                 if fields[*place] == *variable { field } else { quote!(#field: #name) }
             });
-            let rest = (read.len() < *count).then(|| quote!(, ..));
-            quote!(let Parameters { #(#patterns),* #rest } = *p;)
+            let rest = (read.len() < fields.len()).then(|| quote!(, ..));
+            quote!(let #path { #(#patterns),* #rest } = *p;)
         }
         Argument::Array { name, entries } if entries.iter().any(Option::is_some) => {
             let (name, patterns) = (ident(name), entries.iter().map(|entry| ident(entry.as_deref().unwrap_or("_"))));
@@ -110,10 +126,16 @@ fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
     }
 }
 
-/// The lines of a program, with comments carried as marked doc attributes.
+/// The lines of a program, with comments carried as marked doc attributes; under one heading a kind.
 pub fn statements(program: &Program) -> TokenStream {
+    let is_elimination = program.lines.iter().any(|line| matches!(line, Line::Step(_)));
+    let shared = if is_elimination {
+        "Elimination, step by step, each after the terms that it shares."
+    } else {
+        "Shared terms."
+    };
     let mut tokens = TokenStream::new();
-    let mut heading = "";
+    let mut headings = Vec::new();
     for line in &program.lines {
         let (wanted, written) = match line {
             Line::Circular { sine, cosine, angle } => {
@@ -121,12 +143,11 @@ pub fn statements(program: &Program) -> TokenStream {
                 let (sine, cosine, angle) = (name(sine), name(cosine), receiver(angle));
                 ("Sines and cosines.", quote!(let (#sine, #cosine) = #angle.sin_cos();))
             }
-            Line::Let(shared) => ("Shared terms.", statement(shared)),
-            Line::Step(step) => ("Elimination, step by step.", statement(step)),
+            Line::Let(step) | Line::Step(step) => (shared, statement(step)),
         };
-        if wanted != heading {
+        if !headings.contains(&wanted) {
+            headings.push(wanted);
             tokens.extend(comment(wanted));
-            heading = wanted;
         }
         tokens.extend(written);
     }
@@ -142,6 +163,7 @@ pub fn section(heading: &str, list: &[Statement]) -> TokenStream {
 
 /// `let` with the equation that it stands for above.
 fn statement(statement: &Statement) -> TokenStream {
-    let (equation, name, value) = (comment(&statement.comment), ident(&statement.name), expression(&statement.value));
+    let equation = statement.comment.as_deref().map(comment);
+    let (name, value) = (ident(&statement.name), expression(&statement.value));
     quote!(#equation let #name = #value;)
 }

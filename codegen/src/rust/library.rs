@@ -14,7 +14,8 @@ pub fn library(models: &[String]) -> String {
     ];
     let modules = models.iter().map(|name| {
         let name = format_ident!("{name}");
-        quote!(#[rustfmt::skip] pub mod #name;)
+        let about = format!(" The model `{name}`.");
+        quote!(#[doc = #about] #[rustfmt::skip] pub mod #name;)
     });
     let entries = models.iter().map(|name| {
         let name = format_ident!("{name}");
@@ -22,8 +23,7 @@ pub fn library(models: &[String]) -> String {
     });
     let items = quote! {
         #![no_std]
-        #![allow(non_snake_case)]
-        #![allow(clippy::pedantic, clippy::let_and_return)]
+        #![allow(clippy::pedantic)]
 
         #(#modules)*
 

@@ -10,9 +10,11 @@ mod scene;
 mod system;
 mod taylor;
 mod text;
+mod written;
 
-pub use formulation::file as formulation_file;
+pub use formulation::{FormulationFiles, files as formulation_files};
 pub use library::library;
-pub use module::{Entry, file as module_file};
+pub use module::{About, Entry, files as module_files};
 pub use names::{LANGUAGE, is_name};
 pub use scene::{Named, SceneFile, file as scene_file, list as scene_list};
+pub use written::Written;

@@ -1,7 +1,8 @@
 //! The `mod.rs` of one model: its parameters, its names, its formulations.
 
+use super::expression::constant;
 use super::function::fields;
-use super::text::{format, prose};
+use super::text::{format, format_to_include, prose};
 use crate::plan::{module_name, type_name};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -11,54 +12,79 @@ use tripos_derive::Model;
 pub struct Entry {
     /// Their name, such as `kane` or `printed:ID`.
     pub name: String,
+    /// What they are called in a heading.
+    pub title: String,
     /// Whether their accelerations were solved for.
     pub solved: bool,
+    /// Whether people have a file of the equations, beside the code.
+    pub shown: bool,
 }
 
-/// Emits `mod.rs` for these equations and scenes; `origin` is the sentence of its header that says where it comes from.
+impl Entry {
+    /// The declaration of its module.
+    fn declaration(&self) -> TokenStream {
+        let (name, about) = (format_ident!("{}", module_name(&self.name)), format!(" {}.", prose(&self.title)));
+        quote!(#[doc = #about] #[rustfmt::skip] pub mod #name;)
+    }
+
+    /// What a program needs to run it.
+    fn system(&self) -> TokenStream {
+        let (module, unit) = (format_ident!("{}", module_name(&self.name)), format_ident!("{}", type_name(&self.name)));
+        let (name, system) = (&self.name, quote!(code::#module::#unit));
+        let lanes = if self.solved { quote!(Some(InLanes::of(&Derivative(#system)))) } else { quote!(None) };
+        quote!(CompiledSystem { name: #name, double: &#system, extended: &#system, lanes: #lanes })
+    }
+}
+
+/// What is said of a model's module.
+pub struct About<'a> {
+    /// Its name.
+    pub module: &'a str,
+    /// The sentence that says where it comes from.
+    pub origin: &'a str,
+    /// The hash of the report beside the model; empty if there is none.
+    pub report_hash: &'a str,
+    /// Whether it has the equations of scenes.
+    pub has_scenes: bool,
+}
+
+/// Emits the `mod.rs` of a model with these equations, and the one of their code.
 #[must_use]
-pub fn file(
-    model: &Model,
-    folder: &str,
-    origin: &str,
-    report_hash: &str,
-    equations: &[Entry],
-    scenes: &[String],
-) -> String {
+pub fn files(model: &Model, about: &About<'_>, equations: &[Entry]) -> [String; 2] {
+    [module_file(model, about, equations), code_file(model, about, equations)]
+}
+
+fn module_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String {
     let header =
-        vec![format!("{}.", prose(&model.title)), String::new(), origin.to_owned(), format!("{}.", model.count())];
-    let modules = equations.iter().map(|entry| {
-        let name = format_ident!("{}", module_name(&entry.name));
-        quote!(#[rustfmt::skip] pub mod #name;)
+        [format!("{}.", prose(&model.title)), String::new(), about.origin.to_owned(), format!("{}.", model.count())];
+    let read = equations.iter().filter(|entry| entry.shown);
+    let modules = read.map(Entry::declaration);
+    let (structure, defaults) = (parameters(model), defaults(model));
+    let (parameter_type, parameters) = names(model.parameters.iter().map(|p| p.name.as_str()));
+    let (coordinate_type, coordinates) = names(model.coordinates.iter().map(|c| c.name.as_str()));
+    let (speed_type, speeds) = names(model.speeds.iter().map(|s| s.name.as_str()));
+    let in_lanes = equations.iter().any(|entry| entry.solved).then(|| quote!(Derivative, InLanes,));
+    let systems = equations.iter().map(Entry::system);
+    let code = code_module();
+    let scene_module = about.has_scenes.then(|| {
+        quote! {
+            #[doc = " The equations of its scenes."]
+            #[rustfmt::skip]
+            pub mod scenes;
+        }
     });
-    let list_of = |list: Vec<&str>| {
-        let count = Literal::usize_unsuffixed(list.len());
-        (quote!([&str; #count]), quote!([#(#list),*]))
-    };
-    let structure = parameters(model);
-    let (parameter_type, parameters) = list_of(model.parameters.iter().map(|p| p.name.as_str()).collect());
-    let (coordinate_type, coordinates) = list_of(model.coordinates.iter().map(|c| c.name.as_str()).collect());
-    let (speed_type, speeds) = list_of(model.speeds.iter().map(|s| s.name.as_str()).collect());
-    let any_solved = equations.iter().any(|entry| entry.solved);
-    let in_lanes = if any_solved { quote!(Derivative, InLanes,) } else { quote!() };
-    let systems = equations.iter().map(|entry| {
-        let name = &entry.name;
-        let (module, unit) = (format_ident!("{}", module_name(name)), format_ident!("{}", type_name(name)));
-        let system = quote!(&#module::#unit);
-        let lanes = if entry.solved { quote!(Some(InLanes::of(&Derivative(#module::#unit)))) } else { quote!(None) };
-        quote!(CompiledSystem { name: #name, double: #system, extended: #system, lanes: #lanes })
-    });
-    let own = format_ident!("scenes");
-    let scene_module = (!scenes.is_empty()).then(|| quote!(#[rustfmt::skip] pub mod #own;));
-    let scenes = if scenes.is_empty() { quote!(&[]) } else { quote!(scenes::SCENES) };
-    let hash = model.text_hash();
+    let scenes = if about.has_scenes { quote!(scenes::SCENES) } else { quote!(&[]) };
+    let (name, hash, report_hash) = (about.module, model.text_hash(), about.report_hash);
     let items = quote! {
         #(#modules)*
+        #code
+
         #scene_module
 
         use tripos_traits::{CompiledModel, CompiledSystem, #in_lanes Scalar};
 
         #structure
+        #defaults
 
         #[doc = " Names of the parameters."]
         pub const PARAMETERS: #parameter_type = #parameters;
@@ -69,14 +95,56 @@ pub fn file(
 
         #[doc = " What a program needs to find these equations and to trust them."]
         pub const MODEL: CompiledModel = CompiledModel {
-            name: #folder,
+            name: #name,
             text_hash: #hash,
             report_hash: #report_hash,
             systems: &[#(#systems),*],
             scenes: #scenes,
         };
     };
-    format(&header, items)
+    format_to_include(&header, items)
+}
+
+/// The type and the value of a list of names.
+pub fn names<'n>(list: impl Iterator<Item = &'n str>) -> (TokenStream, TokenStream) {
+    let list: Vec<&str> = list.collect();
+    let count = Literal::usize_unsuffixed(list.len());
+    (quote!([&str; #count]), quote!([#(#list),*]))
+}
+
+/// The declaration of `code`. Symbols keep their names, and a last value its formula above it.
+pub fn code_module() -> TokenStream {
+    quote! {
+        #[doc = " The code of the equations."]
+        #[rustfmt::skip]
+        #[allow(non_snake_case, clippy::let_and_return)]
+        pub mod code;
+    }
+}
+
+fn code_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String {
+    let title = format!("{}: the code of the equations.", prose(&model.title));
+    let modules = equations.iter().map(Entry::declaration);
+    format(&[title, String::new(), about.origin.to_owned()], quote!(#(#modules)*))
+}
+
+/// The values that the model file states, if it states all.
+fn defaults(model: &Model) -> Option<TokenStream> {
+    let values: Option<Vec<_>> = model.parameters.iter().map(|p| p.value.as_ref().map(constant)).collect();
+    let names = fields(model);
+    let values = values?.into_iter().zip(&names).map(|(value, name)| {
+        let name = format_ident!("{name}");
+        quote!(#name: #value)
+    });
+    let none = model.parameters.is_empty().then(|| quote!(none: core::marker::PhantomData));
+    Some(quote! {
+        #[doc = " The values that the model file states."]
+        impl<S: Scalar> Default for Parameters<S> {
+            fn default() -> Self {
+                Self { #(#values,)* #none }
+            }
+        }
+    })
 }
 
 /// The struct of the parameters of a model.
@@ -102,6 +170,7 @@ pub fn parameters(model: &Model) -> TokenStream {
     let phantom_value = if count == 0 { quote!(none: core::marker::PhantomData) } else { quote!() };
     quote! {
         #[doc = " The parameters, in the order of the model file."]
+        #[allow(non_snake_case)]
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Parameters<S> {
             #(#fields,)*

@@ -1,26 +1,28 @@
-//! The reduced equations of one scene as a Rust file.
+//! The reduced equations of one scene as Rust: a file for people, and their code.
 
-use super::formulation::header;
-use super::function::{fields, function};
-use super::module::parameters;
+use super::function::{Parameters, fields, function};
+use super::module::{code_module, names, parameters};
 use super::names::{LANGUAGE, is_name};
 use super::system::{self, Part};
 use super::taylor;
-use super::text::{format, prose};
+use super::text::{format, header, prose, stated};
+use super::written::reexport;
 use crate::plan::{SceneEquations, ScenePlan, module_name};
-use proc_macro2::Literal;
 use quote::{format_ident, quote};
+use tripos_derive::Model;
 use tripos_derive::algebra::linear::Singular;
 use tripos_derive::reduce::Reduction;
 
-/// A scene's file.
+/// The files of a scene.
 pub struct SceneFile {
     /// Its module.
     pub module: String,
     /// The key of its equations.
     pub key: String,
-    /// Its text.
+    /// Its equations, for people.
     pub text: String,
+    /// Their code; none where another scene has the same equations.
+    pub code: Option<String>,
 }
 
 /// What a scene's file is called by.
@@ -33,25 +35,33 @@ pub struct Named<'a> {
     pub origin: &'a str,
 }
 
-/// Emits the file of a scene, such as `report_10s.rs`, beside those that are there. Where one of them has the same equations, the
-/// file refers to it.
+/// Emits the files of a scene of the whole model, such as `report_10s.rs`, beside those that are there. Where one of them has the same
+/// equations, the file refers to it.
 ///
 /// # Errors
 /// [`Singular`] if the accelerations are determined in no configuration.
-pub fn file(reduction: &Reduction, named: &Named<'_>, before: &[SceneFile]) -> Result<SceneFile, Singular> {
+pub fn file(
+    whole: &Model,
+    reduction: &Reduction,
+    named: &Named<'_>,
+    before: &[SceneFile],
+) -> Result<SceneFile, Singular> {
     let (module, key) = (module_of(named.name, before), reduction.key());
-    let text = match before.iter().find(|file| file.key == key) {
-        Some(same) => reference(reduction, named, &same.module),
-        None => equations_of(reduction, named, &key)?,
+    let (text, code) = match before.iter().find(|file| file.key == key) {
+        Some(same) => (reference(reduction, named, &same.module), None),
+        None => {
+            let (text, code) = equations_of(whole, reduction, named, &module, &key)?;
+            (text, Some(code))
+        }
     };
-    Ok(SceneFile { module, key, text })
+    Ok(SceneFile { module, key, text, code })
 }
 
 /// A module name for a scene of any name, such as `scene_10s` for `10s`, that none of these has yet.
 fn module_of(name: &str, before: &[SceneFile]) -> String {
     let stem = module_name(name);
     let stem = if is_name(&stem) { stem } else { format!("scene_{stem}") };
-    let taken = |candidate: &String| before.iter().any(|file| file.module == *candidate);
+    let taken = |candidate: &String| candidate == "code" || before.iter().any(|file| file.module == *candidate);
     let candidates = std::iter::once(stem.clone()).chain((2..).map(|n| format!("{stem}_{n}")));
     candidates.into_iter().find(|candidate| !taken(candidate)).unwrap_or(stem)
 }
@@ -81,41 +91,62 @@ fn first_line(reduction: &Reduction, named: &Named<'_>) -> String {
     format!("{}: {}.", prose(&reduction.model.title), prose(title))
 }
 
-/// The file of a scene with equations of its own.
-fn equations_of(reduction: &Reduction, named: &Named<'_>, key: &str) -> Result<String, Singular> {
-    let (model, equations) = (&reduction.model, SceneEquations::new(reduction)?);
+/// The files of a scene with equations of its own: for people, and the code.
+fn equations_of(
+    whole: &Model,
+    reduction: &Reduction,
+    named: &Named<'_>,
+    module: &str,
+    key: &str,
+) -> Result<(String, String), Singular> {
+    let equations = SceneEquations::new(reduction)?;
     let planner = equations.planner(&LANGUAGE);
-    let plan = ScenePlan::new(&planner, &equations);
-    let fields = fields(model);
-    let functions = plan.functions.iter().map(|planned| function(planned, &fields));
+    let plan = ScenePlan::new(whole, &planner, &equations);
+    Ok((equations_file(&plan, named, module), code_file(whole, &plan, named, key)))
+}
+
+fn equations_file(plan: &ScenePlan<'_>, named: &Named<'_>, module: &str) -> String {
+    let shown = plan.from_start.iter().chain(&plan.equations).map(|planned| {
+        let (docs, module, name) = (stated(planned), format_ident!("{module}"), format_ident!("{}", planned.name));
+        quote!(#docs #[doc(inline)] pub use super::code::#module::#name;)
+    });
+    let machine = plan.machine.iter().map(|planned| planned.name).chain(plan.taylor.as_ref().map(|_| "taylor"));
+    let names = machine.chain(["OUTPUTS", "PARAMETERS", "Parameters", "Reduced", "SCENE"]);
+    let rest = reexport(&quote!(super::code), module, names);
+    format(&header(first_line(plan.reduction, named), named.origin, &plan.facts), quote!(#rest #(#shown)*))
+}
+
+fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) -> String {
+    let (model, reduction) = (&plan.reduction.model, plan.reduction);
+    let of_whole = Parameters { path: quote!(super::super::super::Parameters), fields: fields(whole) };
+    let from_start = plan.from_start.iter().map(|planned| function(planned, &of_whole));
+    let own = Parameters::of(model);
+    let functions = plan.equations.iter().chain(&plan.machine).map(|planned| function(planned, &own));
     let mut parts = vec![Part::Outputs(reduction.outputs.len()), Part::Eliminated];
     parts.extend(reduction.has_energy.then_some(Part::EnergyGradient));
     parts.extend(reduction.slope.as_ref().map(|_| Part::PotentialSlope));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
     let system = system::system(model, &reduction.derivation.equations, &parts);
-    let series = plan.taylor.as_ref().map(taylor::imports);
-    let taylor = plan.taylor.as_ref().map(|plan| taylor::function(plan, &fields));
-    let parameters = parameters(model);
-    let names = |list: Vec<&str>| {
-        let count = Literal::usize_unsuffixed(list.len());
-        (quote!([&str; #count]), quote!([#(#list),*]))
-    };
-    let (parameter_type, parameter_names) = names(model.parameters.iter().map(|p| p.name.as_str()).collect());
-    let (output_type, output_names) = names(reduction.outputs.iter().map(|o| o.name.as_str()).collect());
+    let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, true));
+    let taylor = plan.taylor.as_ref().map(|plan| taylor::function(plan, &own));
+    let structure = parameters(model);
+    let (parameter_type, parameter_names) = names(model.parameters.iter().map(|p| p.name.as_str()));
+    let (output_type, output_names) = names(reduction.outputs.iter().map(|o| o.name.as_str()));
     let name = named.name;
-    let text = format(
-        &header(first_line(reduction, named), named.origin, &plan.facts),
+    format(
+        &header(first_line(reduction, named), named.origin, &[]),
         quote! {
             #series
             use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
 
-            #parameters
+            #structure
 
             #[doc = " Names of the parameters: those that stay free, then what the start of a motion fixes."]
             pub const PARAMETERS: #parameter_type = #parameter_names;
             #[doc = " Names of the outputs."]
             pub const OUTPUTS: #output_type = #output_names;
 
+            #(#from_start)*
             #(#functions)*
             #taylor
             #system
@@ -127,24 +158,28 @@ fn equations_of(reduction: &Reduction, named: &Named<'_>, key: &str) -> Result<S
                 system: CompiledSystem { name: "reduced", double: &Reduced, extended: &Reduced, lanes: None },
             };
         },
-    );
-    Ok(text)
+    )
 }
 
-/// The `mod.rs` of the scenes of a model.
+/// The `mod.rs` of the scenes of a model, and the one of their code.
 #[must_use]
-pub fn list(title: &str, origin: &str, modules: &[String]) -> String {
-    let header = vec![format!("{}: the equations of its scenes.", prose(title)), String::new(), origin.to_owned()];
-    let modules: Vec<_> = modules.iter().map(|name| format_ident!("{name}")).collect();
-    format(
-        &header,
+pub fn list(title: &str, origin: &str, files: &[SceneFile]) -> [String; 2] {
+    let header = |what: &str| vec![format!("{}: {what}.", prose(title)), String::new(), origin.to_owned()];
+    let modules: Vec<_> = files.iter().map(|file| format_ident!("{}", file.module)).collect();
+    let code = files.iter().filter(|file| file.code.is_some()).map(|file| format_ident!("{}", file.module));
+    let code_module = code_module();
+    let scenes = format(
+        &header("the equations of its scenes"),
         quote! {
+            #code_module
             #(#[rustfmt::skip] pub mod #modules;)*
 
             #[doc = " The equations of every scene."]
             pub const SCENES: &[tripos_traits::CompiledScene] = &[#(#modules::SCENE),*];
         },
-    )
+    );
+    let of_code = header("the code of the equations of its scenes");
+    [scenes, format(&of_code, quote!(#(#[rustfmt::skip] pub mod #code;)*))]
 }
 
 #[cfg(test)]
@@ -158,7 +193,7 @@ mod tests {
         for name in ["report-10s", "report_10s", "10s", "loop", "mod", "my run", "-"] {
             let module = module_of(name, &files);
             assert!(syn::parse_str::<syn::Ident>(&module).is_ok(), "{name} gives {module}");
-            files.push(SceneFile { module, key: String::new(), text: String::new() });
+            files.push(SceneFile { module, key: String::new(), text: String::new(), code: None });
         }
         let modules: Vec<&str> = files.iter().map(|file| file.module.as_str()).collect();
         assert_eq!(modules, ["report_10s", "report_10s_2", "scene_10s", "scene_loop", "scene_mod", "my_run", "scene_"]);

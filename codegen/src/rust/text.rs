@@ -1,5 +1,6 @@
 //! Tokens as formatted text, with comments.
 
+use crate::plan::{Entry, Function};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
@@ -21,6 +22,40 @@ pub fn prose(text: &str) -> String {
     out.replace("://", "\\://")
 }
 
+/// The lines of a header: what it is, where it comes from, and what is known of it.
+#[must_use]
+pub fn header(first: String, origin: &str, facts: &[String]) -> Vec<String> {
+    let mut lines = vec![first, String::new(), origin.to_owned()];
+    lines.extend(facts.iter().map(|fact| prose(fact)));
+    lines
+}
+
+/// What a function is, with the equations that it computes, as documentation.
+#[must_use]
+pub fn stated(planned: &Function) -> TokenStream {
+    let mut lines = vec![format!(" {}", planned.about), String::new()];
+    if planned.program.equations().next().is_none() {
+        lines.push(" All entries are 0.".to_owned());
+        return quote!(#(#[doc = #lines])*);
+    }
+    if planned.entries.contains(&Entry::Zero) {
+        lines[0].push_str(" Entries that are not listed are 0.");
+    }
+    lines.push(" ```text".to_owned());
+    for equation in planned.program.equations() {
+        // What stays as it is has no equation.
+        let equation =
+            equation.split_once(" = ").filter(|(symbol, value)| symbol == value).map_or(equation, |(name, _)| name);
+        let wrapped = wrap(&visible(equation), EQUATION).into_iter().enumerate();
+        lines.extend(wrapped.map(|(at, part)| format!(" {}{part}", if at == 0 { "" } else { "    " })));
+    }
+    lines.push(" ```".to_owned());
+    quote!(#(#[doc = #lines])*)
+}
+
+/// The width of equations in documentation.
+const EQUATION: usize = 160;
+
 /// A comment on the next statement.
 #[must_use]
 pub fn comment(text: &str) -> TokenStream {
@@ -30,18 +65,31 @@ pub fn comment(text: &str) -> TokenStream {
 
 const MARK: &str = "~";
 
-/// Formats items and turns the marked attributes into comments.
+/// Formats the items of a file and turns the marked attributes into comments.
 ///
 /// # Panics
 /// If the tokens are not a Rust file: a defect of the generator.
 #[must_use]
 pub fn format(header: &[String], items: TokenStream) -> String {
+    under("//!", header, items)
+}
+
+/// As [`format`], for a file that can stand in another by `include!`, where documentation of the file itself is an error.
+///
+/// # Panics
+/// If the tokens are not a Rust file: a defect of the generator.
+#[must_use]
+pub fn format_to_include(header: &[String], items: TokenStream) -> String {
+    under("//", header, items)
+}
+
+fn under(sign: &str, header: &[String], items: TokenStream) -> String {
     let file: syn::File = syn::parse2(items).expect("generated tokens are a Rust file");
     let body = prettyplease::unparse(&file);
     // A line break in a line would end its comment: what follows would be code.
     let lines = header.iter().map(|line| one_line(&visible(line)));
     let mut out: String =
-        lines.map(|line| if line.is_empty() { "//!\n".to_owned() } else { format!("//! {line}\n") }).collect();
+        lines.map(|line| if line.is_empty() { format!("{sign}\n") } else { format!("{sign} {line}\n") }).collect();
     out.push('\n');
     let marked = format!("///{MARK}");
     let mut before = "";
@@ -49,8 +97,9 @@ pub fn format(header: &[String], items: TokenStream) -> String {
         // A blank line before each item, as rustfmt would keep.
         let starts = ["///", "pub ", "impl", "fn ", "use ", "#["].iter().any(|start| line.starts_with(start));
         let ended = before.starts_with('}') || before.ends_with(';') && !before.starts_with(' ');
-        let group = |l: &str| l.split_whitespace().next() == Some("use") || l.starts_with("pub mod");
-        if starts && ended && !(group(before) && (group(line) || line.starts_with("#[rustfmt"))) {
+        let both = |start: &str| before.starts_with(start) && line.starts_with(start);
+        let in_list = before.starts_with("pub mod") && line.starts_with("#[rustfmt");
+        if starts && ended && !(both("use") || both("pub mod") || in_list) {
             out.push('\n');
         }
         before = line;

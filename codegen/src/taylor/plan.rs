@@ -193,10 +193,8 @@ fn names_of(arena: &Arena, variables: &Variables, names: &mut Names, list: &Recu
             reserved(&mut names.allocator, &name, true)
         }
         _ => {
-            let word = || identifier(&text(arena, s.term).replace('^', "_p"), 20);
-            let needed_by = variables.of.get(&s.needed_by).cloned().unwrap_or_default();
-            let part = || format!("{}_part", if needed_by.is_empty() { "rate" } else { &needed_by });
-            let wanted = rate_of(at).or_else(word).unwrap_or_else(part);
+            let stem = variables.of.get(&s.needed_by).map_or("rate", String::as_str);
+            let wanted = rate_of(at).unwrap_or_else(|| names.describe(arena, variables, s.term, stem));
             reserved(&mut names.allocator, &wanted, false)
         }
     };

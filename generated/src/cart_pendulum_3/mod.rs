@@ -1,19 +1,33 @@
-//! Three-link pendulum on a cart.
-//!
-//! Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
-//! 4 configuration variables, 0 holonomic constraints, 4 generalized coordinates, 0 nonholonomic constraints, 4 generalized speeds.
+// Three-link pendulum on a cart.
+//
+// Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
+// 4 configuration variables, 0 holonomic constraints, 4 generalized coordinates, 0 nonholonomic constraints, 4 generalized speeds.
 
+/// Kane's method.
 #[rustfmt::skip]
 pub mod kane;
+
+/// Lagrange's equations.
 #[rustfmt::skip]
 pub mod lagrange;
+
+/// Newton–Euler equations.
 #[rustfmt::skip]
 pub mod newton_euler;
+
+/// The code of the equations.
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::let_and_return)]
+pub mod code;
+
+/// The equations of its scenes.
 #[rustfmt::skip]
 pub mod scenes;
+
 use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
+#[allow(non_snake_case)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
     /// mass of the cart, kg
@@ -58,6 +72,23 @@ impl<S: Scalar> Parameters<S> {
     }
 }
 
+/// The values that the model file states.
+impl<S: Scalar> Default for Parameters<S> {
+    fn default() -> Self {
+        Self {
+            m0: S::ratio(87, 100),
+            m1: S::ratio(137, 100),
+            m2: S::ratio(49, 25),
+            m3: S::ratio(149, 100),
+            l0: S::ratio(16, 25),
+            l1: S::ratio(13, 25),
+            l2: S::ratio(2, 5),
+            g: S::ratio(981, 100),
+            F: S::ratio(11, 4),
+        }
+    }
+}
+
 /// Names of the parameters.
 pub const PARAMETERS: [&str; 9] = ["m0", "m1", "m2", "m3", "l0", "l1", "l2", "g", "F"];
 
@@ -75,21 +106,21 @@ pub const MODEL: CompiledModel = CompiledModel {
     systems: &[
         CompiledSystem {
             name: "kane",
-            double: &kane::Kane,
-            extended: &kane::Kane,
-            lanes: Some(InLanes::of(&Derivative(kane::Kane))),
+            double: &code::kane::Kane,
+            extended: &code::kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(code::kane::Kane))),
         },
         CompiledSystem {
             name: "lagrange",
-            double: &lagrange::Lagrange,
-            extended: &lagrange::Lagrange,
-            lanes: Some(InLanes::of(&Derivative(lagrange::Lagrange))),
+            double: &code::lagrange::Lagrange,
+            extended: &code::lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(code::lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "newton-euler",
-            double: &newton_euler::NewtonEuler,
-            extended: &newton_euler::NewtonEuler,
-            lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
+            double: &code::newton_euler::NewtonEuler,
+            extended: &code::newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(code::newton_euler::NewtonEuler))),
         },
     ],
     scenes: scenes::SCENES,

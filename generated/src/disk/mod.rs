@@ -1,37 +1,57 @@
-//! Thin disk sliding on a frictionless plane.
-//!
-//! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
-//! 6 configuration variables, 1 holonomic constraint, 5 generalized coordinates, 0 nonholonomic constraints, 5 generalized speeds.
+// Thin disk sliding on a frictionless plane.
+//
+// Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
+// 6 configuration variables, 1 holonomic constraint, 5 generalized coordinates, 0 nonholonomic constraints, 5 generalized speeds.
 
+/// Kane's method.
 #[rustfmt::skip]
 pub mod kane;
-#[rustfmt::skip]
-pub mod kane_q2_90deg;
+
+/// Lagrange's equations.
 #[rustfmt::skip]
 pub mod lagrange;
-#[rustfmt::skip]
-pub mod lagrange_q2_90deg;
+
+/// Newton–Euler equations.
 #[rustfmt::skip]
 pub mod newton_euler;
-#[rustfmt::skip]
-pub mod newton_euler_q2_90deg;
+
+/// Kane's method as printed (kane-final).
 #[rustfmt::skip]
 pub mod printed_kane_final;
+
+/// Lagrange's equations as printed (lagrange-final).
 #[rustfmt::skip]
 pub mod printed_lagrange_final;
+
+/// Newton–Euler equations as printed (newton-euler-final).
 #[rustfmt::skip]
 pub mod printed_newton_euler_final;
+
+/// Kane's method as printed (listing-5.4).
 #[rustfmt::skip]
 pub mod printed_listing_5_4;
+
+/// Lagrange's equations as printed (listing-5.5).
 #[rustfmt::skip]
 pub mod printed_listing_5_5;
+
+/// Newton–Euler equations as printed (listing-5.6).
 #[rustfmt::skip]
 pub mod printed_listing_5_6;
+
+/// The code of the equations.
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::let_and_return)]
+pub mod code;
+
+/// The equations of its scenes.
 #[rustfmt::skip]
 pub mod scenes;
+
 use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
+#[allow(non_snake_case)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
     /// mass of the disk, kg
@@ -54,6 +74,17 @@ impl<S: Scalar> Parameters<S> {
     }
 }
 
+/// The values that the model file states.
+impl<S: Scalar> Default for Parameters<S> {
+    fn default() -> Self {
+        Self {
+            M: S::int(1),
+            R: S::int(1),
+            g: S::ratio(981, 100),
+        }
+    }
+}
+
 /// Names of the parameters.
 pub const PARAMETERS: [&str; 3] = ["M", "R", "g"];
 
@@ -71,77 +102,79 @@ pub const MODEL: CompiledModel = CompiledModel {
     systems: &[
         CompiledSystem {
             name: "kane",
-            double: &kane::Kane,
-            extended: &kane::Kane,
-            lanes: Some(InLanes::of(&Derivative(kane::Kane))),
-        },
-        CompiledSystem {
-            name: "kane@q2-90deg",
-            double: &kane_q2_90deg::KaneQ290deg,
-            extended: &kane_q2_90deg::KaneQ290deg,
-            lanes: Some(InLanes::of(&Derivative(kane_q2_90deg::KaneQ290deg))),
+            double: &code::kane::Kane,
+            extended: &code::kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(code::kane::Kane))),
         },
         CompiledSystem {
             name: "lagrange",
-            double: &lagrange::Lagrange,
-            extended: &lagrange::Lagrange,
-            lanes: Some(InLanes::of(&Derivative(lagrange::Lagrange))),
-        },
-        CompiledSystem {
-            name: "lagrange@q2-90deg",
-            double: &lagrange_q2_90deg::LagrangeQ290deg,
-            extended: &lagrange_q2_90deg::LagrangeQ290deg,
-            lanes: Some(InLanes::of(&Derivative(lagrange_q2_90deg::LagrangeQ290deg))),
+            double: &code::lagrange::Lagrange,
+            extended: &code::lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(code::lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "newton-euler",
-            double: &newton_euler::NewtonEuler,
-            extended: &newton_euler::NewtonEuler,
-            lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
-        },
-        CompiledSystem {
-            name: "newton-euler@q2-90deg",
-            double: &newton_euler_q2_90deg::NewtonEulerQ290deg,
-            extended: &newton_euler_q2_90deg::NewtonEulerQ290deg,
-            lanes: Some(
-                InLanes::of(&Derivative(newton_euler_q2_90deg::NewtonEulerQ290deg)),
-            ),
+            double: &code::newton_euler::NewtonEuler,
+            extended: &code::newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(code::newton_euler::NewtonEuler))),
         },
         CompiledSystem {
             name: "printed:kane-final",
-            double: &printed_kane_final::PrintedKaneFinal,
-            extended: &printed_kane_final::PrintedKaneFinal,
+            double: &code::printed_kane_final::PrintedKaneFinal,
+            extended: &code::printed_kane_final::PrintedKaneFinal,
             lanes: None,
         },
         CompiledSystem {
             name: "printed:lagrange-final",
-            double: &printed_lagrange_final::PrintedLagrangeFinal,
-            extended: &printed_lagrange_final::PrintedLagrangeFinal,
+            double: &code::printed_lagrange_final::PrintedLagrangeFinal,
+            extended: &code::printed_lagrange_final::PrintedLagrangeFinal,
             lanes: None,
         },
         CompiledSystem {
             name: "printed:newton-euler-final",
-            double: &printed_newton_euler_final::PrintedNewtonEulerFinal,
-            extended: &printed_newton_euler_final::PrintedNewtonEulerFinal,
+            double: &code::printed_newton_euler_final::PrintedNewtonEulerFinal,
+            extended: &code::printed_newton_euler_final::PrintedNewtonEulerFinal,
             lanes: None,
         },
         CompiledSystem {
             name: "printed:listing-5.4",
-            double: &printed_listing_5_4::PrintedListing54,
-            extended: &printed_listing_5_4::PrintedListing54,
+            double: &code::printed_listing_5_4::PrintedListing54,
+            extended: &code::printed_listing_5_4::PrintedListing54,
             lanes: None,
         },
         CompiledSystem {
             name: "printed:listing-5.5",
-            double: &printed_listing_5_5::PrintedListing55,
-            extended: &printed_listing_5_5::PrintedListing55,
+            double: &code::printed_listing_5_5::PrintedListing55,
+            extended: &code::printed_listing_5_5::PrintedListing55,
             lanes: None,
         },
         CompiledSystem {
             name: "printed:listing-5.6",
-            double: &printed_listing_5_6::PrintedListing56,
-            extended: &printed_listing_5_6::PrintedListing56,
+            double: &code::printed_listing_5_6::PrintedListing56,
+            extended: &code::printed_listing_5_6::PrintedListing56,
             lanes: None,
+        },
+        CompiledSystem {
+            name: "kane@q2-90deg",
+            double: &code::kane_q2_90deg::KaneQ290deg,
+            extended: &code::kane_q2_90deg::KaneQ290deg,
+            lanes: Some(InLanes::of(&Derivative(code::kane_q2_90deg::KaneQ290deg))),
+        },
+        CompiledSystem {
+            name: "lagrange@q2-90deg",
+            double: &code::lagrange_q2_90deg::LagrangeQ290deg,
+            extended: &code::lagrange_q2_90deg::LagrangeQ290deg,
+            lanes: Some(
+                InLanes::of(&Derivative(code::lagrange_q2_90deg::LagrangeQ290deg)),
+            ),
+        },
+        CompiledSystem {
+            name: "newton-euler@q2-90deg",
+            double: &code::newton_euler_q2_90deg::NewtonEulerQ290deg,
+            extended: &code::newton_euler_q2_90deg::NewtonEulerQ290deg,
+            lanes: Some(
+                InLanes::of(&Derivative(code::newton_euler_q2_90deg::NewtonEulerQ290deg)),
+            ),
         },
     ],
     scenes: scenes::SCENES,

@@ -1,19 +1,33 @@
-//! Chain of three rods floating in a plane.
-//!
-//! Generated from `models/floating_chain/model.toml`. Do not edit; run `tripos regenerate`.
-//! 5 configuration variables, 0 holonomic constraints, 5 generalized coordinates, 0 nonholonomic constraints, 5 generalized speeds.
+// Chain of three rods floating in a plane.
+//
+// Generated from `models/floating_chain/model.toml`. Do not edit; run `tripos regenerate`.
+// 5 configuration variables, 0 holonomic constraints, 5 generalized coordinates, 0 nonholonomic constraints, 5 generalized speeds.
 
+/// Kane's method.
 #[rustfmt::skip]
 pub mod kane;
+
+/// Lagrange's equations.
 #[rustfmt::skip]
 pub mod lagrange;
+
+/// Newton–Euler equations.
 #[rustfmt::skip]
 pub mod newton_euler;
+
+/// The code of the equations.
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::let_and_return)]
+pub mod code;
+
+/// The equations of its scenes.
 #[rustfmt::skip]
 pub mod scenes;
+
 use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
+#[allow(non_snake_case)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
     /// mass of each rod, kg
@@ -34,6 +48,16 @@ impl<S: Scalar> Parameters<S> {
     }
 }
 
+/// The values that the model file states.
+impl<S: Scalar> Default for Parameters<S> {
+    fn default() -> Self {
+        Self {
+            m: S::ratio(7, 10),
+            l: S::ratio(2, 5),
+        }
+    }
+}
+
 /// Names of the parameters.
 pub const PARAMETERS: [&str; 2] = ["m", "l"];
 
@@ -51,21 +75,21 @@ pub const MODEL: CompiledModel = CompiledModel {
     systems: &[
         CompiledSystem {
             name: "kane",
-            double: &kane::Kane,
-            extended: &kane::Kane,
-            lanes: Some(InLanes::of(&Derivative(kane::Kane))),
+            double: &code::kane::Kane,
+            extended: &code::kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(code::kane::Kane))),
         },
         CompiledSystem {
             name: "lagrange",
-            double: &lagrange::Lagrange,
-            extended: &lagrange::Lagrange,
-            lanes: Some(InLanes::of(&Derivative(lagrange::Lagrange))),
+            double: &code::lagrange::Lagrange,
+            extended: &code::lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(code::lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "newton-euler",
-            double: &newton_euler::NewtonEuler,
-            extended: &newton_euler::NewtonEuler,
-            lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
+            double: &code::newton_euler::NewtonEuler,
+            extended: &code::newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(code::newton_euler::NewtonEuler))),
         },
     ],
     scenes: scenes::SCENES,

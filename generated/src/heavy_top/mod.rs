@@ -1,25 +1,33 @@
-//! Symmetric heavy top about a fixed point.
-//!
-//! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
-//! 3 configuration variables, 0 holonomic constraints, 3 generalized coordinates, 0 nonholonomic constraints, 3 generalized speeds.
+// Symmetric heavy top about a fixed point.
+//
+// Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
+// 3 configuration variables, 0 holonomic constraints, 3 generalized coordinates, 0 nonholonomic constraints, 3 generalized speeds.
 
+/// Kane's method.
 #[rustfmt::skip]
 pub mod kane;
-#[rustfmt::skip]
-pub mod kane_q2_90deg;
+
+/// Lagrange's equations.
 #[rustfmt::skip]
 pub mod lagrange;
-#[rustfmt::skip]
-pub mod lagrange_q2_90deg;
+
+/// Newton–Euler equations.
 #[rustfmt::skip]
 pub mod newton_euler;
+
+/// The code of the equations.
 #[rustfmt::skip]
-pub mod newton_euler_q2_90deg;
+#[allow(non_snake_case, clippy::let_and_return)]
+pub mod code;
+
+/// The equations of its scenes.
 #[rustfmt::skip]
 pub mod scenes;
+
 use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
 
 /// The parameters, in the order of the model file.
+#[allow(non_snake_case)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<S> {
     /// mass, kg
@@ -52,6 +60,19 @@ impl<S: Scalar> Parameters<S> {
     }
 }
 
+/// The values that the model file states.
+impl<S: Scalar> Default for Parameters<S> {
+    fn default() -> Self {
+        Self {
+            m: S::ratio(13, 10),
+            l: S::ratio(11, 50),
+            I1: S::ratio(19, 200),
+            I3: S::ratio(21, 1000),
+            g: S::ratio(981, 100),
+        }
+    }
+}
+
 /// Names of the parameters.
 pub const PARAMETERS: [&str; 5] = ["m", "l", "I1", "I3", "g"];
 
@@ -69,40 +90,42 @@ pub const MODEL: CompiledModel = CompiledModel {
     systems: &[
         CompiledSystem {
             name: "kane",
-            double: &kane::Kane,
-            extended: &kane::Kane,
-            lanes: Some(InLanes::of(&Derivative(kane::Kane))),
-        },
-        CompiledSystem {
-            name: "kane@q2-90deg",
-            double: &kane_q2_90deg::KaneQ290deg,
-            extended: &kane_q2_90deg::KaneQ290deg,
-            lanes: Some(InLanes::of(&Derivative(kane_q2_90deg::KaneQ290deg))),
+            double: &code::kane::Kane,
+            extended: &code::kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(code::kane::Kane))),
         },
         CompiledSystem {
             name: "lagrange",
-            double: &lagrange::Lagrange,
-            extended: &lagrange::Lagrange,
-            lanes: Some(InLanes::of(&Derivative(lagrange::Lagrange))),
-        },
-        CompiledSystem {
-            name: "lagrange@q2-90deg",
-            double: &lagrange_q2_90deg::LagrangeQ290deg,
-            extended: &lagrange_q2_90deg::LagrangeQ290deg,
-            lanes: Some(InLanes::of(&Derivative(lagrange_q2_90deg::LagrangeQ290deg))),
+            double: &code::lagrange::Lagrange,
+            extended: &code::lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(code::lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "newton-euler",
-            double: &newton_euler::NewtonEuler,
-            extended: &newton_euler::NewtonEuler,
-            lanes: Some(InLanes::of(&Derivative(newton_euler::NewtonEuler))),
+            double: &code::newton_euler::NewtonEuler,
+            extended: &code::newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(code::newton_euler::NewtonEuler))),
+        },
+        CompiledSystem {
+            name: "kane@q2-90deg",
+            double: &code::kane_q2_90deg::KaneQ290deg,
+            extended: &code::kane_q2_90deg::KaneQ290deg,
+            lanes: Some(InLanes::of(&Derivative(code::kane_q2_90deg::KaneQ290deg))),
+        },
+        CompiledSystem {
+            name: "lagrange@q2-90deg",
+            double: &code::lagrange_q2_90deg::LagrangeQ290deg,
+            extended: &code::lagrange_q2_90deg::LagrangeQ290deg,
+            lanes: Some(
+                InLanes::of(&Derivative(code::lagrange_q2_90deg::LagrangeQ290deg)),
+            ),
         },
         CompiledSystem {
             name: "newton-euler@q2-90deg",
-            double: &newton_euler_q2_90deg::NewtonEulerQ290deg,
-            extended: &newton_euler_q2_90deg::NewtonEulerQ290deg,
+            double: &code::newton_euler_q2_90deg::NewtonEulerQ290deg,
+            extended: &code::newton_euler_q2_90deg::NewtonEulerQ290deg,
             lanes: Some(
-                InLanes::of(&Derivative(newton_euler_q2_90deg::NewtonEulerQ290deg)),
+                InLanes::of(&Derivative(code::newton_euler_q2_90deg::NewtonEulerQ290deg)),
             ),
         },
     ],

@@ -1,4 +1,4 @@
-//! What changed between two generated files, by the meaning of the equations that stand beside their lines.
+//! What changed between two generated files of equations, by the meaning of the formulas that stand in them.
 
 use std::fmt::Write;
 use tripos_derive::algebra::compare::Comparer;
@@ -7,31 +7,45 @@ use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
 
-/// The equations that differ between two generated files, function by function; what only reads differently is counted.
-pub fn equation_changes(old: &str, new: &str) -> String {
+/// Changed equations of one file above which they are counted instead of listed: then the derivation was another one.
+const MOST_LISTED: usize = 16;
+
+/// How much is said of a file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Detail {
+    /// Each changed equation, in a line.
+    Listed,
+    /// How many changed.
+    Counted,
+}
+
+/// The equations that differ between two files; what only reads differently is counted.
+pub fn equation_changes(old: &str, new: &str, detail: Detail) -> String {
     let (old, new) = (equations(old), equations(new));
-    let (mut out, mut rewritten) = (String::new(), 0);
+    let is_same = |a: &Equation<'_>, b: &Equation<'_>| a.function == b.function && a.symbol == b.symbol;
+    let (mut changed, mut rewritten) = (Vec::new(), 0);
     let mut meaning = Meaning::default();
-    for (key, value) in &new {
-        match old.iter().find(|(k, _)| k == key) {
-            Some((_, before)) if before == value => {}
-            Some((_, before)) => match meaning.change(before, value) {
-                Change::None => rewritten += 1,
-                Change::By(difference) => {
-                    let _ =
-                        writeln!(out, "    {key}\n      - {before}\n      + {value}\n      new - old = {difference}");
-                }
-                Change::Unknown => {
-                    let _ = writeln!(out, "    {key}\n      - {before}\n      + {value}");
-                }
-            },
-            None => {
-                let _ = writeln!(out, "    {key}\n      + {value}");
-            }
+    for equation in &new {
+        let Some(before) = old.iter().find(|before| is_same(before, equation)) else { continue };
+        match meaning.change(&before.value, &equation.value) {
+            Change::None => rewritten += usize::from(before.value != equation.value),
+            Change::By(difference) => changed.push((equation, format!("new - old = {difference}"))),
+            Change::Unknown => changed.push((equation, format!("was {}, is {}", before.value, equation.value))),
         }
     }
-    for (key, before) in old.iter().filter(|(key, _)| !new.iter().any(|(k, _)| k == key)) {
-        let _ = writeln!(out, "    {key}\n      - {before}");
+    let added: Vec<_> = new.iter().filter(|e| !old.iter().any(|other| is_same(e, other))).collect();
+    let gone: Vec<_> = old.iter().filter(|e| !new.iter().any(|other| is_same(e, other))).collect();
+    let mut out = String::new();
+    let all = changed.len() + added.len() + gone.len();
+    if all > 0 && (all > MOST_LISTED || detail == Detail::Counted) {
+        let (changed, added, gone) = (changed.len(), added.len(), gone.len());
+        let _ = writeln!(out, "    equations: {changed} changed, {added} new, {gone} gone");
+    } else {
+        let added = added.into_iter().map(|e| (e, format!("new, {}", e.value)));
+        let gone = gone.into_iter().map(|e| (e, format!("gone, {}", e.value)));
+        for (Equation { function, symbol, .. }, change) in changed.into_iter().chain(added).chain(gone) {
+            let _ = writeln!(out, "    {function}, {symbol}: {change}");
+        }
     }
     if rewritten > 0 {
         let _ = writeln!(out, "    {rewritten} written in another form, with the same meaning");
@@ -55,6 +69,9 @@ struct Meaning {
 
 impl Meaning {
     fn change(&mut self, old: &str, new: &str) -> Change {
+        if old == new {
+            return Change::None;
+        }
         let (Some(old), Some(new)) = (self.read(old), self.read(new)) else { return Change::Unknown };
         if self.comparer.compare(&mut self.arena, old, new).is_equal() {
             return Change::None;
@@ -64,26 +81,41 @@ impl Meaning {
         Change::By(text(&self.arena, difference))
     }
 
-    /// A formula as a comment has it; nothing where the comment was cut.
+    /// A formula as a file has it; nothing where it was cut.
     fn read(&mut self, formula: &str) -> Option<Expr> {
         parse_primed(&mut self.arena, formula, 2, &mut |arena, name| Ok(arena.symbol(name))).ok()
     }
 }
 
-/// ("function: symbol", "value") for each equation that stands in a comment beside its line.
-fn equations(text: &str) -> Vec<(String, String)> {
-    let mut list: Vec<(String, String)> = Vec::new();
-    let mut function = "";
+/// An equation of a file.
+#[derive(Debug, PartialEq, Eq)]
+struct Equation<'a> {
+    /// The function that computes it.
+    function: &'a str,
+    symbol: String,
+    value: String,
+}
+
+/// The equations of a file. They stand between fences, before the line that names their function; a line that continues another begins
+/// with spaces.
+fn equations(text: &str) -> Vec<Equation<'_>> {
+    let (mut list, mut lines, mut inside) = (Vec::new(), Vec::<String>::new(), false);
     for line in text.lines() {
-        if let Some(rest) = line.strip_prefix("pub fn ") {
-            function = rest.split(['<', '(']).next().unwrap_or("");
+        match line.strip_prefix("/// ") {
+            Some("```text") => inside = true,
+            Some("```") => inside = false,
+            Some(equation) if inside => match (equation.strip_prefix("    "), lines.last_mut()) {
+                (Some(continued), Some(last)) => *last = format!("{last} {continued}"),
+                _ => lines.push(equation.to_owned()),
+            },
+            _ => {}
         }
-        let Some(comment) = line.trim_start().strip_prefix("// ") else { continue };
-        if let (Some(continued), Some(last)) = (comment.strip_prefix("  "), list.last_mut()) {
-            last.1.push(' ');
-            last.1.push_str(continued);
-        } else if let Some((symbol, value)) = comment.split_once(" = ") {
-            list.push((format!("{function}: {symbol}"), value.to_owned()));
+        if let Some(function) = line.strip_prefix("pub use ").and_then(|path| path.strip_suffix(';')) {
+            let function = function.rsplit("::").next().unwrap_or(function);
+            list.extend(lines.drain(..).filter_map(|equation| {
+                let (symbol, value) = equation.split_once(" = ")?;
+                Some(Equation { function, symbol: symbol.to_owned(), value: value.to_owned() })
+            }));
         }
     }
     list
@@ -93,15 +125,35 @@ fn equations(text: &str) -> Vec<(String, String)> {
 mod tests {
     use super::*;
 
+    fn file(equations: &str) -> String {
+        let lines = equations.lines().map(|line| format!("/// {line}\n")).collect::<Vec<_>>().concat();
+        format!(
+            "/// Right-hand side.\n///\n/// ```text\n{lines}/// ```\n#[doc(inline)]\npub use super::code::kane::forcing;\n"
+        )
+    }
+
     #[test]
     fn a_changed_term_is_named_by_function_and_entry() {
-        let old = "pub fn forcing<S>(\n    // f1 = -M*g\n    let f1 = 0;\n    // f2 = long\n    //   formula\n";
-        let new = "pub fn forcing<S>(\n    // f1 = M*g\n    let f1 = 0;\n    // f2 = long\n    //   formula\n";
-        let expected = "    forcing: f1\n      - -M*g\n      + M*g\n      new - old = 2*M*g\n";
-        assert_eq!(equation_changes(old, new), expected);
+        let old = file("f1 = -M*g\nf2 = long +\n    formula");
+        let new = file("f1 = M*g\nf2 = long +\n    formula\nf3 = c*u3");
+        assert_eq!(
+            equation_changes(&old, &new, Detail::Listed),
+            "    forcing, f1: new - old = 2*M*g\n    forcing, f3: new, c*u3\n"
+        );
+        assert!(equation_changes(&new, &old, Detail::Listed).contains("    forcing, f3: gone, c*u3\n"));
         let same = new.replace("f1 = M*g", "f1 = g*M*sin(q1')^2 + M*g*cos(q1')^2");
-        assert!(equation_changes(new, &same).contains("1 written in another form"));
-        assert!(equation_changes(old, old).contains("the same"));
-        assert_eq!(equations(old)[1].1, "long formula");
+        assert_eq!(
+            equation_changes(&new, &same, Detail::Listed),
+            "    1 written in another form, with the same meaning\n"
+        );
+        assert!(equation_changes(&old, &old, Detail::Listed).contains("the same"));
+        assert_eq!(equations(&old)[1].value, "long + formula");
+    }
+
+    #[test]
+    fn many_changes_are_counted() {
+        let all = |sign: &str| file(&(0..20).map(|at| format!("f{at} = {sign}x{at}\n")).collect::<Vec<_>>().concat());
+        let expected = "    equations: 20 changed, 0 new, 0 gone\n";
+        assert_eq!(equation_changes(&all(""), &all("-"), Detail::Listed), expected);
     }
 }

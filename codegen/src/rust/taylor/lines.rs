@@ -54,30 +54,29 @@ impl Text<'_> {
         let mut angles: Vec<usize> = Vec::new();
         for (at, s) in self.plan.list.series.iter().enumerate() {
             let z = self.first(at);
-            let equation = comment(&self.plan.equation(at));
             let value = match &s.rule {
                 Rule::State(_) => TokenStream::new(),
                 Rule::Linear { constant, terms } => {
                     let sum = self.linear(Some(*constant), terms, |x| self.first(x));
-                    quote!(#equation let #z = #sum;)
+                    quote!(let #z = #sum;)
                 }
                 Rule::Product(x, y) => {
                     let (x, y) = (self.first(*x), self.first(*y));
-                    quote!(#equation let #z = #x * #y;)
+                    quote!(let #z = #x * #y;)
                 }
                 Rule::Quotient(x, y) => {
                     let over = self.over(*y);
                     match x {
                         Some(x) => {
                             let x = self.first(*x);
-                            quote!(#equation let #z = #x * #over;)
+                            quote!(let #z = #x * #over;)
                         }
-                        None => quote!(#equation let #z = #over;),
+                        None => quote!(let #z = #over;),
                     }
                 }
                 Rule::Root(x) => {
                     let x = self.first(*x);
-                    quote!(#equation let #z = #x.sqrt();)
+                    quote!(let #z = #x.sqrt();)
                 }
                 Rule::Forward { value: Elementary::Sin | Elementary::Cos, of, .. } => {
                     if angles.contains(of) {
@@ -89,7 +88,7 @@ impl Text<'_> {
                 Rule::Forward { value, of, .. } | Rule::Backward { value, of, .. } => {
                     let x = self.first(*of);
                     let method = format_ident!("{}", if *value == Elementary::Log { "ln" } else { value.name() });
-                    quote!(#equation let #z = #x.#method();)
+                    quote!(let #z = #x.#method();)
                 }
             };
             tokens.extend(value);

@@ -3,7 +3,7 @@
 mod lines;
 
 use super::expression::{expression, ident};
-use super::function::{section, signature, statements, unpack};
+use super::function::{Parameters, section, signature, statements, unpack};
 use crate::taylor::TaylorPlan;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -11,9 +11,12 @@ use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::view::view;
 
-/// What the function uses.
-pub fn imports(plan: &TaylorPlan<'_>) -> TokenStream {
+/// What the file of the function uses; if the function itself stands elsewhere, only what its `System` does.
+pub fn imports(plan: &TaylorPlan<'_>, is_here: bool) -> TokenStream {
     match plan.list.convolutions() {
+        _ if !is_here => quote!(
+            use tripos_traits::series::{SLACK, rows};
+        ),
         0 => quote!(
             use tripos_traits::series::{Factors, SLACK, rows};
         ),
@@ -26,10 +29,10 @@ pub fn imports(plan: &TaylorPlan<'_>) -> TokenStream {
     }
 }
 
-/// The function that computes the coefficients, with the parameters in the fields of these names.
-pub fn function(plan: &TaylorPlan<'_>, fields: &[String]) -> TokenStream {
+/// The function that computes the coefficients, given its parameters in this struct.
+pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
     let (list, text) = (plan.list, Text { plan });
-    let (p, unpack_p) = (signature(&plan.parameters), unpack(&plan.parameters, fields));
+    let (p, unpack_p) = (signature(&plan.parameters, parameters), unpack(&plan.parameters, parameters));
     let first = (0..list.states.len()).map(|place| ident(plan.start(place).as_deref().unwrap_or("_")));
     let shared = statements(&plan.constants);
     let constants = section("Constant in time.", &plan.constants.outputs);

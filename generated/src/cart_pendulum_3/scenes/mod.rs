@@ -2,6 +2,10 @@
 //!
 //! Generated from `models/cart_pendulum_3/model.toml`. Do not edit; run `tripos regenerate`.
 
+/// The code of the equations.
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::let_and_return)]
+pub mod code;
 #[rustfmt::skip]
 pub mod fall;
 

@@ -3,808 +3,92 @@
 //! Generated from `models/chaotic_pendulum/scenes/swing.toml`. Do not edit; run `tripos regenerate`.
 //! Outputs: theta, phi, omega, alpha.
 //! States: theta, phi, omega, alpha. Quadratures: none.
-//! lB_times_3 = 3*lB: 3*lB.
-//! mA_lA_times_2 = 2*mA*lA: 2*mA*lA.
-//! g_by_2 = g/2: g/2.
-//! mA_lA_squared = mA*lA^2: mA*lA^2.
-//! lB_squared_times_3_by_2 = 3*lB^2/2: 3*lB^2/2.
+//! lB_times_3 = 3*lB.
+//! mA_lA_times_2 = 2*mA*lA.
+//! g_by_2 = g/2.
+//! mA_lA_squared = mA*lA^2.
+//! lB_squared_times_3_by_2 = 3*lB^2/2.
 //! Parameters that the scene fixes: mB = 1.5.
-//! Cost: accelerations 22 operations, 2 sines and cosines; derivative 22 operations, 2 sines and cosines.
 //! Singular nowhere.
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+pub use super::code::swing::{
+    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, energy_gradient,
+    jacobian, taylor,
+};
 
-/// The parameters, in the order of the model file.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters<S> {
-    /// mass of the rod, kg
-    pub mA: S,
-    /// pin to the centre of the rod, m
-    pub lA: S,
-    /// pin to the centre of the plate, m
-    pub lB: S,
-    /// rod, across its axis, kg*m^2
-    pub IAxx: S,
-    /// plate, about its first axis, kg*m^2
-    pub IBxx: S,
-    /// plate, about its second axis, kg*m^2
-    pub IByy: S,
-    /// plate, about the rod, kg*m^2
-    pub IBzz: S,
-    /// acceleration of free fall, m/s^2
-    pub g: S,
-    /// 3*lB, m
-    pub lB_times_3: S,
-    /// 2*mA*lA, kg*m
-    pub mA_lA_times_2: S,
-    /// g/2, m/s^2
-    pub g_by_2: S,
-    /// mA*lA^2, kg*m^2
-    pub mA_lA_squared: S,
-    /// 3*lB^2/2, m^2
-    pub lB_squared_times_3_by_2: S,
-}
+/// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.
+///
+/// ```text
+/// mA
+/// lA
+/// lB
+/// IAxx
+/// IBxx
+/// IByy
+/// IBzz
+/// g
+/// lB_times_3 = 3*lB
+/// mA_lA_times_2 = 2*mA*lA
+/// g_by_2 = g/2
+/// mA_lA_squared = mA*lA^2
+/// lB_squared_times_3_by_2 = 3*lB^2/2
+/// ```
+#[doc(inline)]
+pub use super::code::swing::constants;
 
-impl<S: Scalar> Parameters<S> {
-    /// From values in the order of [`PARAMETERS`].
-    ///
-    /// # Panics
-    /// If `p` has fewer values than there are parameters.
-    #[must_use]
-    #[inline(always)]
-    pub fn from_slice(p: &[S]) -> Self {
-        Self {
-            mA: p[0],
-            lA: p[1],
-            lB: p[2],
-            IAxx: p[3],
-            IBxx: p[4],
-            IByy: p[5],
-            IBzz: p[6],
-            g: p[7],
-            lB_times_3: p[8],
-            mA_lA_times_2: p[9],
-            g_by_2: p[10],
-            mA_lA_squared: p[11],
-            lB_squared_times_3_by_2: p[12],
-        }
-    }
-}
-
-/// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 13] = [
-    "mA",
-    "lA",
-    "lB",
-    "IAxx",
-    "IBxx",
-    "IByy",
-    "IBzz",
-    "g",
-    "lB_times_3",
-    "mA_lA_times_2",
-    "g_by_2",
-    "mA_lA_squared",
-    "lB_squared_times_3_by_2",
-];
-
-/// Names of the outputs.
-pub const OUTPUTS: [&str; 4] = ["theta", "phi", "omega", "alpha"];
+/// The coordinates and the motion variables of these equations, at this start of the whole model.
+///
+/// ```text
+/// theta
+/// phi
+/// omega
+/// alpha
+/// ```
+#[doc(inline)]
+pub use super::code::swing::start;
 
 /// The accelerations (omega', alpha'), solved for when this code was generated.
 ///
-/// 22 operations, 2 sines and cosines.
-#[must_use]
-#[inline(always)]
-pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
-    let Parameters {
-        IAxx,
-        IBxx,
-        IByy,
-        IBzz,
-        lB_times_3,
-        mA_lA_times_2,
-        g_by_2,
-        mA_lA_squared,
-        lB_squared_times_3_by_2,
-        ..
-    } = *p;
-    let [theta, phi] = *q;
-    let [omega, alpha] = *u;
-    // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
-    let (sin_theta, _) = theta.sin_cos();
-    // Shared terms.
-    // omega*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
-    let omega_dot_part = omega * sin_phi * cos_phi * (IBxx - IByy);
-    // Elimination, step by step.
-    // omega' = -(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + g_by_2*sin(theta)*(lB_times_3 +
-    //   mA_lA_times_2))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot = -(g_by_2 * sin_theta * (lB_times_3 + mA_lA_times_2)
-        + S::int(2) * alpha * omega_dot_part)
-        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + mA_lA_squared
-            + lB_squared_times_3_by_2);
-    // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot = omega * omega_dot_part / IBzz;
-    [omega_dot, alpha_dot]
-}
-
-/// The derivative of the state: the rates of the coordinates, and the accelerations.
-///
-/// 22 operations, 2 sines and cosines.
-#[must_use]
-#[inline(always)]
-pub fn derivative<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 2],
-    u: &[S; 2],
-) -> ([S; 2], [S; 2]) {
-    let Parameters {
-        IAxx,
-        IBxx,
-        IByy,
-        IBzz,
-        lB_times_3,
-        mA_lA_times_2,
-        g_by_2,
-        mA_lA_squared,
-        lB_squared_times_3_by_2,
-        ..
-    } = *p;
-    let [theta, phi] = *q;
-    let [omega, alpha] = *u;
-    // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
-    let (sin_theta, _) = theta.sin_cos();
-    // Shared terms.
-    // omega*sin(phi)*cos(phi)*(IBxx - IByy); used 2 times
-    let omega_dot_part = omega * sin_phi * cos_phi * (IBxx - IByy);
-    // Elimination, step by step.
-    // omega' = -(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + g_by_2*sin(theta)*(lB_times_3 +
-    //   mA_lA_times_2))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot = -(g_by_2 * sin_theta * (lB_times_3 + mA_lA_times_2)
-        + S::int(2) * alpha * omega_dot_part)
-        / (IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi + mA_lA_squared
-            + lB_squared_times_3_by_2);
-    // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot = omega * omega_dot_part / IBzz;
-    // Values.
-    // theta' = omega
-    let theta_dot_value = omega;
-    // phi' = alpha
-    let phi_dot_value = alpha;
-    ([theta_dot_value, phi_dot_value], [omega_dot, alpha_dot])
-}
-
-/// Jacobian of the derivative by the state; columns theta, phi, omega, alpha.
-///
-/// 42 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
-    let Parameters {
-        IAxx,
-        IBxx,
-        IByy,
-        IBzz,
-        lB_times_3,
-        mA_lA_times_2,
-        g_by_2,
-        mA_lA_squared,
-        lB_squared_times_3_by_2,
-        ..
-    } = *p;
-    let [theta, phi] = *q;
-    let [omega, alpha] = *u;
-    let zero = S::int(0);
-    // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Shared terms.
-    // cos(phi)^2; used 3 times
-    let cos_phi_sq = cos_phi * cos_phi;
-    // sin(phi)^2; used 2 times
-    let sin_phi_sq = sin_phi * sin_phi;
-    // 1/(IAxx + mA_lA_squared + lB_squared_times_3_by_2 + IByy*cos_phi_sq + IBxx*sin_phi_sq); used 3 times
-    let omega_dot_by_theta_part = S::int(1)
-        / (IByy.mul_add(cos_phi_sq, IAxx + mA_lA_squared + lB_squared_times_3_by_2)
-            + IBxx * sin_phi_sq);
-    // g_by_2*(lB_times_3 + mA_lA_times_2); used 2 times
-    let omega_dot_by_theta_part_2 = g_by_2 * (lB_times_3 + mA_lA_times_2);
-    // Elimination, step by step.
-    // omega_dot_by_theta = -g_by_2*cos(theta)*(lB_times_3 + mA_lA_times_2)/(IAxx + IBxx*sin(phi)^2 +
-    //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot_by_theta = -omega_dot_by_theta_part * omega_dot_by_theta_part_2
-        * cos_theta;
-    // Shared terms.
-    // 2*omega_dot_by_theta_part; used 3 times
-    let omega_dot_by_phi_part = S::int(2) * omega_dot_by_theta_part;
-    // IBxx - IByy; used 2 times
-    let ibxx_minus_ibyy = IBxx - IByy;
-    // sin(phi)*cos(phi); used 3 times
-    let sin_phi_cos_phi = sin_phi * cos_phi;
-    // ibxx_minus_ibyy*sin_phi_cos_phi; used 2 times
-    let omega_dot_by_phi_part_2 = ibxx_minus_ibyy * sin_phi_cos_phi;
-    // omega*ibxx_minus_ibyy; used 3 times
-    let omega_dot_by_phi_part_3 = omega * ibxx_minus_ibyy;
-    // alpha*omega_dot_by_phi_part_3; used 2 times
-    let omega_dot_by_phi_part_4 = alpha * omega_dot_by_phi_part_3;
-    // 2*sin_phi_cos_phi; used 2 times
-    let sin_phi_cos_phi_scaled = S::int(2) * sin_phi_cos_phi;
-    // Elimination, step by step.
-    // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) -
-    //   IByy*sin(phi)*cos(phi))*(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) +
-    //   g_by_2*sin(theta)*(lB_times_3 + mA_lA_times_2))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 +
-    //   mA_lA_squared + lB_squared_times_3_by_2)^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) +
-    //   omega*alpha*cos(phi)^2*(IBxx - IByy))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + mA_lA_squared +
-    //   lB_squared_times_3_by_2)
-    let omega_dot_by_phi = omega_dot_by_phi_part
-        * (omega_dot_by_theta_part * omega_dot_by_phi_part_2
-            * omega_dot_by_phi_part_4
-                .mul_add(sin_phi_cos_phi_scaled, omega_dot_by_theta_part_2 * sin_theta)
-            - omega_dot_by_phi_part_4 * (cos_phi_sq - sin_phi_sq));
-    // Shared terms.
-    // omega_dot_by_phi_part_3/IBzz; used 2 times
-    let alpha_dot_by_phi_part = omega_dot_by_phi_part_3 / IBzz;
-    // Elimination, step by step.
-    // alpha_dot_by_phi = omega^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
-    let alpha_dot_by_phi = omega * alpha_dot_by_phi_part
-        * cos_phi_sq.mul_add(S::int(2), -S::int(1));
-    // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
-    //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot_by_omega = -alpha * omega_dot_by_phi_part * omega_dot_by_phi_part_2;
-    // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot_by_omega = sin_phi_cos_phi_scaled * alpha_dot_by_phi_part;
-    // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
-    //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot_by_alpha = -omega_dot_by_phi_part * sin_phi_cos_phi
-        * omega_dot_by_phi_part_3;
-    // Entries that are not zero.
-    // d(theta')/d(omega) = 1
-    let theta_dot_by_omega_value = S::int(1);
-    // d(phi')/d(alpha) = 1
-    let phi_dot_by_alpha_value = S::int(1);
-    [
-        [zero, zero, theta_dot_by_omega_value, zero],
-        [zero, zero, zero, phi_dot_by_alpha_value],
-        [omega_dot_by_theta, omega_dot_by_phi, omega_dot_by_omega, omega_dot_by_alpha],
-        [zero, alpha_dot_by_phi, alpha_dot_by_omega, zero],
-    ]
-}
+/// ```text
+/// omega' = -(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) + g_by_2*sin(theta)*(lB_times_3 + mA_lA_times_2))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 +
+///     mA_lA_squared + lB_squared_times_3_by_2)
+/// alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
+/// ```
+#[doc(inline)]
+pub use super::code::swing::accelerations;
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 0 operations.
-#[must_use]
-pub fn coordinate_rates<S: Scalar>(
-    _p: &Parameters<S>,
-    _q: &[S; 2],
-    u: &[S; 2],
-) -> [S; 2] {
-    let [omega, alpha] = *u;
-    // Values.
-    // theta' = omega
-    let theta_dot_value = omega;
-    // phi' = alpha
-    let phi_dot_value = alpha;
-    [theta_dot_value, phi_dot_value]
-}
+/// ```text
+/// theta' = omega
+/// phi' = alpha
+/// ```
+#[doc(inline)]
+pub use super::code::swing::coordinate_rates;
 
 /// Kinetic energy T.
 ///
-/// 19 operations, 1 sine and cosine.
-#[must_use]
-pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
-    let Parameters { mA, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
-    let [_, phi] = *q;
-    let [omega, alpha] = *u;
-    // Sines and cosines.
-    let (_, cos_phi) = phi.sin_cos();
-    // Shared terms.
-    // omega^2; used 2 times
-    let omega_sq = omega * omega;
-    // mA*lA^2 + IAxx
-    let energy_part = mA * lA * lA + IAxx;
-    // IBxx + cos(phi)^2*(IByy - IBxx)
-    let energy_part_2 = IBxx + cos_phi * cos_phi * (IByy - IBxx);
-    // Values.
-    // T = omega^2*(2*mA*lA^2 + 3*lB^2 + 2*IAxx + 2*IBxx*sin(phi)^2 + 2*IByy*cos(phi)^2)/4 + IBzz*alpha^2/2
-    let energy = S::ratio(1, 2) * IBzz * alpha * alpha
-        + S::ratio(3, 4) * lB * lB * omega_sq
-        + S::ratio(1, 2) * omega_sq * (energy_part + energy_part_2);
-    energy
-}
+/// ```text
+/// T = omega^2*(2*mA*lA^2 + 3*lB^2 + 2*IAxx + 2*IBxx*sin(phi)^2 + 2*IByy*cos(phi)^2)/4 + IBzz*alpha^2/2
+/// ```
+#[doc(inline)]
+pub use super::code::swing::kinetic_energy;
 
 /// Potential energy V of gravity.
 ///
-/// 7 operations, 1 sine and cosine.
-#[must_use]
-pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
-    let Parameters { mA, lA, lB, g, .. } = *p;
-    let [theta, _] = *q;
-    // Sines and cosines.
-    let (_, cos_theta) = theta.sin_cos();
-    // Shared terms.
-    // g*cos(theta); used 2 times
-    let g_cos_theta = g * cos_theta;
-    // Values.
-    // V = -g*cos(theta)*(2*mA*lA + 3*lB)/2
-    let energy = (-(mA * lA)).mul_add(g_cos_theta, -S::ratio(3, 2) * lB * g_cos_theta);
-    energy
-}
+/// ```text
+/// V = -g*cos(theta)*(2*mA*lA + 3*lB)/2
+/// ```
+#[doc(inline)]
+pub use super::code::swing::potential_energy;
 
 /// What the scene asks for, a time t after the start.
 ///
-/// 0 operations.
-#[must_use]
-pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 2]) -> [S; 4] {
-    let [theta, phi] = *q;
-    let [omega, alpha] = *u;
-    // Values.
-    // theta = theta
-    let theta_value = theta;
-    // phi = phi
-    let phi_value = phi;
-    // omega = omega
-    let omega_value = omega;
-    // alpha = alpha
-    let alpha_value = alpha;
-    [theta_value, phi_value, omega_value, alpha_value]
-}
-
-/// The energy, then its derivatives by the state.
-///
-/// 30 operations, 2 sines and cosines.
-#[must_use]
-pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 5] {
-    let Parameters { mA, lA, lB, IAxx, IBxx, IByy, IBzz, g, .. } = *p;
-    let [theta, phi] = *q;
-    let [omega, alpha] = *u;
-    // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Shared terms.
-    // IBzz*alpha; used 2 times
-    let ibzz_alpha = IBzz * alpha;
-    // mA*lA; used 2 times
-    let ma_la = mA * lA;
-    // sin(phi)*(IBxx - IByy); used 2 times
-    let energy_part = sin_phi * (IBxx - IByy);
-    // lA*ma_la + energy_part*sin(phi)
-    let energy_part_2 = energy_part.mul_add(sin_phi, lA * ma_la);
-    // IAxx + IByy
-    let iaxx_plus_ibyy = IAxx + IByy;
-    // 3*lB; used 2 times
-    let lb_scaled = S::int(3) * lB;
-    // energy_part_2 + iaxx_plus_ibyy
-    let energy_part_3 = energy_part_2 + iaxx_plus_ibyy;
-    // lB*lb_scaled + 2*energy_part_3; used 2 times
-    let energy_part_4 = energy_part_3.mul_add(S::int(2), lB * lb_scaled);
-    // omega^2; used 2 times
-    let omega_sq = omega * omega;
-    // g*(2*ma_la + lb_scaled)/2; used 2 times
-    let energy_part_5 = S::ratio(1, 2) * g * ma_la.mul_add(S::int(2), lb_scaled);
-    // Values.
-    // T + V = omega^2*(2*mA*lA^2 + 3*lB^2 + 2*IAxx + 2*IBxx*sin(phi)^2 + 2*IByy*cos(phi)^2)/4 -
-    //   g*cos(theta)*(2*mA*lA + 3*lB)/2 + IBzz*alpha^2/2
-    let energy = (-energy_part_5)
-        .mul_add(
-            cos_theta,
-            S::ratio(1, 2) * alpha * ibzz_alpha
-                + S::ratio(1, 4) * energy_part_4 * omega_sq,
-        );
-    // d(T + V)/d(theta) = g*sin(theta)*(2*mA*lA + 3*lB)/2
-    let energy_by_theta = energy_part_5 * sin_theta;
-    // d(T + V)/d(phi) = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
-    let energy_by_phi = energy_part * omega_sq * cos_phi;
-    // d(T + V)/d(omega) = omega*(2*mA*lA^2 + 3*lB^2 + 2*IAxx + 2*IBxx*sin(phi)^2 + 2*IByy*cos(phi)^2)/2
-    let energy_by_omega = S::ratio(1, 2) * omega * energy_part_4;
-    // d(T + V)/d(alpha) = IBzz*alpha
-    let energy_by_alpha = ibzz_alpha;
-    [energy, energy_by_theta, energy_by_phi, energy_by_omega, energy_by_alpha]
-}
-
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 11 convolutions and 8 linear operations an order.
-pub fn taylor<S: Scalar>(
-    p: &Parameters<S>,
-    series: &mut [[S; 4]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters {
-        IAxx,
-        IBxx,
-        IByy,
-        IBzz,
-        lB_times_3,
-        mA_lA_times_2,
-        g_by_2,
-        mA_lA_squared,
-        lB_squared_times_3_by_2,
-        ..
-    } = *p;
-    let [theta_0, phi_0, omega_0, alpha_0] = series[0];
-    // Constant in time.
-    // weight = IAxx + mA_lA_squared + lB_squared_times_3_by_2
-    let weight = IAxx + mA_lA_squared + lB_squared_times_3_by_2;
-    // weight_2 = 2*IBxx - 2*IByy
-    let weight_2 = (-IByy).mul_add(S::int(2), S::int(2) * IBxx);
-    // weight_3 = g_by_2*(lB_times_3 + mA_lA_times_2)
-    let weight_3 = g_by_2 * (lB_times_3 + mA_lA_times_2);
-    // ibxx_minus_ibyy_by_ibzz = (IBxx - IByy)/IBzz
-    let ibxx_minus_ibyy_by_ibzz = (IBxx - IByy) / IBzz;
-    // Order 0.
-    let (sin_phi_0, cos_phi_0) = phi_0.sin_cos();
-    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
-    // sin_phi_p2 = sin_phi*sin_phi
-    let sin_phi_p2_0 = sin_phi_0 * sin_phi_0;
-    // cos_phi_p2 = cos_phi*cos_phi
-    let cos_phi_p2_0 = cos_phi_0 * cos_phi_0;
-    // omega_sin_phi = omega*sin_phi
-    let omega_sin_phi_0 = omega_0 * sin_phi_0;
-    // omega_dot_part = cos_phi*omega_sin_phi
-    let omega_dot_part_0 = cos_phi_0 * omega_sin_phi_0;
-    // omega_dot_part_2 = alpha*omega_dot_part
-    let omega_dot_part_2_0 = alpha_0 * omega_dot_part_0;
-    // omega_dot_part_3 = weight + IBxx*sin_phi_p2 + IByy*cos_phi_p2
-    let omega_dot_part_3_0 = cos_phi_p2_0
-        .mul_add(IByy, sin_phi_p2_0.mul_add(IBxx, weight));
-    let over_omega_dot_part_3 = S::int(1) / omega_dot_part_3_0;
-    // omega_dot_part_4 = weight_2*omega_dot_part_2 + weight_3*sin_theta
-    let omega_dot_part_4_0 = omega_dot_part_2_0
-        .mul_add(weight_2, weight_3 * sin_theta_0);
-    // omega_dot_part_5 = omega_dot_part_4/omega_dot_part_3
-    let omega_dot_part_5_0 = omega_dot_part_4_0 * over_omega_dot_part_3;
-    // alpha_dot_part = omega*omega_dot_part
-    let alpha_dot_part_0 = omega_0 * omega_dot_part_0;
-    // Order 1: the rates, and what follows from them.
-    let theta_1 = omega_0;
-    let phi_1 = alpha_0;
-    let omega_1 = -omega_dot_part_5_0;
-    let alpha_1 = ibxx_minus_ibyy_by_ibzz * alpha_dot_part_0;
-    if series.len() > 1 {
-        series[1] = [theta_1, phi_1, omega_1, alpha_1];
-    }
-    let sin_phi_1 = phi_1 * cos_phi_0;
-    let cos_phi_1 = -phi_1 * sin_phi_0;
-    let sin_theta_1 = theta_1 * cos_theta_0;
-    let cos_theta_1 = -theta_1 * sin_theta_0;
-    let sin_phi_p2_1 = sin_phi_1 * (sin_phi_0 + sin_phi_0);
-    let cos_phi_p2_1 = cos_phi_1 * (cos_phi_0 + cos_phi_0);
-    let omega_sin_phi_1 = sin_phi_1.mul_add(omega_0, omega_1 * sin_phi_0);
-    let omega_dot_part_1 = omega_sin_phi_1
-        .mul_add(cos_phi_0, cos_phi_1 * omega_sin_phi_0);
-    let omega_dot_part_2_1 = omega_dot_part_1
-        .mul_add(alpha_0, alpha_1 * omega_dot_part_0);
-    let omega_dot_part_3_1 = cos_phi_p2_1.mul_add(IByy, IBxx * sin_phi_p2_1);
-    let omega_dot_part_4_1 = omega_dot_part_2_1
-        .mul_add(weight_2, weight_3 * sin_theta_1);
-    let omega_dot_part_5_1 = omega_dot_part_3_1
-        .mul_add(
-            -(omega_dot_part_5_0 * over_omega_dot_part_3),
-            omega_dot_part_4_1 * over_omega_dot_part_3,
-        );
-    let alpha_dot_part_1 = omega_dot_part_1.mul_add(omega_0, omega_1 * omega_dot_part_0);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                phi_1,
-                phi_1,
-                theta_1,
-                theta_1,
-                sin_phi_1,
-                cos_phi_1,
-                omega_1,
-                cos_phi_1,
-                alpha_1,
-                omega_dot_part_3_1,
-                omega_1,
-            ]),
-            padded([
-                cos_phi_1,
-                sin_phi_1,
-                cos_theta_1,
-                sin_theta_1,
-                sin_phi_1,
-                cos_phi_1,
-                sin_phi_1,
-                omega_sin_phi_1,
-                omega_dot_part_1,
-                omega_dot_part_5_1,
-                omega_dot_part_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta_last = theta_1;
-    let mut phi_last = phi_1;
-    let mut omega_last = omega_1;
-    let mut alpha_last = alpha_1;
-    let mut sin_phi_last = sin_phi_1;
-    let mut cos_phi_last = cos_phi_1;
-    let mut sin_theta_last = sin_theta_1;
-    let mut cos_theta_last = cos_theta_1;
-    let mut omega_sin_phi_last = omega_sin_phi_1;
-    let mut omega_dot_part_last = omega_dot_part_1;
-    let mut omega_dot_part_3_last = omega_dot_part_3_1;
-    let mut omega_dot_part_5_last = omega_dot_part_5_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut theta_rate = omega_1;
-    let mut phi_rate = alpha_1;
-    let mut omega_rate = -omega_dot_part_5_1;
-    let mut alpha_rate = ibxx_minus_ibyy_by_ibzz * alpha_dot_part_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let theta = theta_rate * over_k;
-        let phi = phi_rate * over_k;
-        let omega = omega_rate * over_k;
-        let alpha = alpha_rate * over_k;
-        series[order] = [theta, phi, omega, alpha];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                phi_1
-                    .mul_add(
-                        cos_phi_last,
-                        (count_last * phi_last).mul_add(cos_phi_1, next[0]),
-                    ),
-                phi_1
-                    .mul_add(
-                        sin_phi_last,
-                        (count_last * phi_last).mul_add(sin_phi_1, next[1]),
-                    ),
-                theta_1
-                    .mul_add(
-                        cos_theta_last,
-                        (count_last * theta_last).mul_add(cos_theta_1, next[2]),
-                    ),
-                theta_1
-                    .mul_add(
-                        sin_theta_last,
-                        (count_last * theta_last).mul_add(sin_theta_1, next[3]),
-                    ),
-                (sin_phi_1 + sin_phi_1).mul_add(sin_phi_last, next[4]),
-                (cos_phi_1 + cos_phi_1).mul_add(cos_phi_last, next[5]),
-                omega_1.mul_add(sin_phi_last, omega_last.mul_add(sin_phi_1, next[6])),
-                cos_phi_1
-                    .mul_add(
-                        omega_sin_phi_last,
-                        cos_phi_last.mul_add(omega_sin_phi_1, next[7]),
-                    ),
-                alpha_1
-                    .mul_add(
-                        omega_dot_part_last,
-                        alpha_last.mul_add(omega_dot_part_1, next[8]),
-                    ),
-                omega_dot_part_3_1
-                    .mul_add(
-                        omega_dot_part_5_last,
-                        omega_dot_part_3_last.mul_add(omega_dot_part_5_1, next[9]),
-                    ),
-                omega_1
-                    .mul_add(
-                        omega_dot_part_last,
-                        omega_last.mul_add(omega_dot_part_1, next[10]),
-                    ),
-            ])
-        };
-        // sin_phi = sin(phi)
-        let sin_phi = phi.mul_add(cos_phi_0, sums[0] * over_k);
-        // cos_phi = cos(phi)
-        let cos_phi = -phi.mul_add(sin_phi_0, sums[1] * over_k);
-        // sin_theta = sin(theta)
-        let sin_theta = theta.mul_add(cos_theta_0, sums[2] * over_k);
-        // cos_theta = cos(theta)
-        let cos_theta = -theta.mul_add(sin_theta_0, sums[3] * over_k);
-        // sin_phi_p2 = sin_phi*sin_phi
-        let sin_phi_p2 = sin_phi.mul_add(sin_phi_0 + sin_phi_0, sums[4]);
-        // cos_phi_p2 = cos_phi*cos_phi
-        let cos_phi_p2 = cos_phi.mul_add(cos_phi_0 + cos_phi_0, sums[5]);
-        // omega_sin_phi = omega*sin_phi
-        let omega_sin_phi = sin_phi.mul_add(omega_0, omega.mul_add(sin_phi_0, sums[6]));
-        // omega_dot_part = cos_phi*omega_sin_phi
-        let omega_dot_part = omega_sin_phi
-            .mul_add(cos_phi_0, cos_phi.mul_add(omega_sin_phi_0, sums[7]));
-        // omega_dot_part_2 = alpha*omega_dot_part
-        let omega_dot_part_2 = omega_dot_part
-            .mul_add(alpha_0, alpha.mul_add(omega_dot_part_0, sums[8]));
-        // omega_dot_part_3 = weight + IBxx*sin_phi_p2 + IByy*cos_phi_p2
-        let omega_dot_part_3 = cos_phi_p2.mul_add(IByy, IBxx * sin_phi_p2);
-        // omega_dot_part_4 = weight_2*omega_dot_part_2 + weight_3*sin_theta
-        let omega_dot_part_4 = omega_dot_part_2.mul_add(weight_2, weight_3 * sin_theta);
-        // omega_dot_part_5 = omega_dot_part_4/omega_dot_part_3
-        let omega_dot_part_5 = omega_dot_part_4
-            .mul_add(
-                over_omega_dot_part_3,
-                -(omega_dot_part_3.mul_add(omega_dot_part_5_0, sums[9])
-                    * over_omega_dot_part_3),
-            );
-        // alpha_dot_part = omega*omega_dot_part
-        let alpha_dot_part = omega_dot_part
-            .mul_add(omega_0, omega.mul_add(omega_dot_part_0, sums[10]));
-        theta_rate = omega;
-        phi_rate = alpha;
-        omega_rate = -omega_dot_part_5;
-        alpha_rate = ibxx_minus_ibyy_by_ibzz * alpha_dot_part;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * phi,
-                count * phi,
-                count * theta,
-                count * theta,
-                sin_phi,
-                cos_phi,
-                omega,
-                cos_phi,
-                alpha,
-                omega_dot_part_3,
-                omega,
-            ]),
-            padded([
-                cos_phi,
-                sin_phi,
-                cos_theta,
-                sin_theta,
-                sin_phi,
-                cos_phi,
-                sin_phi,
-                omega_sin_phi,
-                omega_dot_part,
-                omega_dot_part_5,
-                omega_dot_part,
-            ]),
-        ];
-        count_last = count;
-        theta_last = theta;
-        phi_last = phi;
-        omega_last = omega;
-        alpha_last = alpha;
-        sin_phi_last = sin_phi;
-        cos_phi_last = cos_phi;
-        sin_theta_last = sin_theta;
-        cos_theta_last = cos_theta;
-        omega_sin_phi_last = omega_sin_phi;
-        omega_dot_part_last = omega_dot_part;
-        omega_dot_part_3_last = omega_dot_part_3;
-        omega_dot_part_5_last = omega_dot_part_5;
-    }
-}
-
-/// Reduced equations of this model as a [`System`].
-#[derive(Clone, Copy, Debug)]
-pub struct Reduced;
-
-impl<S: Scalar> System<S> for Reduced {
-    fn lengths(&self) -> Lengths {
-        Lengths {
-            parameters: 13,
-            coordinates: 2,
-            variables: 2,
-            speeds: 2,
-            reactions: 0,
-        }
-    }
-    fn symmetric(&self) -> bool {
-        true
-    }
-    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
-        );
-    }
-    fn output_count(&self) -> usize {
-        4
-    }
-    fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
-    }
-    fn has_accelerations(&self) -> bool {
-        true
-    }
-    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                out
-                    .copy_from_slice(
-                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
-                    )
-            },
-        );
-    }
-    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let (of_q, of_v) = derivative(
-                    &Parameters::from_slice(p),
-                    array(q),
-                    array(v),
-                );
-                q_dot.copy_from_slice(&of_q);
-                v_dot.copy_from_slice(&of_v);
-            },
-        );
-    }
-    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_energy_gradient(&self) -> bool {
-        true
-    }
-    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
-        let [energy, gradient @ ..] = energy_gradient(
-            &Parameters::from_slice(p),
-            array(q),
-            array(v),
-        );
-        out.copy_from_slice(&gradient);
-        energy
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
-    }
-    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(v);
-    }
-    fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
-        out: &mut [S],
-    ) {
-        out.copy_from_slice(v_dot);
-    }
-    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
-        out.copy_from_slice(u);
-    }
-    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
-        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
-    }
-    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
-        potential_energy(&Parameters::from_slice(p), array(q))
-    }
-}
-
-#[inline(always)]
-fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
-    slice.try_into().expect("a slice of the length that System states")
-}
-
-/// What a program needs to find these equations and to trust them.
-pub const SCENE: CompiledScene = CompiledScene {
-    name: "swing",
-    key: "0d77bdd328746538",
-    system: CompiledSystem {
-        name: "reduced",
-        double: &Reduced,
-        extended: &Reduced,
-        lanes: None,
-    },
-};
+/// ```text
+/// theta
+/// phi
+/// omega
+/// alpha
+/// ```
+#[doc(inline)]
+pub use super::code::swing::outputs;

@@ -2,6 +2,10 @@
 //!
 //! Generated from `models/pendulum/model.toml`. Do not edit; run `tripos regenerate`.
 
+/// The code of the equations.
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::let_and_return)]
+pub mod code;
 #[rustfmt::skip]
 pub mod over;
 #[rustfmt::skip]

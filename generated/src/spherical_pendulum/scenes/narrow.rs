@@ -5,586 +5,75 @@
 //! States: theta, u1. Quadratures: phi.
 //! p_phi = u2*sin(theta): momentum p_phi = ∂L/∂phi'.
 //! Parameters that the scene fixes: m = 1, l = 1.
-//! Cost: accelerations 7 operations, 1 sine and cosine; derivative 7 operations, 1 sine and cosine.
 //! Singular where sin(theta) = 0.
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+pub use super::code::narrow::{
+    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, energy_gradient,
+    half_differences, jacobian, potential_slope, taylor,
+};
 
-/// The parameters, in the order of the model file.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters<S> {
-    /// acceleration of free fall, m/s^2
-    pub g: S,
-    /// momentum p_phi = ∂L/∂phi', kg*m^2/s
-    pub p_phi: S,
-}
+/// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.
+///
+/// ```text
+/// g
+/// p_phi = u2*sin(theta)
+/// ```
+#[doc(inline)]
+pub use super::code::narrow::constants;
 
-impl<S: Scalar> Parameters<S> {
-    /// From values in the order of [`PARAMETERS`].
-    ///
-    /// # Panics
-    /// If `p` has fewer values than there are parameters.
-    #[must_use]
-    #[inline(always)]
-    pub fn from_slice(p: &[S]) -> Self {
-        Self { g: p[0], p_phi: p[1] }
-    }
-}
-
-/// Names of the parameters: those that stay free, then what the start of a motion fixes.
-pub const PARAMETERS: [&str; 2] = ["g", "p_phi"];
-
-/// Names of the outputs.
-pub const OUTPUTS: [&str; 4] = ["theta", "phi", "u1", "u2"];
+/// The coordinates and the motion variables of these equations, at this start of the whole model.
+///
+/// ```text
+/// theta
+/// phi
+/// u1
+/// ```
+#[doc(inline)]
+pub use super::code::narrow::start;
 
 /// The accelerations (u1'), solved for when this code was generated.
 ///
-/// 7 operations, 1 sine and cosine.
-#[must_use]
-#[inline(always)]
-pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [S; 1] {
-    let Parameters { g, p_phi } = *p;
-    let [theta, _] = *q;
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Shared terms.
-    // 1/sin(theta); used 2 times
-    let sin_theta_inv = S::int(1) / sin_theta;
-    // Elimination, step by step.
-    // u2 = p_phi/sin(theta)
-    let u2 = p_phi * sin_theta_inv;
-    // u1' = u2^2/tan(theta) - g*sin(theta)
-    let u1_dot = (-g).mul_add(sin_theta, u2 * u2 * sin_theta_inv * cos_theta);
-    [u1_dot]
-}
-
-/// The derivative of the state: the rates of the coordinates, and the accelerations.
-///
-/// 7 operations, 1 sine and cosine.
-#[must_use]
-#[inline(always)]
-pub fn derivative<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 2],
-    u: &[S; 1],
-) -> ([S; 2], [S; 1]) {
-    let Parameters { g, p_phi } = *p;
-    let [theta, _] = *q;
-    let [u1] = *u;
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Shared terms.
-    // 1/sin(theta); used 2 times
-    let sin_theta_inv = S::int(1) / sin_theta;
-    // Elimination, step by step.
-    // u2 = p_phi/sin(theta)
-    let u2 = p_phi * sin_theta_inv;
-    // Shared terms.
-    // u2*sin_theta_inv; used 2 times
-    let u2_sin_theta_inv = u2 * sin_theta_inv;
-    // Elimination, step by step.
-    // u1' = u2^2/tan(theta) - g*sin(theta)
-    let u1_dot = (-g).mul_add(sin_theta, u2 * u2_sin_theta_inv * cos_theta);
-    // Values.
-    // theta' = u1
-    let theta_dot_value = u1;
-    // phi' = u2/sin(theta)
-    let phi_dot_value = u2_sin_theta_inv;
-    ([theta_dot_value, phi_dot_value], [u1_dot])
-}
-
-/// Jacobian of the derivative by the state; columns theta, phi, u1.
-///
-/// 13 operations, 1 sine and cosine.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [[S; 3]; 3] {
-    let Parameters { g, p_phi } = *p;
-    let [theta, _] = *q;
-    let zero = S::int(0);
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Shared terms.
-    // 1/sin(theta); used 3 times
-    let sin_theta_inv = S::int(1) / sin_theta;
-    // Elimination, step by step.
-    // u2 = p_phi/sin(theta)
-    let u2 = p_phi * sin_theta_inv;
-    // Shared terms.
-    // u2*sin_theta_inv; used 3 times
-    let u2_sin_theta_inv = u2 * sin_theta_inv;
-    // u2_sin_theta_inv*cos(theta); used 2 times
-    let u2_by_theta_part = u2_sin_theta_inv * cos_theta;
-    // Elimination, step by step.
-    // u2_by_theta = -p_phi/(sin(theta)*tan(theta))
-    let u2_by_theta = -u2_by_theta_part;
-    // u1_dot_by_theta = u2*(2*u2_by_theta*cos(theta) - u2/sin(theta))/sin(theta) - g*cos(theta)
-    let u1_dot_by_theta = u2_sin_theta_inv
-        * (u2_by_theta * cos_theta).mul_add(S::int(2), -u2_sin_theta_inv)
-        - g * cos_theta;
-    // Entries that are not zero.
-    // d(theta')/d(u1) = 1
-    let theta_dot_by_u1_value = S::int(1);
-    // d(phi')/d(theta) = (u2_by_theta - u2/tan(theta))/sin(theta)
-    let phi_dot_by_theta_value = sin_theta_inv * (u2_by_theta - u2_by_theta_part);
-    [
-        [zero, zero, theta_dot_by_u1_value],
-        [phi_dot_by_theta_value, zero, zero],
-        [u1_dot_by_theta, zero, zero],
-    ]
-}
+/// ```text
+/// u2 = p_phi/sin(theta)
+/// u1' = u2^2/tan(theta) - g*sin(theta)
+/// ```
+#[doc(inline)]
+pub use super::code::narrow::accelerations;
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 3 operations, 1 sine and cosine.
-#[must_use]
-pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 2] {
-    let Parameters { p_phi, .. } = *p;
-    let [theta, _] = *q;
-    let [u1] = *u;
-    // Sines and cosines.
-    let (sin_theta, _) = theta.sin_cos();
-    // Shared terms.
-    // 1/sin(theta); used 2 times
-    let sin_theta_inv = S::int(1) / sin_theta;
-    // Elimination, step by step.
-    // u2 = p_phi/sin(theta)
-    let u2 = p_phi * sin_theta_inv;
-    // Values.
-    // theta' = u1
-    let theta_dot_value = u1;
-    // phi' = u2/sin(theta)
-    let phi_dot_value = u2 * sin_theta_inv;
-    [theta_dot_value, phi_dot_value]
-}
+/// ```text
+/// u2 = p_phi/sin(theta)
+/// theta' = u1
+/// phi' = u2/sin(theta)
+/// ```
+#[doc(inline)]
+pub use super::code::narrow::coordinate_rates;
 
 /// Kinetic energy T.
 ///
-/// 2 operations.
-#[must_use]
-pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 2], u: &[S; 1]) -> S {
-    let [u1] = *u;
-    // Values.
-    // T = u1^2/2
-    let energy = S::ratio(1, 2) * u1 * u1;
-    energy
-}
+/// ```text
+/// T = u1^2/2
+/// ```
+#[doc(inline)]
+pub use super::code::narrow::kinetic_energy;
 
 /// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
 ///
-/// 6 operations, 1 sine and cosine.
-#[must_use]
-pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
-    let Parameters { g, p_phi } = *p;
-    let [theta, _] = *q;
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step.
-    // u2 = p_phi/sin(theta)
-    let u2 = p_phi / sin_theta;
-    // Values.
-    // V = g*(1 - cos(theta)) + u2^2/2
-    let energy = g * (S::int(1) - cos_theta) + S::ratio(1, 2) * u2 * u2;
-    energy
-}
+/// ```text
+/// u2 = p_phi/sin(theta)
+/// V = g*(1 - cos(theta)) + u2^2/2
+/// ```
+#[doc(inline)]
+pub use super::code::narrow::potential_energy;
 
 /// What the scene asks for, a time t after the start.
 ///
-/// 1 operation, 1 sine and cosine.
-#[must_use]
-pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 1]) -> [S; 4] {
-    let Parameters { p_phi, .. } = *p;
-    let [theta, phi] = *q;
-    let [u1] = *u;
-    // Sines and cosines.
-    let (sin_theta, _) = theta.sin_cos();
-    // Elimination, step by step.
-    // u2 = p_phi/sin(theta)
-    let u2 = p_phi / sin_theta;
-    // Values.
-    // theta = theta
-    let theta_value = theta;
-    // phi = phi
-    let phi_value = phi;
-    // u1 = u1
-    let u1_value = u1;
-    [theta_value, phi_value, u1_value, u2]
-}
-
-/// The energy, then its derivatives by the state.
-///
-/// 13 operations, 1 sine and cosine.
-#[must_use]
-pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 4] {
-    let Parameters { g, p_phi } = *p;
-    let [theta, _] = *q;
-    let [u1] = *u;
-    let zero = S::int(0);
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Shared terms.
-    // 1/sin(theta); used 2 times
-    let sin_theta_inv = S::int(1) / sin_theta;
-    // Elimination, step by step.
-    // u2 = p_phi/sin(theta)
-    let u2 = p_phi * sin_theta_inv;
-    // Shared terms.
-    // u2^2; used 2 times
-    let u2_sq = u2 * u2;
-    // u1^2 + u2_sq
-    let u1_2_plus_u2_sq = u1.mul_add(u1, u2_sq);
-    // Values.
-    // T + V = g*(1 - cos(theta)) + u1^2/2 + u2^2/2
-    let energy = g * (S::int(1) - cos_theta) + S::ratio(1, 2) * u1_2_plus_u2_sq;
-    // d(T + V)/d(theta) = g*sin(theta) - u2*p_phi/(sin(theta)*tan(theta))
-    let energy_by_theta = (-(sin_theta_inv * u2_sq)).mul_add(cos_theta, g * sin_theta);
-    // d(T + V)/d(u1) = u1
-    let energy_by_u1 = u1;
-    [energy, energy_by_theta, zero, energy_by_u1]
-}
-
-/// The angles z whose sin z/z the slope of the potential needs.
-///
-/// 3 operations.
-#[must_use]
-pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 1] {
-    let [theta_from, theta_to] = *q;
-    // Values.
-    // z1 = theta_to/2 - theta_from/2
-    let z1 = S::ratio(1, 2) * theta_to - S::ratio(1, 2) * theta_from;
-    [z1]
-}
-
-/// The slope of the potential energy between two places `q`, without cancellation; `u` holds sin z/z.
-///
-/// 16 operations, 3 sines and cosines.
-#[must_use]
-pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> S {
-    let Parameters { g, p_phi } = *p;
-    let [theta_from, theta_to] = *q;
-    let [sinc1] = *u;
-    // Sines and cosines.
-    let (sin_theta_from, _) = theta_from.sin_cos();
-    let (sin_theta_to, _) = theta_to.sin_cos();
-    // Shared terms.
-    // theta_from/2 + theta_to/2; used 2 times
-    let slope_part = S::ratio(1, 2) * theta_from + S::ratio(1, 2) * theta_to;
-    // Sines and cosines.
-    let (sin_angle, cos_angle) = slope_part.sin_cos();
-    // Values.
-    // (V(b) - V(a))/(b - a) = g*sinc1*sin(theta_from/2 + theta_to/2) - p_phi^2*sinc1*cos(theta_from/2 +
-    //   theta_to/2)*(sin(theta_from) + sin(theta_to))/(2*sin(theta_from)^2*sin(theta_to)^2)
-    let slope = -S::ratio(1, 2) * p_phi * p_phi * sinc1 * cos_angle
-        * (sin_theta_from + sin_theta_to)
-        / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to)
-        + g * sinc1 * sin_angle;
-    slope
-}
-
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 6 convolutions and 4 linear operations an order.
-pub fn taylor<S: Scalar>(
-    p: &Parameters<S>,
-    series: &mut [[S; 3]],
-    history: &mut [Factors<S, 8>],
-) {
-    let Parameters { g, p_phi } = *p;
-    let [theta_0, _, u1_0] = series[0];
-    // Constant in time.
-    // minus_g = -g
-    let minus_g = -g;
-    // p_phi_2 = p_phi^2
-    let p_phi_2 = p_phi * p_phi;
-    // Order 0.
-    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
-    let over_sin_theta = S::int(1) / sin_theta_0;
-    // u2_part = 1/sin_theta
-    let u2_part_0 = over_sin_theta;
-    // u1_dot_part = u2_part/sin_theta
-    let u1_dot_part_0 = u2_part_0 * over_sin_theta;
-    // u1_dot_part_2 = u2_part*cos_theta
-    let u1_dot_part_2_0 = u2_part_0 * cos_theta_0;
-    // u1_dot_part_3 = u1_dot_part*u1_dot_part_2
-    let u1_dot_part_3_0 = u1_dot_part_0 * u1_dot_part_2_0;
-    // u1_dot_2 = minus_g*sin_theta + p_phi_2*u1_dot_part_3
-    let u1_dot_2_0 = u1_dot_part_3_0.mul_add(p_phi_2, minus_g * sin_theta_0);
-    // Order 1: the rates, and what follows from them.
-    let theta_1 = u1_0;
-    let phi_1 = p_phi * u1_dot_part_0;
-    let u1_1 = u1_dot_2_0;
-    if series.len() > 1 {
-        series[1] = [theta_1, phi_1, u1_1];
-    }
-    let sin_theta_1 = theta_1 * cos_theta_0;
-    let cos_theta_1 = -theta_1 * sin_theta_0;
-    let u2_part_1 = -sin_theta_1 * (u2_part_0 * over_sin_theta);
-    let u1_dot_part_1 = sin_theta_1
-        .mul_add(-(u1_dot_part_0 * over_sin_theta), u2_part_1 * over_sin_theta);
-    let u1_dot_part_2_1 = u2_part_1.mul_add(cos_theta_0, cos_theta_1 * u2_part_0);
-    let u1_dot_part_3_1 = u1_dot_part_2_1
-        .mul_add(u1_dot_part_0, u1_dot_part_1 * u1_dot_part_2_0);
-    let u1_dot_2_1 = u1_dot_part_3_1.mul_add(p_phi_2, minus_g * sin_theta_1);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                theta_1,
-                theta_1,
-                sin_theta_1,
-                sin_theta_1,
-                u2_part_1,
-                u1_dot_part_1,
-            ]),
-            padded([
-                cos_theta_1,
-                sin_theta_1,
-                u2_part_1,
-                u1_dot_part_1,
-                cos_theta_1,
-                u1_dot_part_2_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta_last = theta_1;
-    let mut sin_theta_last = sin_theta_1;
-    let mut cos_theta_last = cos_theta_1;
-    let mut u2_part_last = u2_part_1;
-    let mut u1_dot_part_last = u1_dot_part_1;
-    let mut u1_dot_part_2_last = u1_dot_part_2_1;
-    let mut next = [S::int(0); 8];
-    // Rates at order k - 1.
-    let mut theta_rate = u1_1;
-    let mut phi_rate = p_phi * u1_dot_part_1;
-    let mut u1_rate = u1_dot_2_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let theta = theta_rate * over_k;
-        let phi = phi_rate * over_k;
-        let u1 = u1_rate * over_k;
-        series[order] = [theta, phi, u1];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                theta_1
-                    .mul_add(
-                        cos_theta_last,
-                        (count_last * theta_last).mul_add(cos_theta_1, next[0]),
-                    ),
-                theta_1
-                    .mul_add(
-                        sin_theta_last,
-                        (count_last * theta_last).mul_add(sin_theta_1, next[1]),
-                    ),
-                sin_theta_1
-                    .mul_add(u2_part_last, sin_theta_last.mul_add(u2_part_1, next[2])),
-                sin_theta_1
-                    .mul_add(
-                        u1_dot_part_last,
-                        sin_theta_last.mul_add(u1_dot_part_1, next[3]),
-                    ),
-                u2_part_1
-                    .mul_add(cos_theta_last, u2_part_last.mul_add(cos_theta_1, next[4])),
-                u1_dot_part_1
-                    .mul_add(
-                        u1_dot_part_2_last,
-                        u1_dot_part_last.mul_add(u1_dot_part_2_1, next[5]),
-                    ),
-            ])
-        };
-        // sin_theta = sin(theta)
-        let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
-        // cos_theta = cos(theta)
-        let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
-        // u2_part = 1/sin_theta
-        let u2_part = sin_theta
-            .mul_add(-(u2_part_0 * over_sin_theta), -(sums[2] * over_sin_theta));
-        // u1_dot_part = u2_part/sin_theta
-        let u1_dot_part = u2_part
-            .mul_add(
-                over_sin_theta,
-                -(sin_theta.mul_add(u1_dot_part_0, sums[3]) * over_sin_theta),
-            );
-        // u1_dot_part_2 = u2_part*cos_theta
-        let u1_dot_part_2 = u2_part
-            .mul_add(cos_theta_0, cos_theta.mul_add(u2_part_0, sums[4]));
-        // u1_dot_part_3 = u1_dot_part*u1_dot_part_2
-        let u1_dot_part_3 = u1_dot_part_2
-            .mul_add(u1_dot_part_0, u1_dot_part.mul_add(u1_dot_part_2_0, sums[5]));
-        // u1_dot_2 = minus_g*sin_theta + p_phi_2*u1_dot_part_3
-        let u1_dot_2 = u1_dot_part_3.mul_add(p_phi_2, minus_g * sin_theta);
-        theta_rate = u1;
-        phi_rate = p_phi * u1_dot_part;
-        u1_rate = u1_dot_2;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * theta,
-                count * theta,
-                sin_theta,
-                sin_theta,
-                u2_part,
-                u1_dot_part,
-            ]),
-            padded([
-                cos_theta,
-                sin_theta,
-                u2_part,
-                u1_dot_part,
-                cos_theta,
-                u1_dot_part_2,
-            ]),
-        ];
-        count_last = count;
-        theta_last = theta;
-        sin_theta_last = sin_theta;
-        cos_theta_last = cos_theta;
-        u2_part_last = u2_part;
-        u1_dot_part_last = u1_dot_part;
-        u1_dot_part_2_last = u1_dot_part_2;
-    }
-}
-
-/// Reduced equations of this model as a [`System`].
-#[derive(Clone, Copy, Debug)]
-pub struct Reduced;
-
-impl<S: Scalar> System<S> for Reduced {
-    fn lengths(&self) -> Lengths {
-        Lengths {
-            parameters: 2,
-            coordinates: 2,
-            variables: 1,
-            speeds: 1,
-            reactions: 0,
-        }
-    }
-    fn symmetric(&self) -> bool {
-        true
-    }
-    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
-        );
-    }
-    fn output_count(&self) -> usize {
-        4
-    }
-    fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
-    }
-    fn has_accelerations(&self) -> bool {
-        true
-    }
-    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                out
-                    .copy_from_slice(
-                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
-                    )
-            },
-        );
-    }
-    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let (of_q, of_v) = derivative(
-                    &Parameters::from_slice(p),
-                    array(q),
-                    array(v),
-                );
-                q_dot.copy_from_slice(&of_q);
-                v_dot.copy_from_slice(&of_v);
-            },
-        );
-    }
-    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_energy_gradient(&self) -> bool {
-        true
-    }
-    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
-        let [energy, gradient @ ..] = energy_gradient(
-            &Parameters::from_slice(p),
-            array(q),
-            array(v),
-        );
-        out.copy_from_slice(&gradient);
-        energy
-    }
-    fn has_potential_slope(&self) -> bool {
-        true
-    }
-    fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
-        let p = Parameters::from_slice(p);
-        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
-        potential_slope(&p, &[a, b], &sincs)
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        16 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
-    }
-    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(v);
-    }
-    fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
-        out: &mut [S],
-    ) {
-        out.copy_from_slice(v_dot);
-    }
-    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
-        out.copy_from_slice(u);
-    }
-    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
-        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
-    }
-    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
-        potential_energy(&Parameters::from_slice(p), array(q))
-    }
-}
-
-#[inline(always)]
-fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
-    slice.try_into().expect("a slice of the length that System states")
-}
-
-/// What a program needs to find these equations and to trust them.
-pub const SCENE: CompiledScene = CompiledScene {
-    name: "narrow",
-    key: "36031d9149564acd",
-    system: CompiledSystem {
-        name: "reduced",
-        double: &Reduced,
-        extended: &Reduced,
-        lanes: None,
-    },
-};
+/// ```text
+/// u2 = p_phi/sin(theta)
+/// theta
+/// phi
+/// u1
+/// ```
+#[doc(inline)]
+pub use super::code::narrow::outputs;

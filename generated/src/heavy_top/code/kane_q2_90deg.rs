@@ -1,121 +1,37 @@
-//! Symmetric heavy top about a fixed point: Newton–Euler equations in q2-90°, A(q, u) (u', reactions) = b(q, u).
+//! Symmetric heavy top about a fixed point: Kane's method in q2-90°, M(q) u' = f(q, u).
 //!
 //! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
-//! 3 coordinates, 3 speeds, 5 parameters, 3 reactions. Unknowns: (u1', u2', u3', hold1, hold2, hold3).
-//! Cost: mass_matrix 23 operations, 2 sines and cosines; forcing 29 operations, 2 sines and cosines; accelerations 16 operations, 2 sines and cosines.
-//! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
-//! The accelerations divide by sin(q2_minus_90deg), by I1.
 
-use super::Parameters;
+use super::super::Parameters;
+
+pub use super::kane::mass_matrix;
+
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Lengths, Scalar, System};
 
-/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows top force b1, top force b2, top force b3, top moment b1, top moment b2, top moment b3.
+/// Right-hand side of the linear system; unknowns (u1', u2', u3').
 ///
-/// 23 operations, 2 sines and cosines.
+/// 14 operations, 2 sines and cosines.
 #[must_use]
-pub fn mass_matrix<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 3],
-    _u: &[S; 3],
-) -> [[S; 6]; 6] {
-    let Parameters { m, l, I1, I3, .. } = *p;
-    let [q1, q2_minus_90deg, _] = *q;
-    let zero = S::int(0);
-    // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Shared terms.
-    // m*l; used 3 times
-    let m_l = m * l;
-    // sin(q1)*cos(q2_minus_90deg); used 2 times
-    let m15_part = s1 * cos_q2_minus_90deg;
-    // cos(q1)*cos(q2_minus_90deg); used 2 times
-    let m16_part = c1 * cos_q2_minus_90deg;
-    // l*m_l - I1
-    let l_m_l_minus_i1 = l.mul_add(m_l, -I1);
-    // -l_m_l_minus_i1; used 2 times
-    let l_m_l_minus_i1_scaled = -l_m_l_minus_i1;
-    // Entries that are not zero.
-    // M12 = m*l
-    let m12 = m_l;
-    // M14 = sin(q2_minus_90deg)
-    let m14 = sin_q2_minus_90deg;
-    // M15 = -sin(q1)*cos(q2_minus_90deg)
-    let m15 = -m15_part;
-    // M16 = cos(q1)*cos(q2_minus_90deg)
-    let m16 = m16_part;
-    // M21 = -m*l
-    let m21 = -m_l;
-    // M25 = -cos(q1)
-    let m25 = -c1;
-    // M26 = -sin(q1)
-    let m26 = -s1;
-    // M34 = -cos(q2_minus_90deg)
-    let m34 = -cos_q2_minus_90deg;
-    // M35 = -sin(q1)*sin(q2_minus_90deg)
-    let m35 = -s1 * sin_q2_minus_90deg;
-    // M36 = cos(q1)*sin(q2_minus_90deg)
-    let m36 = c1 * sin_q2_minus_90deg;
-    // M41 = I1 - m*l^2
-    let m41 = l_m_l_minus_i1_scaled;
-    // M45 = -l*cos(q1)
-    let m45 = -l * c1;
-    // M46 = -l*sin(q1)
-    let m46 = -l * s1;
-    // M52 = I1 - m*l^2
-    let m52 = l_m_l_minus_i1_scaled;
-    // M54 = -l*sin(q2_minus_90deg)
-    let m54 = -l * sin_q2_minus_90deg;
-    // M55 = l*sin(q1)*cos(q2_minus_90deg)
-    let m55 = l * m15_part;
-    // M56 = -l*cos(q1)*cos(q2_minus_90deg)
-    let m56 = -l * m16_part;
-    // M63 = I3
-    let m63 = I3;
-    [
-        [zero, m12, zero, m14, m15, m16],
-        [m21, zero, zero, zero, m25, m26],
-        [zero, zero, zero, m34, m35, m36],
-        [m41, zero, zero, zero, m45, m46],
-        [zero, m52, zero, m54, m55, m56],
-        [zero, zero, m63, zero, zero, zero],
-    ]
-}
-
-/// Right-hand side of the linear system; unknowns (u1', u2', u3', hold1, hold2, hold3).
-///
-/// 29 operations, 2 sines and cosines.
-#[must_use]
-pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2_minus_90deg, _] = *q;
     let [u1, u2, u3] = *u;
     let zero = S::int(0);
     // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // g*cos(q1); used 2 times
-    let g_c1 = g * c1;
-    // u1/sin(q2_minus_90deg); used 2 times
-    let f1_part = u1 / sin_q2_minus_90deg;
-    // l*f1_part; used 2 times
-    let l_f1_part = l * f1_part;
-    // I3*u3 + f1_part*cos(q2_minus_90deg)*(I1 - m*l^2); used 2 times
-    let f4_part = f1_part * cos_q2_minus_90deg * (I1 - m * l * l) + I3 * u3;
+    let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
+    // I3*u3 + I1*u1/tan(q2_minus_90deg)
+    let f1_of_u1_u3 = I3.mul_add(u3, I1 * u1 / tan_q2_minus_90deg);
+    let m_l_g = m * l * g;
     // Values.
-    // f1 = m*cos(q2_minus_90deg)*(g*cos(q1) + l*u1^2/sin(q2_minus_90deg))
-    let f1 = m * cos_q2_minus_90deg * u1.mul_add(l_f1_part, g_c1);
-    // f2 = m*(l*u1*u2/tan(q2_minus_90deg) - g*sin(q1))
-    let f2 = m * (-g).mul_add(s1, u2 * l_f1_part * cos_q2_minus_90deg);
-    // f3 = m*(l*(u1^2 + u2^2) + g*cos(q1)*sin(q2_minus_90deg))
-    let f3 = m * (l * u2.mul_add(u2, u1 * u1) + g_c1 * sin_q2_minus_90deg);
-    // f4 = -u2*(I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg))
-    let f4 = -u2 * f4_part;
-    // f5 = u1*(I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg))
-    let f5 = u1 * f4_part;
-    [f1, f2, f3, f4, f5, zero]
+    // f1 = m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg))
+    let f1 = (-u2).mul_add(f1_of_u1_u3, m_l_g * s1);
+    // f2 = m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg))
+    let f2 = (m_l_g * c1).mul_add(cos_q2_minus_90deg, u1 * f1_of_u1_u3);
+    [f1, f2, zero]
 }
 
 /// The accelerations (u1', u2', u3'), solved for when this code was generated.
@@ -131,21 +47,74 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
-    // Shared terms.
-    // 1/I1; used 2 times
+    // Elimination, step by step, each after the terms that it shares.
     let i1_inv = S::int(1) / I1;
-    // tan(q2_minus_90deg)
     let tan_q2_minus_90deg = sin_q2_minus_90deg / cos_q2_minus_90deg;
-    // u1/tan(q2_minus_90deg) + I3*u3*i1_inv; used 2 times
-    let u2_dot_part = (I3 * u3).mul_add(i1_inv, u1 / tan_q2_minus_90deg);
-    // m*l*g*i1_inv; used 2 times
+    // u1/tan(q2_minus_90deg) + I3*u3*i1_inv
+    let u2_dot_of_u1_u3 = (I3 * u3).mul_add(i1_inv, u1 / tan_q2_minus_90deg);
     let m_l_g_i1_inv = m * l * g * i1_inv;
-    // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u2_dot = (m_l_g_i1_inv * c1).mul_add(cos_q2_minus_90deg, u1 * u2_dot_part);
+    let u2_dot = (m_l_g_i1_inv * c1).mul_add(cos_q2_minus_90deg, u1 * u2_dot_of_u1_u3);
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u1_dot = (-u2).mul_add(u2_dot_part, m_l_g_i1_inv * s1);
+    let u1_dot = (-u2).mul_add(u2_dot_of_u1_u3, m_l_g_i1_inv * s1);
     [u1_dot, u2_dot, zero]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+) -> [S; 3] {
+    let [_, q2_minus_90deg, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    // Shared terms.
+    let q1_dot_value_of_u1 = u1 / sin_q2_minus_90deg;
+    // Values.
+    // q1' = -u1/sin(q2_minus_90deg)
+    let q1_dot_value = -q1_dot_value_of_u1;
+    // q2' = u2
+    let q2_dot_value = u2;
+    // q3' = u3 + u1/tan(q2_minus_90deg)
+    let q3_dot_value = q1_dot_value_of_u1.mul_add(cos_q2_minus_90deg, u3);
+    [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 8 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> S {
+    let Parameters { I1, I3, .. } = *p;
+    let [u1, u2, u3] = *u;
+    // Shared terms.
+    // I1*(u1^2 + u2^2) + I3*u3^2
+    let energy_of_u1_u2_u3 = I1 * u2.mul_add(u2, u1 * u1) + I3 * u3 * u3;
+    // Values.
+    // T = I1*(u1^2 + u2^2)/2 + I3*u3^2/2
+    let energy = S::ratio(1, 2) * energy_of_u1_u2_u3;
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 5 operations, 2 sines and cosines.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
+    let Parameters { m, l, g, .. } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    // Sines and cosines.
+    let (_, c1) = q1.sin_cos();
+    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    // Values.
+    // V = -m*l*g*cos(q1)*sin(q2_minus_90deg)
+    let energy = -m * l * g * c1 * sin_q2_minus_90deg;
+    energy
 }
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
@@ -165,29 +134,24 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
-    // Shared terms.
-    // 1/I1; used 2 times
+    // Elimination, step by step, each after the terms that it shares.
     let i1_inv = S::int(1) / I1;
-    // u1/sin(q2_minus_90deg); used 2 times
-    let u2_dot_part = u1 / sin_q2_minus_90deg;
-    // u2_dot_part*cos(q2_minus_90deg); used 2 times
-    let u2_dot_part_2 = u2_dot_part * cos_q2_minus_90deg;
-    // I3*u3*i1_inv + u2_dot_part_2; used 2 times
-    let u2_dot_part_3 = (I3 * u3).mul_add(i1_inv, u2_dot_part_2);
-    // m*l*g*i1_inv; used 2 times
+    let u2_dot_of_u1 = u1 / sin_q2_minus_90deg;
+    let u2_dot_of_u1_2 = u2_dot_of_u1 * cos_q2_minus_90deg;
+    // I3*u3*i1_inv + u2_dot_of_u1_2
+    let u2_dot_of_u1_u3 = (I3 * u3).mul_add(i1_inv, u2_dot_of_u1_2);
     let m_l_g_i1_inv = m * l * g * i1_inv;
-    // Elimination, step by step.
     // u2' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u2_dot = (m_l_g_i1_inv * c1).mul_add(cos_q2_minus_90deg, u1 * u2_dot_part_3);
+    let u2_dot = (m_l_g_i1_inv * c1).mul_add(cos_q2_minus_90deg, u1 * u2_dot_of_u1_u3);
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
-    let u1_dot = (-u2).mul_add(u2_dot_part_3, m_l_g_i1_inv * s1);
+    let u1_dot = (-u2).mul_add(u2_dot_of_u1_u3, m_l_g_i1_inv * s1);
     // Values.
     // q1' = -u1/sin(q2_minus_90deg)
-    let q1_dot_value = -u2_dot_part;
+    let q1_dot_value = -u2_dot_of_u1;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 + u1/tan(q2_minus_90deg)
-    let q3_dot_value = u3 + u2_dot_part_2;
+    let q3_dot_value = u3 + u2_dot_of_u1_2;
     ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
 }
 
@@ -203,62 +167,44 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Shared terms.
-    // 1/I1; used 2 times
+    // Elimination, step by step, each after the terms that it shares.
     let i1_inv = S::int(1) / I1;
-    // m*l*g*i1_inv; used 2 times
     let m_l_g_i1_inv = m * l * g * i1_inv;
-    // Elimination, step by step.
     // u2_dot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
     let u2_dot_by_q1 = -m_l_g_i1_inv * s1 * cos_q2_minus_90deg;
     // u1_dot_by_q1 = m*l*g*cos(q1)/I1
     let u1_dot_by_q1 = m_l_g_i1_inv * c1;
-    // Shared terms.
-    // 1/sin(q2_minus_90deg); used 4 times
-    let u2_dot_by_q2_minus_90deg_part = S::int(1) / sin_q2_minus_90deg;
-    // u1*u2_dot_by_q2_minus_90deg_part; used 4 times
-    let u2_dot_by_q2_minus_90deg_part_2 = u1 * u2_dot_by_q2_minus_90deg_part;
-    // Elimination, step by step.
+    let sin_q2_minus_90deg_inv = S::int(1) / sin_q2_minus_90deg;
+    let u2_dot_by_q2_minus_90deg_of_u1 = u1 * sin_q2_minus_90deg_inv;
     // u2_dot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 - u1^2/sin(q2_minus_90deg)^2
-    let u2_dot_by_q2_minus_90deg = (-u2_dot_by_q2_minus_90deg_part_2)
-        .mul_add(u2_dot_by_q2_minus_90deg_part_2, -u1_dot_by_q1 * sin_q2_minus_90deg);
-    // Shared terms.
-    // u2_dot_by_q2_minus_90deg_part*u2_dot_by_q2_minus_90deg_part_2; used 2 times
-    let u1_dot_by_q2_minus_90deg_part = u2_dot_by_q2_minus_90deg_part
-        * u2_dot_by_q2_minus_90deg_part_2;
-    // Elimination, step by step.
+    let u2_dot_by_q2_minus_90deg = (-u2_dot_by_q2_minus_90deg_of_u1)
+        .mul_add(u2_dot_by_q2_minus_90deg_of_u1, -u1_dot_by_q1 * sin_q2_minus_90deg);
+    let u1_dot_by_q2_minus_90deg_of_u1 = sin_q2_minus_90deg_inv
+        * u2_dot_by_q2_minus_90deg_of_u1;
     // u1_dot_by_q2_minus_90deg = u1*u2/sin(q2_minus_90deg)^2
-    let u1_dot_by_q2_minus_90deg = u2 * u1_dot_by_q2_minus_90deg_part;
-    // Shared terms.
-    // u2_dot_by_q2_minus_90deg_part_2*cos(q2_minus_90deg); used 2 times
-    let u2_dot_by_u1_part = u2_dot_by_q2_minus_90deg_part_2 * cos_q2_minus_90deg;
-    // I3*i1_inv; used 3 times
+    let u1_dot_by_q2_minus_90deg = u2 * u1_dot_by_q2_minus_90deg_of_u1;
+    let u2_dot_by_u1_of_u1 = u2_dot_by_q2_minus_90deg_of_u1 * cos_q2_minus_90deg;
     let i3_i1_inv = I3 * i1_inv;
-    // u3*i3_i1_inv; used 2 times
     let u3_i3_i1_inv = u3 * i3_i1_inv;
-    // Elimination, step by step.
     // u2_dot_by_u1 = I3*u3/I1 + 2*u1/tan(q2_minus_90deg)
-    let u2_dot_by_u1 = u2_dot_by_u1_part.mul_add(S::int(2), u3_i3_i1_inv);
-    // Shared terms.
-    // u2_dot_by_q2_minus_90deg_part*cos(q2_minus_90deg); used 3 times
-    let u1_dot_by_u1_part = u2_dot_by_q2_minus_90deg_part * cos_q2_minus_90deg;
-    // Elimination, step by step.
+    let u2_dot_by_u1 = u2_dot_by_u1_of_u1.mul_add(S::int(2), u3_i3_i1_inv);
+    let u1_dot_by_u1_of_place = sin_q2_minus_90deg_inv * cos_q2_minus_90deg;
     // u1_dot_by_u1 = -u2/tan(q2_minus_90deg)
-    let u1_dot_by_u1 = -u2 * u1_dot_by_u1_part;
+    let u1_dot_by_u1 = -u2 * u1_dot_by_u1_of_place;
     // u1_dot_by_u2 = -I3*u3/I1 - u1/tan(q2_minus_90deg)
-    let u1_dot_by_u2 = -u2_dot_by_u1_part - u3_i3_i1_inv;
+    let u1_dot_by_u2 = -u2_dot_by_u1_of_u1 - u3_i3_i1_inv;
     // Entries that are not zero.
     // d(q1')/d(q2_minus_90deg) = u1/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
-    let q1_dot_by_q2_minus_90deg_value = u2_dot_by_q2_minus_90deg_part_2
-        * u1_dot_by_u1_part;
+    let q1_dot_by_q2_minus_90deg_value = u2_dot_by_q2_minus_90deg_of_u1
+        * u1_dot_by_u1_of_place;
     // d(q1')/d(u1) = -1/sin(q2_minus_90deg)
-    let q1_dot_by_u1_value = -u2_dot_by_q2_minus_90deg_part;
+    let q1_dot_by_u1_value = -sin_q2_minus_90deg_inv;
     // d(q2')/d(u2) = 1
     let q2_dot_by_u2_value = S::int(1);
     // d(q3')/d(q2_minus_90deg) = -u1/sin(q2_minus_90deg)^2
-    let q3_dot_by_q2_minus_90deg_value = -u1_dot_by_q2_minus_90deg_part;
+    let q3_dot_by_q2_minus_90deg_value = -u1_dot_by_q2_minus_90deg_of_u1;
     // d(q3')/d(u1) = 1/tan(q2_minus_90deg)
-    let q3_dot_by_u1_value = u1_dot_by_u1_part;
+    let q3_dot_by_u1_value = u1_dot_by_u1_of_place;
     // d(q3')/d(u3) = 1
     let q3_dot_by_u3_value = S::int(1);
     // d(u1')/d(u3) = -I3*u2/I1
@@ -296,64 +242,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     ]
 }
 
-/// Kinematic equations: the time derivatives of the coordinates.
-///
-/// 4 operations, 1 sine and cosine.
-#[must_use]
-pub fn coordinate_rates<S: Scalar>(
-    _p: &Parameters<S>,
-    q: &[S; 3],
-    u: &[S; 3],
-) -> [S; 3] {
-    let [_, q2_minus_90deg, _] = *q;
-    let [u1, u2, u3] = *u;
-    // Sines and cosines.
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Shared terms.
-    // u1/sin(q2_minus_90deg); used 2 times
-    let q1_dot_value_part = u1 / sin_q2_minus_90deg;
-    // Values.
-    // q1' = -u1/sin(q2_minus_90deg)
-    let q1_dot_value = -q1_dot_value_part;
-    // q2' = u2
-    let q2_dot_value = u2;
-    // q3' = u3 + u1/tan(q2_minus_90deg)
-    let q3_dot_value = q1_dot_value_part.mul_add(cos_q2_minus_90deg, u3);
-    [q1_dot_value, q2_dot_value, q3_dot_value]
-}
-
-/// Kinetic energy T.
-///
-/// 8 operations.
-#[must_use]
-pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 3]) -> S {
-    let Parameters { I1, I3, .. } = *p;
-    let [u1, u2, u3] = *u;
-    // Shared terms.
-    // I1*(u1^2 + u2^2) + I3*u3^2
-    let energy_part = I1 * u2.mul_add(u2, u1 * u1) + I3 * u3 * u3;
-    // Values.
-    // T = I1*(u1^2 + u2^2)/2 + I3*u3^2/2
-    let energy = S::ratio(1, 2) * energy_part;
-    energy
-}
-
-/// Potential energy V of gravity.
-///
-/// 5 operations, 2 sines and cosines.
-#[must_use]
-pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
-    let Parameters { m, l, g, .. } = *p;
-    let [q1, q2_minus_90deg, _] = *q;
-    // Sines and cosines.
-    let (_, c1) = q1.sin_cos();
-    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
-    // Values.
-    // V = -m*l*g*cos(q1)*sin(q2_minus_90deg)
-    let energy = -m * l * g * c1 * sin_q2_minus_90deg;
-    energy
-}
-
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 9 convolutions and 12 linear operations an order.
@@ -364,50 +252,32 @@ pub fn taylor<S: Scalar>(
 ) {
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1_0, q2_minus_90deg_0, _, u1_0, u2_0, u3] = series[0];
-    // Shared terms.
-    // 1/I1; used 2 times
-    let i1_inv = S::int(1) / I1;
-    // m*l*g; used 2 times
-    let m_l_g_2 = m * l * g;
     // Constant in time.
     // i3_u3 = I3*u3
     let i3_u3 = I3 * u3;
     // m_l_g = m*l*g
-    let m_l_g = m_l_g_2;
-    // minus_m_l_g = -m*l*g
-    let minus_m_l_g = -m_l_g_2;
-    // minus_1_by_i1 = -1/I1
-    let minus_1_by_i1 = -i1_inv;
+    let m_l_g = m * l * g;
     // weight = 1/I1
-    let weight = i1_inv;
+    let weight = S::int(1) / I1;
     // Order 0.
     let (s1_0, c1_0) = q1_0.sin_cos();
     let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
     let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
-    // u2_dot_part = u1/sin_q2_minus_90deg
-    let u2_dot_part_0 = u1_0 * over_sin_q2_minus_90deg;
-    // u2_dot_part_2 = cos_q2_minus_90deg*u2_dot_part
-    let u2_dot_part_2_0 = cos_q2_minus_90deg_0 * u2_dot_part_0;
-    // u2_dot_part_3 = i3_u3 + I1*u2_dot_part_2
-    let u2_dot_part_3_0 = u2_dot_part_2_0.mul_add(I1, i3_u3);
-    // u2_dot_part_4 = u1*u2_dot_part_3
-    let u2_dot_part_4_0 = u1_0 * u2_dot_part_3_0;
-    // u2_dot_part_5 = c1*cos_q2_minus_90deg
-    let u2_dot_part_5_0 = c1_0 * cos_q2_minus_90deg_0;
-    // u2_dot_part_6 = u2_dot_part_4 + m_l_g*u2_dot_part_5
-    let u2_dot_part_6_0 = m_l_g * u2_dot_part_5_0 + u2_dot_part_4_0;
-    // u1_dot_part = u2*u2_dot_part_3
-    let u1_dot_part_0 = u2_0 * u2_dot_part_3_0;
-    // u1_dot_part_2 = u1_dot_part + minus_m_l_g*s1
-    let u1_dot_part_2_0 = minus_m_l_g * s1_0 + u1_dot_part_0;
-    // q3_dot_2 = u3 + u2_dot_part_2
-    let q3_dot_2_0 = u3 + u2_dot_part_2_0;
+    let u2_dot_of_u1_0 = u1_0 * over_sin_q2_minus_90deg;
+    let u2_dot_of_u1_2_0 = cos_q2_minus_90deg_0 * u2_dot_of_u1_0;
+    let u2_dot_of_u1_u3_0 = u2_dot_of_u1_2_0.mul_add(I1, i3_u3);
+    let c1_cos_q2_minus_90deg_0 = c1_0 * cos_q2_minus_90deg_0;
+    let u2_dot_of_u1_u3_2_0 = u1_0 * u2_dot_of_u1_u3_0;
+    let u2_dot_of_u1_u3_3_0 = m_l_g * c1_cos_q2_minus_90deg_0 + u2_dot_of_u1_u3_2_0;
+    let u1_dot_of_u1_u2_u3_0 = u2_0 * u2_dot_of_u1_u3_0;
+    let u1_dot_of_u1_u2_u3_2_0 = m_l_g * s1_0 - u1_dot_of_u1_u2_u3_0;
+    let q3_dot_2_0 = u3 + u2_dot_of_u1_2_0;
     // Order 1: the rates, and what follows from them.
-    let q1_1 = -u2_dot_part_0;
+    let q1_1 = -u2_dot_of_u1_0;
     let q2_minus_90deg_1 = u2_0;
     let q3_1 = q3_dot_2_0;
-    let u1_1 = minus_1_by_i1 * u1_dot_part_2_0;
-    let u2_1 = weight * u2_dot_part_6_0;
+    let u1_1 = weight * u1_dot_of_u1_u2_u3_2_0;
+    let u2_1 = weight * u2_dot_of_u1_u3_3_0;
     if series.len() > 1 {
         series[1] = [q1_1, q2_minus_90deg_1, q3_1, u1_1, u2_1, S::int(0)];
     }
@@ -415,21 +285,21 @@ pub fn taylor<S: Scalar>(
     let c1_1 = -q1_1 * s1_0;
     let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
     let cos_q2_minus_90deg_1 = -q2_minus_90deg_1 * sin_q2_minus_90deg_0;
-    let u2_dot_part_1 = sin_q2_minus_90deg_1
+    let u2_dot_of_u1_1 = sin_q2_minus_90deg_1
         .mul_add(
-            -(u2_dot_part_0 * over_sin_q2_minus_90deg),
+            -(u2_dot_of_u1_0 * over_sin_q2_minus_90deg),
             u1_1 * over_sin_q2_minus_90deg,
         );
-    let u2_dot_part_2_1 = u2_dot_part_1
-        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u2_dot_part_0);
-    let u2_dot_part_3_1 = I1 * u2_dot_part_2_1;
-    let u2_dot_part_4_1 = u2_dot_part_3_1.mul_add(u1_0, u1_1 * u2_dot_part_3_0);
-    let u2_dot_part_5_1 = cos_q2_minus_90deg_1
+    let u2_dot_of_u1_2_1 = u2_dot_of_u1_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u2_dot_of_u1_0);
+    let u2_dot_of_u1_u3_1 = I1 * u2_dot_of_u1_2_1;
+    let c1_cos_q2_minus_90deg_1 = cos_q2_minus_90deg_1
         .mul_add(c1_0, c1_1 * cos_q2_minus_90deg_0);
-    let u2_dot_part_6_1 = m_l_g * u2_dot_part_5_1 + u2_dot_part_4_1;
-    let u1_dot_part_1 = u2_dot_part_3_1.mul_add(u2_0, u2_1 * u2_dot_part_3_0);
-    let u1_dot_part_2_1 = minus_m_l_g * s1_1 + u1_dot_part_1;
-    let q3_dot_2_1 = u2_dot_part_2_1;
+    let u2_dot_of_u1_u3_2_1 = u2_dot_of_u1_u3_1.mul_add(u1_0, u1_1 * u2_dot_of_u1_u3_0);
+    let u2_dot_of_u1_u3_3_1 = m_l_g * c1_cos_q2_minus_90deg_1 + u2_dot_of_u1_u3_2_1;
+    let u1_dot_of_u1_u2_u3_1 = u2_dot_of_u1_u3_1.mul_add(u2_0, u2_1 * u2_dot_of_u1_u3_0);
+    let u1_dot_of_u1_u2_u3_2_1 = m_l_g * s1_1 - u1_dot_of_u1_u2_u3_1;
+    let q3_dot_2_1 = u2_dot_of_u1_2_1;
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
         history[1] = [
@@ -440,8 +310,8 @@ pub fn taylor<S: Scalar>(
                 q2_minus_90deg_1,
                 sin_q2_minus_90deg_1,
                 cos_q2_minus_90deg_1,
-                u1_1,
                 c1_1,
+                u1_1,
                 u2_1,
             ]),
             padded([
@@ -449,11 +319,11 @@ pub fn taylor<S: Scalar>(
                 s1_1,
                 cos_q2_minus_90deg_1,
                 sin_q2_minus_90deg_1,
-                u2_dot_part_1,
-                u2_dot_part_1,
-                u2_dot_part_3_1,
+                u2_dot_of_u1_1,
+                u2_dot_of_u1_1,
                 cos_q2_minus_90deg_1,
-                u2_dot_part_3_1,
+                u2_dot_of_u1_u3_1,
+                u2_dot_of_u1_u3_1,
             ]),
         ];
     }
@@ -466,15 +336,15 @@ pub fn taylor<S: Scalar>(
     let mut c1_last = c1_1;
     let mut sin_q2_minus_90deg_last = sin_q2_minus_90deg_1;
     let mut cos_q2_minus_90deg_last = cos_q2_minus_90deg_1;
-    let mut u2_dot_part_last = u2_dot_part_1;
-    let mut u2_dot_part_3_last = u2_dot_part_3_1;
+    let mut u2_dot_of_u1_last = u2_dot_of_u1_1;
+    let mut u2_dot_of_u1_u3_last = u2_dot_of_u1_u3_1;
     let mut next = [S::int(0); 16];
     // Rates at order k - 1.
-    let mut q1_rate = -u2_dot_part_1;
+    let mut q1_rate = -u2_dot_of_u1_1;
     let mut q2_minus_90deg_rate = u2_1;
     let mut q3_rate = q3_dot_2_1;
-    let mut u1_rate = minus_1_by_i1 * u1_dot_part_2_1;
-    let mut u2_rate = weight * u2_dot_part_6_1;
+    let mut u1_rate = weight * u1_dot_of_u1_u2_u3_2_1;
+    let mut u2_rate = weight * u2_dot_of_u1_u3_3_1;
     for order in 2..series.len() {
         let over_k = S::ratio(1, order as i64);
         // Order k, from lower orders: the states, over k since they are integrals, and what follows.
@@ -513,28 +383,28 @@ pub fn taylor<S: Scalar>(
                     ),
                 sin_q2_minus_90deg_1
                     .mul_add(
-                        u2_dot_part_last,
-                        sin_q2_minus_90deg_last.mul_add(u2_dot_part_1, next[4]),
+                        u2_dot_of_u1_last,
+                        sin_q2_minus_90deg_last.mul_add(u2_dot_of_u1_1, next[4]),
                     ),
                 cos_q2_minus_90deg_1
                     .mul_add(
-                        u2_dot_part_last,
-                        cos_q2_minus_90deg_last.mul_add(u2_dot_part_1, next[5]),
-                    ),
-                u1_1
-                    .mul_add(
-                        u2_dot_part_3_last,
-                        u1_last.mul_add(u2_dot_part_3_1, next[6]),
+                        u2_dot_of_u1_last,
+                        cos_q2_minus_90deg_last.mul_add(u2_dot_of_u1_1, next[5]),
                     ),
                 c1_1
                     .mul_add(
                         cos_q2_minus_90deg_last,
-                        c1_last.mul_add(cos_q2_minus_90deg_1, next[7]),
+                        c1_last.mul_add(cos_q2_minus_90deg_1, next[6]),
+                    ),
+                u1_1
+                    .mul_add(
+                        u2_dot_of_u1_u3_last,
+                        u1_last.mul_add(u2_dot_of_u1_u3_1, next[7]),
                     ),
                 u2_1
                     .mul_add(
-                        u2_dot_part_3_last,
-                        u2_last.mul_add(u2_dot_part_3_1, next[8]),
+                        u2_dot_of_u1_u3_last,
+                        u2_last.mul_add(u2_dot_of_u1_u3_1, next[8]),
                     ),
             ])
         };
@@ -548,40 +418,40 @@ pub fn taylor<S: Scalar>(
         // cos_q2_minus_90deg = cos(q2_minus_90deg)
         let cos_q2_minus_90deg = -q2_minus_90deg
             .mul_add(sin_q2_minus_90deg_0, sums[3] * over_k);
-        // u2_dot_part = u1/sin_q2_minus_90deg
-        let u2_dot_part = sin_q2_minus_90deg
+        // u2_dot_of_u1 = u1/sin_q2_minus_90deg
+        let u2_dot_of_u1 = sin_q2_minus_90deg
             .mul_add(
-                -(u2_dot_part_0 * over_sin_q2_minus_90deg),
+                -(u2_dot_of_u1_0 * over_sin_q2_minus_90deg),
                 (u1 - sums[4]) * over_sin_q2_minus_90deg,
             );
-        // u2_dot_part_2 = cos_q2_minus_90deg*u2_dot_part
-        let u2_dot_part_2 = u2_dot_part
+        // u2_dot_of_u1_2 = cos_q2_minus_90deg*u2_dot_of_u1
+        let u2_dot_of_u1_2 = u2_dot_of_u1
             .mul_add(
                 cos_q2_minus_90deg_0,
-                cos_q2_minus_90deg.mul_add(u2_dot_part_0, sums[5]),
+                cos_q2_minus_90deg.mul_add(u2_dot_of_u1_0, sums[5]),
             );
-        // u2_dot_part_3 = i3_u3 + I1*u2_dot_part_2
-        let u2_dot_part_3 = I1 * u2_dot_part_2;
-        // u2_dot_part_4 = u1*u2_dot_part_3
-        let u2_dot_part_4 = u2_dot_part_3
-            .mul_add(u1_0, u1.mul_add(u2_dot_part_3_0, sums[6]));
-        // u2_dot_part_5 = c1*cos_q2_minus_90deg
-        let u2_dot_part_5 = cos_q2_minus_90deg
-            .mul_add(c1_0, c1.mul_add(cos_q2_minus_90deg_0, sums[7]));
-        // u2_dot_part_6 = u2_dot_part_4 + m_l_g*u2_dot_part_5
-        let u2_dot_part_6 = m_l_g * u2_dot_part_5 + u2_dot_part_4;
-        // u1_dot_part = u2*u2_dot_part_3
-        let u1_dot_part = u2_dot_part_3
-            .mul_add(u2_0, u2.mul_add(u2_dot_part_3_0, sums[8]));
-        // u1_dot_part_2 = u1_dot_part + minus_m_l_g*s1
-        let u1_dot_part_2 = minus_m_l_g * s1 + u1_dot_part;
-        // q3_dot_2 = u3 + u2_dot_part_2
-        let q3_dot_2 = u2_dot_part_2;
-        q1_rate = -u2_dot_part;
+        // u2_dot_of_u1_u3 = i3_u3 + I1*u2_dot_of_u1_2
+        let u2_dot_of_u1_u3 = I1 * u2_dot_of_u1_2;
+        // c1_cos_q2_minus_90deg = c1*cos_q2_minus_90deg
+        let c1_cos_q2_minus_90deg = cos_q2_minus_90deg
+            .mul_add(c1_0, c1.mul_add(cos_q2_minus_90deg_0, sums[6]));
+        // u2_dot_of_u1_u3_2 = u1*u2_dot_of_u1_u3
+        let u2_dot_of_u1_u3_2 = u2_dot_of_u1_u3
+            .mul_add(u1_0, u1.mul_add(u2_dot_of_u1_u3_0, sums[7]));
+        // u2_dot_of_u1_u3_3 = m_l_g*c1_cos_q2_minus_90deg + u2_dot_of_u1_u3_2
+        let u2_dot_of_u1_u3_3 = m_l_g * c1_cos_q2_minus_90deg + u2_dot_of_u1_u3_2;
+        // u1_dot_of_u1_u2_u3 = u2*u2_dot_of_u1_u3
+        let u1_dot_of_u1_u2_u3 = u2_dot_of_u1_u3
+            .mul_add(u2_0, u2.mul_add(u2_dot_of_u1_u3_0, sums[8]));
+        // u1_dot_of_u1_u2_u3_2 = m_l_g*s1 - u1_dot_of_u1_u2_u3
+        let u1_dot_of_u1_u2_u3_2 = m_l_g * s1 - u1_dot_of_u1_u2_u3;
+        // q3_dot_2 = u3 + u2_dot_of_u1_2
+        let q3_dot_2 = u2_dot_of_u1_2;
+        q1_rate = -u2_dot_of_u1;
         q2_minus_90deg_rate = u2;
         q3_rate = q3_dot_2;
-        u1_rate = minus_1_by_i1 * u1_dot_part_2;
-        u2_rate = weight * u2_dot_part_6;
+        u1_rate = weight * u1_dot_of_u1_u2_u3_2;
+        u2_rate = weight * u2_dot_of_u1_u3_3;
         // Factors of the convolutions: left, right.
         history[order] = [
             padded([
@@ -591,8 +461,8 @@ pub fn taylor<S: Scalar>(
                 count * q2_minus_90deg,
                 sin_q2_minus_90deg,
                 cos_q2_minus_90deg,
-                u1,
                 c1,
+                u1,
                 u2,
             ]),
             padded([
@@ -600,11 +470,11 @@ pub fn taylor<S: Scalar>(
                 s1,
                 cos_q2_minus_90deg,
                 sin_q2_minus_90deg,
-                u2_dot_part,
-                u2_dot_part,
-                u2_dot_part_3,
+                u2_dot_of_u1,
+                u2_dot_of_u1,
                 cos_q2_minus_90deg,
-                u2_dot_part_3,
+                u2_dot_of_u1_u3,
+                u2_dot_of_u1_u3,
             ]),
         ];
         count_last = count;
@@ -616,27 +486,27 @@ pub fn taylor<S: Scalar>(
         c1_last = c1;
         sin_q2_minus_90deg_last = sin_q2_minus_90deg;
         cos_q2_minus_90deg_last = cos_q2_minus_90deg;
-        u2_dot_part_last = u2_dot_part;
-        u2_dot_part_3_last = u2_dot_part_3;
+        u2_dot_of_u1_last = u2_dot_of_u1;
+        u2_dot_of_u1_u3_last = u2_dot_of_u1_u3;
     }
 }
 
-/// Newton–Euler equations in q2-90° of this model as a [`System`].
+/// Kane's method in q2-90° of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
-pub struct NewtonEulerQ290deg;
+pub struct KaneQ290deg;
 
-impl<S: Scalar> System<S> for NewtonEulerQ290deg {
+impl<S: Scalar> System<S> for KaneQ290deg {
     fn lengths(&self) -> Lengths {
         Lengths {
             parameters: 5,
             coordinates: 3,
             variables: 3,
             speeds: 3,
-            reactions: 3,
+            reactions: 0,
         }
     }
     fn symmetric(&self) -> bool {
-        false
+        true
     }
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -1,12 +1,13 @@
 //! Symmetric heavy top about a fixed point: Lagrange's equations in q2-90°, E(q) q'' = A(q, q').
 //!
 //! Generated from `models/heavy_top/model.toml`. Do not edit; run `tripos regenerate`.
-//! 3 coordinates, 3 speeds, 5 parameters. Unknowns: (q1'', q2'', q3'').
-//! Cost: mass_matrix 5 operations, 1 sine and cosine; forcing 22 operations, 2 sines and cosines; accelerations 24 operations, 2 sines and cosines.
-//! The kinematic equations are singular where -sin(q2_minus_90deg) = 0.
-//! The accelerations divide by I1, by sin(q2_minus_90deg).
 
-use super::Parameters;
+use super::super::Parameters;
+
+pub use super::lagrange::coordinate_rates;
+
+pub use super::kane_q2_90deg::potential_energy;
+
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Lengths, Scalar, System};
 
@@ -25,14 +26,13 @@ pub fn mass_matrix<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // I3*cos(q2_minus_90deg); used 2 times
-    let m11_part = I3 * cos_q2_minus_90deg;
+    let i3_cos_q2_minus_90deg = I3 * cos_q2_minus_90deg;
     // Entries that are not zero; upper triangle.
     // M11 = I1*sin(q2_minus_90deg)^2 + I3*cos(q2_minus_90deg)^2
-    let m11 = m11_part
+    let m11 = i3_cos_q2_minus_90deg
         .mul_add(cos_q2_minus_90deg, I1 * sin_q2_minus_90deg * sin_q2_minus_90deg);
     // M13 = I3*cos(q2_minus_90deg)
-    let m13 = m11_part;
+    let m13 = i3_cos_q2_minus_90deg;
     // M22 = I1
     let m22 = I1;
     // M33 = I3
@@ -52,25 +52,22 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Shared terms.
-    // q1'*sin(q2_minus_90deg); used 3 times
-    let f1_part = q1_dot * sin_q2_minus_90deg;
-    // f1_part*cos(q2_minus_90deg)*(I3 - I1); used 2 times
-    let f1_part_2 = f1_part * cos_q2_minus_90deg * (I3 - I1);
-    // m*l*g; used 2 times
+    let f1_of_q1_dot = q1_dot * sin_q2_minus_90deg;
+    // f1_of_q1_dot*cos(q2_minus_90deg)*(I3 - I1)
+    let f1_of_q1_dot_2 = f1_of_q1_dot * cos_q2_minus_90deg * (I3 - I1);
     let m_l_g = m * l * g;
-    // I3*q2'; used 2 times
     let i3_q2_dot = I3 * q2_dot;
     // Values.
     // f1 = -sin(q2_minus_90deg)*(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   2*q1'*cos(q2_minus_90deg))))
     let f1 = sin_q2_minus_90deg * (-m_l_g).mul_add(s1, q3_dot * i3_q2_dot)
-        + S::int(2) * q2_dot * f1_part_2;
+        + S::int(2) * q2_dot * f1_of_q1_dot_2;
     // f2 = m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
     //   I3*(q3' + q1'*cos(q2_minus_90deg)))
-    let f2 = (-(I3 * q3_dot)).mul_add(f1_part, m_l_g * c1 * cos_q2_minus_90deg)
-        - q1_dot * f1_part_2;
+    let f2 = (-(I3 * q3_dot)).mul_add(f1_of_q1_dot, m_l_g * c1 * cos_q2_minus_90deg)
+        - q1_dot * f1_of_q1_dot_2;
     // f3 = I3*q1'*q2'*sin(q2_minus_90deg)
-    let f3 = f1_part * i3_q2_dot;
+    let f3 = f1_of_q1_dot * i3_q2_dot;
     [f1, f2, f3]
 }
 
@@ -90,256 +87,27 @@ pub fn accelerations<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
-    // Shared terms.
-    // q1'*cos(q2_minus_90deg); used 2 times
-    let q1_ddot_part = q1_dot * cos_q2_minus_90deg;
-    // I3*(q3' + q1_ddot_part); used 2 times
-    let q1_ddot_part_2 = I3 * (q3_dot + q1_ddot_part);
-    // I1*q1_ddot_part; used 2 times
-    let i1_q1_ddot_part = I1 * q1_ddot_part;
-    // m*l*g; used 2 times
+    // Elimination, step by step, each after the terms that it shares.
+    let q1_ddot_of_q1_dot = q1_dot * cos_q2_minus_90deg;
+    // I3*(q3' + q1_ddot_of_q1_dot)
+    let q1_ddot_of_motion = I3 * (q3_dot + q1_ddot_of_q1_dot);
+    let i1_q1_ddot_of_q1_dot = I1 * q1_ddot_of_q1_dot;
     let m_l_g = m * l * g;
-    // 1/I1; used 2 times
     let i1_inv = S::int(1) / I1;
-    // Elimination, step by step.
     // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
     //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
     let q1_ddot = i1_inv
-        * (q2_dot * (-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2) - m_l_g * s1)
-        / sin_q2_minus_90deg;
-    // Shared terms.
-    // q1'*sin(q2_minus_90deg); used 2 times
-    let q3_ddot_part = q1_dot * sin_q2_minus_90deg;
-    // Elimination, step by step.
+        * (q2_dot * (-i1_q1_ddot_of_q1_dot).mul_add(S::int(2), q1_ddot_of_motion)
+            - m_l_g * s1) / sin_q2_minus_90deg;
+    let q3_ddot_of_q1_dot = q1_dot * sin_q2_minus_90deg;
     // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
-    let q3_ddot = (-q1_ddot).mul_add(cos_q2_minus_90deg, q2_dot * q3_ddot_part);
+    let q3_ddot = (-q1_ddot).mul_add(cos_q2_minus_90deg, q2_dot * q3_ddot_of_q1_dot);
     // q2'' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
     //   I3*(q3' + q1'*cos(q2_minus_90deg))))/I1
     let q2_ddot = i1_inv
-        * (-q3_ddot_part * (q1_ddot_part_2 - i1_q1_ddot_part)
+        * (-q3_ddot_of_q1_dot * (q1_ddot_of_motion - i1_q1_ddot_of_q1_dot)
             + m_l_g * c1 * cos_q2_minus_90deg);
     [q1_ddot, q2_ddot, q3_ddot]
-}
-
-/// The derivative of the state: the rates of the coordinates, and the accelerations.
-///
-/// 24 operations, 2 sines and cosines.
-#[must_use]
-#[inline(always)]
-pub fn derivative<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 3],
-    q_dot: &[S; 3],
-) -> ([S; 3], [S; 3]) {
-    let Parameters { m, l, I1, I3, g } = *p;
-    let [q1, q2_minus_90deg, _] = *q;
-    let [q1_dot, q2_dot, q3_dot] = *q_dot;
-    // Sines and cosines.
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    let (s1, c1) = q1.sin_cos();
-    // Shared terms.
-    // q1'*cos(q2_minus_90deg); used 2 times
-    let q1_ddot_part = q1_dot * cos_q2_minus_90deg;
-    // I3*(q3' + q1_ddot_part); used 2 times
-    let q1_ddot_part_2 = I3 * (q3_dot + q1_ddot_part);
-    // I1*q1_ddot_part; used 2 times
-    let i1_q1_ddot_part = I1 * q1_ddot_part;
-    // m*l*g; used 2 times
-    let m_l_g = m * l * g;
-    // 1/I1; used 2 times
-    let i1_inv = S::int(1) / I1;
-    // Elimination, step by step.
-    // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
-    //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
-    let q1_ddot = i1_inv
-        * (q2_dot * (-i1_q1_ddot_part).mul_add(S::int(2), q1_ddot_part_2) - m_l_g * s1)
-        / sin_q2_minus_90deg;
-    // Shared terms.
-    // q1'*sin(q2_minus_90deg); used 2 times
-    let q3_ddot_part = q1_dot * sin_q2_minus_90deg;
-    // Elimination, step by step.
-    // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
-    let q3_ddot = (-q1_ddot).mul_add(cos_q2_minus_90deg, q2_dot * q3_ddot_part);
-    // q2'' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
-    //   I3*(q3' + q1'*cos(q2_minus_90deg))))/I1
-    let q2_ddot = i1_inv
-        * (-q3_ddot_part * (q1_ddot_part_2 - i1_q1_ddot_part)
-            + m_l_g * c1 * cos_q2_minus_90deg);
-    // Values.
-    // q1' = q1'
-    let q1_dot_value = q1_dot;
-    // q2' = q2'
-    let q2_dot_value = q2_dot;
-    // q3' = q3'
-    let q3_dot_value = q3_dot;
-    ([q1_dot_value, q2_dot_value, q3_dot_value], [q1_ddot, q2_ddot, q3_ddot])
-}
-
-/// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, q1', q2', q3'.
-///
-/// 63 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 3],
-    q_dot: &[S; 3],
-) -> [[S; 6]; 6] {
-    let Parameters { m, l, I1, I3, g } = *p;
-    let [q1, q2_minus_90deg, _] = *q;
-    let [q1_dot, q2_dot, q3_dot] = *q_dot;
-    let zero = S::int(0);
-    // Sines and cosines.
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    let (s1, c1) = q1.sin_cos();
-    // Shared terms.
-    // 1/sin(q2_minus_90deg); used 5 times
-    let q1_ddot_part = S::int(1) / sin_q2_minus_90deg;
-    // q2'*q1_ddot_part; used 4 times
-    let q2_dot_q1_ddot_part = q2_dot * q1_ddot_part;
-    // 1/I1; used 2 times
-    let i1_inv = S::int(1) / I1;
-    // I3*i1_inv; used 7 times
-    let i3_i1_inv = I3 * i1_inv;
-    // q3'*i3_i1_inv; used 2 times
-    let q3_dot_i3_i1_inv = q3_dot * i3_i1_inv;
-    // q1'*cos(q2_minus_90deg); used 4 times
-    let q1_ddot_part_2 = q1_dot * cos_q2_minus_90deg;
-    // 2*q1_ddot_part_2; used 2 times
-    let q1_ddot_part_2_scaled = S::int(2) * q1_ddot_part_2;
-    // q3_dot_i3_i1_inv - q1_ddot_part_2_scaled; used 2 times
-    let q1_ddot_part_3 = q3_dot_i3_i1_inv - q1_ddot_part_2_scaled;
-    // i3_i1_inv*q1_ddot_part_2 + q1_ddot_part_3; used 2 times
-    let q1_ddot_part_4 = i3_i1_inv.mul_add(q1_ddot_part_2, q1_ddot_part_3);
-    // m*l*g*i1_inv; used 2 times
-    let m_l_g_i1_inv = m * l * g * i1_inv;
-    // m_l_g_i1_inv*sin(q1); used 2 times
-    let s1_m_l_g_i1_inv = m_l_g_i1_inv * s1;
-    // q1_ddot_part*s1_m_l_g_i1_inv; used 2 times
-    let q1_ddot_part_5 = q1_ddot_part * s1_m_l_g_i1_inv;
-    // Elimination, step by step.
-    // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
-    //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
-    let q1_ddot = q2_dot_q1_ddot_part.mul_add(q1_ddot_part_4, -q1_ddot_part_5);
-    // Shared terms.
-    // m_l_g_i1_inv*cos(q1); used 2 times
-    let c1_m_l_g_i1_inv = m_l_g_i1_inv * c1;
-    // Elimination, step by step.
-    // q1_ddot_by_q1 = -m*l*g*cos(q1)/(I1*sin(q2_minus_90deg))
-    let q1_ddot_by_q1 = -q1_ddot_part * c1_m_l_g_i1_inv;
-    // q2_ddot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
-    let q2_ddot_by_q1 = -s1_m_l_g_i1_inv * cos_q2_minus_90deg;
-    // Shared terms.
-    // 2 - i3_i1_inv; used 2 times
-    let q1_ddot_by_q2_minus_90deg_part = S::int(2) - i3_i1_inv;
-    // Elimination, step by step.
-    // q1_ddot_by_q2_minus_90deg = (2*q1'*q2' + (m*l*g*sin(q1)*cos(q2_minus_90deg) - I3*q2'*(q1' +
-    //   q3'*cos(q2_minus_90deg)))/I1)/sin(q2_minus_90deg)^2
-    let q1_ddot_by_q2_minus_90deg = q1_ddot_part
-        * (q2_dot_q1_ddot_part
-            * (-q3_dot_i3_i1_inv)
-                .mul_add(cos_q2_minus_90deg, q1_dot * q1_ddot_by_q2_minus_90deg_part)
-            + q1_ddot_part_5 * cos_q2_minus_90deg);
-    // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
-    //   q1_ddot_by_q2_minus_90deg)
-    let q3_ddot_by_q2_minus_90deg = (-q1_ddot_by_q2_minus_90deg)
-        .mul_add(cos_q2_minus_90deg, q1_ddot * sin_q2_minus_90deg)
-        + q2_dot * q1_ddot_part_2;
-    // Shared terms.
-    // i3_i1_inv*q1_ddot_part_2_scaled + q1_ddot_part_3; used 2 times
-    let q2_ddot_by_q2_minus_90deg_part = i3_i1_inv
-        .mul_add(q1_ddot_part_2_scaled, q1_ddot_part_3);
-    // q1'^2; used 2 times
-    let q1_dot_sq = q1_dot * q1_dot;
-    // Elimination, step by step.
-    // q2_ddot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 -
-    //   q1'*(I3*q3'*cos(q2_minus_90deg)/I1 + q1'*(sin(q2_minus_90deg)^2 - cos(q2_minus_90deg)^2 +
-    //   I3*(cos(q2_minus_90deg)^2 - sin(q2_minus_90deg)^2)/I1))
-    let q2_ddot_by_q2_minus_90deg = (-c1_m_l_g_i1_inv)
-        .mul_add(sin_q2_minus_90deg, i3_i1_inv * q1_dot_sq)
-        - q1_ddot_part_2 * q2_ddot_by_q2_minus_90deg_part - q1_dot_sq;
-    // q1_ddot_by_q1_dot = q2'*(I3/I1 - 2)/tan(q2_minus_90deg)
-    let q1_ddot_by_q1_dot = -q2_dot_q1_ddot_part * q1_ddot_by_q2_minus_90deg_part
-        * cos_q2_minus_90deg;
-    // q3_ddot_by_q1_dot = q2'*sin(q2_minus_90deg) - q1_ddot_by_q1_dot*cos(q2_minus_90deg)
-    let q3_ddot_by_q1_dot = (-q1_ddot_by_q1_dot)
-        .mul_add(cos_q2_minus_90deg, q2_dot * sin_q2_minus_90deg);
-    // q2_ddot_by_q1_dot = sin(q2_minus_90deg)*(2*q1'*cos(q2_minus_90deg) - I3*(q3' +
-    //   2*q1'*cos(q2_minus_90deg))/I1)
-    let q2_ddot_by_q1_dot = -q2_ddot_by_q2_minus_90deg_part * sin_q2_minus_90deg;
-    // q1_ddot_by_q2_dot = (I3*(q3' + q1'*cos(q2_minus_90deg))/I1 -
-    //   2*q1'*cos(q2_minus_90deg))/sin(q2_minus_90deg)
-    let q1_ddot_by_q2_dot = q1_ddot_part * q1_ddot_part_4;
-    // Shared terms.
-    // q1'*sin(q2_minus_90deg); used 2 times
-    let q3_ddot_by_q2_dot_part = q1_dot * sin_q2_minus_90deg;
-    // Elimination, step by step.
-    // q3_ddot_by_q2_dot = q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg)
-    let q3_ddot_by_q2_dot = (-q1_ddot_by_q2_dot)
-        .mul_add(cos_q2_minus_90deg, q3_ddot_by_q2_dot_part);
-    // q1_ddot_by_q3_dot = I3*q2'/(I1*sin(q2_minus_90deg))
-    let q1_ddot_by_q3_dot = q2_dot_q1_ddot_part * i3_i1_inv;
-    // q2_ddot_by_q3_dot = -I3*q1'*sin(q2_minus_90deg)/I1
-    let q2_ddot_by_q3_dot = -i3_i1_inv * q3_ddot_by_q2_dot_part;
-    // Entries that are not zero.
-    // d(q1')/d(q1') = 1
-    let q1_dot_by_q1_dot_value = S::int(1);
-    // d(q2')/d(q2') = 1
-    let q2_dot_by_q2_dot_value = S::int(1);
-    // d(q3')/d(q3') = 1
-    let q3_dot_by_q3_dot_value = S::int(1);
-    // d(q3'')/d(q1) = -q1_ddot_by_q1*cos(q2_minus_90deg)
-    let q3_ddot_by_q1_value = -q1_ddot_by_q1 * cos_q2_minus_90deg;
-    // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*cos(q2_minus_90deg)
-    let q3_ddot_by_q3_dot_value = -q1_ddot_by_q3_dot * cos_q2_minus_90deg;
-    [
-        [zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero],
-        [zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero],
-        [zero, zero, zero, zero, zero, q3_dot_by_q3_dot_value],
-        [
-            q1_ddot_by_q1,
-            q1_ddot_by_q2_minus_90deg,
-            zero,
-            q1_ddot_by_q1_dot,
-            q1_ddot_by_q2_dot,
-            q1_ddot_by_q3_dot,
-        ],
-        [
-            q2_ddot_by_q1,
-            q2_ddot_by_q2_minus_90deg,
-            zero,
-            q2_ddot_by_q1_dot,
-            zero,
-            q2_ddot_by_q3_dot,
-        ],
-        [
-            q3_ddot_by_q1_value,
-            q3_ddot_by_q2_minus_90deg,
-            zero,
-            q3_ddot_by_q1_dot,
-            q3_ddot_by_q2_dot,
-            q3_ddot_by_q3_dot_value,
-        ],
-    ]
-}
-
-/// Kinematic equations: the time derivatives of the coordinates.
-///
-/// 0 operations.
-#[must_use]
-pub fn coordinate_rates<S: Scalar>(
-    _p: &Parameters<S>,
-    _q: &[S; 3],
-    q_dot: &[S; 3],
-) -> [S; 3] {
-    let [q1_dot, q2_dot, q3_dot] = *q_dot;
-    // Values.
-    // q1' = q1'
-    let q1_dot_value = q1_dot;
-    // q2' = q2'
-    let q2_dot_value = q2_dot;
-    // q3' = q3'
-    let q3_dot_value = q3_dot;
-    [q1_dot_value, q2_dot_value, q3_dot_value]
 }
 
 /// Kinetic energy T.
@@ -353,34 +121,17 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) 
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // q1'*cos(q2_minus_90deg); used 2 times
-    let energy_part = q1_dot * cos_q2_minus_90deg;
-    // q1'*sin(q2_minus_90deg)
-    let energy_part_2 = q1_dot * sin_q2_minus_90deg;
-    // I3*(q3'^2 + energy_part*(2*q3' + energy_part)) + I1*(q2'^2 + energy_part_2^2)
-    let energy_part_3 = I3
-        * (energy_part * q3_dot.mul_add(S::int(2), energy_part) + q3_dot * q3_dot)
-        + I1 * energy_part_2.mul_add(energy_part_2, q2_dot * q2_dot);
+    let energy_of_q1_dot = q1_dot * cos_q2_minus_90deg;
+    let energy_of_q1_dot_2 = q1_dot * sin_q2_minus_90deg;
+    // I3*(q3'^2 + energy_of_q1_dot*(2*q3' + energy_of_q1_dot)) + I1*(q2'^2 + energy_of_q1_dot_2^2)
+    let energy_of_motion = I3
+        * (energy_of_q1_dot * q3_dot.mul_add(S::int(2), energy_of_q1_dot)
+            + q3_dot * q3_dot)
+        + I1 * energy_of_q1_dot_2.mul_add(energy_of_q1_dot_2, q2_dot * q2_dot);
     // Values.
     // T = I3*(q3'^2 + q1'*cos(q2_minus_90deg)*(2*q3' + q1'*cos(q2_minus_90deg)))/2 + I1*(q2'^2 +
     //   q1'^2*sin(q2_minus_90deg)^2)/2
-    let energy = S::ratio(1, 2) * energy_part_3;
-    energy
-}
-
-/// Potential energy V of gravity.
-///
-/// 5 operations, 2 sines and cosines.
-#[must_use]
-pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
-    let Parameters { m, l, g, .. } = *p;
-    let [q1, q2_minus_90deg, _] = *q;
-    // Sines and cosines.
-    let (_, c1) = q1.sin_cos();
-    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
-    // Values.
-    // V = -m*l*g*cos(q1)*sin(q2_minus_90deg)
-    let energy = -m * l * g * c1 * sin_q2_minus_90deg;
+    let energy = S::ratio(1, 2) * energy_of_motion;
     energy
 }
 
@@ -423,7 +174,6 @@ pub fn generalized_speed_rates<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // q1'*q2'; used 2 times
     let q1_dot_q2_dot = q1_dot * q2_dot;
     // Values.
     // u1' = -q1''*sin(q2_minus_90deg) - q1'*q2'*cos(q2_minus_90deg)
@@ -451,16 +201,186 @@ pub fn motion_variables<S: Scalar>(
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
-    // u1/sin(q2_minus_90deg); used 2 times
-    let q1_dot_value_part = u1 / sin_q2_minus_90deg;
+    let q1_dot_value_of_place = u1 / sin_q2_minus_90deg;
     // Values.
     // q1' = -u1/sin(q2_minus_90deg)
-    let q1_dot_value = -q1_dot_value_part;
+    let q1_dot_value = -q1_dot_value_of_place;
     // q2' = u2
     let q2_dot_value = u2;
     // q3' = u3 + u1/tan(q2_minus_90deg)
-    let q3_dot_value = q1_dot_value_part.mul_add(cos_q2_minus_90deg, u3);
+    let q3_dot_value = q1_dot_value_of_place.mul_add(cos_q2_minus_90deg, u3);
     [q1_dot_value, q2_dot_value, q3_dot_value]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 24 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> ([S; 3], [S; 3]) {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step, each after the terms that it shares.
+    let q1_ddot_of_q1_dot = q1_dot * cos_q2_minus_90deg;
+    // I3*(q3' + q1_ddot_of_q1_dot)
+    let q1_ddot_of_motion = I3 * (q3_dot + q1_ddot_of_q1_dot);
+    let i1_q1_ddot_of_q1_dot = I1 * q1_ddot_of_q1_dot;
+    let m_l_g = m * l * g;
+    let i1_inv = S::int(1) / I1;
+    // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
+    //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
+    let q1_ddot = i1_inv
+        * (q2_dot * (-i1_q1_ddot_of_q1_dot).mul_add(S::int(2), q1_ddot_of_motion)
+            - m_l_g * s1) / sin_q2_minus_90deg;
+    let q3_ddot_of_q1_dot = q1_dot * sin_q2_minus_90deg;
+    // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
+    let q3_ddot = (-q1_ddot).mul_add(cos_q2_minus_90deg, q2_dot * q3_ddot_of_q1_dot);
+    // q2'' = (m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I1*q1'*cos(q2_minus_90deg) -
+    //   I3*(q3' + q1'*cos(q2_minus_90deg))))/I1
+    let q2_ddot = i1_inv
+        * (-q3_ddot_of_q1_dot * (q1_ddot_of_motion - i1_q1_ddot_of_q1_dot)
+            + m_l_g * c1 * cos_q2_minus_90deg);
+    // Values.
+    // q1' = q1'
+    let q1_dot_value = q1_dot;
+    // q2' = q2'
+    let q2_dot_value = q2_dot;
+    // q3' = q3'
+    let q3_dot_value = q3_dot;
+    ([q1_dot_value, q2_dot_value, q3_dot_value], [q1_ddot, q2_ddot, q3_ddot])
+}
+
+/// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, q1', q2', q3'.
+///
+/// 63 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+) -> [[S; 6]; 6] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step, each after the terms that it shares.
+    let sin_q2_minus_90deg_inv = S::int(1) / sin_q2_minus_90deg;
+    let q1_ddot_of_q2_dot = q2_dot * sin_q2_minus_90deg_inv;
+    let i1_inv = S::int(1) / I1;
+    let i3_i1_inv = I3 * i1_inv;
+    let q3_dot_i3_i1_inv = q3_dot * i3_i1_inv;
+    let q1_ddot_of_q1_dot = q1_dot * cos_q2_minus_90deg;
+    let q1_ddot_of_q1_dot_2 = S::int(2) * q1_ddot_of_q1_dot;
+    // q3_dot_i3_i1_inv - q1_ddot_of_q1_dot_2
+    let q1_ddot_of_motion = q3_dot_i3_i1_inv - q1_ddot_of_q1_dot_2;
+    // i3_i1_inv*q1_ddot_of_q1_dot + q1_ddot_of_motion
+    let q1_ddot_of_motion_2 = i3_i1_inv.mul_add(q1_ddot_of_q1_dot, q1_ddot_of_motion);
+    let m_l_g_i1_inv = m * l * g * i1_inv;
+    let s1_m_l_g_i1_inv = m_l_g_i1_inv * s1;
+    let q1_ddot_of_place = sin_q2_minus_90deg_inv * s1_m_l_g_i1_inv;
+    // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
+    //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
+    let q1_ddot = q1_ddot_of_q2_dot.mul_add(q1_ddot_of_motion_2, -q1_ddot_of_place);
+    let c1_m_l_g_i1_inv = m_l_g_i1_inv * c1;
+    // q1_ddot_by_q1 = -m*l*g*cos(q1)/(I1*sin(q2_minus_90deg))
+    let q1_ddot_by_q1 = -sin_q2_minus_90deg_inv * c1_m_l_g_i1_inv;
+    // q2_ddot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
+    let q2_ddot_by_q1 = -s1_m_l_g_i1_inv * cos_q2_minus_90deg;
+    // 2 - i3_i1_inv
+    let q1_ddot_by_q2_minus_90deg_of_i1_i3 = S::int(2) - i3_i1_inv;
+    // q1_ddot_by_q2_minus_90deg = (2*q1'*q2' + (m*l*g*sin(q1)*cos(q2_minus_90deg) - I3*q2'*(q1' +
+    //   q3'*cos(q2_minus_90deg)))/I1)/sin(q2_minus_90deg)^2
+    let q1_ddot_by_q2_minus_90deg = sin_q2_minus_90deg_inv
+        * (q1_ddot_of_q2_dot
+            * (-q3_dot_i3_i1_inv)
+                .mul_add(cos_q2_minus_90deg, q1_dot * q1_ddot_by_q2_minus_90deg_of_i1_i3)
+            + q1_ddot_of_place * cos_q2_minus_90deg);
+    // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
+    //   q1_ddot_by_q2_minus_90deg)
+    let q3_ddot_by_q2_minus_90deg = (-q1_ddot_by_q2_minus_90deg)
+        .mul_add(cos_q2_minus_90deg, q1_ddot * sin_q2_minus_90deg)
+        + q2_dot * q1_ddot_of_q1_dot;
+    // i3_i1_inv*q1_ddot_of_q1_dot_2 + q1_ddot_of_motion
+    let q2_ddot_by_q2_minus_90deg_of_motion = i3_i1_inv
+        .mul_add(q1_ddot_of_q1_dot_2, q1_ddot_of_motion);
+    let q1_dot_sq = q1_dot * q1_dot;
+    // q2_ddot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 -
+    //   q1'*(I3*q3'*cos(q2_minus_90deg)/I1 + q1'*(sin(q2_minus_90deg)^2 - cos(q2_minus_90deg)^2 +
+    //   I3*(cos(q2_minus_90deg)^2 - sin(q2_minus_90deg)^2)/I1))
+    let q2_ddot_by_q2_minus_90deg = (-c1_m_l_g_i1_inv)
+        .mul_add(sin_q2_minus_90deg, i3_i1_inv * q1_dot_sq)
+        - q1_ddot_of_q1_dot * q2_ddot_by_q2_minus_90deg_of_motion - q1_dot_sq;
+    // q1_ddot_by_q1_dot = q2'*(I3/I1 - 2)/tan(q2_minus_90deg)
+    let q1_ddot_by_q1_dot = -q1_ddot_of_q2_dot * q1_ddot_by_q2_minus_90deg_of_i1_i3
+        * cos_q2_minus_90deg;
+    // q3_ddot_by_q1_dot = q2'*sin(q2_minus_90deg) - q1_ddot_by_q1_dot*cos(q2_minus_90deg)
+    let q3_ddot_by_q1_dot = (-q1_ddot_by_q1_dot)
+        .mul_add(cos_q2_minus_90deg, q2_dot * sin_q2_minus_90deg);
+    // q2_ddot_by_q1_dot = sin(q2_minus_90deg)*(2*q1'*cos(q2_minus_90deg) - I3*(q3' +
+    //   2*q1'*cos(q2_minus_90deg))/I1)
+    let q2_ddot_by_q1_dot = -q2_ddot_by_q2_minus_90deg_of_motion * sin_q2_minus_90deg;
+    // q1_ddot_by_q2_dot = (I3*(q3' + q1'*cos(q2_minus_90deg))/I1 -
+    //   2*q1'*cos(q2_minus_90deg))/sin(q2_minus_90deg)
+    let q1_ddot_by_q2_dot = sin_q2_minus_90deg_inv * q1_ddot_of_motion_2;
+    let q3_ddot_by_q2_dot_of_q1_dot = q1_dot * sin_q2_minus_90deg;
+    // q3_ddot_by_q2_dot = q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg)
+    let q3_ddot_by_q2_dot = (-q1_ddot_by_q2_dot)
+        .mul_add(cos_q2_minus_90deg, q3_ddot_by_q2_dot_of_q1_dot);
+    // q1_ddot_by_q3_dot = I3*q2'/(I1*sin(q2_minus_90deg))
+    let q1_ddot_by_q3_dot = q1_ddot_of_q2_dot * i3_i1_inv;
+    // q2_ddot_by_q3_dot = -I3*q1'*sin(q2_minus_90deg)/I1
+    let q2_ddot_by_q3_dot = -i3_i1_inv * q3_ddot_by_q2_dot_of_q1_dot;
+    // Entries that are not zero.
+    // d(q1')/d(q1') = 1
+    let q1_dot_by_q1_dot_value = S::int(1);
+    // d(q2')/d(q2') = 1
+    let q2_dot_by_q2_dot_value = S::int(1);
+    // d(q3')/d(q3') = 1
+    let q3_dot_by_q3_dot_value = S::int(1);
+    // d(q3'')/d(q1) = -q1_ddot_by_q1*cos(q2_minus_90deg)
+    let q3_ddot_by_q1_value = -q1_ddot_by_q1 * cos_q2_minus_90deg;
+    // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*cos(q2_minus_90deg)
+    let q3_ddot_by_q3_dot_value = -q1_ddot_by_q3_dot * cos_q2_minus_90deg;
+    [
+        [zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero],
+        [zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero],
+        [zero, zero, zero, zero, zero, q3_dot_by_q3_dot_value],
+        [
+            q1_ddot_by_q1,
+            q1_ddot_by_q2_minus_90deg,
+            zero,
+            q1_ddot_by_q1_dot,
+            q1_ddot_by_q2_dot,
+            q1_ddot_by_q3_dot,
+        ],
+        [
+            q2_ddot_by_q1,
+            q2_ddot_by_q2_minus_90deg,
+            zero,
+            q2_ddot_by_q1_dot,
+            zero,
+            q2_ddot_by_q3_dot,
+        ],
+        [
+            q3_ddot_by_q1_value,
+            q3_ddot_by_q2_minus_90deg,
+            zero,
+            q3_ddot_by_q1_dot,
+            q3_ddot_by_q2_dot,
+            q3_ddot_by_q3_dot_value,
+        ],
+    ]
 }
 
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
@@ -474,7 +394,6 @@ pub fn taylor<S: Scalar>(
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1_0, q2_minus_90deg_0, _, q1_dot_0, q2_dot_0, q3_dot_0] = series[0];
     // Shared terms.
-    // I3/I1; used 3 times
     let i1_inv_i3 = I3 / I1;
     // Constant in time.
     // i3_by_i1 = I3/I1
@@ -489,37 +408,26 @@ pub fn taylor<S: Scalar>(
     let (s1_0, c1_0) = q1_0.sin_cos();
     let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
     let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
-    // q1_ddot_part = q1_dot*cos_q2_minus_90deg
-    let q1_ddot_part_0 = q1_dot_0 * cos_q2_minus_90deg_0;
-    // q1_ddot_part_2 = i3_by_i1*q3_dot + i3_by_i1_minus_2*q1_ddot_part
-    let q1_ddot_part_2_0 = q1_ddot_part_0.mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot_0);
-    // q1_ddot_part_3 = q2_dot*q1_ddot_part_2
-    let q1_ddot_part_3_0 = q2_dot_0 * q1_ddot_part_2_0;
-    // q1_ddot_part_4 = m_l_g_by_i1*s1 - q1_ddot_part_3
-    let q1_ddot_part_4_0 = m_l_g_by_i1 * s1_0 - q1_ddot_part_3_0;
-    // q1_ddot_part_5 = q1_ddot_part_4/sin_q2_minus_90deg
-    let q1_ddot_part_5_0 = q1_ddot_part_4_0 * over_sin_q2_minus_90deg;
-    // q3_ddot_part = q1_ddot_part_5*cos_q2_minus_90deg
-    let q3_ddot_part_0 = q1_ddot_part_5_0 * cos_q2_minus_90deg_0;
-    // q3_ddot_part_2 = q1_dot*sin_q2_minus_90deg
-    let q3_ddot_part_2_0 = q1_dot_0 * sin_q2_minus_90deg_0;
-    // q3_ddot_part_3 = q2_dot*q3_ddot_part_2
-    let q3_ddot_part_3_0 = q2_dot_0 * q3_ddot_part_2_0;
-    // q3_dot_dot = q3_ddot_part + q3_ddot_part_3
-    let q3_dot_dot_0 = q3_ddot_part_3_0 + q3_ddot_part_0;
-    // q2_ddot_part = c1*cos_q2_minus_90deg
-    let q2_ddot_part_0 = c1_0 * cos_q2_minus_90deg_0;
-    // q2_ddot_part_2 = i3_by_i1*q3_dot + i3_by_i1_minus_1*q1_ddot_part
-    let q2_ddot_part_2_0 = q1_ddot_part_0.mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot_0);
-    // q2_ddot_part_3 = q2_ddot_part_2*q3_ddot_part_2
-    let q2_ddot_part_3_0 = q2_ddot_part_2_0 * q3_ddot_part_2_0;
-    // q2_dot_dot = m_l_g_by_i1*q2_ddot_part - q2_ddot_part_3
-    let q2_dot_dot_0 = m_l_g_by_i1 * q2_ddot_part_0 - q2_ddot_part_3_0;
+    let q1_ddot_of_q1_dot_0 = q1_dot_0 * cos_q2_minus_90deg_0;
+    let q1_ddot_of_motion_0 = q1_ddot_of_q1_dot_0
+        .mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot_0);
+    let q1_ddot_of_motion_2_0 = q2_dot_0 * q1_ddot_of_motion_0;
+    let q1_ddot_of_motion_3_0 = m_l_g_by_i1 * s1_0 - q1_ddot_of_motion_2_0;
+    let q1_ddot_of_motion_4_0 = q1_ddot_of_motion_3_0 * over_sin_q2_minus_90deg;
+    let q3_ddot_of_motion_0 = q1_ddot_of_motion_4_0 * cos_q2_minus_90deg_0;
+    let q3_ddot_of_q1_dot_0 = q1_dot_0 * sin_q2_minus_90deg_0;
+    let q3_ddot_of_motion_2_0 = q2_dot_0 * q3_ddot_of_q1_dot_0;
+    let q3_dot_dot_0 = q3_ddot_of_motion_2_0 + q3_ddot_of_motion_0;
+    let c1_cos_q2_minus_90deg_0 = c1_0 * cos_q2_minus_90deg_0;
+    let q2_ddot_of_motion_0 = q1_ddot_of_q1_dot_0
+        .mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot_0);
+    let q2_ddot_of_motion_2_0 = q2_ddot_of_motion_0 * q3_ddot_of_q1_dot_0;
+    let q2_dot_dot_0 = m_l_g_by_i1 * c1_cos_q2_minus_90deg_0 - q2_ddot_of_motion_2_0;
     // Order 1: the rates, and what follows from them.
     let q1_1 = q1_dot_0;
     let q2_minus_90deg_1 = q2_dot_0;
     let q3_1 = q3_dot_0;
-    let q1_dot_1 = -q1_ddot_part_5_0;
+    let q1_dot_1 = -q1_ddot_of_motion_4_0;
     let q2_dot_1 = q2_dot_dot_0;
     let q3_dot_1 = q3_dot_dot_0;
     if series.len() > 1 {
@@ -529,29 +437,32 @@ pub fn taylor<S: Scalar>(
     let c1_1 = -q1_1 * s1_0;
     let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
     let cos_q2_minus_90deg_1 = -q2_minus_90deg_1 * sin_q2_minus_90deg_0;
-    let q1_ddot_part_1 = cos_q2_minus_90deg_1
+    let q1_ddot_of_q1_dot_1 = cos_q2_minus_90deg_1
         .mul_add(q1_dot_0, q1_dot_1 * cos_q2_minus_90deg_0);
-    let q1_ddot_part_2_1 = q1_ddot_part_1.mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot_1);
-    let q1_ddot_part_3_1 = q1_ddot_part_2_1
-        .mul_add(q2_dot_0, q2_dot_1 * q1_ddot_part_2_0);
-    let q1_ddot_part_4_1 = m_l_g_by_i1 * s1_1 - q1_ddot_part_3_1;
-    let q1_ddot_part_5_1 = sin_q2_minus_90deg_1
+    let q1_ddot_of_motion_1 = q1_ddot_of_q1_dot_1
+        .mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot_1);
+    let q1_ddot_of_motion_2_1 = q1_ddot_of_motion_1
+        .mul_add(q2_dot_0, q2_dot_1 * q1_ddot_of_motion_0);
+    let q1_ddot_of_motion_3_1 = m_l_g_by_i1 * s1_1 - q1_ddot_of_motion_2_1;
+    let q1_ddot_of_motion_4_1 = sin_q2_minus_90deg_1
         .mul_add(
-            -(q1_ddot_part_5_0 * over_sin_q2_minus_90deg),
-            q1_ddot_part_4_1 * over_sin_q2_minus_90deg,
+            -(q1_ddot_of_motion_4_0 * over_sin_q2_minus_90deg),
+            q1_ddot_of_motion_3_1 * over_sin_q2_minus_90deg,
         );
-    let q3_ddot_part_1 = q1_ddot_part_5_1
-        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * q1_ddot_part_5_0);
-    let q3_ddot_part_2_1 = sin_q2_minus_90deg_1
+    let q3_ddot_of_motion_1 = q1_ddot_of_motion_4_1
+        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * q1_ddot_of_motion_4_0);
+    let q3_ddot_of_q1_dot_1 = sin_q2_minus_90deg_1
         .mul_add(q1_dot_0, q1_dot_1 * sin_q2_minus_90deg_0);
-    let q3_ddot_part_3_1 = q3_ddot_part_2_1
-        .mul_add(q2_dot_0, q2_dot_1 * q3_ddot_part_2_0);
-    let q3_dot_dot_1 = q3_ddot_part_3_1 + q3_ddot_part_1;
-    let q2_ddot_part_1 = cos_q2_minus_90deg_1.mul_add(c1_0, c1_1 * cos_q2_minus_90deg_0);
-    let q2_ddot_part_2_1 = q1_ddot_part_1.mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot_1);
-    let q2_ddot_part_3_1 = q2_ddot_part_2_1
-        .mul_add(q3_ddot_part_2_0, q3_ddot_part_2_1 * q2_ddot_part_2_0);
-    let q2_dot_dot_1 = m_l_g_by_i1 * q2_ddot_part_1 - q2_ddot_part_3_1;
+    let q3_ddot_of_motion_2_1 = q3_ddot_of_q1_dot_1
+        .mul_add(q2_dot_0, q2_dot_1 * q3_ddot_of_q1_dot_0);
+    let q3_dot_dot_1 = q3_ddot_of_motion_2_1 + q3_ddot_of_motion_1;
+    let c1_cos_q2_minus_90deg_1 = cos_q2_minus_90deg_1
+        .mul_add(c1_0, c1_1 * cos_q2_minus_90deg_0);
+    let q2_ddot_of_motion_1 = q1_ddot_of_q1_dot_1
+        .mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot_1);
+    let q2_ddot_of_motion_2_1 = q2_ddot_of_motion_1
+        .mul_add(q3_ddot_of_q1_dot_0, q3_ddot_of_q1_dot_1 * q2_ddot_of_motion_0);
+    let q2_dot_dot_1 = m_l_g_by_i1 * c1_cos_q2_minus_90deg_1 - q2_ddot_of_motion_2_1;
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
         history[1] = [
@@ -563,11 +474,11 @@ pub fn taylor<S: Scalar>(
                 q1_dot_1,
                 q2_dot_1,
                 sin_q2_minus_90deg_1,
-                q1_ddot_part_5_1,
+                q1_ddot_of_motion_4_1,
                 q1_dot_1,
                 q2_dot_1,
                 c1_1,
-                q2_ddot_part_2_1,
+                q2_ddot_of_motion_1,
             ]),
             padded([
                 c1_1,
@@ -575,13 +486,13 @@ pub fn taylor<S: Scalar>(
                 cos_q2_minus_90deg_1,
                 sin_q2_minus_90deg_1,
                 cos_q2_minus_90deg_1,
-                q1_ddot_part_2_1,
-                q1_ddot_part_5_1,
+                q1_ddot_of_motion_1,
+                q1_ddot_of_motion_4_1,
                 cos_q2_minus_90deg_1,
                 sin_q2_minus_90deg_1,
-                q3_ddot_part_2_1,
+                q3_ddot_of_q1_dot_1,
                 cos_q2_minus_90deg_1,
-                q3_ddot_part_2_1,
+                q3_ddot_of_q1_dot_1,
             ]),
         ];
     }
@@ -594,16 +505,16 @@ pub fn taylor<S: Scalar>(
     let mut c1_last = c1_1;
     let mut sin_q2_minus_90deg_last = sin_q2_minus_90deg_1;
     let mut cos_q2_minus_90deg_last = cos_q2_minus_90deg_1;
-    let mut q1_ddot_part_2_last = q1_ddot_part_2_1;
-    let mut q1_ddot_part_5_last = q1_ddot_part_5_1;
-    let mut q3_ddot_part_2_last = q3_ddot_part_2_1;
-    let mut q2_ddot_part_2_last = q2_ddot_part_2_1;
+    let mut q1_ddot_of_motion_last = q1_ddot_of_motion_1;
+    let mut q1_ddot_of_motion_4_last = q1_ddot_of_motion_4_1;
+    let mut q3_ddot_of_q1_dot_last = q3_ddot_of_q1_dot_1;
+    let mut q2_ddot_of_motion_last = q2_ddot_of_motion_1;
     let mut next = [S::int(0); 16];
     // Rates at order k - 1.
     let mut q1_rate = q1_dot_1;
     let mut q2_minus_90deg_rate = q2_dot_1;
     let mut q3_rate = q3_dot_1;
-    let mut q1_dot_rate = -q1_ddot_part_5_1;
+    let mut q1_dot_rate = -q1_ddot_of_motion_4_1;
     let mut q2_dot_rate = q2_dot_dot_1;
     let mut q3_dot_rate = q3_dot_dot_1;
     for order in 2..series.len() {
@@ -650,18 +561,18 @@ pub fn taylor<S: Scalar>(
                     ),
                 q2_dot_1
                     .mul_add(
-                        q1_ddot_part_2_last,
-                        q2_dot_last.mul_add(q1_ddot_part_2_1, next[5]),
+                        q1_ddot_of_motion_last,
+                        q2_dot_last.mul_add(q1_ddot_of_motion_1, next[5]),
                     ),
                 sin_q2_minus_90deg_1
                     .mul_add(
-                        q1_ddot_part_5_last,
-                        sin_q2_minus_90deg_last.mul_add(q1_ddot_part_5_1, next[6]),
+                        q1_ddot_of_motion_4_last,
+                        sin_q2_minus_90deg_last.mul_add(q1_ddot_of_motion_4_1, next[6]),
                     ),
-                q1_ddot_part_5_1
+                q1_ddot_of_motion_4_1
                     .mul_add(
                         cos_q2_minus_90deg_last,
-                        q1_ddot_part_5_last.mul_add(cos_q2_minus_90deg_1, next[7]),
+                        q1_ddot_of_motion_4_last.mul_add(cos_q2_minus_90deg_1, next[7]),
                     ),
                 q1_dot_1
                     .mul_add(
@@ -670,18 +581,18 @@ pub fn taylor<S: Scalar>(
                     ),
                 q2_dot_1
                     .mul_add(
-                        q3_ddot_part_2_last,
-                        q2_dot_last.mul_add(q3_ddot_part_2_1, next[9]),
+                        q3_ddot_of_q1_dot_last,
+                        q2_dot_last.mul_add(q3_ddot_of_q1_dot_1, next[9]),
                     ),
                 c1_1
                     .mul_add(
                         cos_q2_minus_90deg_last,
                         c1_last.mul_add(cos_q2_minus_90deg_1, next[10]),
                     ),
-                q2_ddot_part_2_1
+                q2_ddot_of_motion_1
                     .mul_add(
-                        q3_ddot_part_2_last,
-                        q2_ddot_part_2_last.mul_add(q3_ddot_part_2_1, next[11]),
+                        q3_ddot_of_q1_dot_last,
+                        q2_ddot_of_motion_last.mul_add(q3_ddot_of_q1_dot_1, next[11]),
                     ),
             ])
         };
@@ -695,54 +606,56 @@ pub fn taylor<S: Scalar>(
         // cos_q2_minus_90deg = cos(q2_minus_90deg)
         let cos_q2_minus_90deg = -q2_minus_90deg
             .mul_add(sin_q2_minus_90deg_0, sums[3] * over_k);
-        // q1_ddot_part = q1_dot*cos_q2_minus_90deg
-        let q1_ddot_part = cos_q2_minus_90deg
+        // q1_ddot_of_q1_dot = q1_dot*cos_q2_minus_90deg
+        let q1_ddot_of_q1_dot = cos_q2_minus_90deg
             .mul_add(q1_dot_0, q1_dot.mul_add(cos_q2_minus_90deg_0, sums[4]));
-        // q1_ddot_part_2 = i3_by_i1*q3_dot + i3_by_i1_minus_2*q1_ddot_part
-        let q1_ddot_part_2 = q1_ddot_part.mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot);
-        // q1_ddot_part_3 = q2_dot*q1_ddot_part_2
-        let q1_ddot_part_3 = q1_ddot_part_2
-            .mul_add(q2_dot_0, q2_dot.mul_add(q1_ddot_part_2_0, sums[5]));
-        // q1_ddot_part_4 = m_l_g_by_i1*s1 - q1_ddot_part_3
-        let q1_ddot_part_4 = m_l_g_by_i1 * s1 - q1_ddot_part_3;
-        // q1_ddot_part_5 = q1_ddot_part_4/sin_q2_minus_90deg
-        let q1_ddot_part_5 = q1_ddot_part_4
+        // q1_ddot_of_motion = i3_by_i1*q3_dot + i3_by_i1_minus_2*q1_ddot_of_q1_dot
+        let q1_ddot_of_motion = q1_ddot_of_q1_dot
+            .mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot);
+        // q1_ddot_of_motion_2 = q2_dot*q1_ddot_of_motion
+        let q1_ddot_of_motion_2 = q1_ddot_of_motion
+            .mul_add(q2_dot_0, q2_dot.mul_add(q1_ddot_of_motion_0, sums[5]));
+        // q1_ddot_of_motion_3 = m_l_g_by_i1*s1 - q1_ddot_of_motion_2
+        let q1_ddot_of_motion_3 = m_l_g_by_i1 * s1 - q1_ddot_of_motion_2;
+        // q1_ddot_of_motion_4 = q1_ddot_of_motion_3/sin_q2_minus_90deg
+        let q1_ddot_of_motion_4 = q1_ddot_of_motion_3
             .mul_add(
                 over_sin_q2_minus_90deg,
-                -(sin_q2_minus_90deg.mul_add(q1_ddot_part_5_0, sums[6])
+                -(sin_q2_minus_90deg.mul_add(q1_ddot_of_motion_4_0, sums[6])
                     * over_sin_q2_minus_90deg),
             );
-        // q3_ddot_part = q1_ddot_part_5*cos_q2_minus_90deg
-        let q3_ddot_part = q1_ddot_part_5
+        // q3_ddot_of_motion = q1_ddot_of_motion_4*cos_q2_minus_90deg
+        let q3_ddot_of_motion = q1_ddot_of_motion_4
             .mul_add(
                 cos_q2_minus_90deg_0,
-                cos_q2_minus_90deg.mul_add(q1_ddot_part_5_0, sums[7]),
+                cos_q2_minus_90deg.mul_add(q1_ddot_of_motion_4_0, sums[7]),
             );
-        // q3_ddot_part_2 = q1_dot*sin_q2_minus_90deg
-        let q3_ddot_part_2 = sin_q2_minus_90deg
+        // q3_ddot_of_q1_dot = q1_dot*sin_q2_minus_90deg
+        let q3_ddot_of_q1_dot = sin_q2_minus_90deg
             .mul_add(q1_dot_0, q1_dot.mul_add(sin_q2_minus_90deg_0, sums[8]));
-        // q3_ddot_part_3 = q2_dot*q3_ddot_part_2
-        let q3_ddot_part_3 = q3_ddot_part_2
-            .mul_add(q2_dot_0, q2_dot.mul_add(q3_ddot_part_2_0, sums[9]));
-        // q3_dot_dot = q3_ddot_part + q3_ddot_part_3
-        let q3_dot_dot = q3_ddot_part_3 + q3_ddot_part;
-        // q2_ddot_part = c1*cos_q2_minus_90deg
-        let q2_ddot_part = cos_q2_minus_90deg
+        // q3_ddot_of_motion_2 = q2_dot*q3_ddot_of_q1_dot
+        let q3_ddot_of_motion_2 = q3_ddot_of_q1_dot
+            .mul_add(q2_dot_0, q2_dot.mul_add(q3_ddot_of_q1_dot_0, sums[9]));
+        // q3_dot_dot = q3_ddot_of_motion + q3_ddot_of_motion_2
+        let q3_dot_dot = q3_ddot_of_motion_2 + q3_ddot_of_motion;
+        // c1_cos_q2_minus_90deg = c1*cos_q2_minus_90deg
+        let c1_cos_q2_minus_90deg = cos_q2_minus_90deg
             .mul_add(c1_0, c1.mul_add(cos_q2_minus_90deg_0, sums[10]));
-        // q2_ddot_part_2 = i3_by_i1*q3_dot + i3_by_i1_minus_1*q1_ddot_part
-        let q2_ddot_part_2 = q1_ddot_part.mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot);
-        // q2_ddot_part_3 = q2_ddot_part_2*q3_ddot_part_2
-        let q2_ddot_part_3 = q2_ddot_part_2
+        // q2_ddot_of_motion = i3_by_i1*q3_dot + i3_by_i1_minus_1*q1_ddot_of_q1_dot
+        let q2_ddot_of_motion = q1_ddot_of_q1_dot
+            .mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot);
+        // q2_ddot_of_motion_2 = q2_ddot_of_motion*q3_ddot_of_q1_dot
+        let q2_ddot_of_motion_2 = q2_ddot_of_motion
             .mul_add(
-                q3_ddot_part_2_0,
-                q3_ddot_part_2.mul_add(q2_ddot_part_2_0, sums[11]),
+                q3_ddot_of_q1_dot_0,
+                q3_ddot_of_q1_dot.mul_add(q2_ddot_of_motion_0, sums[11]),
             );
-        // q2_dot_dot = m_l_g_by_i1*q2_ddot_part - q2_ddot_part_3
-        let q2_dot_dot = m_l_g_by_i1 * q2_ddot_part - q2_ddot_part_3;
+        // q2_dot_dot = m_l_g_by_i1*c1_cos_q2_minus_90deg - q2_ddot_of_motion_2
+        let q2_dot_dot = m_l_g_by_i1 * c1_cos_q2_minus_90deg - q2_ddot_of_motion_2;
         q1_rate = q1_dot;
         q2_minus_90deg_rate = q2_dot;
         q3_rate = q3_dot;
-        q1_dot_rate = -q1_ddot_part_5;
+        q1_dot_rate = -q1_ddot_of_motion_4;
         q2_dot_rate = q2_dot_dot;
         q3_dot_rate = q3_dot_dot;
         // Factors of the convolutions: left, right.
@@ -755,11 +668,11 @@ pub fn taylor<S: Scalar>(
                 q1_dot,
                 q2_dot,
                 sin_q2_minus_90deg,
-                q1_ddot_part_5,
+                q1_ddot_of_motion_4,
                 q1_dot,
                 q2_dot,
                 c1,
-                q2_ddot_part_2,
+                q2_ddot_of_motion,
             ]),
             padded([
                 c1,
@@ -767,13 +680,13 @@ pub fn taylor<S: Scalar>(
                 cos_q2_minus_90deg,
                 sin_q2_minus_90deg,
                 cos_q2_minus_90deg,
-                q1_ddot_part_2,
-                q1_ddot_part_5,
+                q1_ddot_of_motion,
+                q1_ddot_of_motion_4,
                 cos_q2_minus_90deg,
                 sin_q2_minus_90deg,
-                q3_ddot_part_2,
+                q3_ddot_of_q1_dot,
                 cos_q2_minus_90deg,
-                q3_ddot_part_2,
+                q3_ddot_of_q1_dot,
             ]),
         ];
         count_last = count;
@@ -785,10 +698,10 @@ pub fn taylor<S: Scalar>(
         c1_last = c1;
         sin_q2_minus_90deg_last = sin_q2_minus_90deg;
         cos_q2_minus_90deg_last = cos_q2_minus_90deg;
-        q1_ddot_part_2_last = q1_ddot_part_2;
-        q1_ddot_part_5_last = q1_ddot_part_5;
-        q3_ddot_part_2_last = q3_ddot_part_2;
-        q2_ddot_part_2_last = q2_ddot_part_2;
+        q1_ddot_of_motion_last = q1_ddot_of_motion;
+        q1_ddot_of_motion_4_last = q1_ddot_of_motion_4;
+        q3_ddot_of_q1_dot_last = q3_ddot_of_q1_dot;
+        q2_ddot_of_motion_last = q2_ddot_of_motion;
     }
 }
 

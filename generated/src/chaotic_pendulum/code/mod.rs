@@ -1,0 +1,15 @@
+//! Chaotic pendulum: a swinging rod with a plate turning about it: the code of the equations.
+//!
+//! Generated from `models/chaotic_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+
+/// Kane's method.
+#[rustfmt::skip]
+pub mod kane;
+
+/// Lagrange's equations.
+#[rustfmt::skip]
+pub mod lagrange;
+
+/// Newton–Euler equations.
+#[rustfmt::skip]
+pub mod newton_euler;

@@ -1,0 +1,1073 @@
+//! Thin disk sliding on a frictionless plane: Kane's method, M(q) u' = f(q, u).
+//!
+//! Generated from `models/disk/model.toml`. Do not edit; run `tripos regenerate`.
+
+use super::super::Parameters;
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::{Lengths, Scalar, System};
+
+/// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3, u4, u5.
+///
+/// 18 operations, 2 sines and cosines.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    _u: &[S; 5],
+) -> [[S; 5]; 5] {
+    let Parameters { M, R, .. } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    let m_r = M * R;
+    let r_m_r = R * m_r;
+    let c2_m_r = m_r * c2;
+    let t2 = s2 / c2;
+    let m_r_t2 = m_r * t2;
+    // Entries that are not zero; upper triangle.
+    // M11 = 5*M*R^2/4
+    let m11 = S::ratio(5, 4) * r_m_r;
+    // M14 = M*R*sin(q1)*cos(q2)
+    let m14 = c2_m_r * s1;
+    // M15 = -M*R*cos(q1)*cos(q2)
+    let m15 = -c2_m_r * c1;
+    // M22 = M*R^2*(1 + 4*tan(q2)^2)/4
+    let m22 = S::ratio(1, 4) * r_m_r + r_m_r * t2 * t2;
+    // M24 = -M*R*cos(q1)*tan(q2)
+    let m24 = -m_r_t2 * c1;
+    // M25 = -M*R*sin(q1)*tan(q2)
+    let m25 = -m_r_t2 * s1;
+    // M33 = M*R^2/2
+    let m33 = S::ratio(1, 2) * r_m_r;
+    // M44 = M
+    let m44 = M;
+    // M55 = M
+    let m55 = M;
+    [
+        [m11, zero, zero, m14, m15],
+        [zero, m22, zero, m24, m25],
+        [zero, zero, m33, zero, zero],
+        [m14, m24, zero, m44, zero],
+        [m15, m25, zero, zero, m55],
+    ]
+}
+
+/// Right-hand side of the linear system; unknowns (u1', u2', u3', u4', u5').
+///
+/// 36 operations, 2 sines and cosines.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
+    let Parameters { M, R, g } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [u1, u2, u3, _, _] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    let m_r = M * R;
+    let s2_m_r = m_r * s2;
+    let u2_m_r = u2 * m_r;
+    let c2_inv = S::int(1) / c2;
+    let u2_c2_inv = u2 * c2_inv;
+    // 2*u3 + 3*u2_c2_inv*sin(q2)
+    let f1_of_u2_u3 = (u2_c2_inv * s2).mul_add(S::int(3), S::int(2) * u3);
+    let f1_of_u2_u3_by_4 = S::ratio(1, 4) * f1_of_u2_u3;
+    let c2_inv_sq = c2_inv * c2_inv;
+    // s2_m_r*(u1^2 + u2_c2_inv^2)
+    let f4_of_u1_u2 = s2_m_r * u2_c2_inv.mul_add(u2_c2_inv, u1 * u1);
+    // u1*u2_m_r*(1 + c2_inv_sq)
+    let f4_of_u1_u2_2 = u1 * u2_m_r * (S::int(1) + c2_inv_sq);
+    // Values.
+    // f1 = -M*R*(4*g*sin(q2) + R*u2*(3*u2*tan(q2) + 2*u3))/4
+    let f1 = (-(R * u2_m_r)).mul_add(f1_of_u2_u3_by_4, -g * s2_m_r);
+    // f2 = M*R^2*u1*(u2*tan(q2)*(7 + 4*tan(q2)^2) + 2*u3)/4
+    let f2 = R * u1 * (s2_m_r * u2_c2_inv).mul_add(c2_inv_sq, m_r * f1_of_u2_u3_by_4);
+    // f4 = -M*R*(u2^2*sin(q1)*tan(q2)/cos(q2) + u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)))
+    let f4 = (-f4_of_u1_u2_2).mul_add(c1, -f4_of_u1_u2 * s1);
+    // f5 = M*R*(u2^2*cos(q1)*tan(q2)/cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)))
+    let f5 = (-f4_of_u1_u2_2).mul_add(s1, f4_of_u1_u2 * c1);
+    [f1, f2, zero, f4, f5]
+}
+
+/// The accelerations (u1', u2', u3', u4', u5'), solved for when this code was generated.
+///
+/// 39 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
+    let Parameters { R, g, .. } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [u1, u2, u3, _, _] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step, each after the terms that it shares.
+    let u1_sq = u1 * u1;
+    let c2_inv = S::int(1) / c2;
+    let u2_c2_inv = u2 * c2_inv;
+    // u2_c2_inv*sin(q2) - 2*u3
+    let u1_dot_of_u2_u3 = (-u3).mul_add(S::int(2), u2_c2_inv * s2);
+    // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
+    let u1_dot = (S::int(4) * s2 * (-u1_sq).mul_add(c2, g / R) - u2 * u1_dot_of_u2_u3)
+        / (S::int(4) * c2 * c2 - S::int(5));
+    // u2' = u1*(2*u3 - u2*tan(q2))
+    let u2_dot = -u1 * u1_dot_of_u2_u3;
+    // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2))
+    let u5_dot_of_u1_u2_u2_dot = c2_inv * (-u2_dot).mul_add(s2, u1 * u2_c2_inv)
+        + u1 * u2;
+    let r_s1 = R * s1;
+    // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2)
+    let u5_dot_of_u1_u2_u1_dot = s2 * u2_c2_inv.mul_add(u2_c2_inv, u1_sq) + u1_dot * c2;
+    let r_c1 = R * c1;
+    // u5' = R*(u1'*cos(q1)*cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) +
+    //   tan(q2)*(u2^2*cos(q1)/cos(q2) + u2'*sin(q1)))
+    let u5_dot = (-u5_dot_of_u1_u2_u2_dot).mul_add(r_s1, u5_dot_of_u1_u2_u1_dot * r_c1);
+    // u4' = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
+    //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
+    let u4_dot = (-u5_dot_of_u1_u2_u2_dot).mul_add(r_c1, -r_s1 * u5_dot_of_u1_u2_u1_dot);
+    [u1_dot, u2_dot, zero, u4_dot, u5_dot]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+) -> [S; 5] {
+    let [_, q2, _, _, _] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    let u2_c2_inv = u2 / c2;
+    // Values.
+    // q1' = u2/cos(q2)
+    let q1_dot_value = u2_c2_inv;
+    // q2' = -u1
+    let q2_dot_value = -u1;
+    // q3' = u3 - u2*tan(q2)
+    let q3_dot_value = (-u2_c2_inv).mul_add(s2, u3);
+    // q4' = u4
+    let q4_dot_value = u4;
+    // q5' = u5
+    let q5_dot_value = u5;
+    [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 35 operations, 2 sines and cosines.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S {
+    let Parameters { M, R, .. } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    let m_r = M * R;
+    let t2 = s2 / c2;
+    // 5*u1^2 + u2^2*(1 + 4*t2^2)
+    let energy_of_u1_u2 = S::int(5) * u1 * u1
+        + u2 * u2 * (S::int(1) + S::int(4) * t2 * t2);
+    // Values.
+    // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
+    //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
+    //   M*R*u2*u5*sin(q1)*tan(q2)
+    let energy = S::ratio(1, 2) * M * u5.mul_add(u5, u4 * u4)
+        + m_r
+            * (u1 * c2 * (-u5).mul_add(c1, u4 * s1) - u2 * t2 * u5.mul_add(s1, u4 * c1))
+        + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_of_u1_u2);
+    energy
+}
+
+/// Potential energy V of gravity.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
+    let Parameters { M, R, g } = *p;
+    let [_, q2, _, _, _] = *q;
+    // Sines and cosines.
+    let (_, c2) = q2.sin_cos();
+    // Values.
+    // V = M*R*g*(cos(q2) - 1)
+    let energy = M * R * g * (c2 - S::int(1));
+    energy
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 41 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+) -> ([S; 5], [S; 5]) {
+    let Parameters { R, g, .. } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [u1, u2, u3, u4, u5] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step, each after the terms that it shares.
+    let u1_sq = u1 * u1;
+    let c2_inv = S::int(1) / c2;
+    let u2_c2_inv = u2 * c2_inv;
+    let s2_u2_c2_inv = u2_c2_inv * s2;
+    // s2_u2_c2_inv - 2*u3
+    let u1_dot_of_u2_u3 = (-u3).mul_add(S::int(2), s2_u2_c2_inv);
+    // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
+    let u1_dot = (S::int(4) * s2 * (-u1_sq).mul_add(c2, g / R) - u2 * u1_dot_of_u2_u3)
+        / (S::int(4) * c2 * c2 - S::int(5));
+    // u2' = u1*(2*u3 - u2*tan(q2))
+    let u2_dot = -u1 * u1_dot_of_u2_u3;
+    // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2))
+    let u5_dot_of_u1_u2_u2_dot = c2_inv * (-u2_dot).mul_add(s2, u1 * u2_c2_inv)
+        + u1 * u2;
+    let r_s1 = R * s1;
+    // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2)
+    let u5_dot_of_u1_u2_u1_dot = s2 * u2_c2_inv.mul_add(u2_c2_inv, u1_sq) + u1_dot * c2;
+    let r_c1 = R * c1;
+    // u5' = R*(u1'*cos(q1)*cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) +
+    //   tan(q2)*(u2^2*cos(q1)/cos(q2) + u2'*sin(q1)))
+    let u5_dot = (-u5_dot_of_u1_u2_u2_dot).mul_add(r_s1, u5_dot_of_u1_u2_u1_dot * r_c1);
+    // u4' = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
+    //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
+    let u4_dot = (-u5_dot_of_u1_u2_u2_dot).mul_add(r_c1, -r_s1 * u5_dot_of_u1_u2_u1_dot);
+    // Values.
+    // q1' = u2/cos(q2)
+    let q1_dot_value = u2_c2_inv;
+    // q2' = -u1
+    let q2_dot_value = -u1;
+    // q3' = u3 - u2*tan(q2)
+    let q3_dot_value = u3 - s2_u2_c2_inv;
+    // q4' = u4
+    let q4_dot_value = u4;
+    // q5' = u5
+    let q5_dot_value = u5;
+    (
+        [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value],
+        [u1_dot, u2_dot, zero, u4_dot, u5_dot],
+    )
+}
+
+/// Jacobian of the derivative by the state; columns q1, q2, q3, q4, q5, u1, u2, u3, u4, u5.
+///
+/// 148 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10]; 10] {
+    let Parameters { R, g, .. } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [u1, u2, u3, _, _] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step, each after the terms that it shares.
+    // 1/(4*cos(q2)^2 - 5)
+    let u1_dot_of_q2 = S::int(1) / (S::int(4) * c2 * c2 - S::int(5));
+    let u2_u1_dot_of_q2 = u2 * u1_dot_of_q2;
+    let u3_doubled = S::int(2) * u3;
+    let c2_inv = S::int(1) / c2;
+    let u2_c2_inv = u2 * c2_inv;
+    let s2_u1_dot_of_q2 = u1_dot_of_q2 * s2;
+    let u2_s2_u1_dot_of_q2 = u2 * s2_u1_dot_of_q2;
+    let u1_sq = u1 * u1;
+    let c2_s2_u1_dot_of_q2 = s2_u1_dot_of_q2 * c2;
+    let r_inv_g = g / R;
+    let s2_u1_dot_of_q2_r_inv_g = s2_u1_dot_of_q2 * r_inv_g;
+    // u1_sq*c2_s2_u1_dot_of_q2 - s2_u1_dot_of_q2_r_inv_g
+    let u1_dot_of_u1 = u1_sq.mul_add(c2_s2_u1_dot_of_q2, -s2_u1_dot_of_q2_r_inv_g);
+    // u1' = (sin(q2)*(4*g/R - 4*u1^2*cos(q2) - u2^2/cos(q2)) + 2*u2*u3)/(4*cos(q2)^2 - 5)
+    let u1_dot = (-u2_c2_inv).mul_add(u2_s2_u1_dot_of_q2, u2_u1_dot_of_q2 * u3_doubled)
+        - S::int(4) * u1_dot_of_u1;
+    let u1_doubled = S::int(2) * u1;
+    let s2_u2_c2_inv = u2_c2_inv * s2;
+    // u2' = u1*(2*u3 - u2*tan(q2))
+    let u2_dot = (-u1).mul_add(s2_u2_c2_inv, u3 * u1_doubled);
+    let r_c2_inv = R * c2_inv;
+    let s2_r_c2_inv = r_c2_inv * s2;
+    // R + c2_inv*r_c2_inv
+    let r_plus_c2_inv_r_c2_inv = c2_inv.mul_add(r_c2_inv, R);
+    let u5_dot_by_q1_of_u1 = u1 * r_plus_c2_inv_r_c2_inv;
+    // u2*u5_dot_by_q1_of_u1 - u2'*s2_r_c2_inv
+    let u5_dot_by_q1_of_u1_u2_u2_dot = (-u2_dot)
+        .mul_add(s2_r_c2_inv, u2 * u5_dot_by_q1_of_u1);
+    let r_c2 = R * c2;
+    let r_s2 = R * s2;
+    // u2*u2_c2_inv*s2_r_c2_inv + u1_sq*r_s2
+    let u5_dot_by_q1_of_u1_u2 = u1_sq.mul_add(r_s2, u2 * u2_c2_inv * s2_r_c2_inv);
+    // u1'*r_c2 + u5_dot_by_q1_of_u1_u2
+    let u5_dot_by_q1_of_u1_u2_u1_dot = u1_dot.mul_add(r_c2, u5_dot_by_q1_of_u1_u2);
+    // u5_dot_by_q1 = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
+    //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
+    let u5_dot_by_q1 = (-u5_dot_by_q1_of_u1_u2_u1_dot)
+        .mul_add(s1, -u5_dot_by_q1_of_u1_u2_u2_dot * c1);
+    // u4_dot_by_q1 = R*(u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) - u1'*cos(q1)*cos(q2) -
+    //   tan(q2)*(u2^2*cos(q1)/cos(q2) + u2'*sin(q1)))
+    let u4_dot_by_q1 = (-u5_dot_by_q1_of_u1_u2_u1_dot)
+        .mul_add(c1, u5_dot_by_q1_of_u1_u2_u2_dot * s1);
+    // r_inv_g*cos(q2) - u1_sq
+    let u1_dot_by_q2_of_u1 = r_inv_g.mul_add(c2, -u1_sq);
+    // u1_dot_by_q2 = (5*R*u2^2 + 4*cos(q2)^2*(g*cos(q2)*(3 - 4*cos(q2)^2) + R*(u1^2*(6*cos(q2)^2 - 5) +
+    //   u2*(u2*(2*cos(q2)^2 - 3) + 4*u3*sin(q2)*cos(q2)))))/(R*cos(q2)^2*(4*cos(q2)^2 - 5)^2)
+    let u1_dot_by_q2 = S::int(16) * c2_s2_u1_dot_of_q2
+        * u3.mul_add(u2_u1_dot_of_q2, s2_u1_dot_of_q2_r_inv_g)
+        - S::int(4) * u2_u1_dot_of_q2 * u2_u1_dot_of_q2
+        - S::int(8) * u2_s2_u1_dot_of_q2 * u2_s2_u1_dot_of_q2
+        - S::int(24) * s2_u1_dot_of_q2 * s2_u1_dot_of_q2 * u1_sq
+        + u1_dot_of_q2 * u1_dot_of_q2
+            * (-u1_dot_by_q2_of_u1)
+                .mul_add(S::int(4), S::int(5) * u2_c2_inv * u2_c2_inv);
+    let c2_inv_u2_c2_inv = c2_inv * u2_c2_inv;
+    // u2_dot_by_q2 = -u1*u2/cos(q2)^2
+    let u2_dot_by_q2 = -u1 * c2_inv_u2_c2_inv;
+    let u1_doubled_s2_r_c2_inv = u1_doubled * s2_r_c2_inv;
+    // c2_inv*(u2_c2_inv*u1_doubled_s2_r_c2_inv - u2'*r_c2_inv) - u2_dot_by_q2*s2_r_c2_inv
+    let u5_dot_by_q2_of_u1_u2_u2_dot = c2_inv
+        * (-u2_dot).mul_add(r_c2_inv, u2_c2_inv * u1_doubled_s2_r_c2_inv)
+        - u2_dot_by_q2 * s2_r_c2_inv;
+    let u2_c2_inv_doubled = S::int(2) * u2_c2_inv;
+    // u1'*r_s2 - u2_c2_inv*r_c2_inv*u2_c2_inv_doubled
+    let u5_dot_by_q2_of_u2_u1_dot = (-(u2_c2_inv * r_c2_inv))
+        .mul_add(u2_c2_inv_doubled, u1_dot * r_s2);
+    // u1_sq*r_c2 - u2^2*r_c2_inv
+    let u5_dot_by_q2_of_u1_u2 = u1_sq.mul_add(r_c2, -u2 * u2 * r_c2_inv);
+    // u1_dot_by_q2*r_c2 - u5_dot_by_q2_of_u2_u1_dot
+    let u5_dot_by_q2_of_u2_u1_dot_2 = u1_dot_by_q2
+        .mul_add(r_c2, -u5_dot_by_q2_of_u2_u1_dot);
+    // u5_dot_by_q2_of_u1_u2 + u5_dot_by_q2_of_u2_u1_dot_2
+    let u5_dot_by_q2_of_u1_u2_u1_dot = u5_dot_by_q2_of_u1_u2
+        + u5_dot_by_q2_of_u2_u1_dot_2;
+    // u5_dot_by_q2 = -R*(cos(q1)*(u1'*sin(q2) - cos(q2)*(u1^2 + u1_dot_by_q2)) +
+    //   (u2*(2*u1*sin(q1)*tan(q2)/cos(q2) + u2*cos(q1)*(1 - 2/cos(q2)^2)) - sin(q1)*(u2'/cos(q2) +
+    //   u2_dot_by_q2*sin(q2)))/cos(q2))
+    let u5_dot_by_q2 = (-u5_dot_by_q2_of_u1_u2_u2_dot)
+        .mul_add(s1, u5_dot_by_q2_of_u1_u2_u1_dot * c1);
+    // u4_dot_by_q2 = -R*(sin(q1)*(cos(q2)*(u1^2 + u1_dot_by_q2) - u1'*sin(q2)) +
+    //   (u2*(2*u1*cos(q1)*tan(q2)/cos(q2) + u2*sin(q1)*(2/cos(q2)^2 - 1)) - cos(q1)*(u2'/cos(q2) +
+    //   u2_dot_by_q2*sin(q2)))/cos(q2))
+    let u4_dot_by_q2 = (-u5_dot_by_q2_of_u1_u2_u1_dot)
+        .mul_add(s1, -u5_dot_by_q2_of_u1_u2_u2_dot * c1);
+    // u1_dot_by_u1 = 8*u1*sin(q2)*cos(q2)/(5 - 4*cos(q2)^2)
+    let u1_dot_by_u1 = -S::int(8) * u1 * c2_s2_u1_dot_of_q2;
+    // u2_dot_by_u1 = 2*u3 - u2*tan(q2)
+    let u2_dot_by_u1 = u3_doubled - s2_u2_c2_inv;
+    // u1_dot_by_u1*r_c2 + u1_doubled*r_s2
+    let u5_dot_by_u1_of_u1 = u1_doubled.mul_add(r_s2, u1_dot_by_u1 * r_c2);
+    // u2*r_plus_c2_inv_r_c2_inv - u2_dot_by_u1*s2_r_c2_inv
+    let u5_dot_by_u1_of_u2 = (-u2_dot_by_u1)
+        .mul_add(s2_r_c2_inv, u2 * r_plus_c2_inv_r_c2_inv);
+    // u5_dot_by_u1 = R*(cos(q1)*(2*u1*sin(q2) + u1_dot_by_u1*cos(q2)) - sin(q1)*(u2*(1 + 1/cos(q2)^2) -
+    //   u2_dot_by_u1*tan(q2)))
+    let u5_dot_by_u1 = (-u5_dot_by_u1_of_u2).mul_add(s1, u5_dot_by_u1_of_u1 * c1);
+    // u4_dot_by_u1 = -R*(sin(q1)*(2*u1*sin(q2) + u1_dot_by_u1*cos(q2)) + cos(q1)*(u2*(1 + 1/cos(q2)^2) -
+    //   u2_dot_by_u1*tan(q2)))
+    let u4_dot_by_u1 = (-u5_dot_by_u1_of_u2).mul_add(c1, -u5_dot_by_u1_of_u1 * s1);
+    // u1_dot_by_u2 = 2*(u3 - u2*tan(q2))/(4*cos(q2)^2 - 5)
+    let u1_dot_by_u2 = (-s2_u1_dot_of_q2)
+        .mul_add(u2_c2_inv_doubled, u1_dot_of_q2 * u3_doubled);
+    let s2_c2_inv = c2_inv * s2;
+    // u2_dot_by_u2 = -u1*tan(q2)
+    let u2_dot_by_u2 = -u1 * s2_c2_inv;
+    // u1_dot_by_u2*r_c2 + s2_r_c2_inv*u2_c2_inv_doubled
+    let u5_dot_by_u2_of_u2 = s2_r_c2_inv.mul_add(u2_c2_inv_doubled, u1_dot_by_u2 * r_c2);
+    // u5_dot_by_q1_of_u1 - u2_dot_by_u2*s2_r_c2_inv
+    let u5_dot_by_u2_of_u1 = (-u2_dot_by_u2).mul_add(s2_r_c2_inv, u5_dot_by_q1_of_u1);
+    // u5_dot_by_u2 = R*(u1_dot_by_u2*cos(q1)*cos(q2) - u1*sin(q1) - ((u1*sin(q1) -
+    //   2*u2*cos(q1)*sin(q2))/cos(q2) - u2_dot_by_u2*sin(q1)*sin(q2))/cos(q2))
+    let u5_dot_by_u2 = (-u5_dot_by_u2_of_u1).mul_add(s1, u5_dot_by_u2_of_u2 * c1);
+    // u4_dot_by_u2 = -R*(u1*cos(q1) + u1_dot_by_u2*sin(q1)*cos(q2) + ((u1*cos(q1) +
+    //   2*u2*sin(q1)*sin(q2))/cos(q2) - u2_dot_by_u2*cos(q1)*sin(q2))/cos(q2))
+    let u4_dot_by_u2 = (-u5_dot_by_u2_of_u1).mul_add(c1, -u5_dot_by_u2_of_u2 * s1);
+    // u1_dot_by_u3 = 2*u2/(4*cos(q2)^2 - 5)
+    let u1_dot_by_u3 = S::int(2) * u2_u1_dot_of_q2;
+    let u1_dot_by_u3_r_c2 = u1_dot_by_u3 * r_c2;
+    // u5_dot_by_u3 = R*(2*u1*sin(q1)*tan(q2) + u1_dot_by_u3*cos(q1)*cos(q2))
+    let u5_dot_by_u3 = u1_dot_by_u3_r_c2.mul_add(c1, u1_doubled_s2_r_c2_inv * s1);
+    // u4_dot_by_u3 = R*(2*u1*cos(q1)*tan(q2) - u1_dot_by_u3*sin(q1)*cos(q2))
+    let u4_dot_by_u3 = (-u1_dot_by_u3_r_c2).mul_add(s1, u1_doubled_s2_r_c2_inv * c1);
+    // Entries that are not zero.
+    // d(q1')/d(q2) = u2*tan(q2)/cos(q2)
+    let q1_dot_by_q2_value = u2_c2_inv * s2_c2_inv;
+    // d(q1')/d(u2) = 1/cos(q2)
+    let q1_dot_by_u2_value = c2_inv;
+    // d(q2')/d(u1) = -1
+    let q2_dot_by_u1_value = -S::int(1);
+    // d(q3')/d(q2) = -u2/cos(q2)^2
+    let q3_dot_by_q2_value = -c2_inv_u2_c2_inv;
+    // d(q3')/d(u2) = -tan(q2)
+    let q3_dot_by_u2_value = -s2_c2_inv;
+    // d(q3')/d(u3) = 1
+    let q3_dot_by_u3_value = S::int(1);
+    // d(q4')/d(u4) = 1
+    let q4_dot_by_u4_value = S::int(1);
+    // d(q5')/d(u5) = 1
+    let q5_dot_by_u5_value = S::int(1);
+    // d(u2')/d(u3) = 2*u1
+    let u2_dot_by_u3_value = u1_doubled;
+    [
+        [
+            zero,
+            q1_dot_by_q2_value,
+            zero,
+            zero,
+            zero,
+            zero,
+            q1_dot_by_u2_value,
+            zero,
+            zero,
+            zero,
+        ],
+        [zero, zero, zero, zero, zero, q2_dot_by_u1_value, zero, zero, zero, zero],
+        [
+            zero,
+            q3_dot_by_q2_value,
+            zero,
+            zero,
+            zero,
+            zero,
+            q3_dot_by_u2_value,
+            q3_dot_by_u3_value,
+            zero,
+            zero,
+        ],
+        [zero, zero, zero, zero, zero, zero, zero, zero, q4_dot_by_u4_value, zero],
+        [zero, zero, zero, zero, zero, zero, zero, zero, zero, q5_dot_by_u5_value],
+        [
+            zero,
+            u1_dot_by_q2,
+            zero,
+            zero,
+            zero,
+            u1_dot_by_u1,
+            u1_dot_by_u2,
+            u1_dot_by_u3,
+            zero,
+            zero,
+        ],
+        [
+            zero,
+            u2_dot_by_q2,
+            zero,
+            zero,
+            zero,
+            u2_dot_by_u1,
+            u2_dot_by_u2,
+            u2_dot_by_u3_value,
+            zero,
+            zero,
+        ],
+        [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
+        [
+            u4_dot_by_q1,
+            u4_dot_by_q2,
+            zero,
+            zero,
+            zero,
+            u4_dot_by_u1,
+            u4_dot_by_u2,
+            u4_dot_by_u3,
+            zero,
+            zero,
+        ],
+        [
+            u5_dot_by_q1,
+            u5_dot_by_q2,
+            zero,
+            zero,
+            zero,
+            u5_dot_by_u1,
+            u5_dot_by_u2,
+            u5_dot_by_u3,
+            zero,
+            zero,
+        ],
+    ]
+}
+
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
+///
+/// 24 convolutions and 38 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    series: &mut [[S; 10]],
+    history: &mut [Factors<S, 24>],
+) {
+    let Parameters { R, g, .. } = *p;
+    let [q1_0, q2_0, _, _, _, u1_0, u2_0, u3, u4_0, u5_0] = series[0];
+    // Constant in time.
+    // minus_4_g_by_r = -4*g/R
+    let minus_4_g_by_r = -S::int(4) * g / R;
+    // weight = 2*u3
+    let weight = S::int(2) * u3;
+    // minus_r = -R
+    let minus_r = -R;
+    // Order 0.
+    let (s2_0, c2_0) = q2_0.sin_cos();
+    let over_c2 = S::int(1) / c2_0;
+    let c2_sq_0 = c2_0 * c2_0;
+    let u1_dot_of_q2_0 = c2_sq_0.mul_add(S::int(4), -S::int(5));
+    let over_u1_dot_of_q2 = S::int(1) / u1_dot_of_q2_0;
+    let q1_dot_2_0 = u2_0 * over_c2;
+    let u2_sq_c2_inv_0 = u2_0 * q1_dot_2_0;
+    let u1_sq_0 = u1_0 * u1_0;
+    let u1_sq_c2_0 = c2_0 * u1_sq_0;
+    let u1_dot_of_u1_u2_0 = u1_sq_c2_0.mul_add(S::int(4), minus_4_g_by_r)
+        + u2_sq_c2_inv_0;
+    let u1_dot_of_u1_u2_2_0 = s2_0 * u1_dot_of_u1_u2_0;
+    let u1_dot_of_u1_u2_u3_0 = weight * u2_0 - u1_dot_of_u1_u2_2_0;
+    let u1_dot_2_0 = u1_dot_of_u1_u2_u3_0 * over_u1_dot_of_q2;
+    let u2_c2_inv_s2_0 = s2_0 * q1_dot_2_0;
+    let u2_dot_of_u2_u3_0 = weight - u2_c2_inv_s2_0;
+    let u2_dot_2_0 = u1_0 * u2_dot_of_u2_u3_0;
+    let (s1_0, c1_0) = q1_0.sin_cos();
+    let u2_sq_c2_inv2_0 = q1_dot_2_0 * q1_dot_2_0;
+    let u1_u2_0 = u1_0 * u2_0;
+    let u1_sq_plus_u2_sq_c2_inv2_0 = u1_sq_0 + u2_sq_c2_inv2_0;
+    let u5_dot_of_u1_u2_0 = s2_0 * u1_sq_plus_u2_sq_c2_inv2_0;
+    let u5_dot_of_u1_u2_u3_0 = c2_0 * u1_dot_2_0;
+    let u5_dot_of_u1_u2_u1_dot_0 = u5_dot_of_u1_u2_0 + u5_dot_of_u1_u2_u3_0;
+    let u5_dot_of_u1_u2_u1_dot_2_0 = c1_0 * u5_dot_of_u1_u2_u1_dot_0;
+    let u1_u2_c2_inv_0 = u1_0 * q1_dot_2_0;
+    let u5_dot_of_u1_u2_u3_2_0 = s2_0 * u2_dot_2_0;
+    let u5_dot_of_u1_u2_u2_dot_0 = u1_u2_c2_inv_0 - u5_dot_of_u1_u2_u3_2_0;
+    let u5_dot_of_u1_u2_u2_dot_2_0 = u5_dot_of_u1_u2_u2_dot_0 * over_c2;
+    let u5_dot_of_u1_u2_u2_dot_3_0 = u1_u2_0 + u5_dot_of_u1_u2_u2_dot_2_0;
+    let u5_dot_of_u1_u2_u2_dot_4_0 = s1_0 * u5_dot_of_u1_u2_u2_dot_3_0;
+    let u5_dot_of_motion_0 = u5_dot_of_u1_u2_u1_dot_2_0 - u5_dot_of_u1_u2_u2_dot_4_0;
+    let u4_dot_of_u1_u2_u2_dot_0 = c1_0 * u5_dot_of_u1_u2_u2_dot_3_0;
+    let u4_dot_of_u1_u2_u1_dot_0 = s1_0 * u5_dot_of_u1_u2_u1_dot_0;
+    let u4_dot_of_motion_0 = u4_dot_of_u1_u2_u2_dot_0 + u4_dot_of_u1_u2_u1_dot_0;
+    let q3_dot_2_0 = u3 - u2_c2_inv_s2_0;
+    // Order 1: the rates, and what follows from them.
+    let q1_1 = q1_dot_2_0;
+    let q2_1 = -u1_0;
+    let q3_1 = q3_dot_2_0;
+    let q4_1 = u4_0;
+    let q5_1 = u5_0;
+    let u1_1 = u1_dot_2_0;
+    let u2_1 = u2_dot_2_0;
+    let u4_1 = minus_r * u4_dot_of_motion_0;
+    let u5_1 = R * u5_dot_of_motion_0;
+    if series.len() > 1 {
+        series[1] = [q1_1, q2_1, q3_1, q4_1, q5_1, u1_1, u2_1, S::int(0), u4_1, u5_1];
+    }
+    let s2_1 = q2_1 * c2_0;
+    let c2_1 = -q2_1 * s2_0;
+    let c2_sq_1 = c2_1 * (c2_0 + c2_0);
+    let u1_dot_of_q2_1 = S::int(4) * c2_sq_1;
+    let q1_dot_2_1 = c2_1.mul_add(-(q1_dot_2_0 * over_c2), u2_1 * over_c2);
+    let u2_sq_c2_inv_1 = q1_dot_2_1.mul_add(u2_0, u2_1 * q1_dot_2_0);
+    let u1_sq_1 = u1_1 * (u1_0 + u1_0);
+    let u1_sq_c2_1 = u1_sq_1.mul_add(c2_0, c2_1 * u1_sq_0);
+    let u1_dot_of_u1_u2_1 = S::int(4) * u1_sq_c2_1 + u2_sq_c2_inv_1;
+    let u1_dot_of_u1_u2_2_1 = u1_dot_of_u1_u2_1.mul_add(s2_0, s2_1 * u1_dot_of_u1_u2_0);
+    let u1_dot_of_u1_u2_u3_1 = weight * u2_1 - u1_dot_of_u1_u2_2_1;
+    let u1_dot_2_1 = u1_dot_of_q2_1
+        .mul_add(
+            -(u1_dot_2_0 * over_u1_dot_of_q2),
+            u1_dot_of_u1_u2_u3_1 * over_u1_dot_of_q2,
+        );
+    let u2_c2_inv_s2_1 = q1_dot_2_1.mul_add(s2_0, s2_1 * q1_dot_2_0);
+    let u2_dot_of_u2_u3_1 = -u2_c2_inv_s2_1;
+    let u2_dot_2_1 = u2_dot_of_u2_u3_1.mul_add(u1_0, u1_1 * u2_dot_of_u2_u3_0);
+    let s1_1 = q1_1 * c1_0;
+    let c1_1 = -q1_1 * s1_0;
+    let u2_sq_c2_inv2_1 = q1_dot_2_1 * (q1_dot_2_0 + q1_dot_2_0);
+    let u1_u2_1 = u2_1.mul_add(u1_0, u1_1 * u2_0);
+    let u1_sq_plus_u2_sq_c2_inv2_1 = u1_sq_1 + u2_sq_c2_inv2_1;
+    let u5_dot_of_u1_u2_1 = u1_sq_plus_u2_sq_c2_inv2_1
+        .mul_add(s2_0, s2_1 * u1_sq_plus_u2_sq_c2_inv2_0);
+    let u5_dot_of_u1_u2_u3_1 = u1_dot_2_1.mul_add(c2_0, c2_1 * u1_dot_2_0);
+    let u5_dot_of_u1_u2_u1_dot_1 = u5_dot_of_u1_u2_1 + u5_dot_of_u1_u2_u3_1;
+    let u5_dot_of_u1_u2_u1_dot_2_1 = u5_dot_of_u1_u2_u1_dot_1
+        .mul_add(c1_0, c1_1 * u5_dot_of_u1_u2_u1_dot_0);
+    let u1_u2_c2_inv_1 = q1_dot_2_1.mul_add(u1_0, u1_1 * q1_dot_2_0);
+    let u5_dot_of_u1_u2_u3_2_1 = u2_dot_2_1.mul_add(s2_0, s2_1 * u2_dot_2_0);
+    let u5_dot_of_u1_u2_u2_dot_1 = u1_u2_c2_inv_1 - u5_dot_of_u1_u2_u3_2_1;
+    let u5_dot_of_u1_u2_u2_dot_2_1 = c2_1
+        .mul_add(
+            -(u5_dot_of_u1_u2_u2_dot_2_0 * over_c2),
+            u5_dot_of_u1_u2_u2_dot_1 * over_c2,
+        );
+    let u5_dot_of_u1_u2_u2_dot_3_1 = u1_u2_1 + u5_dot_of_u1_u2_u2_dot_2_1;
+    let u5_dot_of_u1_u2_u2_dot_4_1 = u5_dot_of_u1_u2_u2_dot_3_1
+        .mul_add(s1_0, s1_1 * u5_dot_of_u1_u2_u2_dot_3_0);
+    let u5_dot_of_motion_1 = u5_dot_of_u1_u2_u1_dot_2_1 - u5_dot_of_u1_u2_u2_dot_4_1;
+    let u4_dot_of_u1_u2_u2_dot_1 = u5_dot_of_u1_u2_u2_dot_3_1
+        .mul_add(c1_0, c1_1 * u5_dot_of_u1_u2_u2_dot_3_0);
+    let u4_dot_of_u1_u2_u1_dot_1 = u5_dot_of_u1_u2_u1_dot_1
+        .mul_add(s1_0, s1_1 * u5_dot_of_u1_u2_u1_dot_0);
+    let u4_dot_of_motion_1 = u4_dot_of_u1_u2_u2_dot_1 + u4_dot_of_u1_u2_u1_dot_1;
+    let q3_dot_2_1 = -u2_c2_inv_s2_1;
+    if series.len() > 2 {
+        // Factors of the convolutions: left, right.
+        history[1] = [
+            [
+                q2_1,
+                q2_1,
+                c2_1,
+                c2_1,
+                u2_1,
+                u1_1,
+                c2_1,
+                s2_1,
+                u1_dot_of_q2_1,
+                s2_1,
+                u1_1,
+                q1_1,
+                q1_1,
+                q1_dot_2_1,
+                u1_1,
+                s2_1,
+                c2_1,
+                c1_1,
+                u1_1,
+                s2_1,
+                c2_1,
+                s1_1,
+                c1_1,
+                s1_1,
+            ],
+            [
+                c2_1,
+                s2_1,
+                c2_1,
+                q1_dot_2_1,
+                q1_dot_2_1,
+                u1_1,
+                u1_sq_1,
+                u1_dot_of_u1_u2_1,
+                u1_dot_2_1,
+                q1_dot_2_1,
+                u2_dot_of_u2_u3_1,
+                c1_1,
+                s1_1,
+                q1_dot_2_1,
+                u2_1,
+                u1_sq_plus_u2_sq_c2_inv2_1,
+                u1_dot_2_1,
+                u5_dot_of_u1_u2_u1_dot_1,
+                q1_dot_2_1,
+                u2_dot_2_1,
+                u5_dot_of_u1_u2_u2_dot_2_1,
+                u5_dot_of_u1_u2_u2_dot_3_1,
+                u5_dot_of_u1_u2_u2_dot_3_1,
+                u5_dot_of_u1_u2_u1_dot_1,
+            ],
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q1_last = q1_1;
+    let mut q2_last = q2_1;
+    let mut u1_last = u1_1;
+    let mut u2_last = u2_1;
+    let mut s2_last = s2_1;
+    let mut c2_last = c2_1;
+    let mut u1_dot_of_q2_last = u1_dot_of_q2_1;
+    let mut q1_dot_2_last = q1_dot_2_1;
+    let mut u1_sq_last = u1_sq_1;
+    let mut u1_dot_of_u1_u2_last = u1_dot_of_u1_u2_1;
+    let mut u1_dot_2_last = u1_dot_2_1;
+    let mut u2_dot_of_u2_u3_last = u2_dot_of_u2_u3_1;
+    let mut u2_dot_2_last = u2_dot_2_1;
+    let mut s1_last = s1_1;
+    let mut c1_last = c1_1;
+    let mut u1_sq_plus_u2_sq_c2_inv2_last = u1_sq_plus_u2_sq_c2_inv2_1;
+    let mut u5_dot_of_u1_u2_u1_dot_last = u5_dot_of_u1_u2_u1_dot_1;
+    let mut u5_dot_of_u1_u2_u2_dot_2_last = u5_dot_of_u1_u2_u2_dot_2_1;
+    let mut u5_dot_of_u1_u2_u2_dot_3_last = u5_dot_of_u1_u2_u2_dot_3_1;
+    let mut next = [S::int(0); 24];
+    // Rates at order k - 1.
+    let mut q1_rate = q1_dot_2_1;
+    let mut q2_rate = -u1_1;
+    let mut q3_rate = q3_dot_2_1;
+    let mut q4_rate = u4_1;
+    let mut q5_rate = u5_1;
+    let mut u1_rate = u1_dot_2_1;
+    let mut u2_rate = u2_dot_2_1;
+    let mut u4_rate = minus_r * u4_dot_of_motion_1;
+    let mut u5_rate = R * u5_dot_of_motion_1;
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q1 = q1_rate * over_k;
+        let q2 = q2_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let q4 = q4_rate * over_k;
+        let q5 = q5_rate * over_k;
+        let u1 = u1_rate * over_k;
+        let u2 = u2_rate * over_k;
+        let u4 = u4_rate * over_k;
+        let u5 = u5_rate * over_k;
+        series[order] = [q1, q2, q3, q4, q5, u1, u2, S::int(0), u4, u5];
+        if order + 1 == series.len() {
+            break;
+        }
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&history[..order]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
+                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
+                (c2_1 + c2_1).mul_add(c2_last, next[2]),
+                c2_1.mul_add(q1_dot_2_last, c2_last.mul_add(q1_dot_2_1, next[3])),
+                u2_1.mul_add(q1_dot_2_last, u2_last.mul_add(q1_dot_2_1, next[4])),
+                (u1_1 + u1_1).mul_add(u1_last, next[5]),
+                c2_1.mul_add(u1_sq_last, c2_last.mul_add(u1_sq_1, next[6])),
+                s2_1
+                    .mul_add(
+                        u1_dot_of_u1_u2_last,
+                        s2_last.mul_add(u1_dot_of_u1_u2_1, next[7]),
+                    ),
+                u1_dot_of_q2_1
+                    .mul_add(
+                        u1_dot_2_last,
+                        u1_dot_of_q2_last.mul_add(u1_dot_2_1, next[8]),
+                    ),
+                s2_1.mul_add(q1_dot_2_last, s2_last.mul_add(q1_dot_2_1, next[9])),
+                u1_1
+                    .mul_add(
+                        u2_dot_of_u2_u3_last,
+                        u1_last.mul_add(u2_dot_of_u2_u3_1, next[10]),
+                    ),
+                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[11])),
+                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[12])),
+                (q1_dot_2_1 + q1_dot_2_1).mul_add(q1_dot_2_last, next[13]),
+                u1_1.mul_add(u2_last, u1_last.mul_add(u2_1, next[14])),
+                s2_1
+                    .mul_add(
+                        u1_sq_plus_u2_sq_c2_inv2_last,
+                        s2_last.mul_add(u1_sq_plus_u2_sq_c2_inv2_1, next[15]),
+                    ),
+                c2_1.mul_add(u1_dot_2_last, c2_last.mul_add(u1_dot_2_1, next[16])),
+                c1_1
+                    .mul_add(
+                        u5_dot_of_u1_u2_u1_dot_last,
+                        c1_last.mul_add(u5_dot_of_u1_u2_u1_dot_1, next[17]),
+                    ),
+                u1_1.mul_add(q1_dot_2_last, u1_last.mul_add(q1_dot_2_1, next[18])),
+                s2_1.mul_add(u2_dot_2_last, s2_last.mul_add(u2_dot_2_1, next[19])),
+                c2_1
+                    .mul_add(
+                        u5_dot_of_u1_u2_u2_dot_2_last,
+                        c2_last.mul_add(u5_dot_of_u1_u2_u2_dot_2_1, next[20]),
+                    ),
+                s1_1
+                    .mul_add(
+                        u5_dot_of_u1_u2_u2_dot_3_last,
+                        s1_last.mul_add(u5_dot_of_u1_u2_u2_dot_3_1, next[21]),
+                    ),
+                c1_1
+                    .mul_add(
+                        u5_dot_of_u1_u2_u2_dot_3_last,
+                        c1_last.mul_add(u5_dot_of_u1_u2_u2_dot_3_1, next[22]),
+                    ),
+                s1_1
+                    .mul_add(
+                        u5_dot_of_u1_u2_u1_dot_last,
+                        s1_last.mul_add(u5_dot_of_u1_u2_u1_dot_1, next[23]),
+                    ),
+            ]
+        };
+        // s2 = sin(q2)
+        let s2 = q2.mul_add(c2_0, sums[0] * over_k);
+        // c2 = cos(q2)
+        let c2 = -q2.mul_add(s2_0, sums[1] * over_k);
+        // c2_sq = c2*c2
+        let c2_sq = c2.mul_add(c2_0 + c2_0, sums[2]);
+        // u1_dot_of_q2 = -5 + 4*c2_sq
+        let u1_dot_of_q2 = S::int(4) * c2_sq;
+        // q1_dot_2 = u2/c2
+        let q1_dot_2 = c2.mul_add(-(q1_dot_2_0 * over_c2), (u2 - sums[3]) * over_c2);
+        // u2_sq_c2_inv = u2*q1_dot_2
+        let u2_sq_c2_inv = q1_dot_2.mul_add(u2_0, u2.mul_add(q1_dot_2_0, sums[4]));
+        // u1_sq = u1*u1
+        let u1_sq = u1.mul_add(u1_0 + u1_0, sums[5]);
+        // u1_sq_c2 = c2*u1_sq
+        let u1_sq_c2 = u1_sq.mul_add(c2_0, c2.mul_add(u1_sq_0, sums[6]));
+        // u1_dot_of_u1_u2 = minus_4_g_by_r + u2_sq_c2_inv + 4*u1_sq_c2
+        let u1_dot_of_u1_u2 = S::int(4) * u1_sq_c2 + u2_sq_c2_inv;
+        // u1_dot_of_u1_u2_2 = s2*u1_dot_of_u1_u2
+        let u1_dot_of_u1_u2_2 = u1_dot_of_u1_u2
+            .mul_add(s2_0, s2.mul_add(u1_dot_of_u1_u2_0, sums[7]));
+        // u1_dot_of_u1_u2_u3 = weight*u2 - u1_dot_of_u1_u2_2
+        let u1_dot_of_u1_u2_u3 = weight * u2 - u1_dot_of_u1_u2_2;
+        // u1_dot_2 = u1_dot_of_u1_u2_u3/u1_dot_of_q2
+        let u1_dot_2 = u1_dot_of_u1_u2_u3
+            .mul_add(
+                over_u1_dot_of_q2,
+                -(u1_dot_of_q2.mul_add(u1_dot_2_0, sums[8]) * over_u1_dot_of_q2),
+            );
+        // u2_c2_inv_s2 = s2*q1_dot_2
+        let u2_c2_inv_s2 = q1_dot_2.mul_add(s2_0, s2.mul_add(q1_dot_2_0, sums[9]));
+        // u2_dot_of_u2_u3 = weight - u2_c2_inv_s2
+        let u2_dot_of_u2_u3 = -u2_c2_inv_s2;
+        // u2_dot_2 = u1*u2_dot_of_u2_u3
+        let u2_dot_2 = u2_dot_of_u2_u3
+            .mul_add(u1_0, u1.mul_add(u2_dot_of_u2_u3_0, sums[10]));
+        // s1 = sin(q1)
+        let s1 = q1.mul_add(c1_0, sums[11] * over_k);
+        // c1 = cos(q1)
+        let c1 = -q1.mul_add(s1_0, sums[12] * over_k);
+        // u2_sq_c2_inv2 = q1_dot_2*q1_dot_2
+        let u2_sq_c2_inv2 = q1_dot_2.mul_add(q1_dot_2_0 + q1_dot_2_0, sums[13]);
+        // u1_u2 = u1*u2
+        let u1_u2 = u2.mul_add(u1_0, u1.mul_add(u2_0, sums[14]));
+        // u1_sq_plus_u2_sq_c2_inv2 = u1_sq + u2_sq_c2_inv2
+        let u1_sq_plus_u2_sq_c2_inv2 = u1_sq + u2_sq_c2_inv2;
+        // u5_dot_of_u1_u2 = s2*u1_sq_plus_u2_sq_c2_inv2
+        let u5_dot_of_u1_u2 = u1_sq_plus_u2_sq_c2_inv2
+            .mul_add(s2_0, s2.mul_add(u1_sq_plus_u2_sq_c2_inv2_0, sums[15]));
+        // u5_dot_of_u1_u2_u3 = c2*u1_dot_2
+        let u5_dot_of_u1_u2_u3 = u1_dot_2
+            .mul_add(c2_0, c2.mul_add(u1_dot_2_0, sums[16]));
+        // u5_dot_of_u1_u2_u1_dot = u5_dot_of_u1_u2 + u5_dot_of_u1_u2_u3
+        let u5_dot_of_u1_u2_u1_dot = u5_dot_of_u1_u2 + u5_dot_of_u1_u2_u3;
+        // u5_dot_of_u1_u2_u1_dot_2 = c1*u5_dot_of_u1_u2_u1_dot
+        let u5_dot_of_u1_u2_u1_dot_2 = u5_dot_of_u1_u2_u1_dot
+            .mul_add(c1_0, c1.mul_add(u5_dot_of_u1_u2_u1_dot_0, sums[17]));
+        // u1_u2_c2_inv = u1*q1_dot_2
+        let u1_u2_c2_inv = q1_dot_2.mul_add(u1_0, u1.mul_add(q1_dot_2_0, sums[18]));
+        // u5_dot_of_u1_u2_u3_2 = s2*u2_dot_2
+        let u5_dot_of_u1_u2_u3_2 = u2_dot_2
+            .mul_add(s2_0, s2.mul_add(u2_dot_2_0, sums[19]));
+        // u5_dot_of_u1_u2_u2_dot = u1_u2_c2_inv - u5_dot_of_u1_u2_u3_2
+        let u5_dot_of_u1_u2_u2_dot = u1_u2_c2_inv - u5_dot_of_u1_u2_u3_2;
+        // u5_dot_of_u1_u2_u2_dot_2 = u5_dot_of_u1_u2_u2_dot/c2
+        let u5_dot_of_u1_u2_u2_dot_2 = u5_dot_of_u1_u2_u2_dot
+            .mul_add(
+                over_c2,
+                -(c2.mul_add(u5_dot_of_u1_u2_u2_dot_2_0, sums[20]) * over_c2),
+            );
+        // u5_dot_of_u1_u2_u2_dot_3 = u1_u2 + u5_dot_of_u1_u2_u2_dot_2
+        let u5_dot_of_u1_u2_u2_dot_3 = u1_u2 + u5_dot_of_u1_u2_u2_dot_2;
+        // u5_dot_of_u1_u2_u2_dot_4 = s1*u5_dot_of_u1_u2_u2_dot_3
+        let u5_dot_of_u1_u2_u2_dot_4 = u5_dot_of_u1_u2_u2_dot_3
+            .mul_add(s1_0, s1.mul_add(u5_dot_of_u1_u2_u2_dot_3_0, sums[21]));
+        // u5_dot_of_motion = u5_dot_of_u1_u2_u1_dot_2 - u5_dot_of_u1_u2_u2_dot_4
+        let u5_dot_of_motion = u5_dot_of_u1_u2_u1_dot_2 - u5_dot_of_u1_u2_u2_dot_4;
+        // u4_dot_of_u1_u2_u2_dot = c1*u5_dot_of_u1_u2_u2_dot_3
+        let u4_dot_of_u1_u2_u2_dot = u5_dot_of_u1_u2_u2_dot_3
+            .mul_add(c1_0, c1.mul_add(u5_dot_of_u1_u2_u2_dot_3_0, sums[22]));
+        // u4_dot_of_u1_u2_u1_dot = s1*u5_dot_of_u1_u2_u1_dot
+        let u4_dot_of_u1_u2_u1_dot = u5_dot_of_u1_u2_u1_dot
+            .mul_add(s1_0, s1.mul_add(u5_dot_of_u1_u2_u1_dot_0, sums[23]));
+        // u4_dot_of_motion = u4_dot_of_u1_u2_u2_dot + u4_dot_of_u1_u2_u1_dot
+        let u4_dot_of_motion = u4_dot_of_u1_u2_u2_dot + u4_dot_of_u1_u2_u1_dot;
+        // q3_dot_2 = u3 - u2_c2_inv_s2
+        let q3_dot_2 = -u2_c2_inv_s2;
+        q1_rate = q1_dot_2;
+        q2_rate = -u1;
+        q3_rate = q3_dot_2;
+        q4_rate = u4;
+        q5_rate = u5;
+        u1_rate = u1_dot_2;
+        u2_rate = u2_dot_2;
+        u4_rate = minus_r * u4_dot_of_motion;
+        u5_rate = R * u5_dot_of_motion;
+        // Factors of the convolutions: left, right.
+        history[order] = [
+            [
+                count * q2,
+                count * q2,
+                c2,
+                c2,
+                u2,
+                u1,
+                c2,
+                s2,
+                u1_dot_of_q2,
+                s2,
+                u1,
+                count * q1,
+                count * q1,
+                q1_dot_2,
+                u1,
+                s2,
+                c2,
+                c1,
+                u1,
+                s2,
+                c2,
+                s1,
+                c1,
+                s1,
+            ],
+            [
+                c2,
+                s2,
+                c2,
+                q1_dot_2,
+                q1_dot_2,
+                u1,
+                u1_sq,
+                u1_dot_of_u1_u2,
+                u1_dot_2,
+                q1_dot_2,
+                u2_dot_of_u2_u3,
+                c1,
+                s1,
+                q1_dot_2,
+                u2,
+                u1_sq_plus_u2_sq_c2_inv2,
+                u1_dot_2,
+                u5_dot_of_u1_u2_u1_dot,
+                q1_dot_2,
+                u2_dot_2,
+                u5_dot_of_u1_u2_u2_dot_2,
+                u5_dot_of_u1_u2_u2_dot_3,
+                u5_dot_of_u1_u2_u2_dot_3,
+                u5_dot_of_u1_u2_u1_dot,
+            ],
+        ];
+        count_last = count;
+        q1_last = q1;
+        q2_last = q2;
+        u1_last = u1;
+        u2_last = u2;
+        s2_last = s2;
+        c2_last = c2;
+        u1_dot_of_q2_last = u1_dot_of_q2;
+        q1_dot_2_last = q1_dot_2;
+        u1_sq_last = u1_sq;
+        u1_dot_of_u1_u2_last = u1_dot_of_u1_u2;
+        u1_dot_2_last = u1_dot_2;
+        u2_dot_of_u2_u3_last = u2_dot_of_u2_u3;
+        u2_dot_2_last = u2_dot_2;
+        s1_last = s1;
+        c1_last = c1;
+        u1_sq_plus_u2_sq_c2_inv2_last = u1_sq_plus_u2_sq_c2_inv2;
+        u5_dot_of_u1_u2_u1_dot_last = u5_dot_of_u1_u2_u1_dot;
+        u5_dot_of_u1_u2_u2_dot_2_last = u5_dot_of_u1_u2_u2_dot_2;
+        u5_dot_of_u1_u2_u2_dot_3_last = u5_dot_of_u1_u2_u2_dot_3;
+    }
+}
+
+/// Kane's method of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Kane;
+
+impl<S: Scalar> System<S> for Kane {
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 5,
+            variables: 5,
+            speeds: 5,
+            reactions: 0,
+        }
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn output_count(&self) -> usize {
+        10
+    }
+    fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
+        self.whole_state(p, q, v, out);
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        48 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+#[inline(always)]
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

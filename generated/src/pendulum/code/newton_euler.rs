@@ -1,0 +1,172 @@
+//! Pendulum: Newton–Euler equations, A(q, u) (u', reactions) = b(q, u).
+//!
+//! Generated from `models/pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+
+use super::super::Parameters;
+
+pub use super::kane::{
+    accelerations, coordinate_rates, derivative, jacobian, kinetic_energy,
+    potential_energy, taylor,
+};
+
+use tripos_traits::series::{SLACK, rows};
+use tripos_traits::{Lengths, Scalar, System};
+
+/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows bob force n1, bob force n2, bob force n3.
+///
+/// 5 operations, 1 sine and cosine.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    _u: &[S; 1],
+) -> [[S; 3]; 3] {
+    let Parameters { m, l, .. } = *p;
+    let [theta] = *q;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    let m_l = m * l;
+    // Entries that are not zero.
+    // M11 = m*l*cos(theta)
+    let m11 = m_l * cos_theta;
+    // M12 = sin(theta)
+    let m12 = sin_theta;
+    // M21 = m*l*sin(theta)
+    let m21 = m_l * sin_theta;
+    // M22 = -cos(theta)
+    let m22 = -cos_theta;
+    // M33 = -1
+    let m33 = -S::int(1);
+    [[m11, m12, zero], [m21, m22, zero], [zero, zero, m33]]
+}
+
+/// Right-hand side of the linear system; unknowns (omega', rod, plane).
+///
+/// 8 operations, 1 sine and cosine.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
+    let Parameters { m, l, g } = *p;
+    let [theta] = *q;
+    let [omega] = *u;
+    let zero = S::int(0);
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    let l_omega_sq = l * omega * omega;
+    // Values.
+    // f1 = m*l*omega^2*sin(theta)
+    let f1 = m * l_omega_sq * sin_theta;
+    // f2 = -m*(g + l*omega^2*cos(theta))
+    let f2 = -m * l_omega_sq.mul_add(cos_theta, g);
+    [f1, f2, zero]
+}
+
+/// Newton–Euler equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct NewtonEuler;
+
+impl<S: Scalar> System<S> for NewtonEuler {
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 1,
+            variables: 1,
+            speeds: 1,
+            reactions: 2,
+        }
+    }
+    fn symmetric(&self) -> bool {
+        false
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn output_count(&self) -> usize {
+        2
+    }
+    fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
+        self.whole_state(p, q, v, out);
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        16 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+#[inline(always)]
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

@@ -1,0 +1,6 @@
+//! Spherical pendulum: the code of the equations of its scenes.
+//!
+//! Generated from `models/spherical_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+
+#[rustfmt::skip]
+pub mod narrow;

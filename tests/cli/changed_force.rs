@@ -1,0 +1,90 @@
+//! A changed force is a changed line: what one more force on the disk does to the equations' files, and what is said of it.
+
+use crate::support::{copy, root, tripos_in};
+use std::collections::HashMap;
+use std::path::Path;
+
+/// A copy of the disk, with everything that is generated of it.
+fn workspace() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for part in ["models/disk", "generated/src/disk"] {
+        copy(&root().join(part), &folder.path().join(part));
+    }
+    std::fs::remove_file(folder.path().join("models/disk/reference.json")).unwrap();
+    folder
+}
+
+/// Viscous drag along a1 on the material of the disk at the contact.
+fn add_drag(folder: &Path) {
+    let model = folder.join("models/disk/model.toml");
+    let text = std::fs::read_to_string(&model).unwrap();
+    let (parameter, force) = ("c = { unit = \"kg/s\", value = 0.1, about = \"viscous drag\" }\n", "-c*u4");
+    let text = text.replace("\ng = { unit", &format!("\n{parameter}g = {{ unit"));
+    let drag = format!("[forces.drag]\non = \"disk\"\nat = \"P\"\nframe = \"A\"\nvector = [\"{force}\", 0, 0]\n\n");
+    std::fs::write(model, text.replace("[reactions.N]", &format!("{drag}[reactions.N]"))).unwrap();
+}
+
+/// The lines of all files of equations, and how often each stands there.
+fn lines(folder: &Path) -> HashMap<String, i64> {
+    let mut counts = HashMap::new();
+    for entry in std::fs::read_dir(folder.join("generated/src/disk")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_file() {
+            for line in std::fs::read_to_string(&path).unwrap().lines() {
+                *counts.entry(format!("{}: {line}", path.display())).or_default() += 1;
+            }
+        }
+    }
+    counts
+}
+
+/// Goal: who edits a force reads what it does. Method: one component of a force at the contact; the lines that differ in the files of
+/// equations are counted, and what `--check` says of them stands here.
+#[test]
+fn one_more_force_is_a_few_lines_in_the_equations_and_in_what_is_said_of_them() {
+    let folder = workspace();
+    let before = lines(folder.path());
+    add_drag(folder.path());
+    let (status, said, err) = tripos_in(folder.path(), &["regenerate", "--check", "disk"]);
+    assert_eq!(status, 1, "{err}");
+    assert!(said.lines().count() <= 40, "{said}");
+    expect_test::expect![[r"
+        changed  disk/kane.rs
+            forcing, f2: new - old = R*c*u4*cos(q1)*tan(q2)
+            forcing, f4: new - old = -c*u4
+            accelerations, u1': new - old = 4*c*u4*cos(q2)*sin(q1)/(M*R*(5 - 4*cos(q2)^2))
+            accelerations, u4': new - old = -c*u4/M
+            forcing, f3: new, -R*c*u4*cos(q1)
+            accelerations, u3': new, -2*c*u4*cos(q1)/(M*R)
+        changed  disk/lagrange.rs
+            forcing, f3: new - old = -R*c*q4'*cos(q1)
+            forcing, f4: new - old = -c*q4'
+            accelerations, q2'': new - old = 4*c*q4'*cos(q2)*sin(q1)/(M*R*(4*cos(q2)^2 - 5))
+            accelerations, q4'': new - old = -c*q4'/M
+            accelerations, q3'': new - old = -2*c*q4'*cos(q1)/(M*R)
+        changed  disk/mod.rs
+        changed  disk/newton_euler.rs
+            forcing, f1: new - old = -c*u4*cos(q1)
+            forcing, f2: new - old = c*u4*sin(q2)*sin(q1)
+            forcing, f3: new - old = -c*u4*cos(q2)*sin(q1)
+            forcing, f4: new - old = R*c*u4*cos(q2)*sin(q1)
+            forcing, f6: new, -R*c*u4*cos(q1)
+        changed  disk/scenes/flat_fall.rs
+            equations: 5 changed, 5 new, 17 gone
+        changed  disk/scenes/lean.rs
+            equations: 1 changed, 4 new, 7 gone
+        changed  disk/scenes/near_flat.rs
+            equations: 0 changed, 14 new, 0 gone
+        missing  lib.rs
+        and the code of these equations, 16 files under `code`
+        missing  models/disk/reference.json
+    "]]
+    .assert_eq(&said);
+
+    assert_eq!(tripos_in(folder.path(), &["regenerate", "disk"]).0, 0);
+    let after = lines(folder.path());
+    let times = |counts: &HashMap<String, i64>, line: &str| counts.get(line).copied().unwrap_or(0);
+    let removed: i64 = before.iter().map(|(line, count)| (count - times(&after, line)).max(0)).sum();
+    let added: i64 = after.iter().map(|(line, count)| (count - times(&before, line)).max(0)).sum();
+    assert!(added > 0 && removed + added <= 60, "{removed} lines removed, {added} added");
+}
