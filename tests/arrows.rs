@@ -114,11 +114,43 @@ fn plans_know_no_language() {
             &["crate::rust", "proc_macro2", "quote::", "quote!", "syn::", "TokenStream", "prettyplease"],
         );
     }
+}
+
+/// Packages that the library `tripos` stands on, with these features.
+fn packages_of_the_library(features: &[&str]) -> Vec<String> {
     let arguments = ["tree", "--package", "tripos", "--edges", "normal", "--prefix", "none", "--offline"];
-    let tree = std::process::Command::new(env!("CARGO")).args(arguments).output().unwrap();
+    let tree = std::process::Command::new(env!("CARGO")).args(arguments).args(features).output().unwrap();
     let tree = String::from_utf8(tree.stdout).unwrap();
-    assert!(tree.contains("tripos-codegen"), "{tree}");
-    assert!(!tree.contains("prettyplease") && !tree.contains("tempfile"), "{tree}");
+    let packages: Vec<String> = tree.lines().filter_map(|line| line.split(' ').next()).map(str::to_owned).collect();
+    assert!(packages.iter().any(|package| package == "tripos-codegen"), "{tree}");
+    packages
+}
+
+/// What writes Rust is the command's alone; what a browser has not, files, threads and a clock, is behind features.
+#[test]
+fn the_library_needs_no_target_and_can_do_without_threads_and_files() {
+    let target = ["prettyplease", "quote", "syn", "proc-macro2", "tempfile", "clap"];
+    for (features, absent) in [(&[][..], &[][..]), (&["--no-default-features"], &["rayon"])] {
+        let packages = packages_of_the_library(features);
+        for package in target.iter().chain(absent) {
+            assert!(!packages.iter().any(|p| p == package), "tripos {features:?} depends on {package}");
+        }
+    }
+    let gated = [
+        ("run/src/chart.rs", "clock"),
+        ("run/src/sweep/in_order.rs", "threads"),
+        ("derive/src/diagnostic.rs", "files"),
+        ("derive/src/report/beside.rs", "files"),
+    ];
+    for folder in ["run/src", "derive/src"] {
+        for (path, text) in sources(folder) {
+            let code: String = text.lines().take_while(|line| !line.contains("#[cfg(test)]")).collect();
+            let platform = ["std::fs", "std::thread", "Instant::now", "rayon", "std::env", "std::process"];
+            let is_gated = gated.iter().any(|(file, _)| path.ends_with(file));
+            let used = platform.iter().find(|word| code.contains(**word));
+            assert!(is_gated || used.is_none(), "{}: {used:?} behind no feature", path.display());
+        }
+    }
 }
 
 /// Where text is taken apart, and why that is no decision by a printed name: it is a file, an argument or a path; or how letters,

@@ -13,6 +13,7 @@ mod origin;
 pub mod plan;
 #[cfg(feature = "rust")]
 pub mod rust;
+#[cfg(feature = "files")]
 pub mod scene_files;
 pub mod taylor;
 #[cfg(feature = "rust")]

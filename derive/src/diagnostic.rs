@@ -3,9 +3,12 @@
 use crate::plain::{one_line, path_in_line, visible};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::fmt;
+#[cfg(feature = "files")]
 use std::io::Read;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+#[cfg(feature = "files")]
+use std::path::Path;
+use std::path::PathBuf;
 
 /// A text file as read, with the name it is reported under.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,6 +28,7 @@ impl Source {
     /// # Errors
     /// [`Diagnostics`] that name the file and what is wrong: absent, a directory, a device or pipe,
     /// too large, not UTF-8 (with the line of the first bad byte), or with a NUL byte.
+    #[cfg(feature = "files")]
     pub fn read(path: &Path) -> Result<Self, Diagnostics> {
         let fail = |message: String, help: &str| Err(Diagnostics::without_place(path, &message, help));
         let metadata = match std::fs::metadata(path) {
@@ -136,6 +140,7 @@ impl Diagnostics {
         Some((excerpt.line, excerpt.column))
     }
 
+    #[cfg(feature = "files")]
     fn without_place(path: &Path, message: &str, help: &str) -> Self {
         let source = Source { path: path.to_owned(), text: String::new() };
         Self::new(source, vec![Diagnostic::of_file(message, help)])

@@ -1,18 +1,16 @@
 //! Speed charted against accuracy: every formulation, solve and method at many tolerances, measured against a
 //! reference.
 
-pub mod case;
-pub mod compared;
 pub mod session;
 
+use crate::case::{Case, Prepared, Way};
+use crate::compared::Compared;
 use crate::error::Error;
 use crate::follow::Progress;
 use crate::invariants::Watch;
 use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::reference::Reference;
-use case::{Case, Way};
-use compared::Compared;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::work_precision::{Spread, error, interleaved};
@@ -94,7 +92,7 @@ pub fn measure(
     (bar, left_out): (&dyn Progress, &mut Vec<String>),
 ) -> Result<Vec<Measurement>, Error> {
     let prepared = cases.iter().map(|case| case.prepare(model, scene)).collect::<Result<Vec<_>, _>>()?;
-    let problems: Vec<Problem<'_>> = prepared.iter().map(case::Prepared::problem).collect::<Result<_, _>>()?;
+    let problems: Vec<Problem<'_>> = prepared.iter().map(Prepared::problem).collect::<Result<_, _>>()?;
     let starts: Vec<Vec<f64>> = problems.iter().map(Problem::start).collect::<Result<_, _>>()?;
     let length = scene.span.1 - scene.span.0;
     let ways: Vec<Vec<Way>> = cases.iter().map(|case| case.ways(&plan.tolerances)).collect();

@@ -11,7 +11,7 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::{By, Derivation, Distance, derive_all, in_distance};
 use tripos_derive::reduce::Reduction;
-use tripos_derive::report::load_beside;
+use tripos_derive::report::{hash_beside, load_beside};
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_derive::{Equations, Formulation, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
@@ -192,7 +192,7 @@ pub fn compiled_code(model: &Mechanism, by: &By, distance: Option<Distance>) -> 
     let name = by.name_in(distance, model);
     let found = compiled.systems.iter().find(|system| system.name == name);
     // Printed equations are those of the report's very text, too.
-    let current = by.printed_id().is_none() || report_hash(model) == compiled.report_hash;
+    let current = by.printed_id().is_none() || hash_beside(&model.source.path) == compiled.report_hash;
     found.filter(|_| current).map(Code::Compiled)
 }
 
@@ -284,12 +284,6 @@ pub fn derivation(model: &Mechanism, by: &By) -> Result<Derivation, Error> {
         Error::request(format!("there are no equations `{}`", by.name()), help)
     };
     Ok(Derivation { arena, equations: equations.ok_or_else(missing)? })
-}
-
-/// The hash of the text of the report beside a model; empty if there is none.
-fn report_hash(model: &Mechanism) -> String {
-    let text = std::fs::read_to_string(model.source.path.with_file_name("report.toml"));
-    text.map(|text| tripos_derive::model::text_hash(&text)).unwrap_or_default()
 }
 
 /// The compiled equations of a model's very text, if a program brought them along.

@@ -18,8 +18,11 @@
 //! needs more. Nothing here prints, ends the process, or knows a command line. Equations run compiled if a program
 //! brings them along ([`Scene::with`]), else interpreted, with the same results to rounding.
 
+pub mod case;
+#[cfg(feature = "clock")]
 pub mod chart;
 pub mod code;
+pub mod compared;
 mod error;
 pub mod figure;
 pub mod follow;

@@ -2,8 +2,10 @@
 
 use crate::follow::Follow;
 use std::ops::{Deref, DerefMut};
+#[cfg(feature = "files")]
 use std::path::Path;
 use tripos_derive::Model;
+#[cfg(feature = "files")]
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_traits::CompiledModel;
 
@@ -31,6 +33,7 @@ impl Mechanism {
     ///
     /// # Errors
     /// [`Diagnostics`] with every error of the file.
+    #[cfg(feature = "files")]
     pub fn read(path: &Path) -> Result<Self, Diagnostics> {
         Ok(Self::new(tripos_derive::model::load(&Source::read(path)?)?))
     }

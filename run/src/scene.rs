@@ -6,11 +6,14 @@ use crate::mechanism::Mechanism;
 use crate::overrides::Overrides;
 use crate::run::Run;
 use crate::simulate::simulate;
+#[cfg(feature = "files")]
 use std::path::Path;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::{Proof, prove};
-use tripos_derive::scene::{self as description, Family, Grid, load, model_path};
+#[cfg(feature = "files")]
+use tripos_derive::scene::model_path;
+use tripos_derive::scene::{self as description, Family, Grid, load};
 use tripos_traits::CompiledModel;
 
 /// A scene file and the model that it is of.
@@ -29,6 +32,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::Input`] with every error of the file that has some, each with its place.
+    #[cfg(feature = "files")]
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let source = Source::read(path.as_ref())?;
         let mechanism = Mechanism::read(&model_path(&source)?)?;

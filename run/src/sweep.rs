@@ -8,12 +8,18 @@
 //! - No point ends the sweep. One that cannot start or go on is a row with its reason.
 
 mod block;
+#[cfg(feature = "threads")]
 mod in_order;
 mod lanes;
+#[cfg(not(feature = "threads"))]
+mod one_by_one;
 mod row;
 mod shard;
 
 pub use block::{Sweep, Worker};
+#[cfg(feature = "threads")]
 pub use in_order::in_order;
+#[cfg(not(feature = "threads"))]
+pub use one_by_one::in_order;
 pub use row::{Ended, NO_START, Row};
 pub use shard::Shard;

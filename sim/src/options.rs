@@ -96,7 +96,7 @@ pub enum Output {
 pub struct Poll(Arc<dyn Fn(f64) -> ControlFlow<()> + Send + Sync>);
 
 impl Poll {
-    /// Of this function.
+    /// A follower that asks this function: it is told the time, s, and breaks to end the run.
     pub fn new(function: impl Fn(f64) -> ControlFlow<()> + Send + Sync + 'static) -> Self {
         Self(Arc::new(function))
     }
@@ -113,7 +113,7 @@ impl fmt::Debug for Poll {
     }
 }
 
-/// The same function, not one that does the same.
+/// Equal if both ask one and the same function.
 impl PartialEq for Poll {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)

@@ -26,7 +26,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Of these times; nothing for none.
+    /// The spread of measured times, s; none if there is no time.
     #[must_use]
     pub fn of(times: &[f64]) -> Option<Self> {
         let mut sorted = times.to_vec();

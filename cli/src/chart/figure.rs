@@ -3,8 +3,8 @@
 use super::words::{is_derived, is_whole};
 use crate::failure::Failure;
 use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};
+use tripos::case::Way;
 use tripos::chart::Measurement;
-use tripos::chart::case::Way;
 use tripos_sim::Method;
 use tripos_sim::work_precision::pareto;
 

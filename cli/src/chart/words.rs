@@ -203,7 +203,7 @@ pub fn seconds(s: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tripos::chart::case::Way;
+    use tripos::case::Way;
     use tripos_derive::Formulation;
     use tripos_sim::Stop;
     use tripos_sim::work_precision::Spread;

@@ -2,7 +2,8 @@
 
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::names::spelled;
-use crate::taylor::{Recurrences, TaylorPlan};
+use super::taylor::TaylorPlan;
+use crate::taylor::Recurrences;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr, Node};

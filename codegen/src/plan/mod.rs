@@ -12,6 +12,7 @@ mod function;
 mod names;
 mod program;
 mod scene;
+mod taylor;
 
 pub use cost::Cost;
 pub use form::{constant_and_factors, is_flat, is_plain_product, led};
@@ -20,3 +21,4 @@ pub use function::{Argument, Arguments, Entry, Function, Planner, Returns, Value
 pub use names::{Allocator, Language, Names, Variables, identifier, module_name, spelled, type_name};
 pub use program::{Line, Output, Program, Statement, program};
 pub use scene::{Costs, SceneEquations, ScenePlan, costs};
+pub use taylor::TaylorPlan;

@@ -2,19 +2,17 @@
 //! the derivative of the state.
 //!
 //! The flow: steps and rates → a form with few products of what changes in time (`factor`) → one operation at a time
-//! (`lower`, products shared by `products`) → [`Recurrences`] → a [`TaylorPlan`] to be written, or interpretation
+//! (`lower`, products shared by `products`) → [`Recurrences`] → a plan to be written (`plan::taylor`), or interpretation
 //! ([`Tape`]). What is linear costs an operation an order; every other operation is a convolution, so convolutions
 //! are what is counted. The recurrences are those of A. Jorba & M. Zou, "A software package for the numerical integration of
 //! ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117, §2.
 
 mod factor;
 mod lower;
-mod plan;
 mod products;
 mod recurrences;
 mod tape;
 
-pub use plan::TaylorPlan;
 pub use recurrences::{Constant, Operand, Recurrences, Rule, Series};
 pub use tape::Tape;
 

@@ -14,7 +14,6 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
 use crate::plain::one_line;
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
-use std::path::Path;
 use toml::de::DeTable;
 
 const KEYS: [&str; 16] = [
@@ -41,7 +40,8 @@ impl Model {
     ///
     /// # Errors
     /// [`Diagnostics`] with every error of the file.
-    pub fn read(path: &Path) -> Result<Self, Diagnostics> {
+    #[cfg(feature = "files")]
+    pub fn read(path: &std::path::Path) -> Result<Self, Diagnostics> {
         load(&Source::read(path)?)
     }
 }

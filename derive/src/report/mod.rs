@@ -44,14 +44,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod beside;
 mod entries;
 mod linear;
 mod names;
 mod read;
 mod words;
 
+pub use beside::{hash_beside, load_beside};
 pub use names::Names;
-pub use read::{load, load_beside};
+pub use read::load;
 
 use crate::algebra::Expr;
 use crate::diagnostic::Source;

@@ -11,7 +11,6 @@ use crate::model::Model;
 use crate::read::{Entry as Field, Located, Reader};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
-use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -22,18 +21,6 @@ pub const KEYS: [&str; 9] =
 const MAX_NAMES: usize = 1000;
 /// Errors after which no formula is read any more: nobody mends that many at once.
 const MAX_ERRORS: usize = 1000;
-
-/// Reads the report beside a model file, `report.toml`, if there is one; formulas go to the model's arena.
-///
-/// # Errors
-/// [`Diagnostics`] with every error of the report file.
-pub fn load_beside(path: &Path, model: &mut Model) -> Result<Option<Report>, Diagnostics> {
-    let path = path.with_file_name("report.toml");
-    if !path.exists() {
-        return Ok(None);
-    }
-    load(&Source::read(&path)?, model).map(Some)
-}
 
 /// Reads a report for its model; formulas go to the model's arena.
 ///

@@ -1,9 +1,9 @@
 //! A whole chart: what a scene is charted to, its reference, its measurements.
 
-use super::case::cases;
-use super::compared::Compared;
 use super::{Measurement, Plan, Truth, measure};
+use crate::case::cases;
 use crate::code::{Ready, code};
+use crate::compared::Compared;
 use crate::error::{Error, refused};
 use crate::follow::Progress;
 use crate::how::options;

@@ -2,7 +2,7 @@
 
 use super::findings::{Findings, Looked, Row, Study, Topic};
 use super::ladder::passage;
-use crate::chart::case::{Case, whole};
+use crate::case::{Case, whole};
 use crate::code::{Ready, code, tape};
 use crate::error::{Error, refused};
 use crate::figure::{Figure, Panel, Scale, Series};

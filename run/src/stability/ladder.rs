@@ -1,9 +1,9 @@
 //! Passages near a singular surface: every formulation, solve and method, in the coordinate and in its distance.
 
 use super::findings::{Findings, Passed, Row, Study, Topic, Variable};
-use crate::chart::case::{Case, Way, own, whole};
-use crate::chart::compared::Compared;
+use crate::case::{Case, Way, own, whole};
 use crate::code::{Ready, code, tape};
+use crate::compared::Compared;
 use crate::error::{Error, refused};
 use crate::figure::{Cell, Figure, HeatMap};
 use crate::follow::uninterrupted;

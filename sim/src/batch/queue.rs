@@ -50,7 +50,7 @@ struct Ready {
 struct Worker<'a, const N: usize> {
     method: Method<'a, N>,
     trajectories: &'a [Trajectory<'a>],
-    /// With which every trajectory begins.
+    /// The step control with which every trajectory begins.
     pace: &'a Pace,
     limit: u64,
     lanes: [Option<Run>; N],

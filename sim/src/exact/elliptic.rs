@@ -22,7 +22,7 @@ const STEPS_LIMIT: usize = 40;
 pub struct Elliptic<S> {
     parameter: S,
     complement: S,
-    /// Of each step of the mean: aₙ₊₁, the mean of aₙ and bₙ; bₙ; and cₙ₊₁/aₙ₊₁ with cₙ₊₁ = (aₙ − bₙ)/2. From a₀ = 1.
+    /// For each step of the mean: aₙ₊₁, the mean of aₙ and bₙ; bₙ; and cₙ₊₁/aₙ₊₁ with cₙ₊₁ = (aₙ − bₙ)/2. From a₀ = 1.
     steps: Vec<Step<S>>,
 }
 

@@ -105,7 +105,7 @@ pub(super) struct PeriodicIntegral<S> {
 }
 
 impl<S: Real> PeriodicIntegral<S> {
-    /// Of nothing.
+    /// The integral of zero.
     pub(super) fn none() -> Self {
         let zero = S::int(0);
         Self { quadrature: Quadrature { points: Vec::new() }, period: zero, over_period: zero }

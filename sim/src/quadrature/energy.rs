@@ -33,7 +33,7 @@ impl std::fmt::Debug for Equations<'_> {
 }
 
 impl<'a> Energy<'a> {
-    /// Of the motion from (q, v).
+    /// The energy integral of the motion from (q, v).
     pub(super) fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {
         let mut rates = vec![0.0; q.len()];
         system.coordinate_rates(p, q, &[1.0], &mut rates);

@@ -173,10 +173,10 @@ impl<'a> OneDegree<'a> {
         Ok(y)
     }
 
-    /// As [`Self::state`], into a slice of its length.
+    /// Writes [q; v] at `t` seconds after the start to `y`, as [`Self::state`] returns it.
     ///
     /// # Errors
-    /// As [`Self::state`].
+    /// [`NoQuadrature`] if the motion cannot be followed that far.
     pub fn state_into(&self, t: f64, y: &mut [f64]) -> Result<(), NoQuadrature> {
         y.copy_from_slice(&self.start);
         if t == 0.0 {

@@ -56,7 +56,7 @@ pub(crate) fn near<M: MulAdd>(x: f64) -> (f64, f64) {
     in_quadrant::<M>(reduced::<M>(x))
 }
 
-/// The same of one number, where a branch that is foreseen costs less than reducing what needs no reduction.
+/// Sine and cosine of one number, where a branch that is foreseen costs less than reducing what needs no reduction.
 #[inline(always)]
 pub(crate) fn one<M: MulAdd>(x: f64) -> (f64, f64) {
     let size = x.abs();

@@ -8,13 +8,13 @@ pub enum Method {
     /// The classical Runge–Kutta method of order 4, with a fixed step only. W. Kutta, Z. Math. Phys. 46 (1901)
     /// 435–453.
     Rk4,
-    /// Dormand–Prince 5(4) with the step control of `ode45`; see `tripos_sim::DORMAND_PRINCE_54`.
+    /// Dormand–Prince 5(4) with the step control of `ode45`; its coefficients are the constant `DORMAND_PRINCE_54` of the integrators.
     #[default]
     Ode45,
     /// Dormand–Prince 5(4) with the step control of Hairer's `dopri5`.
     Dopri5,
     /// Dormand–Prince 8(5,3) with the error estimate and the step control of Hairer's `dop853`; see
-    /// `tripos_sim::DORMAND_PRINCE_853`.
+    /// the constant `DORMAND_PRINCE_853` of the integrators.
     Dop853,
     /// Gauss–Legendre collocation with three stages, of order 6: implicit, so that the right-hand side must bring its
     /// Jacobian; conserves quadratic invariants, and with a fixed step the energy in the long run. Events and output

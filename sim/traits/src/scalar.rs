@@ -212,7 +212,7 @@ macro_rules! float_scalar {
     };
 }
 
-/// As [`Scalar::mul_add`] of `f64`.
+/// Products and sums as [`Scalar::mul_add`] of `f64` makes them: fused where the processor fuses them.
 struct AsCompiled;
 
 impl MulAdd for AsCompiled {

@@ -4,7 +4,7 @@ mod lines;
 
 use super::expression::{expression, ident};
 use super::function::{Parameters, section, signature, statements, unpack};
-use crate::taylor::TaylorPlan;
+use crate::plan::TaylorPlan;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use rustc_hash::FxHashMap;

@@ -1,7 +1,7 @@
 //! The plan of a function `taylor`: names of everything that it computes, in which order, and what its comments say.
 
-use super::recurrences::{Operand, Recurrences, Rule, Series};
-use crate::plan::{Allocator, Argument, Names, Output, Planner, Program, Variables, identifier, program};
+use super::{Allocator, Argument, Names, Output, Planner, Program, Variables, identifier, program};
+use crate::taylor::{Operand, Recurrences, Rule, Series};
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::{Arena, Expr, Function as Elementary, Node};
