@@ -153,6 +153,24 @@ fn the_library_needs_no_target_and_can_do_without_threads_and_files() {
     }
 }
 
+/// A reader of one item's documentation sees nothing above it.
+#[test]
+fn documentation_of_an_item_begins_with_what_it_is() {
+    let elliptic = ["The same", "Of ", "As [", "As above"];
+    for folder in ["derive/src", "codegen/src", "sim/src", "sim/traits/src", "run/src", "cli/src"] {
+        for (path, text) in sources(folder) {
+            let mut in_doc = false;
+            for line in text.lines() {
+                let doc = line.trim_start().strip_prefix("/// ");
+                let begins = doc.filter(|_| !in_doc);
+                let found = begins.filter(|doc| elliptic.iter().any(|word| doc.starts_with(word)));
+                assert!(found.is_none(), "{}: {}", path.display(), line.trim());
+                in_doc = line.trim_start().starts_with("///");
+            }
+        }
+    }
+}
+
 /// Where text is taken apart, and why that is no decision by a printed name: it is a file, an argument or a path; or how letters,
 /// signs and digits are set.
 const READS_TEXT: [(&str, &[&str]); 3] = [

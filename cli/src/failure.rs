@@ -53,7 +53,7 @@ impl Failure {
         }
     }
 
-    /// The same for programs: what is wrong, what to do, and every place in a file, with the exit status.
+    /// A failure as programs read it: what is wrong, what to do, and every place in a file, with the exit status.
     pub fn json(&self) -> Value {
         let places = if let Self::Refused(error) = self { places(error.files()) } else { Vec::new() };
         let (message, help) = self.said();

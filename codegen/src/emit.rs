@@ -37,7 +37,7 @@ pub fn emit(path: &Path, module: &str, formulations: &[Formulation]) -> Result<E
     emit_model(&Model::read(path)?, module, formulations)
 }
 
-/// As [`emit`], of a model that is read already, or was changed since.
+/// Emits a model that is read already, or was changed since, like [`emit`].
 ///
 /// # Errors
 /// As [`emit`].

@@ -49,7 +49,7 @@ pub enum Unfinished {
 pub enum WriteError {
     /// A file of this name is there, and is to be kept.
     There(PathBuf),
-    /// As [`Self::There`], but it has appeared while the new one was written: all of that is in the second file.
+    /// A file of another stands there as in [`Self::There`], but it has appeared while the new one was written: all of that is in the second file.
     Appeared(PathBuf, PathBuf),
     /// Another writer of this name is at work.
     Busy(PathBuf),
@@ -82,7 +82,7 @@ impl std::error::Error for WriteError {}
 pub struct Draft {
     /// As it was asked for.
     path: PathBuf,
-    /// The same with links followed: what is renamed to.
+    /// The path with links followed: what is renamed to.
     target: PathBuf,
     existing: Existing,
     /// Where it is until it is whole; none of devices and pipes. Before the file: its name goes before its lock does.

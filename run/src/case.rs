@@ -102,7 +102,7 @@ impl Prepared<'_> {
 pub enum Way {
     /// By steps of a method at a tolerance.
     Steps(Method, f64),
-    /// The same at an absolute tolerance alone: a relative one is never finer than some roundings, this one is.
+    /// A method at an absolute tolerance alone: a relative one is never finer than some roundings, this one is.
     Absolute(Method, f64),
     /// By integrals over the coordinate, to rounding.
     Quadrature,

@@ -23,7 +23,7 @@ pub struct Compared {
 /// What a scene wants to see, as functions of the whole state.
 struct Outputs {
     parameters: Vec<DoubleDouble>,
-    /// Of parameters, coordinates and speeds: the outputs that whole states show.
+    /// From parameters, coordinates and speeds: the outputs that whole states show.
     tape: Tape<DoubleDouble>,
     list: Vec<Shown>,
 }
@@ -34,7 +34,7 @@ struct Shown {
 }
 
 impl Compared {
-    /// Of a scene of this model.
+    /// What runs of a scene of this model are compared in.
     ///
     /// # Errors
     /// [`Error::Input`] if the scene wants to see an energy and the model cannot be derived.
@@ -63,7 +63,7 @@ impl Compared {
         }
     }
 
-    /// The same of an integrated state, whichever equations it is of.
+    /// The compared quantities of an integrated state, whichever equations it is of.
     #[must_use]
     pub fn of_run(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let shown = problem.precise_state(t, y);

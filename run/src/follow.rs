@@ -31,12 +31,12 @@ impl Follow {
         self.0.as_ref().is_some_and(|follower| (follower.asked)())
     }
 
-    /// As [`Follow::asked`], for loops.
+    /// Whether a loop goes on: until the work is asked to end.
     pub fn go_on(&self) -> ControlFlow<()> {
         if self.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// The same options, for a run that is followed.
+    /// The options for a run that is followed.
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         Options { poll: self.0.as_ref().map(|follower| follower.poll.clone()), ..options.clone() }

@@ -188,7 +188,7 @@ impl Interpreted {
         Ok(self)
     }
 
-    /// The same equations in another kind of number.
+    /// The equations in another kind of number.
     #[must_use]
     pub fn to<S: Numeric>(&self) -> Interpreted<S> {
         Interpreted {

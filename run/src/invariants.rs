@@ -141,7 +141,7 @@ impl Watch {
         self.divided.evaluate(parameters).into_iter().map(|divisor| divisor != 0.0).collect()
     }
 
-    /// Of a model alone: its first integrals are found and proved first.
+    /// What is watched of a model alone: its first integrals are found and proved first.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
@@ -149,7 +149,7 @@ impl Watch {
         Self::of_ground(model, &Ground::new(model).map_err(|error| model.diagnose(&error))?)
     }
 
-    /// Of a model whose first integrals are known.
+    /// What is watched of a model whose first integrals are known.
     ///
     /// # Errors
     /// As [`Watch::new`].

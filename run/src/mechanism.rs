@@ -44,7 +44,7 @@ impl Mechanism {
         Self { compiled, ..self }
     }
 
-    /// The same, followed.
+    /// With somebody who may end long work early.
     #[must_use]
     pub fn followed(self, follow: Follow) -> Self {
         Self { follow, ..self }

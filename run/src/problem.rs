@@ -228,7 +228,7 @@ impl<'a> Problem<'a> {
         Ok((p, [q, v].concat()))
     }
 
-    /// The same as [`Problem::state`] in twice the precision of a double.
+    /// What is shown of an integrated state, in twice the precision of a double.
     #[must_use]
     pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let system = self.code.extended();
@@ -256,7 +256,7 @@ impl<'a> Problem<'a> {
         self.integrate_over(self.scene.span, y0, options, events)
     }
 
-    /// The same over another span.
+    /// Integrates over another span than the scene's.
     ///
     /// # Errors
     /// [`SimError`] if the question makes no sense.
@@ -275,7 +275,7 @@ impl<'a> Problem<'a> {
         integrate(Lent(rhs.as_mut()), span, y0, &self.mechanism.follow.options(options), events)
     }
 
-    /// The same as [`Problem::state`] without rounding a distance away.
+    /// What is shown of an integrated state, without rounding a distance away.
     #[must_use]
     pub fn precise_state(&self, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();

@@ -23,7 +23,7 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// Of a scene of this model.
+    /// The reduced equations of a scene of this model.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived, or the scene asks for what it does not determine.
@@ -32,7 +32,7 @@ impl Reduced {
         Self::of_ground(&ground, model, scene)
     }
 
-    /// Of a scene of the model that `ground` was derived from.
+    /// The reduced equations of a scene of the model that `ground` was derived from.
     ///
     /// # Errors
     /// [`Error`] if the scene asks for what the model does not determine.
@@ -50,7 +50,7 @@ impl Reduced {
         Self::with(reduction, model, scene)
     }
 
-    /// The same equations from the start of another scene: one with other numbers.
+    /// The equations from the start of another scene: one with other numbers.
     ///
     /// What the reduction was made from must be the same: model, outputs, events and parameters.
     ///

@@ -36,7 +36,7 @@ const MOST_STEPS: u64 = 5_000_000;
 const STATES: usize = 4;
 
 impl Reference {
-    /// Of a scene without its events, at these instants in the order of the run.
+    /// The reference of a scene without its events, at these instants in the order of the run.
     ///
     /// # Errors
     /// [`Error`] if no formulation gets there.

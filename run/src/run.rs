@@ -31,7 +31,7 @@ pub struct Run {
     pub states: Vec<Vec<f64>>,
     /// Kinetic and potential energy at each sample; nothing where a scene shows outputs of its own.
     pub energies: Vec<(f64, f64)>,
-    /// The same at the end.
+    /// What is shown at the end.
     pub end: Vec<f64>,
     /// Largest change of total energy over the samples, J, if it is known.
     pub energy_drift: Option<f64>,

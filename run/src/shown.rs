@@ -44,7 +44,7 @@ struct Outputs {
 }
 
 impl Shown {
-    /// Of a scene of this model.
+    /// What a scene of this model shows.
     ///
     /// # Errors
     /// [`Error`] if an output needs a reaction that the model does not determine.

@@ -171,7 +171,7 @@ pub fn identifier(formula: &str, longest: usize) -> Option<String> {
 pub struct Names {
     /// All that are taken.
     pub allocator: Allocator,
-    /// Of the sine and the cosine of each angle.
+    /// The variables of the sine and the cosine of each angle.
     circular: FxHashMap<Expr, (String, String)>,
 }
 

@@ -101,7 +101,7 @@ pub struct Output {
     pub label: String,
     /// What is computed.
     pub value: Expr,
-    /// The same as comments state it.
+    /// The value as comments state it.
     pub stated: Expr,
 }
 

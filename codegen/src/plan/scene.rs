@@ -207,9 +207,9 @@ fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
 /// What one call of the derivative of the state costs: of all equations by Kane's method, and of a scene's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Costs {
-    /// Of the whole model.
+    /// The cost of a call of the whole model.
     pub full: Cost,
-    /// Of the scene.
+    /// The cost of a call of the scene.
     pub scene: Cost,
 }
 

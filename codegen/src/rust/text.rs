@@ -74,7 +74,7 @@ pub fn format(header: &[String], items: TokenStream) -> String {
     under("//!", header, items)
 }
 
-/// As [`format`], for a file that can stand in another by `include!`, where documentation of the file itself is an error.
+/// Formats a file that can stand in another by `include!`, where documentation of the file itself is an error.
 ///
 /// # Panics
 /// If the tokens are not a Rust file: a defect of the generator.

@@ -15,7 +15,7 @@ pub enum Base {
 /// A factor, or what is divided by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Atom {
-    /// Of what.
+    /// What is multiplied or divided by.
     pub base: Base,
     /// Whether it is divided by.
     pub inverse: bool,

@@ -68,7 +68,7 @@ impl Rule {
         }
     }
 
-    /// The same with places renamed.
+    /// Renames places.
     pub(super) fn renamed(&mut self, place: impl Fn(usize) -> usize) {
         let rename = |x: &mut usize| *x = place(*x);
         match self {

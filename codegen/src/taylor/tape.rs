@@ -28,7 +28,7 @@ impl Tape {
 }
 
 impl<S: Numeric> Tape<S> {
-    /// The same recurrences in another kind of number.
+    /// The recurrences in another kind of number.
     #[must_use]
     pub fn to<T: Numeric>(&self) -> Tape<T> {
         Tape { list: self.list.clone(), constants: self.constants.to(), places: self.places.clone() }

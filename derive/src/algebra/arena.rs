@@ -303,7 +303,7 @@ impl Arena {
         self.reachable_until(roots, |_| false)
     }
 
-    /// The same, but nothing for which `known` holds, nor what only such terms are built from.
+    /// What the roots are built from in order of handles, but nothing for which `known` holds, nor what only such terms are built from.
     pub(super) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // A bit for each handle up to the largest root: operands have smaller ones.
         let words = roots.iter().map(|e| e.index() / 64 + 1).max().unwrap_or(0);

@@ -97,7 +97,7 @@ pub fn split_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
 /// Multiples of π beyond this are taken less whole turns, which a double of them would not know any more.
 const MANY_TURNS: f64 = 1e6;
 
-/// The same multiple of π less whole turns, from 0 to 2.
+/// A multiple of π less whole turns, from 0 to 2.
 fn less_whole_turns(turns: &Rational) -> Rational {
     let halves = turns.to_big() / BigRational::from_integer(2.into());
     turns.add(&Rational::from_big(halves.floor()).mul(&Rational::integer(-2)))

@@ -89,7 +89,7 @@ enum Op<K> {
 }
 
 impl Op<Rational> {
-    /// The same operation, its constants rounded.
+    /// The operation in numbers of a kind, its constants rounded to them.
     fn rounded<S: Numeric>(&self) -> Op<S> {
         match self {
             Self::Constant(value) => Op::Constant(S::of(value)),
@@ -240,7 +240,7 @@ impl Tape {
 }
 
 impl<S: Numeric> Tape<S> {
-    /// The same operations in another kind of number, from the exact constants.
+    /// The tape in another kind of number, from the exact constants.
     #[must_use]
     pub fn to<T: Numeric>(&self) -> Tape<T> {
         let ops = self.exact.iter().map(Op::rounded).collect();

@@ -13,22 +13,22 @@ use std::ops::Index;
 pub trait Fold {
     /// What a term becomes.
     type Value;
-    /// Of a number.
+    /// The value of a number.
     fn number(&mut self, value: &Rational) -> Option<Self::Value>;
-    /// Of π.
+    /// The value of π.
     fn pi(&mut self) -> Option<Self::Value>;
-    /// Of a symbol.
+    /// The value of a symbol.
     fn symbol(&mut self, symbol: Expr) -> Option<Self::Value>;
-    /// Of constant + Σ k · term.
+    /// The value of constant + Σ k · term.
     fn sum(
         &mut self,
         constant: &Rational,
         terms: &[(Expr, Rational)],
         of: &Values<'_, Self::Value>,
     ) -> Option<Self::Value>;
-    /// Of Π base^exponent.
+    /// The value of Π base^exponent.
     fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Self::Value>) -> Option<Self::Value>;
-    /// Of a function of its argument.
+    /// The value of a function of its argument.
     fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Self::Value>) -> Option<Self::Value>;
     /// A value that a term has already, whatever it is built from.
     fn known(&mut self, _term: Expr) -> Option<Self::Value> {

@@ -72,12 +72,12 @@ impl Interval {
         if result.excludes_zero() { Self::new(1.0 / result.hi, 1.0 / result.lo) } else { None }
     }
 
-    /// Of −x.
+    /// The interval of −x.
     fn negated(self) -> Self {
         Self { lo: -self.hi, hi: -self.lo }
     }
 
-    /// Of |x|.
+    /// The interval of |x|.
     fn size(self) -> Self {
         let (a, b) = (self.lo.abs(), self.hi.abs());
         Self { lo: if self.excludes_zero() { a.min(b) } else { 0.0 }, hi: a.max(b) }

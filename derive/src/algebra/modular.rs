@@ -19,7 +19,7 @@ use super::fold::Needed;
 use super::points::{POINTS, Point, angle_denominators, seeded, values_at};
 use super::{Arena, Expr, Function, Node};
 
-/// The same for one square root; each further one doubles it, since a wrong pattern of m signs may show at one point in
+/// Points for terms with one square root; each further one doubles it, since a wrong pattern of m signs may show at one point in
 /// 2^m only: (1 − 2^−m)^(44·2^m) < 2^−63.
 const POINTS_WITH_ROOTS: usize = 44;
 /// More roots than this are not tested to that bound.

@@ -275,7 +275,7 @@ impl Normalizer {
         arena.try_product(&factors).expect("factors below are not zero")
     }
 
-    /// The same polynomial with terms of the arena as atoms.
+    /// The polynomial with terms of the arena as atoms.
     #[must_use]
     pub fn polynomial(&self, p: &Poly) -> Polynomial {
         let mut result = Polynomial::default();

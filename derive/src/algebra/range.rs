@@ -124,7 +124,7 @@ impl Range {
         Self::new(Some(Rational::ZERO), high).or_nonzero(self.nonzero)
     }
 
-    /// Of the values other than 0: a reciprocal is never 0.
+    /// The range of 1/x over the values other than 0: a reciprocal is never 0.
     fn reciprocal(&self) -> Self {
         if self.neg().is_nonnegative() {
             return self.neg().reciprocal().neg();

@@ -74,7 +74,7 @@ impl Rational {
         }
     }
 
-    /// The same number as a big fraction.
+    /// The number as a big fraction.
     #[must_use]
     pub fn to_big(&self) -> BigRational {
         match &self.0 {

@@ -44,7 +44,7 @@ pub enum Angles {
     Kept,
     /// They come from those of the parts by the addition theorems, where that saves sines and cosines.
     Composed,
-    /// The same, and the theorems are multiplied out with the rest.
+    /// Angles are composed, and the theorems are multiplied out with the rest.
     Open,
 }
 

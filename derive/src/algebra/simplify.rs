@@ -25,7 +25,7 @@ impl Simplifier {
     pub const LIMIT: usize = 600;
     /// Multiplications of terms that bringing an expression over one denominator may cost.
     pub const FRACTION_BUDGET: u64 = 50_000;
-    /// The same for bringing multiple angles and sums of angles to single ones.
+    /// The most multiplications for bringing multiple angles and sums of angles to single ones.
     pub const ANGLE_BUDGET: u64 = 5_000;
     /// Different terms in an expression above which it is not even looked at.
     pub const PARTS: usize = 5000;
@@ -82,7 +82,7 @@ impl Simplifier {
         self.polynomial_over(arena, &parts, &SumAtoms::default())
     }
 
-    /// The same, but sums of symbols stay together where no term is lost by that.
+    /// The term multiplied out, but sums of symbols stay together where no term is lost by that.
     fn expanded(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
         let parts = arena.reachable(&[e]);
         if parts.len() > Self::PARTS {

@@ -6,9 +6,9 @@ use crate::algebra::compare::{Verdict, Witness};
 /// How a printed entry stands to what is derived.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Judgement {
-    /// The same.
+    /// Equal in meaning.
     Equal,
-    /// The same but for a factor.
+    /// Equal but for a factor.
     Scaled,
     /// Not the same.
     Different,

@@ -107,7 +107,7 @@ fn by_definition(model: &Model, report: &Report, initial: &Initial) -> Option<Ot
     })
 }
 
-/// The same quantity in other sets.
+/// What other sets of initial values say of the quantity.
 fn repeated(model: &Model, report: &Report, entry: &Entry) -> Vec<Other> {
     let EntryKind::Initial(initial) = &entry.kind else { return Vec::new() };
     let others = report.entries.iter().filter_map(|other| match &other.kind {

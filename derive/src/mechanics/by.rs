@@ -102,7 +102,7 @@ impl Distance {
         self.with_unit(model, "deg")
     }
 
-    /// The same for a heading: `q2-90°`.
+    /// The name of a distance for a heading: `q2-90°`.
     #[must_use]
     pub fn title(&self, model: &Model) -> String {
         self.with_unit(model, "°")

@@ -23,7 +23,7 @@ pub fn distances(model: &Model) -> Vec<Distance> {
     coordinates.map(|(coordinate, _)| Distance { coordinate, quarter_turns: 1 }).collect()
 }
 
-/// The same equations in a distance: every place of the coordinate holds d + origin, simplified.
+/// Equations in a distance: every place of the coordinate holds d + origin, simplified.
 #[must_use]
 pub fn in_distance(model: &Model, derivation: Derivation, distance: Distance) -> Derivation {
     let Derivation { mut arena, mut equations } = derivation;

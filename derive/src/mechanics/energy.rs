@@ -1,4 +1,6 @@
 //! Kinetic and potential energy, and the momenta that the former is made of.
+//!
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 5.1, 5.4.
 
 use super::error::DeriveError;
 use super::kinematics::{Kinematics, Velocities};

@@ -204,7 +204,7 @@ impl fmt::Display for DeriveError {
 }
 
 impl Model {
-    /// The same error with its place in the model file.
+    /// The error with its place in the model file.
     #[must_use]
     pub fn diagnose(&self, error: &DeriveError) -> Diagnostics {
         let (name, help) = error.place_and_help();

@@ -1,4 +1,7 @@
 //! Positions, velocities and accelerations: what all three formulations start from.
+//!
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and moving on it),
+//! 2.12 (generalized speeds), 2.14 (partial velocities).
 
 use super::error::DeriveError;
 use super::vector::{Components, Frames, Vector, apply_tensor};
@@ -33,7 +36,7 @@ pub struct Velocities {
 
 /// A force or a torque and the velocity of what it acts on: F_r = Σ ∂velocity/∂u_r · scale load.
 pub struct Load {
-    /// Of the point, or of the body for a torque.
+    /// The velocity of the point, or the angular velocity of the body for a torque.
     pub velocity: Vector,
     /// The mass for a weight, else 1. It is kept apart so that equal products of vectors are seen to be equal.
     pub scale: Expr,
@@ -60,7 +63,7 @@ impl Kinematics {
         Ok(kinematics)
     }
 
-    /// The same velocities in terms of the generalized speeds.
+    /// The velocities in terms of the generalized speeds.
     pub fn in_speeds(&mut self, model: &Model) -> Velocities {
         let mut to_speeds = rates_to_speeds(model);
         let Self { arena, simplifier, .. } = self;
@@ -244,7 +247,7 @@ pub fn motion_rates(model: &Model) -> Differential {
     Differential::along(&rates)
 }
 
-/// The same for u̇ = 0: what is left of a rate when its terms in u̇ are taken away.
+/// A rate for u̇ = 0: what is left of a rate when its terms in u̇ are taken away.
 #[must_use]
 pub fn motion_rates_without_acceleration(model: &Model) -> Differential {
     let rates = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied());

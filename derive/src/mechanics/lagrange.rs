@@ -1,4 +1,6 @@
 //! Lagrange's equations: d/dt(∂T/∂q̇_i) − ∂T/∂q_i + ∂V/∂q_i = Q_i.
+//!
+//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §1.4.
 
 use super::error::DeriveError;
 use super::kinematics::{Kinematics, Load, speeds_to_rates};

@@ -2,6 +2,7 @@
 //!
 //! Forces: m a_C = ΣF. Moments about the mass centre: dH/dt = ΣM. Components are taken in the frame
 //! of the body's inertia, for particles in the inertial frame; components that read 0 = 0 are left out.
+//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.2, 5.5.
 
 use super::error::DeriveError;
 use super::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};

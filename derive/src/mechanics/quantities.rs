@@ -165,7 +165,7 @@ impl<'a> Quantities<'a> {
         symbols.any(|s| parts.binary_search(&s).is_ok())
     }
 
-    /// The same in q, q̇ and q̈: u → J q̇ + d, and u̇ → its time derivative.
+    /// A term in q, q̇ and q̈ alone: u → J q̇ + d, and u̇ → its time derivative.
     ///
     /// Where a divisor would become the literal 0 the quotient stays as it was, so that
     /// [`Self::mentions_speeds`] tells.
@@ -173,7 +173,7 @@ impl<'a> Quantities<'a> {
         self.to_rates.apply(&mut self.derivations.kinematics.arena, e)
     }
 
-    /// The same in q, u and u̇: q̇ → W u + w, and q̈ → its time derivative.
+    /// A term in q, u and u̇ alone: q̇ → W u + w, and q̈ → its time derivative.
     ///
     /// Where a divisor would become the literal 0 the quotient stays as it was, so that
     /// [`Self::mentions_rates`] tells.

@@ -187,7 +187,7 @@ pub enum QuantityKind {
         /// The axis.
         axis: usize,
     },
-    /// The same component of a partial velocity: the derivative by a speed.
+    /// A component of a partial velocity: the derivative by a speed.
     Partial {
         /// Velocity or angular velocity.
         vector: VectorName,

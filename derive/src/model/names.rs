@@ -60,7 +60,7 @@ pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate])
 pub const HOLONOMIC: &str = "a holonomic constraint";
 /// Parameters, coordinates and their time derivatives.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
-/// The same and speeds.
+/// What formulas of motions may mention: parameters, coordinates, their rates and speeds.
 pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
 /// Everything that has a value during a run.
 pub const ANYTHING: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Reaction]);

@@ -39,7 +39,7 @@ pub struct Lagrangian {
 }
 
 impl Lagrangian {
-    /// Of a model whose Lagrange equations were derived.
+    /// The fields of a model whose Lagrange equations were derived.
     pub fn new(model: &Model, derivations: &mut Derivations, t: Expr, v: Expr) -> Self {
         let forces = generalized_forces(model, &mut derivations.kinematics);
         let Kinematics { arena, .. } = &mut derivations.kinematics;

@@ -96,7 +96,7 @@ pub struct Basis {
 }
 
 impl Basis {
-    /// Of a model; nothing without the equations by Kane and by Lagrange.
+    /// The search in a model; nothing without the equations by Kane and by Lagrange.
     pub fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
         let kane = derivations.get(Formulation::Kane)?.clone();
         let lagrange = derivations.get(Formulation::Lagrange)?.clone();
@@ -115,7 +115,7 @@ impl Basis {
         }
     }
 
-    /// As [`find`], for a model whose speeds are rewritten likewise.
+    /// Finds first integrals of a model whose speeds are rewritten likewise.
     pub fn search(
         &self,
         model: &Model,

@@ -64,7 +64,7 @@ impl Dependence {
         found
     }
 
-    /// The same term without the variables that it mentions and does not depend on; definitions that mention such are
+    /// The term without the variables that it mentions and does not depend on; definitions that mention such are
     /// written out.
     pub fn settle(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, variables: &[Expr]) -> Expr {
         let whole = self.whole(arena, e);

@@ -31,7 +31,7 @@ pub struct Momentum {
     pub rest: Expr,
     /// The symmetry q′ = ξ(q).
     pub field: Vec<Expr>,
-    /// The same in speeds.
+    /// The direction of the symmetry in speeds.
     pub direction: Vec<Expr>,
     /// Its unit.
     pub unit: Unit,

@@ -19,7 +19,7 @@ struct Reported;
 
 /// Formulas and their texts.
 type Formulas = (Vec<Expr>, Vec<String>);
-/// The same, row by row.
+/// The entries of a matrix row by row: as terms, and as they are printed.
 type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
 
 /// What a matrix must fit.

@@ -271,7 +271,7 @@ impl Values<'_, '_> {
         Some(number)
     }
 
-    /// The same, above zero.
+    /// A number above zero.
     fn positive(&mut self, text: &Located, place: Varied, context: &Context<'_>) -> Option<Number> {
         let number = self.value_of(text, place, context)?;
         if number.double <= 0.0 {

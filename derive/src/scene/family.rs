@@ -22,7 +22,7 @@ pub struct Family<'a> {
 }
 
 impl<'a> Family<'a> {
-    /// Of the scene that a file gave for this model, over a grid that was read for it.
+    /// The family of the scene that a file gave for this model, over a grid that was read for it.
     ///
     /// # Errors
     /// [`Diagnostics`] if the scene's text is not TOML, which it was when it was loaded.

@@ -32,7 +32,7 @@ impl Number {
         Self { double: value.to_f64(), extended: DoubleDouble::of(&value), exact: Some(value) }
     }
 
-    /// Of which no more than the double is known.
+    /// A number of which no more than the double is known.
     pub fn rounded(double: f64) -> Self {
         Self { double, exact: None, extended: double.into() }
     }
@@ -91,7 +91,7 @@ pub struct Start {
     pub q: Vec<f64>,
     /// Generalized speeds.
     pub u: Vec<f64>,
-    /// The same to 32 digits.
+    /// The values to 32 digits.
     pub exact: Exact,
 }
 
@@ -109,7 +109,7 @@ pub struct Values<'a, 'm> {
 const RESIDUAL: f64 = 1e-9;
 
 impl<'a, 'm> Values<'a, 'm> {
-    /// Of a file that is read once, as it is.
+    /// A reader of a file that is read once, as it is.
     pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
         Self { reader, model, terms: Terms::default(), given: &[] }
     }
@@ -412,7 +412,7 @@ impl<'a> Values<'a, '_> {
         self.motion_formula_with(formula, &[])
     }
 
-    /// The same, with accelerations and other names that a model's own hide, if there are such.
+    /// A formula of a motion that may also mention `others`, such as accelerations; names of the model hide them.
     pub fn motion_formula_with(&mut self, formula: &Located, others: &[&str]) -> Option<Expr> {
         let model = &mut *self.model;
         let mut known: Vec<(String, Expr)> = Vec::new();

@@ -50,7 +50,7 @@ pub struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    /// Of a scene that `how` has changed, over a grid that was read for it.
+    /// A sweep of a scene that `how` has changed, over a grid that was read for it.
     ///
     /// # Errors
     /// [`Error`] if no point could be run by these equations with this method.

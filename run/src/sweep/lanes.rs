@@ -30,7 +30,7 @@ pub struct Request {
 }
 
 impl Request {
-    /// Of a problem that can start; others are for the scalar run, which says why they cannot.
+    /// The request of a problem that can start; others are for the scalar run, which says why they cannot.
     pub fn new(problem: &Problem<'_>) -> Option<Self> {
         let scene: &Scene = problem.scene;
         let Options { rtol, atol, step_limit, .. } = options_of_ends(scene).ok()?;
@@ -61,7 +61,7 @@ pub fn run(equations: InLanes<'_>, requests: &[Request]) -> Vec<Option<Solution>
     solutions
 }
 
-/// The same with its start, as [`Output::Ends`] has it.
+/// The outcome with its start, as [`Output::Ends`] has it.
 fn solution(request: &Request, outcome: Outcome) -> Solution {
     let Outcome { t_end, y_end, stop, steps, rejected, evaluations } = outcome;
     debug_assert_eq!(request.plan.options().output, Output::Ends);

@@ -8,7 +8,7 @@ use std::ops::Range;
 pub struct Shard {
     /// Which, from 1.
     pub part: u64,
-    /// Of how many.
+    /// How many shards there are.
     pub of: u64,
 }
 

@@ -226,7 +226,7 @@ pub(super) fn note(
     }
 }
 
-/// As [`note`], where panels without an end are allowed.
+/// Notes a far coordinate where panels without an end are allowed.
 pub(super) fn note_far(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],

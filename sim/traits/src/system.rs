@@ -189,7 +189,7 @@ pub struct CompiledSystem {
 pub trait Rates<S: Scalar> {
     /// How long the arguments and results are.
     fn lengths(&self) -> Lengths;
-    /// As [`System::derivative`].
+    /// q̇ and v̇, as [`System::derivative`] writes them.
     fn rates(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]);
 }
 

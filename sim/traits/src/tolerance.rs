@@ -12,7 +12,7 @@ pub const ATOL: f64 = 1e-9;
 /// A number is a tolerance of all components, a list one of each: `1e-9.into()`, `vec![1e-9, 1e-6].into()`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AbsoluteTolerance {
-    /// The same for every component.
+    /// One tolerance for every component.
     Uniform(f64),
     /// One for each component of the state, each in its own unit: coordinates, then speeds.
     Each(Vec<f64>),
