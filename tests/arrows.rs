@@ -171,8 +171,8 @@ fn documentation_of_an_item_begins_with_what_it_is() {
     }
 }
 
-/// Where text is taken apart, and why that is no decision by a printed name: it is a file, an argument or a path; or how letters,
-/// signs and digits are set.
+/// Where text is taken apart, and why that is no decision by a printed name: it is a file, an argument or a path; or
+/// how letters, signs and digits are set.
 const READS_TEXT: [(&str, &[&str]); 3] = [
     (
         "files and arguments",
@@ -245,7 +245,8 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
     ),
 ];
 
-/// What an integral, a quantity, a stop, a formulation or a set of equations is, is a value: text is made from it, never the other way.
+/// What an integral, a quantity, a stop, a formulation or a set of equations is, is a value: text is made from it,
+/// never the other way.
 #[test]
 fn nothing_is_decided_by_printed_text() {
     let marks = [

@@ -203,7 +203,8 @@ fn no_files_use_one_another_in_a_circle() {
     assert!(found.is_empty(), "circles of files:\n{}", found.join("\n"));
 }
 
-/// Goal: the scan sees what it is for. Method: a crate of three files, with an arrow through a re-export, with and without the way back.
+/// Goal: the scan sees what it is for. Method: a crate of three files, with an arrow through a re-export, with and
+/// without the way back.
 #[test]
 fn a_circle_through_a_re_export_is_found() {
     let folder = tempfile::tempdir().unwrap();

@@ -146,8 +146,8 @@ fn agree(name: &str, found: &[f64], expected: &[f64]) {
     }
 }
 
-/// Goal: who uses a scene's module needs nothing else. Method: the module's functions from a start to its constants and to its own state,
-/// against what runs of the scene begin with.
+/// Goal: who uses a scene's module needs nothing else. Method: the module's functions from a start to its constants and
+/// to its own state, against what runs of the scene begin with.
 #[test]
 fn generated_constants_of_a_motion_are_those_of_its_runs() {
     macro_rules! check {

@@ -1,14 +1,14 @@
 //! The one way in which anything of ours is written to a file.
 //!
 //! Invariants:
-//! - A file of the name that was asked for is whole. It is written beside, to that name with `.part` after it, and renamed when all of
-//!   it is there: a full disk, an error or a kill before that leaves what had the name as it was.
-//! - A part is locked while it is written, and who waits for the lock looks again whether the name is still that of the file it
-//!   locked. So two writers of one name cannot mix, and none empties what the other has just finished.
+//! - A file of the name that was asked for is whole. It is written beside, to that name with `.part` after it, and
+//!   renamed when all of it is there: a full disk, an error or a kill before that leaves what had the name as it was.
+//! - A part is locked while it is written, and who waits for the lock looks again whether the name is still that of the
+//!   file it locked. So two writers of one name cannot mix, and none empties what the other has just finished.
 //! - [`Existing::Kept`] holds to the last: the rename itself refuses to replace what has appeared meanwhile.
 //!
-//! Devices and pipes cannot be renamed: they take at once what is written. Absent on purpose: flushing to the disk itself, since what
-//! is written here can be made again.
+//! Devices and pipes cannot be renamed: they take at once what is written. Absent on purpose: flushing to the disk
+//! itself, since what is written here can be made again.
 
 use same_file::Handle;
 use std::fs::{File, TryLockError};
@@ -49,7 +49,8 @@ pub enum Unfinished {
 pub enum WriteError {
     /// A file of this name is there, and is to be kept.
     There(PathBuf),
-    /// A file of another stands there as in [`Self::There`], but it has appeared while the new one was written: all of that is in the second file.
+    /// A file of another stands there as in [`Self::There`], but it has appeared while the new one was written: all of
+    /// that is in the second file.
     Appeared(PathBuf, PathBuf),
     /// Another writer of this name is at work.
     Busy(PathBuf),
@@ -127,7 +128,8 @@ impl Draft {
         part.disable_cleanup(unfinished == Unfinished::Left);
         file.set_len(0).map_err(failed)?;
         if let Some(there) = there {
-            // Whoever could read the old one can read the new one. Where that cannot be had, the system's own choice stands.
+            // Whoever could read the old one can read the new one. Where that cannot be had, the system's own choice
+            // stands.
             let _ = file.set_permissions(there.permissions());
         }
         Ok(Self { path: path.to_owned(), target, existing, part: Some(part), file: BufWriter::new(file) })
@@ -190,8 +192,8 @@ pub fn folder(path: &Path) -> Result<(), WriteError> {
     std::fs::create_dir_all(path).map_err(|error| WriteError::Io(path.to_owned(), error))
 }
 
-/// Whether writing `path` would change the file `input`, whatever it is called here: by a link, by another way to it, or by
-/// the part that is written beside.
+/// Whether writing `path` would change the file `input`, whatever it is called here: by a link, by another way to it,
+/// or by the part that is written beside.
 #[must_use]
 pub fn would_change(path: &Path, input: &Path) -> bool {
     let same = |path: &Path| same_file::is_same_file(path, input).unwrap_or(false);
@@ -296,8 +298,8 @@ mod tests {
         assert!(matches!(third, Err(WriteError::There(_))));
     }
 
-    /// Goal: no writer empties or replaces what another has finished. Method: many threads, each with a text of its own, all of one
-    /// name; only the first may finish, and what it wrote stays.
+    /// Goal: no writer empties or replaces what another has finished. Method: many threads, each with a text of its
+    /// own, all of one name; only the first may finish, and what it wrote stays.
     #[test]
     fn of_many_writers_of_one_name_one_finishes() {
         let folder = tempfile::tempdir().unwrap();

@@ -1,9 +1,9 @@
 //! Where the scenes of a model are.
 //!
-//! Invariant: whoever asks for the scenes of a model, the page as the generator of code, has them from here, in one order. A file in
-//! `scenes/` is meant to be a scene, whatever is wrong with it; beside the model stand other files as well (`report.toml`, states,
-//! other models), so there a file is a scene if it names this model under `model`. What cannot be read there is listed too: whoever
-//! reads it says what is wrong.
+//! Invariant: whoever asks for the scenes of a model, the page as the generator of code, has them from here, in one
+//! order. A file in `scenes/` is meant to be a scene, whatever is wrong with it; beside the model stand other files as
+//! well (`report.toml`, states, other models), so there a file is a scene if it names this model under `model`. What
+//! cannot be read there is listed too: whoever reads it says what is wrong.
 
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;

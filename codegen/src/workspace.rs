@@ -143,7 +143,8 @@ pub(crate) fn module_files(
                 .map_err(|diagnostic| Diagnostics::new(report.source.clone(), vec![diagnostic]))?;
         }
     }
-    // Measured from a singular surface, they are for runs alone; last, so that what they have in common with others stands there.
+    // Measured from a singular surface, they are for runs alone; last, so that what they have in common with others
+    // stands there.
     for (f, derivation) in near {
         module_text.solved(model, derivation, false).map_err(|_| undetermined(&model.source, f.title()))?;
     }
@@ -285,7 +286,8 @@ impl Difference {
 /// What the models give, beside what is committed.
 #[derive(Debug)]
 pub struct Freshness {
-    /// What the models give, `lib.rs` among the files; models that are broken, and those that nobody asked for, keep their committed files.
+    /// What the models give, `lib.rs` among the files; models that are broken, and those that nobody asked for, keep
+    /// their committed files.
     pub generated: Generated,
     /// Where the committed text differs.
     pub differences: Vec<Difference>,

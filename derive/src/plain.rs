@@ -1,14 +1,15 @@
 //! Text of files among text of ours: what it may not have, and what is made of it where people see it.
 //!
-//! Files are gated: a control character, or one that turns the direction of writing, is refused where it stands, so that no output has to
-//! fear it. What does not pass that gate, such as the file's own text in a message or the name of a folder, is [`visible`].
-//! Absent on purpose: quoting for Rust, HTML, LaTeX, CSV and JSON. Whoever writes one of these escapes for it, in one place each.
+//! Files are gated: a control character, or one that turns the direction of writing, is refused where it stands, so
+//! that no output has to fear it. What does not pass that gate, such as the file's own text in a message or the name of
+//! a folder, is [`visible`]. Absent on purpose: quoting for Rust, HTML, LaTeX, CSV and JSON. Whoever writes one of
+//! these escapes for it, in one place each.
 
 use std::borrow::Cow;
 use std::path::Path;
 
-/// Whether a character has no place in a line of text: control characters, marks that turn the direction of writing and characters that
-/// nobody sees (which let a text read as another than it is), and line and paragraph separators.
+/// Whether a character has no place in a line of text: control characters, marks that turn the direction of writing and
+/// characters that nobody sees (which let a text read as another than it is), and line and paragraph separators.
 #[must_use]
 pub fn is_forbidden(c: char) -> bool {
     c.is_control()

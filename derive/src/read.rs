@@ -83,8 +83,8 @@ impl<'a> Reader<'a> {
         Err(Diagnostics::new(source.clone(), list))
     }
 
-    /// Refuses every key and text with a character that has no place in a line. Line breaks and tabs part the words of formulas and of
-    /// prose.
+    /// Refuses every key and text with a character that has no place in a line. Line breaks and tabs part the words of
+    /// formulas and of prose.
     fn gate(&mut self, table: &DeTable<'_>) {
         let mut tables = vec![table];
         let mut values: Vec<&Spanned<DeValue<'_>>> = Vec::new();

@@ -1,7 +1,7 @@
 //! An independent derivation of the same model file, as data, and whether it says what is derived here.
 //!
-//! `tests/sympy/reference.py` writes it, `models/*/reference.json` records it; `tests/sympy/README.md` describes the keys.
-//! Everything is compared by meaning and nothing by text: see [`compare`].
+//! `tests/sympy/reference.py` writes it, `models/*/reference.json` records it; `tests/sympy/README.md` describes the
+//! keys. Everything is compared by meaning and nothing by text: see [`compare`].
 //!
 //! Invariant: a reference agrees only if it is whole. What it leaves out is reported, never passed over.
 //! Absent on purpose: running Python. That is done by those who call this, and by nobody else.
@@ -159,7 +159,8 @@ impl Reference {
     }
 }
 
-/// The folder, in cargo's folder for the tests, of the Python environment that has what `tests/sympy/requirements.txt` says.
+/// The folder, in cargo's folder for the tests, of the Python environment that has what `tests/sympy/requirements.txt`
+/// says.
 #[must_use]
 pub fn environment_name(requirements: &str) -> String {
     format!("sympy-{}", text_hash(requirements))

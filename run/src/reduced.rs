@@ -89,8 +89,8 @@ impl Reduced {
         }
     }
 
-    /// Why these equations are no gain over the whole ones: they carry as many variables along, and a call costs as much or more. Nothing
-    /// if they are a gain.
+    /// Why these equations are no gain over the whole ones: they carry as many variables along, and a call costs as
+    /// much or more. Nothing if they are a gain.
     ///
     /// # Errors
     /// [`Error`] if Kane's equations of the model cannot be had.

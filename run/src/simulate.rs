@@ -18,8 +18,8 @@ use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_sim::Solution;
 use tripos_traits::larger;
 
-/// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced ones
-/// where these are a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
+/// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced
+/// ones where these are a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
 ///
 /// # Errors
 /// [`Error`] if there are no such equations, or they cannot be run.

@@ -57,7 +57,8 @@ pub fn objections(
     Ok(list)
 }
 
-/// The objection to a run of equations whose first integrals were not looked for: where nothing but gravity works, total energy is constant.
+/// The objection to a run of equations whose first integrals were not looked for: where nothing but gravity works,
+/// total energy is constant.
 fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
     let Problem { model, scene, .. } = *problem;
     if scene.integration.step.is_some() || !(model.forces.is_empty() && model.torques.is_empty()) {

@@ -111,7 +111,8 @@ fn what_programs_hold_can_be_sent_and_shared() {
     shared::<Error>();
 }
 
-/// Goal: the program of the README is one that compiles and runs. Method: it is the example of the crate, which is a test.
+/// Goal: the program of the README is one that compiles and runs. Method: it is the example of the crate, which is a
+/// test.
 #[test]
 fn the_program_of_the_readme_is_the_example_of_the_crate() {
     let readme = include_str!("../../README.md");

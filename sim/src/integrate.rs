@@ -48,11 +48,13 @@ where
     run(rhs, span, y0, options, events, None)
 }
 
-/// Integrates y' = f(t, y) from `y0` over `span` like [`integrate`], and moves the state onto its invariants after each step; what that did
-/// is in [`Solution::projection`]. See [`crate::projection`] for what it means for events and output.
+/// Integrates y' = f(t, y) from `y0` over `span` like [`integrate`], and moves the state onto its invariants after each
+/// step; what that did is in [`Solution::projection`]. See [`crate::projection`] for what it means for events and
+/// output.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense: an empty span, a tolerance or option out of range, a length that does not fit.
+/// [`SimError`] if the question makes no sense: an empty span, a tolerance or option out of range, a length that does
+/// not fit.
 pub fn integrate_projected<S, R>(
     rhs: R,
     span: (f64, f64),

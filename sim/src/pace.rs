@@ -95,8 +95,8 @@ impl Pace {
         }
     }
 
-    /// Chooses the first size up to where the rules ask for y' after a step of Euler's method: its signed size, in s, is returned then,
-    /// and [`Pace::correct_first_size`] must follow.
+    /// Chooses the first size up to where the rules ask for y' after a step of Euler's method: its signed size, in s,
+    /// is returned then, and [`Pace::correct_first_size`] must follow.
     pub(crate) fn first_size<S: Real>(&mut self, y: &[S], slope: &[S], initial: Option<f64>) -> Option<f64> {
         let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return None };
         let longest = adaptive.longest;

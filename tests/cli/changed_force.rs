@@ -1,4 +1,5 @@
-//! A changed force is a changed line: what one more force on the disk does to the equations' files, and what is said of it.
+//! A changed force is a changed line: what one more force on the disk does to the equations' files, and what is said of
+//! it.
 
 use crate::support::{copy, root, tripos_in};
 use std::collections::HashMap;
@@ -38,8 +39,8 @@ fn lines(folder: &Path) -> HashMap<String, i64> {
     counts
 }
 
-/// Goal: who edits a force reads what it does. Method: one component of a force at the contact; the lines that differ in the files of
-/// equations are counted, and what `--check` says of them stands here.
+/// Goal: who edits a force reads what it does. Method: one component of a force at the contact; the lines that differ
+/// in the files of equations are counted, and what `--check` says of them stands here.
 #[test]
 fn one_more_force_is_a_few_lines_in_the_equations_and_in_what_is_said_of_them() {
     let folder = workspace();

@@ -138,10 +138,10 @@ fn bad_requests_are_answered_with_what_to_do() {
     assert!(err.contains("not emitted: newton-euler is not possible: "), "{err}");
 }
 
-/// Goal: a module is Rust that compiles without a warning, clippy's included, wherever it stands, and gives the numbers of
-/// the command's own interpreter, in a crate that has nothing but the traits. Method: the acceleration of the pendulum at
-/// 90°, which is −g/l; and a model whose names, angles and constants a generator gets wrong first, by two formulations, as
-/// `evaluate` has it.
+/// Goal: a module is Rust that compiles without a warning, clippy's included, wherever it stands, and gives the numbers
+/// of the command's own interpreter, in a crate that has nothing but the traits. Method: the acceleration of the
+/// pendulum at 90°, which is −g/l; and a model whose names, angles and constants a generator gets wrong first, by two
+/// formulations, as `evaluate` has it.
 #[test]
 fn emitted_modules_compile_in_a_crate_of_their_own_and_give_the_same_numbers() {
     let folder = tempfile::tempdir().unwrap();

@@ -2,8 +2,8 @@
 
 use tripos_derive::algebra::view::View;
 
-/// The terms of a sum in the order in which they are computed. A product that stands alone at the front goes second, where it can be
-/// fused with what stands before it.
+/// The terms of a sum in the order in which they are computed. A product that stands alone at the front goes second,
+/// where it can be fused with what stands before it.
 #[must_use]
 pub fn led(terms: &[(bool, View)]) -> Vec<&(bool, View)> {
     let mut order: Vec<&(bool, View)> = terms.iter().collect();

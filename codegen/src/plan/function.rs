@@ -159,8 +159,8 @@ impl<'a> Planner<'a> {
         self.stepwise(name, about, arguments, returns, &[], values)
     }
 
-    /// A function that computes steps of an elimination, and from them its values. What is 0 is not computed, nor is the lower
-    /// triangle of a symmetric matrix.
+    /// A function that computes steps of an elimination, and from them its values. What is 0 is not computed, nor is
+    /// the lower triangle of a symmetric matrix.
     #[must_use]
     pub fn stepwise(
         &self,

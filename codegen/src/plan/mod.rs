@@ -1,9 +1,9 @@
 //! What generated code computes, before it is written in any language.
 //!
-//! The flow: equations → a [`Planner`] → [`Function`]: a name, arguments, what is returned, and a [`Program`] of ordered, shared and
-//! named steps, each with the formula that a reader knows it by; what a call costs is a fold over that program. A target, such as
-//! `rust`, renders it and decides nothing. The one thing that it states beforehand is a [`Language`]: which names it
-//! cannot use. Absent on purpose: syntax.
+//! The flow: equations → a [`Planner`] → [`Function`]: a name, arguments, what is returned, and a [`Program`] of
+//! ordered, shared and named steps, each with the formula that a reader knows it by; what a call costs is a fold over
+//! that program. A target, such as `rust`, renders it and decides nothing. The one thing that it states beforehand is a
+//! [`Language`]: which names it cannot use. Absent on purpose: syntax.
 
 mod cost;
 mod form;

@@ -1,7 +1,7 @@
 //! Names in generated code: of variables, modules and types.
 //!
-//! Invariant: different symbols get different variables, and no variable is a word of the target's language, an argument of the
-//! generated functions or a name that is in scope there. Which these are, the target states.
+//! Invariant: different symbols get different variables, and no variable is a word of the target's language, an
+//! argument of the generated functions or a name that is in scope there. Which these are, the target states.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::print::text;
@@ -118,8 +118,8 @@ impl Variables {
         if word.len() > LONGEST_LIST { many.to_owned() } else { word }
     }
 
-    /// A formula with the variables of symbols that sharing introduced: they are spelled `#1`, `#2`, …, or `#` before what
-    /// they hold.
+    /// A formula with the variables of symbols that sharing introduced: they are spelled `#1`, `#2`, …, or `#` before
+    /// what they hold.
     #[must_use]
     pub fn spell(&self, formula: &str) -> String {
         let mut parts = formula.split('#');
@@ -208,7 +208,8 @@ impl Names {
         self.allocator.unique(&wanted)
     }
 
-    /// What a term holds as a word, as far as that is short; otherwise what needs it, and the variables that it depends on.
+    /// What a term holds as a word, as far as that is short; otherwise what needs it, and the variables that it depends
+    /// on.
     pub fn describe(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
         let word = self.word(arena, variables, e).map(|word| word.to_lowercase());
         let word = word.filter(|word| word.len() <= LONGEST && word.starts_with(|c: char| c.is_ascii_alphabetic()));
@@ -277,8 +278,8 @@ impl Names {
     }
 }
 
-/// A word with the size of its factor: `x_doubled`, `x_by_4`, `x_times_3_by_2`; the number alone where there is no word. None if the
-/// number is long.
+/// A word with the size of its factor: `x_doubled`, `x_by_4`, `x_times_3_by_2`; the number alone where there is no
+/// word. None if the number is long.
 fn scaled(word: &str, k: &Rational) -> Option<String> {
     let (n, d) = k.small()?;
     let (n, d) = (n.unsigned_abs(), d.unsigned_abs());

@@ -106,8 +106,8 @@ pub struct Output {
 }
 
 /// Orders, shares and names everything that the outputs need. The symbols of `steps` are no inputs: each is
-/// computed after the ones before it, and before what mentions it. Comments state the values that `stated` has for steps;
-/// symbols that [`tripos_derive::algebra::sharing`] introduced get names here.
+/// computed after the ones before it, and before what mentions it. Comments state the values that `stated` has for
+/// steps; symbols that [`tripos_derive::algebra::sharing`] introduced get names here.
 #[must_use]
 pub fn program(
     arena: &Arena,

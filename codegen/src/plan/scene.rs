@@ -172,8 +172,8 @@ fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
     planner.stepwise("energy_gradient", about, Arguments::State, Returns::Vector, &e.definitions, &values)
 }
 
-/// The slope of the potential energy between two places `q`, as it stands: what would be gained by rewriting it would bring
-/// back the differences that it avoids. `u` holds sin z/z of the angles z that the other function gives.
+/// The slope of the potential energy between two places `q`, as it stands: what would be gained by rewriting it would
+/// bring back the differences that it avoids. `u` holds sin z/z of the angles z that the other function gives.
 fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
     let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
     let equations = Equations {

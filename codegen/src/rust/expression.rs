@@ -88,8 +88,8 @@ fn digits(text: &str) -> i32 {
 }
 
 /// Terms from left to right. A product of plain factors is fused with what stands before it, where the scalar type can:
-/// one in a sum and none inside another, since nested calls are hard to read and gain little. Also whether all of it is one call,
-/// which binds as tightly as a name.
+/// one in a sum and none inside another, since nested calls are hard to read and gain little. Also whether all of it is
+/// one call, which binds as tightly as a name.
 fn sum(terms: &[(bool, View)]) -> (TokenStream, bool) {
     let order = led(terms);
     let (mut tokens, mut call) = (TokenStream::new(), false);

@@ -10,15 +10,15 @@ use quote::{format_ident, quote};
 
 /// The files of one formulation.
 pub struct FormulationFiles {
-    /// The equations, such as `kane.rs`, for people: formulas of mass matrix, forcing, accelerations, kinematic equations and
-    /// energies, each where its function is re-exported.
+    /// The equations, such as `kane.rs`, for people: formulas of mass matrix, forcing, accelerations, kinematic
+    /// equations and energies, each where its function is re-exported.
     pub equations: String,
     /// The code, such as `code/kane.rs`: the functions, what runs use beside them, and the `System`.
     pub code: String,
 }
 
-/// Emits the files of a formulation; `origin` is the sentence of their headers that says where they come from. Functions that another
-/// formulation of the model has are not written again.
+/// Emits the files of a formulation; `origin` is the sentence of their headers that says where they come from.
+/// Functions that another formulation of the model has are not written again.
 #[must_use]
 pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) -> FormulationFiles {
     let (model, equations) = (plan.planner.model, plan.planner.equations);

@@ -1,4 +1,5 @@
-//! Plans as Rust: tokens, then text through prettyplease. Nothing is computed or decided here but how a line is written.
+//! Plans as Rust: tokens, then text through prettyplease. Nothing is computed or decided here but how a line is
+//! written.
 
 mod expression;
 mod formulation;

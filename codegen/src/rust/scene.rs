@@ -35,8 +35,8 @@ pub struct Named<'a> {
     pub origin: &'a str,
 }
 
-/// Emits the files of a scene of the whole model, such as `report_10s.rs`, beside those that are there. Where one of them has the same
-/// equations, the file refers to it.
+/// Emits the files of a scene of the whole model, such as `report_10s.rs`, beside those that are there. Where one of
+/// them has the same equations, the file refers to it.
 ///
 /// # Errors
 /// [`Singular`] if the accelerations are determined in no configuration.
@@ -186,7 +186,8 @@ pub fn list(title: &str, origin: &str, files: &[SceneFile]) -> [String; 2] {
 mod tests {
     use super::*;
 
-    /// Goal: a scene may be called as its author likes. Method: names that are no modules, and names that give the same one.
+    /// Goal: a scene may be called as its author likes. Method: names that are no modules, and names that give the same
+    /// one.
     #[test]
     fn every_scene_has_a_module_of_its_own() {
         let mut files: Vec<SceneFile> = Vec::new();

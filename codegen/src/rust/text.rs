@@ -6,8 +6,8 @@ use quote::quote;
 use std::fmt::Write;
 use tripos_derive::plain::{one_line, visible};
 
-/// Words of a file for a doc comment: on one line, and plain for Markdown, which would run fenced and indented text as examples and
-/// follow brackets and addresses as links.
+/// Words of a file for a doc comment: on one line, and plain for Markdown, which would run fenced and indented text as
+/// examples and follow brackets and addresses as links.
 #[must_use]
 pub fn prose(text: &str) -> String {
     let line = one_line(text);

@@ -1,9 +1,9 @@
 //! Other forms of a sum of products, in which fewer products of what changes in time are left.
 //!
-//! A sum is written out and common factors are taken out again, the most frequent one first: a multivariate Horner scheme.
-//! Which of several equally frequent factors goes first changes the count, so there are several forms to choose from.
-//! Apart from `simplify`, which factors for the shortest text, and `sharing`, which factors for few operations: what counts here are
-//! products of what changes in time, and terms stay in the order in which they are met.
+//! A sum is written out and common factors are taken out again, the most frequent one first: a multivariate Horner
+//! scheme. Which of several equally frequent factors goes first changes the count, so there are several forms to choose
+//! from. Apart from `simplify`, which factors for the shortest text, and `sharing`, which factors for few operations:
+//! what counts here are products of what changes in time, and terms stay in the order in which they are met.
 //! Every form is the same term by the rules of a commutative ring alone. Absent on purpose: trigonometric identities.
 
 use rustc_hash::{FxHashMap, FxHashSet};

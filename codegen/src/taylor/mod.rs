@@ -2,10 +2,10 @@
 //! the derivative of the state.
 //!
 //! The flow: steps and rates → a form with few products of what changes in time (`factor`) → one operation at a time
-//! (`lower`, products shared by `products`) → [`Recurrences`] → a plan to be written (`plan::taylor`), or interpretation
-//! ([`Tape`]). What is linear costs an operation an order; every other operation is a convolution, so convolutions
-//! are what is counted. The recurrences are those of A. Jorba & M. Zou, "A software package for the numerical integration of
-//! ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117, §2.
+//! (`lower`, products shared by `products`) → [`Recurrences`] → a plan to be written (`plan::taylor`), or
+//! interpretation ([`Tape`]). What is linear costs an operation an order; every other operation is a convolution, so
+//! convolutions are what is counted. The recurrences are those of A. Jorba & M. Zou, "A software package for the
+//! numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117, §2.
 
 mod factor;
 mod lower;
@@ -26,7 +26,8 @@ const ROUNDS: usize = 3;
 /// Expressions times their forms above which forms are not tried one by one.
 const MOST_TRIALS: usize = 150;
 
-/// The recurrences of the state (q, v) of a set of equations. `None` if a function in them has no Taylor series everywhere.
+/// The recurrences of the state (q, v) of a set of equations. `None` if a function in them has no Taylor series
+/// everywhere.
 #[must_use]
 pub fn recurrences_of(arena: &mut Arena, equations: &Equations, accelerations: &Elimination) -> Option<Recurrences> {
     let states = [equations.coordinates.as_slice(), &equations.variables].concat();
@@ -34,8 +35,8 @@ pub fn recurrences_of(arena: &mut Arena, equations: &Equations, accelerations: &
     recurrences(arena, &states, &rates, &accelerations.steps)
 }
 
-/// The recurrences of the states whose rates are given in terms of states, parameters and steps. `None` if a function in
-/// them has no Taylor series everywhere: |x| and sign x.
+/// The recurrences of the states whose rates are given in terms of states, parameters and steps. `None` if a function
+/// in them has no Taylor series everywhere: |x| and sign x.
 #[must_use]
 pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> Option<Recurrences> {
     let mut steps = needed(arena, steps, rates);

@@ -235,7 +235,8 @@ impl Arena {
         self.positive.insert(symbol);
     }
 
-    /// Notes that something was written that has a value only where this term has one, though the term itself has cancelled.
+    /// Notes that something was written that has a value only where this term has one, though the term itself has
+    /// cancelled.
     pub fn restrict(&mut self, e: Expr) {
         if !self.restrictions.contains(&e) {
             self.restrictions.push(e);
@@ -303,7 +304,8 @@ impl Arena {
         self.reachable_until(roots, |_| false)
     }
 
-    /// What the roots are built from in order of handles, but nothing for which `known` holds, nor what only such terms are built from.
+    /// What the roots are built from in order of handles, but nothing for which `known` holds, nor what only such terms
+    /// are built from.
     pub(super) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // A bit for each handle up to the largest root: operands have smaller ones.
         let words = roots.iter().map(|e| e.index() / 64 + 1).max().unwrap_or(0);

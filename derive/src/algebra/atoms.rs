@@ -1,8 +1,8 @@
 //! Sums of symbols that are left alone: a sum of masses is as good as one mass.
 //!
-//! Expanding (m₁ + … + m₂₀) l₁ l₂ cos q to twenty terms and factoring them again finds nothing. It could only where two sums
-//! stand before one and the same rest, as in (a + b) x − a x. So the sums are taken for atoms, and the polynomial in them tells
-//! whether that happens; if it does, they are expanded after all.
+//! Expanding (m₁ + … + m₂₀) l₁ l₂ cos q to twenty terms and factoring them again finds nothing. It could only where two
+//! sums stand before one and the same rest, as in (a + b) x − a x. So the sums are taken for atoms, and the polynomial
+//! in them tells whether that happens; if it does, they are expanded after all.
 
 use super::polynomial::{Monomial, Polynomial};
 use super::{Arena, Expr, Function, Node, Rational};
@@ -44,8 +44,8 @@ impl SumAtoms {
         self.sums.contains(&e)
     }
 
-    /// Whether expanding the sums can lead to nothing shorter: no two terms of the polynomial differ in nothing but the sums,
-    /// their symbols, and sines and cosines (since these are related).
+    /// Whether expanding the sums can lead to nothing shorter: no two terms of the polynomial differ in nothing but the
+    /// sums, their symbols, and sines and cosines (since these are related).
     pub fn stay_apart(&self, arena: &Arena, polynomial: &Polynomial) -> bool {
         let mut seen: FxHashMap<Monomial, Monomial> = FxHashMap::default();
         polynomial.terms.keys().all(|monomial| {
@@ -67,8 +67,8 @@ pub fn is_circular(arena: &Arena, e: Expr) -> bool {
     matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
 }
 
-/// Whether the terms of a polynomial differ in more than sines and cosines, and none divides by one: then no identity of
-/// angles can join two of them.
+/// Whether the terms of a polynomial differ in more than sines and cosines, and none divides by one: then no identity
+/// of angles can join two of them.
 pub fn differ_beside_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
     let mut seen: FxHashSet<Monomial> = FxHashSet::default();
     polynomial.terms.keys().all(|monomial| {
@@ -78,8 +78,8 @@ pub fn differ_beside_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
     })
 }
 
-/// Whether `e` is a number times a product of symbols, sums of symbols, and sines and cosines of such or of symbols, nothing
-/// divided by: as short as it can be.
+/// Whether `e` is a number times a product of symbols, sums of symbols, and sines and cosines of such or of symbols,
+/// nothing divided by: as short as it can be.
 pub fn is_plain_product(arena: &Arena, e: Expr) -> bool {
     let symbol = |e: Expr| arena.symbol_name(e).is_some();
     let sum_of_symbols = |e: Expr| match arena.node(e) {

@@ -2,8 +2,8 @@
 //!
 //! Elimination divides by pivots that may vanish where the system is regular: a rotation matrix has
 //! determinant 1 and entries that vanish everywhere in turn. A small block is therefore solved by its
-//! cofactors, and its determinant simplified before it divides. Apart from `elimination`, which is for systems whose pivots are
-//! known not to vanish, and shares what it computes.
+//! cofactors, and its determinant simplified before it divides. Apart from `elimination`, which is for systems whose
+//! pivots are known not to vanish, and shares what it computes.
 
 use super::linear::{Singular, solve};
 use super::rank::rank;

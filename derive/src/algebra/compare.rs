@@ -193,8 +193,8 @@ fn different(arena: &Arena, left: Expr, right: Expr, difference: Expr) -> Verdic
 /// How many states are tried for a witness.
 const STATES: usize = 100;
 
-/// A state where the sides differ, and whether that is proved by an interval of the difference that excludes 0. What was written has a
-/// value there, also what has cancelled.
+/// A state where the sides differ, and whether that is proved by an interval of the difference that excludes 0. What
+/// was written has a value there, also what has cancelled.
 fn witness(arena: &Arena, left: Expr, right: Expr, difference: Expr) -> Option<(Witness, bool)> {
     let sides = [left, right, difference];
     let symbols_of = |roots: &[Expr]| {

@@ -1,13 +1,13 @@
 //! Divided differences: (e(b) − e(a))/(b − a) as a term in which that subtraction does not occur.
 //!
-//! Each function has a rule by which its divided difference follows from those of its operands, so one loop over the shared
-//! graph gives that of any term, as for a derivative. At b = a each rule becomes the rule of the derivative, so that the term
-//! is valid there too.
+//! Each function has a rule by which its divided difference follows from those of its operands, so one loop over the
+//! shared graph gives that of any term, as for a derivative. At b = a each rule becomes the rule of the derivative, so
+//! that the term is valid there too.
 //!
-//! Absent on purpose: a function sinc z = sin z/z in the store. The rules of sine and cosine need it, and nothing else does;
-//! as a function it would have to be known to every pass over terms, to both zero tests (to which sin z/z is an ordinary
-//! quotient, and sinc z an atom without rules) and to the recurrences of Taylor coefficients. So its values are inputs of the
-//! term, given by name beside it: who evaluates the term knows how to take sin z/z at z = 0.
+//! Absent on purpose: a function sinc z = sin z/z in the store. The rules of sine and cosine need it, and nothing else
+//! does; as a function it would have to be known to every pass over terms, to both zero tests (to which sin z/z is an
+//! ordinary quotient, and sinc z an atom without rules) and to the recurrences of Taylor coefficients. So its values
+//! are inputs of the term, given by name beside it: who evaluates the term knows how to take sin z/z at z = 0.
 
 use super::calculus::{Differential, Substitution};
 use super::{Arena, Expr, Function, Node, Rational};
@@ -18,7 +18,8 @@ use rustc_hash::FxHashMap;
 pub struct Divided {
     /// The term; it mentions the symbols below.
     pub value: Expr,
-    /// (symbol, z): the symbol stands for sinc z = sin z/z, 1 at z = 0. Each z is k (b − a)/2, in radians, once up to its sign.
+    /// (symbol, z): the symbol stands for sinc z = sin z/z, 1 at z = 0. Each z is k (b − a)/2, in radians, once up to
+    /// its sign.
     pub sincs: Vec<(Expr, Expr)>,
 }
 
@@ -26,13 +27,16 @@ pub struct Divided {
 ///
 /// Nothing is subtracted but what the derivative itself subtracts. The unit is that of de/dx. By name of rule:
 /// constant 0; x ↦ 1; sum: term by term; product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\]; inverse:
-/// −f\[a, b\]/(f(a) f(b)); power: by halves, f²ⁿ\[a, b\] = fⁿ\[a, b\] (fⁿ(a) + fⁿ(b)); root: f\[a, b\]/(√f(a) + √f(b)), and odd powers
-/// of √f by these; sine: sin(k x + c)\[a, b\] = k sinc(k (b − a)/2) cos(k (a + b)/2 + c), cosine likewise with −sin.
+/// −f\[a, b\]/(f(a) f(b)); power: by halves, f²ⁿ\[a, b\] = fⁿ\[a, b\] (fⁿ(a) + fⁿ(b)); root: f\[a, b\]/(√f(a) + √f(b)),
+/// and odd powers of √f by these; sine: sin(k x + c)\[a, b\] = k sinc(k (b − a)/2) cos(k (a + b)/2 + c), cosine
+/// likewise with −sin.
 ///
-/// `None` where x stands in an argument of sine or cosine that is not linear in x by form, or in another function (exp, asin,
+/// `None` where x stands in an argument of sine or cosine that is not linear in x by form, or in another function (exp,
+/// asin,
 /// |x| …); or where a divisor becomes the literal 0 at a or b.
 ///
-/// L. M. Milne-Thomson, *The Calculus of Finite Differences* (1933), ch. I; the rules are those of Leibniz and Steffensen.
+/// L. M. Milne-Thomson, *The Calculus of Finite Differences* (1933), ch. I; the rules are those of Leibniz and
+/// Steffensen.
 ///
 /// ```
 /// use tripos_derive::algebra::{Arena, divided::divided_difference, parse::parse_free, print::text};
@@ -170,8 +174,8 @@ fn times(arena: &mut Arena, f: Pair, g: Pair) -> Option<Pair> {
     Some(Pair { at_a, at_b, difference: arena.add(first, second) })
 }
 
-/// fⁿ for n ≠ 0: by the binary digits of |n|, so that nothing cancels where f changes its sign between a and b, and that the
-/// term grows with the number of digits only.
+/// fⁿ for n ≠ 0: by the binary digits of |n|, so that nothing cancels where f changes its sign between a and b, and
+/// that the term grows with the number of digits only.
 fn power(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
     let size = n.unsigned_abs();
     let mut result = f;
@@ -197,8 +201,8 @@ fn power(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
     })
 }
 
-/// The factors with √g gⁿ as (√g)²ⁿ⁺¹, and a number that is left over. As a product of √g and 1/g its divided difference
-/// would subtract what is nearly equal where g(b) is far above g(a).
+/// The factors with √g gⁿ as (√g)²ⁿ⁺¹, and a number that is left over. As a product of √g and 1/g its divided
+/// difference would subtract what is nearly equal where g(b) is far above g(a).
 fn roots_joined(arena: &mut Arena, factors: &[(Expr, i32)]) -> (Rational, Vec<(Expr, i32)>) {
     let mut powers = factors.to_vec();
     let mut content = Rational::ONE;

@@ -1,5 +1,6 @@
-//! Linear systems with symmetric or general matrices, solved in the arena for generated code. Apart from `blocks`, which divides by
-//! determinants alone, `linear`, which only reads coefficients, and `reduce::pivots`, which solves rows for some columns.
+//! Linear systems with symmetric or general matrices, solved in the arena for generated code. Apart from `blocks`,
+//! which divides by determinants alone, `linear`, which only reads coefficients, and `reduce::pivots`, which solves
+//! rows for some columns.
 //!
 //! Gaussian elimination in an order that keeps the fill-in low, every entry in its short form. While
 //! entries stay short they are written out, so that what cancels by meaning is gone: a small system ends in a closed

@@ -1,7 +1,7 @@
 //! Interpretation: expressions as a straight-line tape of operations, in numbers of any precision.
 //!
-//! Invariant: a tape's constants are exact rationals, rounded once to each kind of number that it is evaluated in. Nothing is
-//! proved by a tape: what its numbers look like decides no question of meaning.
+//! Invariant: a tape's constants are exact rationals, rounded once to each kind of number that it is evaluated in.
+//! Nothing is proved by a tape: what its numbers look like decides no question of meaning.
 
 use super::fold::{Fold, Needed, Values};
 use super::steps::Definition;
@@ -47,8 +47,8 @@ pub trait Numeric: Scalar {
 
 impl Numeric for DoubleDouble {}
 
-/// By the functions of the standard library, which are those of the system: a second way to what generated code computes by
-/// functions of its own.
+/// By the functions of the standard library, which are those of the system: a second way to what generated code
+/// computes by functions of its own.
 impl Numeric for f64 {
     fn of(value: &Rational) -> Self {
         value.to_f64()
@@ -209,8 +209,8 @@ impl Tape {
         Ok(Self { ops, exact: made.ops.into(), outputs, inputs: inputs.len() })
     }
 
-    /// For each output the largest term that is added or multiplied on the way to it: a value is not known better than to the
-    /// rounding of these, however much of them cancels.
+    /// For each output the largest term that is added or multiplied on the way to it: a value is not known better than
+    /// to the rounding of these, however much of them cancels.
     ///
     /// # Panics
     /// If `inputs` have another length than the tape was made for.

@@ -118,7 +118,8 @@ impl Field {
         Some(self.mul(residue(big.numer())?, self.inverse(residue(big.denom())?)?))
     }
 
-    /// Whether the modulus is a prime, by Miller and Rabin with the seven bases that decide every 64-bit number (Sinclair 2011).
+    /// Whether the modulus is a prime, by Miller and Rabin with the seven bases that decide every 64-bit number
+    /// (Sinclair 2011).
     fn is_prime(self) -> bool {
         let n = self.prime;
         let small = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53];

@@ -1,15 +1,16 @@
 //! One pass over terms, operands before what is built from them: what every evaluation of terms has in common.
 //!
-//! A [`Fold`] says what each kind of node becomes: a double, an interval, a residue, a range, a bound, an operation of a tape.
-//! Invariant: values stand in a dense list in the order of handles, so that no pass is recursive, and terms that are evaluated
-//! again and again are listed once. Absent on purpose: passes that build other terms (`calculus`, `normal`, `simplify`), which
-//! keep what they made from one call to the next.
+//! A [`Fold`] says what each kind of node becomes: a double, an interval, a residue, a range, a bound, an operation of
+//! a tape. Invariant: values stand in a dense list in the order of handles, so that no pass is recursive, and terms
+//! that are evaluated again and again are listed once. Absent on purpose: passes that build other terms (`calculus`,
+//! `normal`, `simplify`), which keep what they made from one call to the next.
 
 use super::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::ops::Index;
 
-/// What terms become: a value for each kind of node, from the values of its operands. `None` ends the pass: nothing has a value then.
+/// What terms become: a value for each kind of node, from the values of its operands. `None` ends the pass: nothing has
+/// a value then.
 pub trait Fold {
     /// What a term becomes.
     type Value;

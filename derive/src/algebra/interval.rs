@@ -121,7 +121,8 @@ impl Interval {
 /// Digits of a constant below which it is not known.
 const KNOWN: f64 = 1e-8;
 
-/// A part without symbols of which the arithmetic of doubles finds no eight digits, such as exp(10^-20) − 1 or sin(10^30).
+/// A part without symbols of which the arithmetic of doubles finds no eight digits, such as exp(10^-20) − 1 or
+/// sin(10^30).
 pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
     let mut constant: FxHashSet<Expr> = FxHashSet::default();
     // Operands have smaller handles than what is built from them.
@@ -206,7 +207,8 @@ mod tests {
         (generator.next() % 2001) as f64 / 1000.0 * size - size
     }
 
-    /// Goal: powers and sums hold the exact value. Method: the same in rational arithmetic, at points that doubles hold.
+    /// Goal: powers and sums hold the exact value. Method: the same in rational arithmetic, at points that doubles
+    /// hold.
     #[test]
     fn powers_and_sums_hold_the_exact_value() {
         let mut generator = Generator(1);

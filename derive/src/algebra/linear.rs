@@ -50,8 +50,8 @@ impl LinearForm {
         self.linear_by_meaning(arena, e)
     }
 
-    /// Where no slope mentions a symbol, the expression is linear and nothing is left to prove. Signs are the exception: they
-    /// jump, and have no slope.
+    /// Where no slope mentions a symbol, the expression is linear and nothing is left to prove. Signs are the
+    /// exception: they jump, and have no slope.
     fn linear_by_form(&mut self, arena: &mut Arena, e: Expr, parts: &[Expr]) -> Option<(Vec<Expr>, Expr)> {
         if parts.iter().any(|part| matches!(arena.node(*part), Node::Apply(Function::Sign, _))) {
             return None;

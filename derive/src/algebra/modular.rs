@@ -8,8 +8,8 @@
 //!
 //! A non-zero residue proves that an expression of these atoms is not zero. Zero residues at every
 //! point leave an error bound ([`bounded_zero_test`]); with m square roots a wrong pattern of signs shows at one
-//! point in 2^m at worst, so points multiply, and beyond four roots no bound is claimed. Functions other than sine, cosine and square
-//! root are taken as independent atoms: with them a non-zero residue proves nothing, and the answer
+//! point in 2^m at worst, so points multiply, and beyond four roots no bound is claimed. Functions other than sine,
+//! cosine and square root are taken as independent atoms: with them a non-zero residue proves nothing, and the answer
 //! is [`ZeroTest::Undecided`].
 
 use super::bound::error_exponent;
@@ -19,8 +19,8 @@ use super::fold::Needed;
 use super::points::{POINTS, Point, angle_denominators, seeded, values_at};
 use super::{Arena, Expr, Function, Node};
 
-/// Points for terms with one square root; each further one doubles it, since a wrong pattern of m signs may show at one point in
-/// 2^m only: (1 − 2^−m)^(44·2^m) < 2^−63.
+/// Points for terms with one square root; each further one doubles it, since a wrong pattern of m signs may show at one
+/// point in 2^m only: (1 − 2^−m)^(44·2^m) < 2^−63.
 const POINTS_WITH_ROOTS: usize = 44;
 /// More roots than this are not tested to that bound.
 const MOST_ROOTS: u32 = 4;
@@ -133,8 +133,8 @@ pub fn has_roots(arena: &Arena, parts: &[Expr]) -> bool {
 /// Whether no relation between the atoms is unknown here, so that a non-zero residue proves something.
 ///
 /// Symbols are independent of one another, of π and of any one transcendental number; sines of base angles are
-/// too, as long as the angles are polynomials (Ax 1971). Square roots are no atoms but evaluated. Other functions may be
-/// anything, and so may sines of numbers beside π, or of multiples of π that have no roots for values.
+/// too, as long as the angles are polynomials (Ax 1971). Square roots are no atoms but evaluated. Other functions may
+/// be anything, and so may sines of numbers beside π, or of multiples of π that have no roots for values.
 #[must_use]
 pub fn independent(arena: &Arena, parts: &[Expr]) -> bool {
     let (mut pi_outside, mut numbers_inside) = (false, false);

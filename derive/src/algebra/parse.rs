@@ -36,7 +36,8 @@ pub fn parse(arena: &mut Arena, text: &str, resolve: &mut Resolve<'_>) -> Result
     parse_primed(arena, text, 1, resolve)
 }
 
-/// Reads a formula in which names may end in up to `primes` primes: a published equation has second derivatives, `q1''`.
+/// Reads a formula in which names may end in up to `primes` primes: a published equation has second derivatives,
+/// `q1''`.
 ///
 /// # Errors
 /// The first [`ParseError`] in the text.

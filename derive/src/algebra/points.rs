@@ -85,8 +85,8 @@ impl Point {
             let (base, parts) = if *arena.node(atom) == Node::Pi && 12 % denominator == 0 {
                 (self.twelfth()?, 12)
             } else {
-                // The base angle atom/denominator is named by its residue: equal by meaning, equal here. A constant part counts
-                // as a multiple of the atom 1, which need not be among the parts.
+                // The base angle atom/denominator is named by its residue: equal by meaning, equal here. A constant
+                // part counts as a multiple of the atom 1, which need not be among the parts.
                 let value = if atom == Expr::ONE { 1 } else { values[atom] };
                 let name = f.mul(value, f.inverse(u64::try_from(denominator).ok()?)?);
                 let base = match bases.get(&name) {
@@ -191,8 +191,8 @@ impl Fold for Residues<'_> {
     }
 }
 
-/// The residues of these terms, in their order, at random points, each modulo another prime: at most `count` of them, fewer where
-/// there are no values; computed as they are asked for.
+/// The residues of these terms, in their order, at random points, each modulo another prime: at most `count` of them,
+/// fewer where there are no values; computed as they are asked for.
 pub(super) fn residues(
     arena: &Arena,
     terms: Vec<Expr>,

@@ -1,7 +1,8 @@
 //! Laurent polynomials over ℚ in arbitrary atoms: the working form of [`super::simplify`].
 //!
 //! Invariant: no zero coefficients; monomials are sorted by atom and have no zero exponents.
-//! Apart from `ring`, whose generators are numbered and have known squares: here every atom is free and may stand below.
+//! Apart from `ring`, whose generators are numbered and have known squares: here every atom is free and may stand
+//! below.
 
 use super::{Arena, Expr, Function, Node, Rational};
 use std::collections::BTreeMap;

@@ -22,8 +22,8 @@ enum Repr {
     Big(Box<BigRational>),
 }
 
-/// Part by part, since fractions are reduced: `BigRational` compares and hashes by a recursion as deep as Euclid's algorithm is long,
-/// which a number of some thousand digits takes through the stack.
+/// Part by part, since fractions are reduced: `BigRational` compares and hashes by a recursion as deep as Euclid's
+/// algorithm is long, which a number of some thousand digits takes through the stack.
 impl PartialEq for Repr {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
@@ -337,7 +337,8 @@ mod tests {
         assert!((Rational::integer(10).pow(300).unwrap().to_f64() / 1e300 - 1.0).abs() < 1e-15);
     }
 
-    /// Consecutive Fibonacci numbers, whose Euclid's algorithm is as long as it can be: 30 000 digits would take 140 000 nested calls.
+    /// Consecutive Fibonacci numbers, whose Euclid's algorithm is as long as it can be: 30 000 digits would take 140
+    /// 000 nested calls.
     #[test]
     fn long_numbers_are_compared_and_hashed_without_a_deep_stack() {
         let (mut a, mut b) = (BigInt::one(), BigInt::one());

@@ -12,8 +12,8 @@ use rustc_hash::FxHashMap;
 /// A basis of all vectors c, constant in everything but `constants`, with Σ c_k e_k = 0 identically.
 ///
 /// The expressions are brought over one denominator; each monomial in what is not constant gives one
-/// linear equation for c. Independence of the chosen equations is seen modulo a random prime; that the vectors are relations
-/// is for the caller to prove. `None` if an expression has no normal form within the budget.
+/// linear equation for c. Independence of the chosen equations is seen modulo a random prime; that the vectors are
+/// relations is for the caller to prove. `None` if an expression has no normal form within the budget.
 pub fn relations(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

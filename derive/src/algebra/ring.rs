@@ -5,8 +5,8 @@
 //! Over such a ring a polynomial is zero by meaning iff it has no terms, as long as the generators
 //! are otherwise independent; [`super::normal`] says when they are.
 //!
-//! Apart from `polynomial`: falling order and reduction by squares are what makes forms normal and division exact, at a cost that
-//! [`super::simplify`] need not pay.
+//! Apart from `polynomial`: falling order and reduction by squares are what makes forms normal and division exact, at a
+//! cost that [`super::simplify`] need not pay.
 //!
 //! Work is counted, not timed: [`Ring::budget`] multiplications of terms, then `None`, the same on
 //! every machine. Absent on purpose: greatest common divisors. Fractions cancel by trial division,

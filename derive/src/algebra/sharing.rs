@@ -1,18 +1,19 @@
 //! Fewer operations: common sub-sums and sub-products over everything that one function computes.
 //!
-//! The values become sums of monomials over atoms, and two kinds of common divisor are taken out, one at a time, the one that
-//! saves most first: a sum of two terms, whatever monomial stands before it (this is factoring where it occurs
+//! The values become sums of monomials over atoms, and two kinds of common divisor are taken out, one at a time, the
+//! one that saves most first: a sum of two terms, whatever monomial stands before it (this is factoring where it occurs
 //! once, and sharing where it occurs more often), and a product of two factors. Longer ones arise by repetition, so
-//! that what grows along a chain is added up once along it. Reciprocals are atoms too: what many terms divide by is inverted once.
+//! that what grows along a chain is added up once along it. Reciprocals are atoms too: what many terms divide by is
+//! inverted once.
 //!
 //! Invariant: the value of every step and output is the same function as before; only polynomial identities are used.
-//! Absent on purpose: names. New symbols are called `#1`, `#2`, …, or `#sin(q1 - q2)` after what they hold, which no model file can
-//! contain; who writes them down gives them better ones.
+//! Absent on purpose: names. New symbols are called `#1`, `#2`, …, or `#sin(q1 - q2)` after what they hold, which no
+//! model file can contain; who writes them down gives them better ones.
 //!
 //! Source: greedy extraction of double-cube and single-cube divisors, J. Rajski & J. Vasudevamurthy, "The
 //! testability-preserving concurrent decomposition and factorization of Boolean expressions", IEEE Trans. CAD 11
-//! (1992); for polynomials, A. Hosangadi, F. Fallah & R. Kastner, "Optimizing polynomial expressions by algebraic factorization
-//! and common subexpression elimination", IEEE Trans. CAD 25 (2006).
+//! (1992); for polynomials, A. Hosangadi, F. Fallah & R. Kastner, "Optimizing polynomial expressions by algebraic
+//! factorization and common subexpression elimination", IEEE Trans. CAD 25 (2006).
 
 mod angles;
 mod divisors;

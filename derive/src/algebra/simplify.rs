@@ -2,9 +2,9 @@
 //!
 //! An expression is expanded to a Laurent polynomial in its atoms, squares of sines or cosines are
 //! traded by sin² + cos² = 1 where that leaves fewer terms, and the result is factored again,
-//! Horner-fashion. Where it divides by sums, the normal form over one denominator is a candidate too. The shortest of the candidates wins and a tie keeps the input, so the result is
-//! never longer. What would expand beyond [`Simplifier::LIMIT`] terms, or has more than
-//! [`Simplifier::PARTS`] to begin with, is returned as it was.
+//! Horner-fashion. Where it divides by sums, the normal form over one denominator is a candidate too. The shortest of
+//! the candidates wins and a tie keeps the input, so the result is never longer. What would expand beyond
+//! [`Simplifier::LIMIT`] terms, or has more than [`Simplifier::PARTS`] to begin with, is returned as it was.
 
 use super::atoms::{SumAtoms, atom, differ_beside_angles, is_circular, is_plain_product};
 use super::elementary::angle_atoms;
@@ -98,8 +98,8 @@ impl Simplifier {
         self.polynomial_over(arena, &parts, &SumAtoms::default())
     }
 
-    /// The last of `parts`, which are all that it is built from, as a Laurent polynomial in symbols, function values, inverse
-    /// sums and the sums taken for atoms; `None` beyond the limit.
+    /// The last of `parts`, which are all that it is built from, as a Laurent polynomial in symbols, function values,
+    /// inverse sums and the sums taken for atoms; `None` beyond the limit.
     fn polynomial_over(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<Polynomial> {
         let mut forms: FxHashMap<Expr, Polynomial> = FxHashMap::default();
         for &part in parts {

@@ -1,7 +1,7 @@
 //! Positions, velocities and accelerations: what all three formulations start from.
 //!
-//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and moving on it),
-//! 2.12 (generalized speeds), 2.14 (partial velocities).
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
+//! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
 
 use super::error::DeriveError;
 use super::vector::{Components, Frames, Vector, apply_tensor};

@@ -56,7 +56,8 @@ pub struct Coordinate {
 }
 
 impl Coordinate {
-    /// Whether an angle above a turn was probably meant in degrees: people write these with few decimals, and multiples of π have many.
+    /// Whether an angle above a turn was probably meant in degrees: people write these with few decimals, and multiples
+    /// of π have many.
     #[must_use]
     pub fn looks_like_degrees(&self, q: f64) -> bool {
         let is_short = (q - (100.0 * q).round() / 100.0).abs() <= f64::EPSILON * q.abs();
@@ -218,7 +219,8 @@ pub struct Constraint {
     pub enforced_by: Option<usize>,
 }
 
-/// A motion constraint A(q) q̇ + a(q) = 0: what it permits cannot be said by coordinates alone, unless it can be integrated.
+/// A motion constraint A(q) q̇ + a(q) = 0: what it permits cannot be said by coordinates alone, unless it can be
+/// integrated.
 #[derive(Clone, Debug)]
 pub struct MotionConstraint {
     /// Its name.
@@ -243,7 +245,8 @@ pub struct Condition {
 /// The solved kinematic equations q̇ = W u + w.
 #[derive(Clone, Debug, Default)]
 pub struct KinematicEquations {
-    /// q̇ of each generalized coordinate, in q and u: q̇ = W(q) u + w(q), W with a row for each coordinate and a column for each speed.
+    /// q̇ of each generalized coordinate, in q and u: q̇ = W(q) u + w(q), W with a row for each coordinate and a column
+    /// for each speed.
     pub rates: Vec<Expr>,
     /// What was divided by: where one of these is zero the speeds do not determine q̇.
     pub divisors: Vec<Expr>,

@@ -1,22 +1,23 @@
 //! Motion constraints: speeds that are held at zero.
 //!
-//! With the n definitions u = J q̇ + d some of which are held at zero, the rows of those are the constraints A q̇ + a = 0, and
+//! With the n definitions u = J q̇ + d some of which are held at zero, the rows of those are the constraints A q̇ + a =
+//! 0, and
 //!
 //! ```text
 //! [ J ]        [ u − d ]
 //! [ A ] q̇  =  [  −a   ]
 //! ```
 //!
-//! has the solution q̇ = W u + w of the model without constraints, with those speeds put to zero: W loses their columns. So what the
-//! kinematic equations divide by stays what it was.
+//! has the solution q̇ = W u + w of the model without constraints, with those speeds put to zero: W loses their
+//! columns. So what the kinematic equations divide by stays what it was.
 
 use super::{Model, MotionConstraint};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 
 impl Model {
-    /// The mechanism in which these speeds are zero at all times, as wheels that roll hold the velocities at which they would slip. They
-    /// leave the speeds and become motion constraints; p speeds are left for n coordinates.
+    /// The mechanism in which these speeds are zero at all times, as wheels that roll hold the velocities at which they
+    /// would slip. They leave the speeds and become motion constraints; p speeds are left for n coordinates.
     ///
     /// # Errors
     /// The first name that is no speed, or all of them if no speed would be left.

@@ -1,4 +1,5 @@
-//! What no body can be: checks of masses and inertias at the default values of a model, and at those of a scene or state.
+//! What no body can be: checks of masses and inertias at the default values of a model, and at those of a scene or
+//! state.
 
 use super::{Body, Model, Parameter};
 use crate::algebra::evaluate::Tape;
@@ -16,7 +17,8 @@ pub fn values_at(arena: &Arena, known: &[(Expr, f64)], outputs: &[Expr]) -> Opti
 }
 
 impl Model {
-    /// What no body can be at these values of the parameters: a line each, the way out, and the parameters that it depends on.
+    /// What no body can be at these values of the parameters: a line each, the way out, and the parameters that it
+    /// depends on.
     #[must_use]
     pub fn impossible(&self, parameters: &[f64]) -> Vec<(String, String, Vec<usize>)> {
         let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();

@@ -1,7 +1,7 @@
 //! Constants of a motion in the form that costs least to use.
 //!
-//! A momentum may be held by any multiple of itself. A speed that it determines alone is constant, and stands for it; where it stands in
-//! a numerator, a numeric factor of it is taken into it.
+//! A momentum may be held by any multiple of itself. A speed that it determines alone is constant, and stands for it;
+//! where it stands in a numerator, a numeric factor of it is taken into it.
 
 use super::ground::Ground;
 use super::held::Held;

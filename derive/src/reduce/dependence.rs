@@ -1,7 +1,7 @@
 //! What a term depends on, by meaning.
 //!
-//! A term may mention a variable and not depend on it: then the derivative is zero by identity, and any value may stand for the
-//! variable. Invariant: a definition mentions only symbols and what is defined before it.
+//! A term may mention a variable and not depend on it: then the derivative is zero by identity, and any value may stand
+//! for the variable. Invariant: a definition mentions only symbols and what is defined before it.
 
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};

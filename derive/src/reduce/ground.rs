@@ -1,4 +1,5 @@
-//! What reductions start from: a model's equations, its momenta and its energy, with the parameters of a scene as numbers.
+//! What reductions start from: a model's equations, its momenta and its energy, with the parameters of a scene as
+//! numbers.
 
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::Comparer;
@@ -145,7 +146,8 @@ impl Ground {
         self.integrals = integrals;
     }
 
-    /// Puts the numbers of the scene in the place of the parameters that it does not leave free, where they are short and exact.
+    /// Puts the numbers of the scene in the place of the parameters that it does not leave free, where they are short
+    /// and exact.
     pub(super) fn fold(&mut self, scene: &Scene) {
         let parameters = self.model.parameters.iter().enumerate();
         let fixed = parameters.filter(|(at, _)| !scene.free.contains(at)).filter_map(|(at, p)| {
@@ -316,8 +318,8 @@ impl Search {
     }
 }
 
-/// Numbers that make formulas shorter: halves, quarters and small whole numbers. Others cost as much as the letter, which
-/// reads better.
+/// Numbers that make formulas shorter: halves, quarters and small whole numbers. Others cost as much as the letter,
+/// which reads better.
 fn is_plain(value: &Rational) -> bool {
     value.small().is_some_and(|(n, d)| n.abs() <= 12 && [1, 2, 4].contains(&d))
 }

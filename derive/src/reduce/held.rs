@@ -33,7 +33,8 @@ impl Ground {
         Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
     }
 
-    /// What a momentum's row times u is, c − b, and what it times u̇ is: minus the change of the row and of b along the motion.
+    /// What a momentum's row times u is, c − b, and what it times u̇ is: minus the change of the row and of b along the
+    /// motion.
     pub(super) fn right_of(&mut self, held: &Held) -> Vec<Expr> {
         let momentum = &self.momenta[held.momentum];
         let arena = &mut self.arena;

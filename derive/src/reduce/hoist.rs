@@ -1,7 +1,7 @@
 //! Factors of parameters alone become constants.
 //!
-//! What the start of a motion fixes is computed there once, and not in every call of the equations: 2 u₃ sin q₂ with a constant u₃ is
-//! c sin q₂ with c = 2 u₃.
+//! What the start of a motion fixes is computed there once, and not in every call of the equations: 2 u₃ sin q₂ with a
+//! constant u₃ is c sin q₂ with c = 2 u₃.
 
 use crate::algebra::calculus::Substitution;
 use crate::algebra::modular::{ZeroTest, zero_test};

@@ -1,8 +1,8 @@
 //! The motion on a level set of momenta: speeds that the momenta determine, and equations for the others.
 //!
-//! With A u + b = c solved as u = P(q; c) + Z(q) u_R, Kane's equations multiplied by Zᵀ read  (Zᵀ M Z) u̇_R = Zᵀ(f − M (Ṗ + Ż u_R)).
-//! The rows of A are momenta of symmetries ξ, so that ξᵀ times the same equations says that c is constant; together they are all
-//! of the equations wherever A has full rank.
+//! With A u + b = c solved as u = P(q; c) + Z(q) u_R, Kane's equations multiplied by Zᵀ read  (Zᵀ M Z) u̇_R = Zᵀ(f − M
+//! (Ṗ + Ż u_R)). The rows of A are momenta of symmetries ξ, so that ξᵀ times the same equations says that c is
+//! constant; together they are all of the equations wherever A has full rank.
 
 use super::ground::Ground;
 use super::held::Held;
@@ -39,8 +39,9 @@ impl Ground {
             return None;
         }
         let mut held: Vec<Held> = momenta.iter().map(|at| self.hold(*at)).collect();
-        // With as many speeds as symmetries, M on these speeds is positive definite, and the momenta determine them wherever the
-        // symmetries themselves are independent. Other speeds could be solved for, but would bring singularities of their own.
+        // With as many speeds as symmetries, M on these speeds is positive definite, and the momenta determine them
+        // wherever the symmetries themselves are independent. Other speeds could be solved for, but would bring
+        // singularities of their own.
         let moved = |at: usize| momenta.iter().any(|m| self.momenta[*m].direction[at] != Expr::ZERO);
         let (solved_for, kept): (Vec<usize>, Vec<usize>) = (0..n).partition(|at| moved(*at));
         if solved_for.len() != momenta.len() {

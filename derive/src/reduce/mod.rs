@@ -1,13 +1,14 @@
 //! The least system that gives what a scene wants to see: equations of motion on the level set of its momenta, without
 //! what the outputs do not depend on.
 //!
-//! Every step is exact. Momenta of commuting symmetries take speeds out (`level`); what nothing depends on by meaning is
-//! left out and stands as a constant where a formula mentions it (`slice`); variables that a symmetry moves together become
-//! differences (`relative`); what follows from the rest is computed when it is asked for. The result is a model and equations as any
-//! others, with the momenta among the parameters, so that all that runs, charts and emits equations takes it.
+//! Every step is exact. Momenta of commuting symmetries take speeds out (`level`); what nothing depends on by meaning
+//! is left out and stands as a constant where a formula mentions it (`slice`); variables that a symmetry moves together
+//! become differences (`relative`); what follows from the rest is computed when it is asked for. The result is a model
+//! and equations as any others, with the momenta among the parameters, so that all that runs, charts and emits
+//! equations takes it.
 //!
-//! Absent on purpose: numbers of the start. A reduction holds for every start on every level set, but for the distance from
-//! a singular surface, whose side the start decides.
+//! Absent on purpose: numbers of the start. A reduction holds for every start on every level set, but for the distance
+//! from a singular surface, whose side the start decides.
 
 mod constants;
 mod dependence;
@@ -44,8 +45,9 @@ use std::cmp::Reverse;
 /// Derives the reduced system of a scene of this model.
 ///
 /// # Errors
-/// [`DeriveError`] if the model's own equations cannot be derived, or an output needs a reaction that they do not determine;
-/// [`DeriveError::ReductionNotProved`] if even the system without momenta cannot be proved to give what the scene wants.
+/// [`DeriveError`] if the model's own equations cannot be derived, or an output needs a reaction that they do not
+/// determine; [`DeriveError::ReductionNotProved`] if even the system without momenta cannot be proved to give what the
+/// scene wants.
 pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
     Ground::new(model)?.reduce(scene)
 }

@@ -20,8 +20,8 @@ pub struct Slope {
 }
 
 impl Flow {
-    /// The slope of the potential, if the system is one degree of freedom with q′ = k(q) v and T = ½ m(q) v², and the rates of
-    /// its quadratures are functions of q and v.
+    /// The slope of the potential, if the system is one degree of freedom with q′ = k(q) v and T = ½ m(q) v², and the
+    /// rates of its quadratures are functions of q and v.
     pub(super) fn slope(&self, ground: &mut Ground, kinetic: Expr, potential: Expr) -> Option<Slope> {
         let [q, v] = self.core.as_slice() else { return None };
         if q.is_speed || !v.is_speed || self.quadratures.iter().any(|v| v.is_speed) {

@@ -303,8 +303,8 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     }
 }
 
-/// What of a divisor can be zero: without its number and without factors that are proved to be zero nowhere, such as an inertia; none
-/// if nothing of it can be.
+/// What of a divisor can be zero: without its number and without factors that are proved to be zero nowhere, such as an
+/// inertia; none if nothing of it can be.
 fn part_with_zeros(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
     let (_, divisor) = arena.split_content(divisor);
     let factors = match arena.node(divisor) {

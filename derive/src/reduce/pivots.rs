@@ -1,13 +1,13 @@
-//! Rows solved for some of their columns, simple pivots first. Apart from `elimination`: there are fewer rows than columns, the columns
-//! are chosen, and what is divided by is an answer, too.
+//! Rows solved for some of their columns, simple pivots first. Apart from `elimination`: there are fewer rows than
+//! columns, the columns are chosen, and what is divided by is an answer, too.
 
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::range::never_zero;
 use crate::algebra::simplify::{Simplifier, cost};
 use crate::algebra::{Arena, Expr};
 
-/// Independent rows in echelon form: row r of pivot (r, c) reads  x_c + Σ entry x_other = right, where the others are no pivots of
-/// rows before it.
+/// Independent rows in echelon form: row r of pivot (r, c) reads  x_c + Σ entry x_other = right, where the others are
+/// no pivots of rows before it.
 pub struct Solved {
     /// The (row, column) of each pivot, in order.
     pub pivots: Vec<(usize, usize)>,
@@ -19,8 +19,8 @@ pub struct Solved {
     pub divisors: Vec<Expr>,
 }
 
-/// Gaussian elimination with pivots wherever they are simplest: numbers, then what has no state in it, then what is never
-/// zero, then the shortest, and in these columns. It ends when each row has its pivot or is zero there.
+/// Gaussian elimination with pivots wherever they are simplest: numbers, then what has no state in it, then what is
+/// never zero, then the shortest, and in these columns. It ends when each row has its pivot or is zero there.
 pub fn solve_rows(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

@@ -1,9 +1,10 @@
 //! The proof that a reduced system is the whole one on each level set.
 //!
-//! Nothing of the way to it is believed. The coordinates and speeds of the model are written in what the reduced system has;
-//! differentiated along its rates, they must satisfy the kinematic equations and every row of Kane's M u̇ = f of the whole model, for
-//! all values of the constants. What is wanted, what was left out of formulas, the constants and the energy are each held against
-//! what they stand for. Every identity is a zero test at random points of random prime fields, with a stated bound.
+//! Nothing of the way to it is believed. The coordinates and speeds of the model are written in what the reduced system
+//! has; differentiated along its rates, they must satisfy the kinematic equations and every row of Kane's M u̇ = f of
+//! the whole model, for all values of the constants. What is wanted, what was left out of formulas, the constants and
+//! the energy are each held against what they stand for. Every identity is a zero test at random points of random prime
+//! fields, with a stated bound.
 
 use super::ground::Ground;
 use super::level::Level;
@@ -164,7 +165,8 @@ impl Check {
         Ok(())
     }
 
-    /// What was left out of rates, and the solved rates themselves, against the equations of the level; the energy against its rate.
+    /// What was left out of rates, and the solved rates themselves, against the equations of the level; the energy
+    /// against its rate.
     fn rates(&mut self, ground: &mut Ground, flow: &mut Flow) -> Result<(), String> {
         for variable in flow.core.iter().chain(&flow.quadratures) {
             let (_, raw) =

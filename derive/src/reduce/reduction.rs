@@ -79,8 +79,8 @@ pub struct Reduction {
 }
 
 impl Reduction {
-    /// A hash of everything that the reduced equations depend on: the model's text, what the scene asks for, the numbers that it
-    /// fixes, and what was chosen to hold and to measure from.
+    /// A hash of everything that the reduced equations depend on: the model's text, what the scene asks for, the
+    /// numbers that it fixes, and what was chosen to hold and to measure from.
     #[must_use]
     pub fn key(&self) -> String {
         let arena = self.terms();

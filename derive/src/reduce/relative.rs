@@ -1,8 +1,9 @@
 //! Variables that a symmetry moves together become differences.
 //!
-//! Where a chain floats in space, all of its angles turn at one rate when it is turned as a whole. In ψ_i = q_i − r_i q_g, and
-//! likewise in speeds, only q_g and u_g move along the symmetry: its momentum determines u_g, divided by the inertia of the whole
-//! turned as if it were rigid, which is never zero, and q_g is needed only by outputs that show it.
+//! Where a chain floats in space, all of its angles turn at one rate when it is turned as a whole. In ψ_i = q_i − r_i
+//! q_g, and likewise in speeds, only q_g and u_g move along the symmetry: its momentum determines u_g, divided by the
+//! inertia of the whole turned as if it were rigid, which is never zero, and q_g is needed only by outputs that show
+//! it.
 
 use super::ground::{Ground, Momentum, Relative};
 use super::wanted::Wanted;
@@ -11,8 +12,8 @@ use crate::algebra::calculus::Substitution;
 use crate::algebra::steps::fresh_symbol;
 
 impl Ground {
-    /// Puts differences for the coordinates and for the speeds that one of these symmetries alone moves together at constant
-    /// ratios; what is wanted comes back in them.
+    /// Puts differences for the coordinates and for the speeds that one of these symmetries alone moves together at
+    /// constant ratios; what is wanted comes back in them.
     pub(super) fn relative(&mut self, momenta: &[usize], wanted: Wanted) -> Wanted {
         let mut wanted = wanted;
         for at in momenta {
@@ -30,8 +31,8 @@ impl Ground {
         wanted
     }
 
-    /// The places, with their numbers, at which this direction is not zero and the others are, if there are several and all
-    /// are numbers.
+    /// The places, with their numbers, at which this direction is not zero and the others are, if there are several and
+    /// all are numbers.
     fn together(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<(usize, Expr)>> {
         let alone = |at: usize| others.iter().all(|other| other[at] == Expr::ZERO);
         let moved: Vec<(usize, Expr)> =

@@ -1,7 +1,8 @@
 //! Quotients near a singular surface, written so that nothing cancels.
 //!
-//! Where a reduced equation holds N(q; c)/D(q) whose parts vanish together, the numerator is split into what is left of it on the
-//! surface, a constant of the motion that is computed once, and a rest in which every 1 − cos d stands as 2 sin²(d/2).
+//! Where a reduced equation holds N(q; c)/D(q) whose parts vanish together, the numerator is split into what is left of
+//! it on the surface, a constant of the motion that is computed once, and a rest in which every 1 − cos d stands as 2
+//! sin²(d/2).
 
 use super::held::Held;
 use super::pivots::Solved;
@@ -47,8 +48,8 @@ impl Surface {
         }
     }
 
-    /// One quotient N/D with D = 0 on the surface and N linear in what is held: a momentum gives way to N on the surface.
-    /// Returned are the symbol that gave way and what stands for it now.
+    /// One quotient N/D with D = 0 on the surface and N linear in what is held: a momentum gives way to N on the
+    /// surface. Returned are the symbol that gave way and what stands for it now.
     fn separate_row(
         self,
         arena: &mut Arena,

@@ -1,7 +1,7 @@
 //! What the outputs depend on, by meaning.
 //!
-//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. Where it does not, any value may stand for q₁, and what mentions
-//! it only by form loses its terms.
+//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. Where it does not, any value may stand for q₁, and what
+//! mentions it only by form loses its terms.
 
 use super::dependence::Dependence;
 use super::ground::Ground;

@@ -1,8 +1,8 @@
 //! The singular surface of a reduction, and equations in the distance from it.
 //!
-//! Where a momentum loses its hold on the speeds, as the spin about the vertical does on an axis that is vertical, the reduced
-//! equations hold a quotient N(q; c)/D(q) whose parts vanish together. In d = q − q_s the divisor is computed without
-//! cancellation; what becomes of the numerator is a matter of `separate`.
+//! Where a momentum loses its hold on the speeds, as the spin about the vertical does on an axis that is vertical, the
+//! reduced equations hold a quotient N(q; c)/D(q) whose parts vanish together. In d = q − q_s the divisor is computed
+//! without cancellation; what becomes of the numerator is a matter of `separate`.
 
 use super::ground::Ground;
 use super::level::Level;
@@ -21,8 +21,8 @@ use std::f64::consts::FRAC_PI_2;
 const MOST_TURNS: i32 = 100;
 
 impl Ground {
-    /// Where this level is singular, if that is a multiple of a quarter turn of a coordinate among the states: what the scene
-    /// names, or else the one nearest to the start.
+    /// Where this level is singular, if that is a multiple of a quarter turn of a coordinate among the states: what the
+    /// scene names, or else the one nearest to the start.
     pub(super) fn surface(&mut self, level: &Level, wanted: &Wanted, scene: &Scene) -> Option<Distance> {
         let stated = scene.integration.distance;
         if !scene.integration.may_measure || (level.divisors.is_empty() && stated.is_none()) {

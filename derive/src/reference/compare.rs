@@ -25,8 +25,8 @@ pub struct Compared {
     pub verdict: Verdict,
 }
 
-/// Judges every entry of a reference: its quantities, then its systems in the order of the formulations. Those that it lacks
-/// are judged too.
+/// Judges every entry of a reference: its quantities, then its systems in the order of the formulations. Those that it
+/// lacks are judged too.
 ///
 /// Kane's and Lagrange's equations have to agree entry by entry, signs and factors included; a row of Newton–Euler may
 /// stand at another place or carry a factor. The terms of the result are in the arena of the derivations.
@@ -158,7 +158,8 @@ impl Judge<'_, '_> {
         Ok(())
     }
 
-    /// Rows that differ from the derived one of the same number may be another one, or carry a factor; no two of them the same.
+    /// Rows that differ from the derived one of the same number may be another one, or carry a factor; no two of them
+    /// the same.
     fn match_rows(&mut self, first: usize, stated: &[Entries], derived: &[Entries]) {
         let width = stated.len() + 1;
         let place = |i: usize| first + i * width..first + (i + 1) * width;

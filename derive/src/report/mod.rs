@@ -235,8 +235,8 @@ impl Listing {
 }
 
 impl Entry {
-    /// The ids of everything that gets a verdict of its own: the entry's id, or those of the rows and entries of a system
-    /// or listing.
+    /// The ids of everything that gets a verdict of its own: the entry's id, or those of the rows and entries of a
+    /// system or listing.
     #[must_use]
     pub fn ids(&self) -> Vec<String> {
         match &self.kind {

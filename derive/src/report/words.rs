@@ -13,7 +13,8 @@ use std::ops::Range;
 const MAX_LENGTH: usize = 60;
 /// The primes that a name may have: q̈ is `q1''`.
 const PRIMES: usize = 2;
-/// Terms that abbreviations may put into the formulas of one file. They multiply: a long one, used often, fills any memory.
+/// Terms that abbreviations may put into the formulas of one file. They multiply: a long one, used often, fills any
+/// memory.
 const MAX_EXPANSION: usize = 200_000;
 
 /// What a name stands for.

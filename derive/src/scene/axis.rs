@@ -1,7 +1,7 @@
 //! Grids: values of some numbers of a scene, such as `q2=0.01:1.5:100`, every one with every other.
 //!
-//! Invariant: the values of a point depend on its index alone. Evenly spaced values are exact where both ends are: they are
-//! rounded once.
+//! Invariant: the values of a point depend on its index alone. Evenly spaced values are exact where both ends are: they
+//! are rounded once.
 
 use super::values::{Number, Values, Varied};
 use super::{Scene, Stated};
@@ -42,9 +42,9 @@ impl Grid {
     /// Reads one axis from each text; `named` is what errors call the texts.
     ///
     /// # Errors
-    /// [`Diagnostics`] for each text with errors: not of this form, a name that the scene's start does not state and that is
-    /// no parameter, a name that is there already, a count that is 0, ends that are not finite, not positive if they are
-    /// spaced by logarithms, or that mention a swept parameter; more than [`MOST_POINTS`] points.
+    /// [`Diagnostics`] for each text with errors: not of this form, a name that the scene's start does not state and
+    /// that is no parameter, a name that is there already, a count that is 0, ends that are not finite, not positive if
+    /// they are spaced by logarithms, or that mention a swept parameter; more than [`MOST_POINTS`] points.
     pub fn read(texts: &[String], named: &str, scene: &Scene, model: &mut Model) -> Result<Self, Vec<Diagnostics>> {
         let sources: Vec<Source> = texts.iter().map(|text| Source::from_text(named, text)).collect();
         let (mut axes, mut errors) = (Vec::<Axis>::new(), Vec::new());

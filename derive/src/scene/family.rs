@@ -1,7 +1,7 @@
 //! A family of scenes: one file, read for many values of some of its numbers.
 //!
-//! Invariant: a member is what reading the file would give if the file said these values, formulas in the swept parameters
-//! included. The same code reads both; only the parsing is done once.
+//! Invariant: a member is what reading the file would give if the file said these values, formulas in the swept
+//! parameters included. The same code reads both; only the parsing is done once.
 
 use super::axis::Grid;
 use super::values::{Number, Start, Terms, Values, Varied, doubles};
@@ -31,8 +31,9 @@ impl<'a> Family<'a> {
         Ok(Self { scene, grid, table, model: model.clone(), terms: Terms::default() })
     }
 
-    /// The values of what varies at a point below [`Grid::count`], as [`Grid::values`] has them, and the scene there, without
-    /// a ladder; instead of the scene what these values make of it: a mass that is negative, a start without a value.
+    /// The values of what varies at a point below [`Grid::count`], as [`Grid::values`] has them, and the scene there,
+    /// without a ladder; instead of the scene what these values make of it: a mass that is negative, a start without a
+    /// value.
     pub fn point(&mut self, point: u64) -> (Vec<f64>, Result<Scene, Diagnostics>) {
         let given = self.grid.numbers(point);
         (given.iter().map(|(_, number)| number.double).collect(), self.scene(&given))

@@ -35,8 +35,8 @@ const NOT_THERE: [(&[&str], &str); 4] = [
 ];
 
 impl<'a> Values<'a, '_> {
-    /// `outputs = ["q2", "u1"]`, each a name or a formula, or `{ name = "lean", value = "q2" }`; every coordinate and speed without it.
-    /// The second value says whether the file has it.
+    /// `outputs = ["q2", "u1"]`, each a name or a formula, or `{ name = "lean", value = "q2" }`; every coordinate and
+    /// speed without it. The second value says whether the file has it.
     pub fn outputs(&mut self, table: &'a DeTable<'a>) -> (Vec<SceneOutput>, bool) {
         let Some(value) = self.reader.get(table, "outputs") else { return (states(self.model), false) };
         let DeValue::Array(array) = value.get_ref() else {

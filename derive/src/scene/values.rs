@@ -1,6 +1,7 @@
 //! Numbers in scene and state files: exact formulas in parameters, parsed once, evaluated for each reading.
 //!
-//! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier readings.
+//! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier
+//! readings.
 
 use super::start::{Exact, Stated};
 use crate::algebra::evaluate::{Numeric, Tape};

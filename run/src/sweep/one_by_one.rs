@@ -6,7 +6,8 @@ use std::sync::atomic::AtomicBool;
 /// Points of a block.
 const BLOCK: u64 = 64;
 
-/// Does `work` on blocks of a range by the first of the workers and hands the results to `take` in order, until that fails.
+/// Does `work` on blocks of a range by the first of the workers and hands the results to `take` in order, until that
+/// fails.
 ///
 /// # Errors
 /// That of `take`.

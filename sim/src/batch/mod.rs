@@ -102,7 +102,8 @@ pub fn integrate(
 /// Integrates all trajectories on this thread in `N` lanes; outcomes are those of [`integrate`], to the bit.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense; [`SimError::Trajectory`] for parameters or a start of the wrong length, or not finite.
+/// [`SimError`] if the question makes no sense; [`SimError::Trajectory`] for parameters or a start of the wrong length,
+/// or not finite.
 pub fn integrate_in<const N: usize>(
     equations: &(dyn Rates<Lanes<N>> + Sync),
     plan: &Plan,

@@ -6,12 +6,13 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tripos_traits::{InLanes, Lanes, Rates, lane_width};
 
-/// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes are those of [`super::integrate`], to the
-/// bit, for any number of threads. `progress` is told how many trajectories are done, by whichever thread ends one, so
-/// possibly not in order.
+/// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes are those of
+/// [`super::integrate`], to the bit, for any number of threads. `progress` is told how many trajectories are done, by
+/// whichever thread ends one, so possibly not in order.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense; [`SimError::Trajectory`] for parameters or a start of the wrong length, or not finite.
+/// [`SimError`] if the question makes no sense; [`SimError::Trajectory`] for parameters or a start of the wrong length,
+/// or not finite.
 pub fn integrate_on_all_cores(
     equations: InLanes<'_>,
     plan: &Plan,

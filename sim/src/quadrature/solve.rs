@@ -13,9 +13,10 @@ use crate::watch::Watch;
 
 /// The motion from y0 = \[q; v\] over `span`, answered like [`crate::integrate`] answers it.
 ///
-/// Among the options `output` and `step_limit` matter; method and tolerances do not. Steps are those of the panels: they count in the
-/// result, and [`Output::Steps`] refines them. Events are looked for on them as on steps of a method, and end the run where they say so.
-/// The quadratures, like all coordinates, are in the state; see [`OneDegree::new`] for what the equations must be.
+/// Among the options `output` and `step_limit` matter; method and tolerances do not. Steps are those of the panels:
+/// they count in the result, and [`Output::Steps`] refines them. Events are looked for on them as on steps of a method,
+/// and end the run where they say so. The quadratures, like all coordinates, are in the state; see [`OneDegree::new`]
+/// for what the equations must be.
 ///
 /// # Errors
 /// [`NoQuadrature`] if the question makes no sense ([`NoQuadrature::Question`]), or quadrature does not answer it.

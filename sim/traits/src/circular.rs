@@ -1,12 +1,13 @@
 //! Sine and cosine together, without a branch, so that a loop over lanes becomes vector instructions.
 //!
-//! Error: below 0.9 ulp of the result for |x| ≤ [`FAST`], next to the zeros too; largest met 0.83 ulp over 5 · 10⁷ arguments
-//! and the neighbours of every multiple of π/2 in that range, with fused products and without.
-//! Beyond, the value is that of `libm`, to 1 ulp. Infinities and "not a number" give "not a number"; −0 has the sine −0.
+//! Error: below 0.9 ulp of the result for |x| ≤ [`FAST`], next to the zeros too; largest met 0.83 ulp over 5 · 10⁷
+//! arguments and the neighbours of every multiple of π/2 in that range, with fused products and without.
+//! Beyond, the value is that of `libm`, to 1 ulp. Infinities and "not a number" give "not a number"; −0 has the sine
+//! −0.
 //!
-//! Reduction: W. J. Cody & W. Waite, *Software Manual for the Elementary Functions* (1980), ch. 8, with the error of each
-//! difference kept. Polynomials: those of FreeBSD's `k_sin.c` and `k_cos.c` (Sun Microsystems, 1993) for |r| ≤ π/4, in
-//! an order with shorter chains.
+//! Reduction: W. J. Cody & W. Waite, *Software Manual for the Elementary Functions* (1980), ch. 8, with the error of
+//! each difference kept. Polynomials: those of FreeBSD's `k_sin.c` and `k_cos.c` (Sun Microsystems, 1993) for |r| ≤
+//! π/4, in an order with shorter chains.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 

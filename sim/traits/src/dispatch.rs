@@ -2,8 +2,8 @@
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
-/// How many [`crate::Lanes`] this processor computes best in: 8 where it has registers of 512 bits, else 4. Results do not
-/// depend on it.
+/// How many [`crate::Lanes`] this processor computes best in: 8 where it has registers of 512 bits, else 4. Results do
+/// not depend on it.
 #[must_use]
 pub fn lane_width() -> usize {
     if matches!(level(), Level::Avx512) { 8 } else { 4 }

@@ -3,12 +3,12 @@
 //! Invariant: hi is the f64 nearest to hi + lo, so |lo| ≤ ulp(hi)/2 and a value has one representation; lo is 0 where
 //! hi is infinite or not a number.
 //!
-//! Bounds below are in units of [`DoubleDouble::EPSILON`] = 2⁻¹⁰⁴, relative to the result, for results between 1e-270 and
-//! 1e299. Nearer to the ends of the range of f64 digits are lost gradually, down to those of f64.
+//! Bounds below are in units of [`DoubleDouble::EPSILON`] = 2⁻¹⁰⁴, relative to the result, for results between 1e-270
+//! and 1e299. Nearer to the ends of the range of f64 digits are lost gradually, down to those of f64.
 //!
-//! Methods: Dekker (1971) and Knuth (see `error_free`); Hida, Li & Bailey, "Algorithms for quad-double precision floating
-//! point arithmetic", ARITH-15 (2001) 155–162; bounds of the operations by Joldes, Muller & Popescu, "Tight and rigorous
-//! error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017) 15res.
+//! Methods: Dekker (1971) and Knuth (see `error_free`); Hida, Li & Bailey, "Algorithms for quad-double precision
+//! floating point arithmetic", ARITH-15 (2001) 155–162; bounds of the operations by Joldes, Muller & Popescu, "Tight
+//! and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017) 15res.
 
 mod elementary;
 mod error_free;
@@ -72,8 +72,8 @@ impl DoubleDouble {
         self.hi.is_finite()
     }
 
-    /// hi + lo, or `otherwise` alone where these are lost to infinities: the result as plain f64 has it. In sums and products
-    /// with their errors lo is not finite if hi is not, so one question is enough.
+    /// hi + lo, or `otherwise` alone where these are lost to infinities: the result as plain f64 has it. In sums and
+    /// products with their errors lo is not finite if hi is not, so one question is enough.
     #[inline]
     fn finite_or(hi: f64, lo: f64, otherwise: f64) -> Self {
         if lo.is_finite() { Self { hi, lo } } else { Self { hi: otherwise, lo: 0.0 } }

@@ -1,11 +1,11 @@
 //! Several doubles side by side, as the vector registers of a processor hold them.
 //!
-//! Invariant: a lane has the same bits whatever stands in the others, how many there are, and on whichever processor. So
-//! products are fused everywhere or nowhere: [`Scalar::mul_add`] always, `*` followed by `+` never.
+//! Invariant: a lane has the same bits whatever stands in the others, how many there are, and on whichever processor.
+//! So products are fused everywhere or nowhere: [`Scalar::mul_add`] always, `*` followed by `+` never.
 //!
-//! Written as loops over arrays, which the compiler turns into vector instructions inside [`Scalar::dispatch`]; outside it
-//! they are those of the processor that is compiled for, and a fused product is a call where that has none. Absent on
-//! purpose: comparison. Lanes differ, so what depends on one is for the caller to decide lane by lane.
+//! Written as loops over arrays, which the compiler turns into vector instructions inside [`Scalar::dispatch`]; outside
+//! it they are those of the processor that is compiled for, and a fused product is a call where that has none. Absent
+//! on purpose: comparison. Lanes differ, so what depends on one is for the caller to decide lane by lane.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -53,8 +53,8 @@ fn sqrt(x: f64) -> f64 {
     return libm::sqrt(x);
 }
 
-/// Does something in each lane. Counting by hand gives the compiler half as much to simplify as an iterator, and generated
-/// code has thousands of these loops.
+/// Does something in each lane. Counting by hand gives the compiler half as much to simplify as an iterator, and
+/// generated code has thousands of these loops.
 macro_rules! each_lane {
     ($l:ident, $n:expr, $do:expr) => {
         let mut $l = 0;
@@ -188,8 +188,8 @@ impl<const N: usize> Scalar for Lanes<N> {
         each_lane!(l, N, out.0[l] = Fused::mul_add(self.0[l], a.0[l], b.0[l]));
         out
     }
-    /// Inside, with AVX-512 or with AVX2 and fused products where the processor has them. They reach only what is inlined
-    /// into `work`, and `work` itself: write `#[inline(always)] ||` before its body where that is long.
+    /// Inside, with AVX-512 or with AVX2 and fused products where the processor has them. They reach only what is
+    /// inlined into `work`, and `work` itself: write `#[inline(always)] ||` before its body where that is long.
     #[inline(always)]
     fn dispatch<R>(work: impl FnOnce() -> R) -> R {
         dispatch::run::<N, R>(work)

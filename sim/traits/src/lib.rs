@@ -5,12 +5,12 @@
 //! mass matrix, forcing and kinematic equations. And two more scalars: [`DoubleDouble`], a number of 32 digits, and
 //! [`Lanes`], several doubles side by side.
 //!
-//! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have, and brings
-//! [`AbsoluteTolerance`], which scene files and the simulator have in common; without it the crate needs no standard library, and
-//! lanes give the same numbers more slowly.
+//! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have, and
+//! brings [`AbsoluteTolerance`], which scene files and the simulator have in common; without it the crate needs no
+//! standard library, and lanes give the same numbers more slowly.
 //!
-//! Beside them the words that scenes and the simulator share: [`Method`], [`Direction`], absolute tolerances, and maxima that know
-//! what NaN is ([`larger`]).
+//! Beside them the words that scenes and the simulator share: [`Method`], [`Direction`], absolute tolerances, and
+//! maxima that know what NaN is ([`larger`]).
 //!
 //! Absent on purpose: names, units and files. They belong to the model, not to its numbers.
 #![no_std]

@@ -1,7 +1,7 @@
 //! Maxima that know what NaN is.
 //!
-//! `f64::max` takes what is not a number for nothing at all: an error that has no value would become the best of all errors.
-//! What decides something is a maximum from here.
+//! `f64::max` takes what is not a number for nothing at all: an error that has no value would become the best of all
+//! errors. What decides something is a maximum from here.
 
 /// The larger of two numbers, and not a number if either is none: a maximum that hides nothing.
 #[must_use]
@@ -15,8 +15,8 @@ pub fn largest(list: impl IntoIterator<Item = f64>) -> f64 {
     list.into_iter().map(f64::abs).fold(0.0, larger)
 }
 
-/// The larger of two numbers, and the second where either is none: one instruction, for the weights of loops whose values
-/// are looked at elsewhere.
+/// The larger of two numbers, and the second where either is none: one instruction, for the weights of loops whose
+/// values are looked at elsewhere.
 #[must_use]
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "one instruction, also inside code for wider registers")]

@@ -8,7 +8,8 @@ pub enum Method {
     /// The classical Runge–Kutta method of order 4, with a fixed step only. W. Kutta, Z. Math. Phys. 46 (1901)
     /// 435–453.
     Rk4,
-    /// Dormand–Prince 5(4) with the step control of `ode45`; its coefficients are the constant `DORMAND_PRINCE_54` of the integrators.
+    /// Dormand–Prince 5(4) with the step control of `ode45`; its coefficients are the constant `DORMAND_PRINCE_54` of
+    /// the integrators.
     #[default]
     Ode45,
     /// Dormand–Prince 5(4) with the step control of Hairer's `dopri5`.

@@ -33,8 +33,8 @@ pub trait Scalar:
     /// to 2⁵³ are in `f64`.
     #[must_use]
     fn ratio(numerator: i64, denominator: i64) -> Self;
-    /// (sin x, cos x), which cost less together than apart. In `f64` and in lanes to 0.9 ulp for |x| ≤ 2¹⁸, also next to
-    /// the zeros, and to 1 ulp beyond.
+    /// (sin x, cos x), which cost less together than apart. In `f64` and in lanes to 0.9 ulp for |x| ≤ 2¹⁸, also next
+    /// to the zeros, and to 1 ulp beyond.
     fn sin_cos(self) -> (Self, Self);
     /// √x.
     #[must_use]
@@ -78,8 +78,8 @@ pub trait Scalar:
         (self.sin_cos().0 + at_zero) / (self + at_zero)
     }
     /// x·a + b, rounded once where the processor that is compiled for does that in one instruction (as
-    /// `-C target-cpu=native` may say), else twice. Results then differ in their last bits from build to build, as those of
-    /// any program do that a compiler may contract.
+    /// `-C target-cpu=native` may say), else twice. Results then differ in their last bits from build to build, as
+    /// those of any program do that a compiler may contract.
     #[must_use]
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {

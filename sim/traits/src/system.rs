@@ -34,9 +34,9 @@ impl Lengths {
 /// Equations of motion  A(q, v) x = b(q, v),  q̇ = k(q, v).
 ///
 /// `q` holds the n generalized coordinates and `v` the motion variables that the formulation integrates: the p ≤ n
-/// generalized speeds u for Kane and Newton–Euler, the n coordinate rates q̇ for Lagrange. The unknowns x are v̇, followed by
-/// reaction forces and torques. `p` holds the parameters in the order of the model file. All slices have exactly the lengths
-/// that [`System::lengths`] states; implementations may panic on others.
+/// generalized speeds u for Kane and Newton–Euler, the n coordinate rates q̇ for Lagrange. The unknowns x are v̇,
+/// followed by reaction forces and torques. `p` holds the parameters in the order of the model file. All slices have
+/// exactly the lengths that [`System::lengths`] states; implementations may panic on others.
 pub trait System<S: Scalar = f64> {
     /// How long the arguments and results are.
     fn lengths(&self) -> Lengths;
@@ -83,7 +83,8 @@ pub trait System<S: Scalar = f64> {
 
     /// q̇ = k(q, v); `out` is as long as `q`.
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
-    /// A(q, v), row by row; `out` has [`Lengths::unknowns`]² entries. The identity where accelerations are all there is.
+    /// A(q, v), row by row; `out` has [`Lengths::unknowns`]² entries. The identity where accelerations are all there
+    /// is.
     fn mass_matrix(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
         let n = self.lengths().unknowns();
         for (at, entry) in out.iter_mut().enumerate() {
@@ -97,8 +98,8 @@ pub trait System<S: Scalar = f64> {
 
     /// How many numbers [`System::outputs`] gives.
     fn output_count(&self) -> usize;
-    /// What is to be seen of a state, `t` after the start: what a scene asks for, or [`System::whole_state`] where no scene
-    /// does. `out` has [`System::output_count`] entries.
+    /// What is to be seen of a state, `t` after the start: what a scene asks for, or [`System::whole_state`] where no
+    /// scene does. `out` has [`System::output_count`] entries.
     ///
     /// Stated by every implementation: values that nobody asked for must not appear under the names of others.
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]);
@@ -135,8 +136,9 @@ pub trait System<S: Scalar = f64> {
     fn has_potential_slope(&self) -> bool {
         false
     }
-    /// The divided difference V\[a, b\] = (V(b) − V(a))/(b − a) of the potential energy along the first coordinate, on which
-    /// alone it must depend; ∂V/∂q at b = a, and nothing cancels next to that. In the unit of V over that of the coordinate.
+    /// The divided difference V\[a, b\] = (V(b) − V(a))/(b − a) of the potential energy along the first coordinate, on
+    /// which alone it must depend; ∂V/∂q at b = a, and nothing cancels next to that. In the unit of V over that of the
+    /// coordinate.
     ///
     /// What the motion of one degree of freedom is found from by quadrature; not a number unless stated.
     fn potential_slope(&self, _p: &[S], _a: S, _b: S) -> S {
@@ -163,8 +165,8 @@ pub struct CompiledModel {
 pub struct CompiledScene {
     /// The name of the scene's file without its ending.
     pub name: &'static str,
-    /// A hash of everything that the equations depend on, as the deriving crate computes it: the model, what the scene asks for,
-    /// and the parameters that it fixes.
+    /// A hash of everything that the equations depend on, as the deriving crate computes it: the model, what the scene
+    /// asks for, and the parameters that it fixes.
     pub key: &'static str,
     /// The equations.
     pub system: CompiledSystem,
@@ -184,8 +186,8 @@ pub struct CompiledSystem {
 
 /// The derivative of the state alone, as [`Derivative`] takes it from a [`System`].
 ///
-/// What batches are integrated with. A program that runs a model in lanes need not compile all of [`System`] for them, which
-/// takes an optimizing compiler far longer than for single numbers.
+/// What batches are integrated with. A program that runs a model in lanes need not compile all of [`System`] for them,
+/// which takes an optimizing compiler far longer than for single numbers.
 pub trait Rates<S: Scalar> {
     /// How long the arguments and results are.
     fn lengths(&self) -> Lengths;

@@ -1,8 +1,8 @@
-//! Sine and cosine of `f64` and of lanes against numbers of 32 digits, which are held against an arbitrary-precision library
-//! in `double_double.rs`.
+//! Sine and cosine of `f64` and of lanes against numbers of 32 digits, which are held against an arbitrary-precision
+//! library in `double_double.rs`.
 //!
-//! `TRIPOS_ARGUMENTS=10000000 cargo test --release -p tripos-traits --test circular -- --nocapture` prints the errors that the
-//! documentation states.
+//! `TRIPOS_ARGUMENTS=10000000 cargo test --release -p tripos-traits --test circular -- --nocapture` prints the errors
+//! that the documentation states.
 
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
@@ -71,8 +71,8 @@ fn angles_of_every_size_are_within_the_bound() {
     largest(|| random.of_size(-20.0, 5.0)).check("of every size");
 }
 
-/// Goal: the relative error where a sine or cosine vanishes, as on a passage near a singular surface. Method: multiples of
-/// π/2 with offsets of every size.
+/// Goal: the relative error where a sine or cosine vanishes, as on a passage near a singular surface. Method: multiples
+/// of π/2 with offsets of every size.
 #[test]
 fn small_values_keep_their_digits() {
     let mut random = Random(0xD1B5_4A32_D192_ED03);

@@ -96,8 +96,8 @@ struct Equation<'a> {
     value: String,
 }
 
-/// The equations of a file. They stand between fences, before the line that names their function; a line that continues another begins
-/// with spaces.
+/// The equations of a file. They stand between fences, before the line that names their function; a line that continues
+/// another begins with spaces.
 fn equations(text: &str) -> Vec<Equation<'_>> {
     let (mut list, mut lines, mut inside) = (Vec::new(), Vec::<String>::new(), false);
     for line in text.lines() {

@@ -8,7 +8,8 @@ pub(super) fn is_partial(f: Function) -> bool {
     matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos)
 }
 
-/// Whether an argument without symbols is where a function has no real value: exactly for plain numbers, to rounding for others.
+/// Whether an argument without symbols is where a function has no real value: exactly for plain numbers, to rounding
+/// for others.
 pub(super) fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
     if !is_partial(f) {
         return false;

@@ -1,8 +1,8 @@
 //! Sines and cosines of sums of angles, from those of their parts where these are there anyway.
 //!
-//! A sine and a cosine cost as much as thirty operations, an addition theorem six. Absent on purpose: any claim about small angles:
-//! the sine of a difference that is nearly zero is then exact to the last digit of 1, not of itself, as it is in
-//! every program that multiplies such products out.
+//! A sine and a cosine cost as much as thirty operations, an addition theorem six. Absent on purpose: any claim about
+//! small angles: the sine of a difference that is nearly zero is then exact to the last digit of 1, not of itself, as
+//! it is in every program that multiplies such products out.
 
 use crate::algebra::elementary::angle_atoms;
 use crate::algebra::print::text;

@@ -1,7 +1,7 @@
 //! Values as sums of monomials over numbered atoms.
 //!
-//! Apart from `polynomial`: terms keep their places while divisors are taken out of many sums at once, and atoms are sums themselves;
-//! sorted terms would come out in another order, at other counts.
+//! Apart from `polynomial`: terms keep their places while divisors are taken out of many sums at once, and atoms are
+//! sums themselves; sorted terms would come out in another order, at other counts.
 
 use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr, Node, Rational};

@@ -1,9 +1,9 @@
 //! Sums and products of two f64 together with their rounding errors, exactly.
 //!
 //! Each returns (s, e) with s the rounded result and s + e the exact one, if nothing overflows or underflows.
-//! No fused multiply–add is used: without the hardware instruction `libm::fma` is emulated, at many times the cost; and where
-//! it finds the instruction at run time, its call costs 2.6 ns a product against 1.1 ns of the split (in a chain of
-//! dependent products, 7 against 12).
+//! No fused multiply–add is used: without the hardware instruction `libm::fma` is emulated, at many times the cost; and
+//! where it finds the instruction at run time, its call costs 2.6 ns a product against 1.1 ns of the split (in a chain
+//! of dependent products, 7 against 12).
 //!
 //! Knuth, *The Art of Computer Programming* 2, §4.2.2; Dekker, "A floating-point technique for extending the available
 //! precision", Numerische Mathematik 18 (1971) 224–242.

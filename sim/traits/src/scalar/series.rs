@@ -1,9 +1,9 @@
 //! Sums of products of Taylor coefficients: the part of the recurrences that grows with the order.
 //!
-//! Every operation that is not linear is a convolution Σ left_j right_{k−j}: of the factors of a product, of divisor and
-//! quotient, of j·a_j and cos a for sin a. Its terms with 0 < j < k have coefficients of lower orders only, so that those of all
-//! operations are summed at once, for two orders together, which halves what is read. The sums of one order stand side by
-//! side: there is no short loop and no sum across a vector register.
+//! Every operation that is not linear is a convolution Σ left_j right_{k−j}: of the factors of a product, of divisor
+//! and quotient, of j·a_j and cos a for sin a. Its terms with 0 < j < k have coefficients of lower orders only, so that
+//! those of all operations are summed at once, for two orders together, which halves what is read. The sums of one
+//! order stand side by side: there is no short loop and no sum across a vector register.
 
 use crate::Scalar;
 
@@ -17,7 +17,8 @@ pub type Pair<S, const W: usize> = [[S; W]; 2];
 /// What the number of convolutions is padded to a multiple of.
 pub const LANES: usize = 8;
 
-/// Bytes that a row of factors begins at a multiple of: a line of the cache, so that no vector register is filled from two.
+/// Bytes that a row of factors begins at a multiple of: a line of the cache, so that no vector register is filled from
+/// two.
 const LINE: usize = 64;
 
 /// Entries that [`rows`] may skip to find the beginning of a line.
@@ -42,16 +43,16 @@ pub fn padded<S: Scalar, const N: usize, const W: usize>(values: [S; N]) -> [S; 
     row
 }
 
-/// For k the length of the history, where `history[j]` holds the factors of order j: Σ left_j right_{k−j} over 0 < j < k,
-/// and Σ left_j right_{k+1−j} over 1 < j < k, for each convolution. The factors of order 0 are not read.
+/// For k the length of the history, where `history[j]` holds the factors of order j: Σ left_j right_{k−j} over 0 < j <
+/// k, and Σ left_j right_{k+1−j} over 1 < j < k, for each convolution. The factors of order 0 are not read.
 #[inline]
 #[must_use]
 pub fn pair_sums<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
     S::pair_sums(history)
 }
 
-/// [`pair_sums`], `BLOCK` sums at a time: as many as fit in registers twice, with as many factors. It is compiled for the
-/// vector instructions of its caller.
+/// [`pair_sums`], `BLOCK` sums at a time: as many as fit in registers twice, with as many factors. It is compiled for
+/// the vector instructions of its caller.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a function that is called is compiled for what every processor has")]
 pub(crate) fn sums<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
