@@ -311,7 +311,7 @@ fn wrong_requests_are_refused_before_anything_is_written() {
         1 | M=2
           | ^
           |
-          = help: give all its values in one --over, as a list NAME=a,b,c if need be
+          = help: give all its values at once, as a list NAME=a,b,c if need be
     "]]
     .assert_eq(&refused(&["q2=0:1:0", "q7=1,2", "u1=1", "z=1", "M=1", "M=2"].map(|axis| ["--over", axis]).concat()));
     let one = ["--over", "q2=0.1,0.2"];

@@ -140,9 +140,9 @@ impl<'a> Planner<'a> {
         shares: bool,
     ) -> Self {
         let mut variables = Variables::new(arena, language, &type_name(&equations.name(model)));
-        let rates =
-            arena.symbol_names().iter().filter(|name| name.ends_with('\'')).filter_map(|name| arena.find_symbol(name));
-        variables.moving = equations.variables.iter().copied().chain(rates).collect();
+        let rates = model.coordinates.iter().map(|c| c.rate).chain(model.speeds.iter().map(|s| s.rate));
+        let unknown = &equations.unknowns[..equations.variables.len()];
+        variables.moving = equations.variables.iter().chain(unknown).copied().chain(rates).collect();
         Self { model, arena, equations, variables, shares }
     }
 
