@@ -272,10 +272,7 @@ pub fn stepwise(
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived.
 pub fn derivation(model: &Mechanism, by: &By) -> Result<Derivation, Error> {
     if let Some(formulation) = by.formulation() {
-        return derive(model, formulation).map_err(|error| {
-            let kind = if error.is_unsupported() { Error::Unsupported } else { Error::Input };
-            kind(model.diagnose(&error))
-        });
+        return model.derive(formulation);
     }
     let (arena, list) = printed_derivation(model)?.unwrap_or_default();
     let equations = list.into_iter().find(|e| e.by == *by);

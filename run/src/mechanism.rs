@@ -1,12 +1,15 @@
 //! A model with what is compiled of it.
 
+use crate::error::Error;
 use crate::follow::Follow;
 use std::ops::{Deref, DerefMut};
 #[cfg(feature = "files")]
 use std::path::Path;
-use tripos_derive::Model;
 #[cfg(feature = "files")]
 use tripos_derive::diagnostic::{Diagnostics, Source};
+use tripos_derive::mechanics::{Derivation, derive_all};
+use tripos_derive::prove::{Proof, prove};
+use tripos_derive::{Formulation, Model, derive};
 use tripos_traits::CompiledModel;
 
 /// A model, the compiled equations that a program brings along, and who follows long work on it.
@@ -48,6 +51,38 @@ impl Mechanism {
     #[must_use]
     pub fn followed(self, follow: Follow) -> Self {
         Self { follow, ..self }
+    }
+}
+
+impl Mechanism {
+    /// Derives the equations of motion by a formulation.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived.
+    pub fn derive(&self, formulation: Formulation) -> Result<Derivation, Error> {
+        derive(&self.model, formulation).map_err(|error| {
+            let kind = if error.is_unsupported() { Error::Unsupported } else { Error::Input };
+            kind(self.model.diagnose(&error))
+        })
+    }
+
+    /// Proves what can be proved: that the formulations are equivalent, and what motions conserve.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the model cannot be derived.
+    pub fn prove(&self) -> Result<Proof, Error> {
+        let mut derivations = derive_all(&self.model).map_err(|error| self.model.diagnose(&error))?;
+        Ok(prove(&self.model, &mut derivations))
+    }
+
+    /// Writes the equations as a Rust module of this name: the text of each of its files. No formulations are all that the model
+    /// supports.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the model cannot be derived, or lacks a formulation that is named.
+    #[cfg(feature = "emit")]
+    pub fn emit(&self, module: &str, formulations: &[Formulation]) -> Result<tripos_codegen::emit::Emission, Error> {
+        Ok(tripos_codegen::emit::emit_model(&self.model, module, formulations)?)
     }
 }
 

@@ -56,6 +56,11 @@ impl Run {
         Ok(self.states.iter().map(|values| values[at]).collect())
     }
 
+    /// The samples in order: the time, s, and the values of what is shown, in the order of [`Run::names`].
+    pub fn samples(&self) -> impl Iterator<Item = (f64, &[f64])> {
+        self.solution.t.iter().copied().zip(self.states.iter().map(Vec::as_slice))
+    }
+
     /// The events and the conditions of the domain that the run met, in order, with their instants and states.
     #[must_use]
     pub fn events(&self) -> &[EventRecord] {
@@ -101,7 +106,7 @@ impl Run {
     /// Shows outputs beside the states of a run by whole equations.
     ///
     /// # Errors
-    /// As [`Shown::of`].
+    /// [`Error`] if a value that is shown cannot be computed.
     pub fn show(&mut self, shown: &Shown, problem: &Problem<'_>) -> Result<(), Error> {
         if !shown.is_more() {
             return Ok(());

@@ -4,13 +4,14 @@ use crate::error::Error;
 use crate::follow::Follow;
 use crate::mechanism::Mechanism;
 use crate::overrides::Overrides;
+use crate::reduced::Reduced;
+use crate::reference::Reference;
 use crate::run::Run;
 use crate::simulate::simulate;
 #[cfg(feature = "files")]
 use std::path::Path;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::derive_all;
-use tripos_derive::prove::{Proof, prove};
+use tripos_derive::prove::Proof;
 #[cfg(feature = "files")]
 use tripos_derive::scene::model_path;
 use tripos_derive::scene::{self as description, Family, Grid, load};
@@ -101,8 +102,23 @@ impl Scene {
     /// # Errors
     /// [`Error::Input`] if the model cannot be derived.
     pub fn prove(&self) -> Result<Proof, Error> {
-        let mut derivations = derive_all(&self.mechanism).map_err(|error| self.mechanism.diagnose(&error))?;
-        Ok(prove(&self.mechanism, &mut derivations))
+        self.mechanism.prove()
+    }
+
+    /// The least equations that give what the scene shows, and the constants that its start has.
+    ///
+    /// # Errors
+    /// [`Error`] if the model cannot be derived, or the scene asks for what it does not determine.
+    pub fn reduce(&self) -> Result<Reduced, Error> {
+        Reduced::new(&self.mechanism, &self.current)
+    }
+
+    /// The states at these instants, s, in the order of the run, to some twenty digits, and how sure they are.
+    ///
+    /// # Errors
+    /// [`Error`] if no formulation gets there.
+    pub fn reference(&self, times: &[f64]) -> Result<Reference, Error> {
+        Reference::new(&self.mechanism, &self.current, times)
     }
 
     /// Runs the scene: by its own reduced equations, unless `how` names others or solves numerically.

@@ -74,7 +74,7 @@ fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -
 /// from a momentum is singular there, no momentum is held.
 ///
 /// # Errors
-/// As [`run`].
+/// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
 fn run_reduced(model: &Mechanism, scene: &Scene, ground: &Ground, reduced: &Reduced) -> Result<Run, Error> {
     // Integrals of the whole are functions of all states, which a scene may not show.
     let watch = !scene.states_outputs && is_proved(model);
@@ -163,7 +163,7 @@ const MOST_PROVED: usize = 8;
 /// Runs a scene by one set of equations that is ready, in the scene's distance if it has one.
 ///
 /// # Errors
-/// As [`run`].
+/// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
 pub fn run_code(model: &Mechanism, scene: &Scene, by: &By, code: &Code, watch: Option<&Watch>) -> Result<Run, Error> {
     run_problem(&Problem::new(model, scene, by, code, None)?, watch)
 }
@@ -171,7 +171,7 @@ pub fn run_code(model: &Mechanism, scene: &Scene, by: &By, code: &Code, watch: O
 /// Runs a problem over the span of its scene, as the scene says.
 ///
 /// # Errors
-/// As [`run`].
+/// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
 pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Error> {
     let scene = problem.scene;
     let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;

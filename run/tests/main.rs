@@ -4,6 +4,7 @@ mod shared;
 
 use tripos::{Error, Mechanism, Overrides, Run, Scene};
 use tripos_derive::diagnostic::Source;
+use tripos_traits::Real;
 
 const BOUNCER: &str = r#"
 name = "Mass on a spring"
@@ -65,6 +66,24 @@ fn a_scene_from_strings_runs_by_every_kind_of_equations_and_meets_its_events() {
         assert!((instants[0] - std::f64::consts::FRAC_PI_4).abs() < 1e-9, "{by:?}: {instants:?}");
     }
     assert!(scene.prove().unwrap().is_equivalent());
+}
+
+/// Exact: x = 0.5 cos(ω t) with ω = 2, so x(1) = 0.5 cos 2.
+#[test]
+fn equations_references_and_samples_are_a_call_away() {
+    let scene = scene();
+    let derivation = scene.mechanism().derive(tripos_derive::Formulation::Kane).unwrap();
+    assert_eq!(derivation.equations.matrix.len(), 1);
+    assert!(matches!(
+        scene.mechanism().derive(tripos_derive::Formulation::NewtonEuler),
+        Ok(_) | Err(Error::Unsupported(_))
+    ));
+    assert_eq!(scene.reduce().unwrap().reduction.derivation.equations.coordinates.len(), 1);
+    let reference = scene.reference(&[1.0]).unwrap();
+    assert!((reference.end()[0].to_f64() - 0.5 * 2_f64.cos()).abs() < 1e-16 && reference.uncertainty < 1e-16);
+    let run = scene.simulate(&Overrides::default()).unwrap();
+    let samples: Vec<(f64, &[f64])> = run.samples().collect();
+    assert!(samples.len() > 10 && samples.iter().all(|(t, x)| (x[0] - 0.5 * (2.0 * t).cos()).abs() < 1e-9));
 }
 
 #[test]

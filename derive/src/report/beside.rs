@@ -18,7 +18,10 @@ pub fn load_beside(path: &Path, model: &mut Model) -> Result<Option<Report>, Dia
     super::load(&crate::diagnostic::Source::read(&path)?, model).map(Some)
 }
 
-/// There are no files.
+/// No report, since there are no files.
+///
+/// # Errors
+/// None.
 #[cfg(not(feature = "files"))]
 pub fn load_beside(_path: &Path, _model: &mut Model) -> Result<Option<Report>, Diagnostics> {
     Ok(None)

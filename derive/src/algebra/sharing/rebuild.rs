@@ -14,7 +14,7 @@ pub struct Shared {
     pub values: Vec<Expr>,
 }
 
-/// Whether a symbol was introduced by [`share`].
+/// Whether a symbol was introduced by [`super::share`].
 #[must_use]
 pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
     arena.symbol_name(symbol).is_some_and(|name| name.starts_with('#'))
