@@ -9,6 +9,7 @@ use tripos_derive::mechanics::{Derivation, derive, derive_all};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Method, Options, Output, integrate};
+use tripos_traits::Real;
 
 const DISC: &str = include_str!("data/rolling_disc.toml");
 
@@ -148,6 +149,35 @@ fn a_run_is_the_rolling_motion() {
             close(&format!("{name} by {by:?}, {solve:?}"), found, *expected, 1e-9);
         }
         assert!(run.energy_drift.unwrap() < 1e-9, "{:?}", run.energy_drift);
+    }
+}
+
+/// Goal: errors of runs with fewer speeds than coordinates have a reference, too. Method: a tight run against it; its own two runs are both by Kane's
+/// method, at two tolerances.
+#[test]
+fn a_reference_knows_the_rolling_motion() {
+    let scene = Scene::parse(Mechanism::new(rolling()), ROLL).unwrap_or_else(|e| panic!("{e}"));
+    let reference = scene.reference(&[3.0]).unwrap();
+    assert!(reference.uncertainty < 1e-17 && reference.end().len() == 8, "{}", reference.uncertainty);
+    let run = scene.simulate(&Overrides { by: Some("kane".to_owned()), ..Overrides::default() }).unwrap();
+    for (found, exact) in run.end.iter().zip(reference.end()) {
+        close("the end", *found, exact.to_f64(), 1e-9);
+    }
+}
+
+/// Goal: no run starts with a motion that the constraints forbid. Method: rates at which the disc slips, and those at which it rolls.
+#[test]
+fn a_start_with_rates_that_slip_is_refused() {
+    let start = |x_dot: f64| {
+        let rates =
+            format!("\"q1'\" = 0\n\"q2'\" = 0\n\"q3'\" = 2\n\"x'\" = {x_dot}\n\"y'\" = {}\n", 0.62 * 0.1_f64.sin());
+        let text = ROLL.replace("u1 = 0.3\nu2 = 4\nu3 = -1.2\n", &rates);
+        Scene::parse(Mechanism::new(rolling()), &text)
+    };
+    let refused = start(1.0).err().unwrap().to_string();
+    assert!(refused.contains("slip_x"), "{refused}");
+    if let Err(refused) = start(0.62 * 0.1_f64.cos()) {
+        panic!("{refused}");
     }
 }
 
