@@ -317,7 +317,7 @@ fn wrong_requests_are_refused_before_anything_is_written() {
     let one = ["--over", "q2=0.1,0.2"];
     for (more, needle) in [
         (&["--shard", "3/2"][..], "there is no part 3 of 2"),
-        (&["--shard", "x"], "--shard is `x`"),
+        (&["--shard", "x"], "the shard is `x`"),
         (&["--threads", "0"], "--threads is 0"),
         (&["--method", "rk5"], "did you mean `rk4`?"),
         (&["--method", "rk4"], "give it a fixed `step`"),
