@@ -101,7 +101,7 @@ pub struct Output {
     pub label: String,
     /// What is computed.
     pub value: Expr,
-    /// The value as comments state it.
+    /// The value as comments state it: before what it shares with others was taken out.
     pub stated: Expr,
 }
 
@@ -234,15 +234,20 @@ impl Builder<'_> {
         let value = self.resolve(value);
         let symbol = self.arena.symbol_name(step.symbol).unwrap_or_default();
         let stated = stated.iter().find(|s| s.symbol == step.symbol).map_or(step.value, |s| s.value);
-        let comment = Some(format!("{symbol} = {}", text(self.arena, stated)));
+        let comment = Some(self.equation(symbol, stated));
         self.lines.push(Line::Step(Statement { name, value, comment }));
     }
 
     fn output(&mut self, output: &Output, name: String) -> Statement {
         let value = self.operand(output.value);
         let value = self.resolve(value);
-        let comment = Some(format!("{} = {}", output.label, text(self.arena, output.stated)));
-        Statement { name, value, comment }
+        Statement { name, value, comment: Some(self.equation(&output.label, output.stated)) }
+    }
+
+    /// What is computed as an equation; the name alone of what stays as it is.
+    fn equation(&self, name: &str, value: Expr) -> String {
+        let stays = self.arena.symbol_name(value) == Some(name);
+        if stays { name.to_owned() } else { format!("{name} = {}", text(self.arena, value)) }
     }
 
     /// A name after what a term holds, or after what needs it first.

@@ -43,9 +43,6 @@ pub fn stated(planned: &Function) -> TokenStream {
     }
     lines.push(" ```text".to_owned());
     for equation in planned.program.equations() {
-        // What stays as it is has no equation.
-        let equation =
-            equation.split_once(" = ").filter(|(symbol, value)| symbol == value).map_or(equation, |(name, _)| name);
         let wrapped = wrap(&visible(equation), EQUATION).into_iter().enumerate();
         lines.extend(wrapped.map(|(at, part)| format!(" {}{part}", if at == 0 { "" } else { "    " })));
     }

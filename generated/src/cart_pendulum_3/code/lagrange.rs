@@ -250,13 +250,13 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 4] {
     let [q0_dot, q1_dot, q2_dot, q3_dot] = *q_dot;
     // Values.
-    // q0' = q0'
+    // q0'
     let q0_dot_value = q0_dot;
-    // q1' = q1'
+    // q1'
     let q1_dot_value = q1_dot;
-    // q2' = q2'
+    // q2'
     let q2_dot_value = q2_dot;
-    // q3' = q3'
+    // q3'
     let q3_dot_value = q3_dot;
     [q0_dot_value, q1_dot_value, q2_dot_value, q3_dot_value]
 }
@@ -501,13 +501,13 @@ pub fn derivative<S: Scalar>(
     let q3_ddot = d1_inv_m3_l2 * q0_ddot.mul_add(c3, g_s3_2_plus_r6_of_motion)
         - q1_ddot * l7 - q2_ddot * l11;
     // Values.
-    // q0' = q0'
+    // q0'
     let q0_dot_value = q0_dot;
-    // q1' = q1'
+    // q1'
     let q1_dot_value = q1_dot;
-    // q2' = q2'
+    // q2'
     let q2_dot_value = q2_dot;
-    // q3' = q3'
+    // q3'
     let q3_dot_value = q3_dot;
     (
         [q0_dot_value, q1_dot_value, q2_dot_value, q3_dot_value],

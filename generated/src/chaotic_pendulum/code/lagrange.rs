@@ -98,9 +98,9 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 2] {
     let [theta_dot, phi_dot] = *q_dot;
     // Values.
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
-    // phi' = phi'
+    // phi'
     let phi_dot_value = phi_dot;
     [theta_dot_value, phi_dot_value]
 }
@@ -211,9 +211,9 @@ pub fn derivative<S: Scalar>(
     // phi'' = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let phi_ddot = theta_dot * theta_ddot_of_theta_dot / IBzz;
     // Values.
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
-    // phi' = phi'
+    // phi'
     let phi_dot_value = phi_dot;
     ([theta_dot_value, phi_dot_value], [theta_ddot, phi_ddot])
 }

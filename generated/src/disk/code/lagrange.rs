@@ -158,15 +158,15 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 5] {
     let [q1_dot, q2_dot, q3_dot, q4_dot, q5_dot] = *q_dot;
     // Values.
-    // q1' = q1'
+    // q1'
     let q1_dot_value = q1_dot;
-    // q2' = q2'
+    // q2'
     let q2_dot_value = q2_dot;
-    // q3' = q3'
+    // q3'
     let q3_dot_value = q3_dot;
-    // q4' = q4'
+    // q4'
     let q4_dot_value = q4_dot;
-    // q5' = q5'
+    // q5'
     let q5_dot_value = q5_dot;
     [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value]
 }
@@ -332,15 +332,15 @@ pub fn derivative<S: Scalar>(
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
     let q3_ddot = (-q2_dot).mul_add(q1_dot_c2, -s2_q1_ddot);
     // Values.
-    // q1' = q1'
+    // q1'
     let q1_dot_value = q1_dot;
-    // q2' = q2'
+    // q2'
     let q2_dot_value = q2_dot;
-    // q3' = q3'
+    // q3'
     let q3_dot_value = q3_dot;
-    // q4' = q4'
+    // q4'
     let q4_dot_value = q4_dot;
-    // q5' = q5'
+    // q5'
     let q5_dot_value = q5_dot;
     (
         [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value],

@@ -317,15 +317,15 @@ pub fn derivative<S: Scalar>(
     // q3'' = q1'*q2'*sin(q2_minus_90deg) - q1''*cos(q2_minus_90deg)
     let q3_ddot = q2_dot.mul_add(q5_ddot_of_q1_dot, -q5_ddot_of_q1_ddot);
     // Values.
-    // q1' = q1'
+    // q1'
     let q1_dot_value = q1_dot;
-    // q2' = q2'
+    // q2'
     let q2_dot_value = q2_dot;
-    // q3' = q3'
+    // q3'
     let q3_dot_value = q3_dot;
-    // q4' = q4'
+    // q4'
     let q4_dot_value = q4_dot;
-    // q5' = q5'
+    // q5'
     let q5_dot_value = q5_dot;
     (
         [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value],

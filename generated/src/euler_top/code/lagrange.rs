@@ -106,11 +106,11 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 3] {
     let [psi_dot, theta_dot, phi_dot] = *q_dot;
     // Values.
-    // psi' = psi'
+    // psi'
     let psi_dot_value = psi_dot;
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
-    // phi' = phi'
+    // phi'
     let phi_dot_value = phi_dot;
     [psi_dot_value, theta_dot_value, phi_dot_value]
 }
@@ -246,11 +246,11 @@ pub fn derivative<S: Scalar>(
     let theta_ddot = psi_dot_sin_theta * (psi_dot_cos_theta - psi_ddot_of_motion)
         + m * l * g * i1_inv * sin_theta;
     // Values.
-    // psi' = psi'
+    // psi'
     let psi_dot_value = psi_dot;
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
-    // phi' = phi'
+    // phi'
     let phi_dot_value = phi_dot;
     ([psi_dot_value, theta_dot_value, phi_dot_value], [psi_ddot, theta_ddot, phi_ddot])
 }

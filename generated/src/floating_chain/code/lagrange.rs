@@ -280,15 +280,15 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 5] {
     let [x_dot, y_dot, theta1_dot, theta2_dot, theta3_dot] = *q_dot;
     // Values.
-    // x' = x'
+    // x'
     let x_dot_value = x_dot;
-    // y' = y'
+    // y'
     let y_dot_value = y_dot;
-    // theta1' = theta1'
+    // theta1'
     let theta1_dot_value = theta1_dot;
-    // theta2' = theta2'
+    // theta2'
     let theta2_dot_value = theta2_dot;
-    // theta3' = theta3'
+    // theta3'
     let theta3_dot_value = theta3_dot;
     [x_dot_value, y_dot_value, theta1_dot_value, theta2_dot_value, theta3_dot_value]
 }
@@ -546,15 +546,15 @@ pub fn derivative<S: Scalar>(
         + theta2_ddot_of_motion * l_by_6
         + l_by_3 * theta1_dot_sq.mul_add(cos_theta1, theta1_ddot * sin_theta1);
     // Values.
-    // x' = x'
+    // x'
     let x_dot_value = x_dot;
-    // y' = y'
+    // y'
     let y_dot_value = y_dot;
-    // theta1' = theta1'
+    // theta1'
     let theta1_dot_value = theta1_dot;
-    // theta2' = theta2'
+    // theta2'
     let theta2_dot_value = theta2_dot;
-    // theta3' = theta3'
+    // theta3'
     let theta3_dot_value = theta3_dot;
     (
         [x_dot_value, y_dot_value, theta1_dot_value, theta2_dot_value, theta3_dot_value],

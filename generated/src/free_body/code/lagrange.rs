@@ -118,17 +118,17 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 6] {
     let [x_dot, y_dot, z_dot, psi_dot, theta_dot, phi_dot] = *q_dot;
     // Values.
-    // x' = x'
+    // x'
     let x_dot_value = x_dot;
-    // y' = y'
+    // y'
     let y_dot_value = y_dot;
-    // z' = z'
+    // z'
     let z_dot_value = z_dot;
-    // psi' = psi'
+    // psi'
     let psi_dot_value = psi_dot;
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
-    // phi' = phi'
+    // phi'
     let phi_dot_value = phi_dot;
     [
         x_dot_value,
@@ -297,17 +297,17 @@ pub fn derivative<S: Scalar>(
     // theta'' = psi'*sin(theta)*(psi'*cos(theta) - I3*(psi'*cos(theta) + phi')/I1)
     let theta_ddot = psi_dot_sin_theta * (psi_dot_cos_theta - psi_ddot_of_motion);
     // Values.
-    // x' = x'
+    // x'
     let x_dot_value = x_dot;
-    // y' = y'
+    // y'
     let y_dot_value = y_dot;
-    // z' = z'
+    // z'
     let z_dot_value = z_dot;
-    // psi' = psi'
+    // psi'
     let psi_dot_value = psi_dot;
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
-    // phi' = phi'
+    // phi'
     let phi_dot_value = phi_dot;
     (
         [

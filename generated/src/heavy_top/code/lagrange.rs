@@ -112,11 +112,11 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 3] {
     let [q1_dot, q2_dot, q3_dot] = *q_dot;
     // Values.
-    // q1' = q1'
+    // q1'
     let q1_dot_value = q1_dot;
-    // q2' = q2'
+    // q2'
     let q2_dot_value = q2_dot;
-    // q3' = q3'
+    // q3'
     let q3_dot_value = q3_dot;
     [q1_dot_value, q2_dot_value, q3_dot_value]
 }
@@ -253,11 +253,11 @@ pub fn derivative<S: Scalar>(
     let q2_ddot = i1_inv
         * (q1_dot_c2 * (q1_ddot_of_motion - i1_q1_dot_s2) + m_l_g * c1 * s2);
     // Values.
-    // q1' = q1'
+    // q1'
     let q1_dot_value = q1_dot;
-    // q2' = q2'
+    // q2'
     let q2_dot_value = q2_dot;
-    // q3' = q3'
+    // q3'
     let q3_dot_value = q3_dot;
     ([q1_dot_value, q2_dot_value, q3_dot_value], [q1_ddot, q2_ddot, q3_ddot])
 }

@@ -249,11 +249,11 @@ pub fn derivative<S: Scalar>(
         * (-q3_ddot_of_q1_dot * (q1_ddot_of_motion - i1_q1_ddot_of_q1_dot)
             + m_l_g * c1 * cos_q2_minus_90deg);
     // Values.
-    // q1' = q1'
+    // q1'
     let q1_dot_value = q1_dot;
-    // q2' = q2'
+    // q2'
     let q2_dot_value = q2_dot;
-    // q3' = q3'
+    // q3'
     let q3_dot_value = q3_dot;
     ([q1_dot_value, q2_dot_value, q3_dot_value], [q1_ddot, q2_ddot, q3_ddot])
 }

@@ -71,7 +71,7 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 1] {
     let [theta_dot] = *q_dot;
     // Values.
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
     [theta_dot_value]
 }
@@ -159,7 +159,7 @@ pub fn derivative<S: Scalar>(
     // theta'' = -g*sin(theta)/l
     let theta_ddot = -g * sin_theta / l;
     // Values.
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
     ([theta_dot_value], [theta_ddot])
 }

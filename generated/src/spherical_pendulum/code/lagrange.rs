@@ -89,9 +89,9 @@ pub fn coordinate_rates<S: Scalar>(
 ) -> [S; 2] {
     let [theta_dot, phi_dot] = *q_dot;
     // Values.
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
-    // phi' = phi'
+    // phi'
     let phi_dot_value = phi_dot;
     [theta_dot_value, phi_dot_value]
 }
@@ -202,9 +202,9 @@ pub fn derivative<S: Scalar>(
     // theta'' = sin(theta)*(phi'^2*cos(theta) - g/l)
     let theta_ddot = sin_theta * phi_dot.mul_add(phi_dot_cos_theta, -g / l);
     // Values.
-    // theta' = theta'
+    // theta'
     let theta_dot_value = theta_dot;
-    // phi' = phi'
+    // phi'
     let phi_dot_value = phi_dot;
     ([theta_dot_value, phi_dot_value], [theta_ddot, phi_ddot])
 }

@@ -78,21 +78,21 @@ pub fn constants<S: Scalar>(
 ) -> [S; 9] {
     let super::super::super::Parameters { m0, m1, m2, m3, l0, l1, l2, g, .. } = *p;
     // Values.
-    // m0 = m0
+    // m0
     let m0_value = m0;
-    // m1 = m1
+    // m1
     let m1_value = m1;
-    // m2 = m2
+    // m2
     let m2_value = m2;
-    // m3 = m3
+    // m3
     let m3_value = m3;
-    // l0 = l0
+    // l0
     let l0_value = l0;
-    // l1 = l1
+    // l1
     let l1_value = l1;
-    // l2 = l2
+    // l2
     let l2_value = l2;
-    // g = g
+    // g
     let g_value = g;
     // m3_l2 = m3*l2
     let m3_l2_value = m3 * l2;
@@ -121,21 +121,21 @@ pub fn start<S: Scalar>(
     let [q0, q1, q2, q3] = *q;
     let [u0, u1, u2, u3] = *u;
     // Values.
-    // q1 = q1
+    // q1
     let q1_value = q1;
-    // q2 = q2
+    // q2
     let q2_value = q2;
-    // q3 = q3
+    // q3
     let q3_value = q3;
-    // q0 = q0
+    // q0
     let q0_value = q0;
-    // u1 = u1
+    // u1
     let u1_value = u1;
-    // u2 = u2
+    // u2
     let u2_value = u2;
-    // u3 = u3
+    // u3
     let u3_value = u3;
-    // u0 = u0
+    // u0
     let u0_value = u0;
     ([q1_value, q2_value, q3_value, q0_value], [u1_value, u2_value, u3_value, u0_value])
 }
@@ -361,21 +361,21 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 4], u: &[S; 4]) -> 
     let [q1, q2, q3, q0] = *q;
     let [u1, u2, u3, u0] = *u;
     // Values.
-    // q0 = q0
+    // q0
     let q0_value = q0;
-    // q1 = q1
+    // q1
     let q1_value = q1;
-    // q2 = q2
+    // q2
     let q2_value = q2;
-    // q3 = q3
+    // q3
     let q3_value = q3;
-    // u0 = u0
+    // u0
     let u0_value = u0;
-    // u1 = u1
+    // u1
     let u1_value = u1;
-    // u2 = u2
+    // u2
     let u2_value = u2;
-    // u3 = u3
+    // u3
     let u3_value = u3;
     [q0_value, q1_value, q2_value, q3_value, u0_value, u1_value, u2_value, u3_value]
 }

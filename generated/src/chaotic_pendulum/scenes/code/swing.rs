@@ -96,21 +96,21 @@ pub fn constants<S: Scalar>(
     // Shared terms.
     let ma_la = mA * lA;
     // Values.
-    // mA = mA
+    // mA
     let mA_value = mA;
-    // lA = lA
+    // lA
     let lA_value = lA;
-    // lB = lB
+    // lB
     let lB_value = lB;
-    // IAxx = IAxx
+    // IAxx
     let IAxx_value = IAxx;
-    // IBxx = IBxx
+    // IBxx
     let IBxx_value = IBxx;
-    // IByy = IByy
+    // IByy
     let IByy_value = IByy;
-    // IBzz = IBzz
+    // IBzz
     let IBzz_value = IBzz;
-    // g = g
+    // g
     let g_value = g;
     // lB_times_3 = 3*lB
     let lB_times_3_value = S::int(3) * lB;
@@ -151,13 +151,13 @@ pub fn start<S: Scalar>(
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
     // Values.
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // phi = phi
+    // phi
     let phi_value = phi;
-    // omega = omega
+    // omega
     let omega_value = omega;
-    // alpha = alpha
+    // alpha
     let alpha_value = alpha;
     ([theta_value, phi_value], [omega_value, alpha_value])
 }
@@ -266,13 +266,13 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 2]) -> 
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
     // Values.
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // phi = phi
+    // phi
     let phi_value = phi;
-    // omega = omega
+    // omega
     let omega_value = omega;
-    // alpha = alpha
+    // alpha
     let alpha_value = alpha;
     [theta_value, phi_value, omega_value, alpha_value]
 }

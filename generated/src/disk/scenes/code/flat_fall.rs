@@ -104,9 +104,9 @@ pub fn constants<S: Scalar>(
     let s2_s1 = s1 * s2;
     let u3_doubled = S::int(2) * u3;
     // Values.
-    // g = g
+    // g
     let g_value = g;
-    // u3 = u3
+    // u3
     let u3_value = u3;
     // p_q4 = u1*sin(q1)*cos(q2) - u2*cos(q1)*tan(q2) + u4
     let p_q4_value = u1_c2.mul_add(s1, u4) - u2_c2_inv * s2_c1;
@@ -152,11 +152,11 @@ pub fn start<S: Scalar>(
     // Values.
     // q2_minus_90deg = q2 - pi/2
     let q2_minus_90deg_value = q2 - S::ratio(1, 2) * S::pi();
-    // q3 = q3
+    // q3
     let q3_value = q3;
-    // q1 = q1
+    // q1
     let q1_value = q1;
-    // u1 = u1
+    // u1
     let u1_value = u1;
     ([q2_minus_90deg_value, q3_value, q1_value], [u1_value])
 }
@@ -294,19 +294,19 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
     let u4 = u1_sin_q2_minus_90deg.mul_add(s1, p_q4)
         - u5_of_place * c1_cos_q2_minus_90deg;
     // Values.
-    // q1 = q1
+    // q1
     let q1_value = q1;
     // q2 = pi/2 + q2_minus_90deg
     let q2_value = S::ratio(1, 2) * S::pi() + q2_minus_90deg;
-    // q3 = q3
+    // q3
     let q3_value = q3;
     // q4 = sin(q1)*cos(q2_minus_90deg) + p_q4*t + centre_q4
     let q4_value = p_q4.mul_add(t, centre_q4) + s1_cos_q2_minus_90deg;
     // q5 = p_q5*t - cos(q1)*cos(q2_minus_90deg) + centre_q5
     let q5_value = p_q5.mul_add(t, centre_q5) - c1_cos_q2_minus_90deg;
-    // u1 = u1
+    // u1
     let u1_value = u1;
-    // u3 = u3
+    // u3
     let u3_value = u3;
     [q1_value, q2_value, q3_value, q4_value, q5_value, u1_value, u2, u3_value, u4, u5]
 }

@@ -62,9 +62,9 @@ pub fn constants<S: Scalar>(
     // Shared terms.
     let u3_doubled = S::int(2) * u3;
     // Values.
-    // g = g
+    // g
     let g_value = g;
-    // u3 = u3
+    // u3
     let u3_value = u3;
     // H_a3_scaled = u2*cos(q2) + 2*u3*sin(q2)
     let H_a3_scaled_value = u3_doubled.mul_add(s2, u2 * c2);
@@ -87,9 +87,9 @@ pub fn start<S: Scalar>(
     let [_, q2, _, _, _] = *q;
     let [u1, _, _, _, _] = *u;
     // Values.
-    // q2 = q2
+    // q2
     let q2_value = q2;
-    // u1 = u1
+    // u1
     let u1_value = u1;
     ([q2_value], [u1_value])
 }
@@ -174,9 +174,9 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 1], u: &[S; 1]) -> 
     let [q2] = *q;
     let [u1] = *u;
     // Values.
-    // q2 = q2
+    // q2
     let q2_value = q2;
-    // u1 = u1
+    // u1
     let u1_value = u1;
     [q2_value, u1_value]
 }

@@ -84,15 +84,15 @@ pub fn constants<S: Scalar>(
     // Shared terms.
     let i3_u3 = I3 * u3;
     // Values.
-    // m = m
+    // m
     let m_value = m;
-    // l = l
+    // l
     let l_value = l;
-    // I1 = I1
+    // I1
     let I1_value = I1;
-    // I3 = I3
+    // I3
     let I3_value = I3;
-    // g = g
+    // g
     let g_value = g;
     // p_psi_there = I1*u2*sin(theta) + I3*u3*(cos(theta) - 1)
     let p_psi_there_value = i3_u3 * (cos_theta - S::int(1)) + I1 * u2 * sin_theta;
@@ -127,13 +127,13 @@ pub fn start<S: Scalar>(
     let [psi, theta, phi] = *q;
     let [u1, _, _] = *u;
     // Values.
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // phi = phi
+    // phi
     let phi_value = phi;
-    // psi = psi
+    // psi
     let psi_value = psi;
-    // u1 = u1
+    // u1
     let u1_value = u1;
     ([theta_value, phi_value, psi_value], [u1_value])
 }
@@ -248,13 +248,13 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 1]) -> [
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
     // Values.
-    // psi = psi
+    // psi
     let psi_value = psi;
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // phi = phi
+    // phi
     let phi_value = phi;
-    // u1 = u1
+    // u1
     let u1_value = u1;
     [psi_value, theta_value, phi_value, u1_value, u2, u3]
 }

@@ -140,9 +140,9 @@ pub fn constants<S: Scalar>(
     let m_l_times_3_by_2 = S::ratio(3, 2) * m_l;
     let l_by_6_2 = S::ratio(1, 6) * l;
     // Values.
-    // m = m
+    // m
     let m_value = m;
-    // l = l
+    // l
     let l_value = l;
     // p_x = m*(6*u1 - l*(2*u3*sin(theta1) + 3*u4*sin(theta2) + u5*sin(theta3)))/2
     let p_x_value = (-p_x_value_of_place_2).mul_add(m_l_halved, u1 * m_times_3);
@@ -203,7 +203,7 @@ pub fn start<S: Scalar>(
     let theta2_from_theta1_value = theta2 - theta1;
     // theta3_from_theta1 = theta3 - theta1
     let theta3_from_theta1_value = theta3 - theta1;
-    // theta1 = theta1
+    // theta1
     let theta1_value = theta1;
     // u4_from_u3 = u4 - u3
     let u4_from_u3_value = u4 - u3;
@@ -759,7 +759,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     // y = (p_y*t + centre_y)/(3*m) - l*(2*sin(theta1) + 3*sin(theta1 + theta2_from_theta1) + sin(theta1 +
     //   theta3_from_theta1))/6
     let y_value = m_inv_by_3 * p_y.mul_add(t, centre_y) - u1_of_place_3 * l_by_6_2;
-    // theta1 = theta1
+    // theta1
     let theta1_value = theta1;
     // theta2 = theta1 + theta2_from_theta1
     let theta2_value = theta1 + theta2_from_theta1;

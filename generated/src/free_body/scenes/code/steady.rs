@@ -111,7 +111,7 @@ pub fn constants<S: Scalar>(
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Values.
-    // I1 = I1
+    // I1
     let I1_value = I1;
     // p_x = 2*v1
     let p_x_value = S::int(2) * v1;
@@ -122,7 +122,7 @@ pub fn constants<S: Scalar>(
     // p_psi_there = I1*w2*sin(theta) + w3*(cos(theta) - 1)/2
     let p_psi_there_value = S::ratio(1, 2) * w3 * (cos_theta - S::int(1))
         + I1 * w2 * sin_theta;
-    // w3 = w3
+    // w3
     let w3_value = w3;
     // centre_x = 2*x
     let centre_x_value = S::int(2) * x;
@@ -167,13 +167,13 @@ pub fn start<S: Scalar>(
     let [_, _, _, psi, theta, phi] = *q;
     let [_, _, _, w1, _, _] = *u;
     // Values.
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // phi = phi
+    // phi
     let phi_value = phi;
-    // psi = psi
+    // psi
     let psi_value = psi;
-    // w1 = w1
+    // w1
     let w1_value = w1;
     ([theta_value, phi_value, psi_value], [w1_value])
 }
@@ -306,15 +306,15 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
     let y_value = p_y.mul_add(t_halved, S::ratio(1, 2) * centre_y);
     // z = p_z*t/2 + centre_z/2
     let z_value = p_z.mul_add(t_halved, S::ratio(1, 2) * centre_z);
-    // psi = psi
+    // psi
     let psi_value = psi;
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // phi = phi
+    // phi
     let phi_value = phi;
-    // w1 = w1
+    // w1
     let w1_value = w1;
-    // w3 = w3
+    // w3
     let w3_value = w3;
     [
         x_value,

@@ -63,15 +63,15 @@ pub fn constants<S: Scalar>(
     let super::super::super::Parameters { m, l, I1, I3, g } = *p;
     let [_, _, u3] = *u;
     // Values.
-    // m = m
+    // m
     let m_value = m;
-    // l = l
+    // l
     let l_value = l;
-    // I1 = I1
+    // I1
     let I1_value = I1;
-    // I3 = I3
+    // I3
     let I3_value = I3;
-    // g = g
+    // g
     let g_value = g;
     // p_q3 = I3*u3
     let p_q3_value = I3 * u3;
@@ -92,15 +92,15 @@ pub fn start<S: Scalar>(
     let [q1, q2, q3] = *q;
     let [u1, u2, _] = *u;
     // Values.
-    // q1 = q1
+    // q1
     let q1_value = q1;
-    // q2 = q2
+    // q2
     let q2_value = q2;
-    // q3 = q3
+    // q3
     let q3_value = q3;
-    // u1 = u1
+    // u1
     let u1_value = u1;
-    // u2 = u2
+    // u2
     let u2_value = u2;
     ([q1_value, q2_value, q3_value], [u1_value, u2_value])
 }
@@ -200,15 +200,15 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 2]) -> [
     // u3 = p_q3/I3
     let u3 = p_q3 / I3;
     // Values.
-    // q1 = q1
+    // q1
     let q1_value = q1;
-    // q2 = q2
+    // q2
     let q2_value = q2;
-    // q3 = q3
+    // q3
     let q3_value = q3;
-    // u1 = u1
+    // u1
     let u1_value = u1;
-    // u2 = u2
+    // u2
     let u2_value = u2;
     [q1_value, q2_value, q3_value, u1_value, u2_value, u3]
 }

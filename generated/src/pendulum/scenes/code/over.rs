@@ -42,7 +42,7 @@ pub fn constants<S: Scalar>(
 ) -> [S; 1] {
     let super::super::super::Parameters { g, .. } = *p;
     // Values.
-    // g = g
+    // g
     let g_value = g;
     [g_value]
 }
@@ -59,9 +59,9 @@ pub fn start<S: Scalar>(
     let [theta] = *q;
     let [omega] = *u;
     // Values.
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // omega = omega
+    // omega
     let omega_value = omega;
     ([theta_value], [omega_value])
 }
@@ -133,9 +133,9 @@ pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 1], u: &[S; 1]) -> 
     let [theta] = *q;
     let [omega] = *u;
     // Values.
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // omega = omega
+    // omega
     let omega_value = omega;
     [theta_value, omega_value]
 }

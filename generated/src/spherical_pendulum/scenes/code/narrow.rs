@@ -48,7 +48,7 @@ pub fn constants<S: Scalar>(
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
     // Values.
-    // g = g
+    // g
     let g_value = g;
     // p_phi = u2*sin(theta)
     let p_phi_value = u2 * sin_theta;
@@ -67,11 +67,11 @@ pub fn start<S: Scalar>(
     let [theta, phi] = *q;
     let [u1, _] = *u;
     // Values.
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // phi = phi
+    // phi
     let phi_value = phi;
-    // u1 = u1
+    // u1
     let u1_value = u1;
     ([theta_value, phi_value], [u1_value])
 }
@@ -161,11 +161,11 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 1]) -> [
     // u2 = p_phi/sin(theta)
     let u2 = p_phi / sin_theta;
     // Values.
-    // theta = theta
+    // theta
     let theta_value = theta;
-    // phi = phi
+    // phi
     let phi_value = phi;
-    // u1 = u1
+    // u1
     let u1_value = u1;
     [theta_value, phi_value, u1_value, u2]
 }
