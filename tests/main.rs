@@ -2,11 +2,15 @@
 
 mod agreement;
 mod arrows;
+mod battery;
 mod circles;
 mod exact_motions;
 mod fresh;
 mod interpreted;
 mod lanes;
+#[path = "support/mechanism.rs"]
+#[allow(dead_code, reason = "the battery uses its part")]
+mod mechanism;
 mod mutations;
 mod operation_counts;
 mod peers;
@@ -16,6 +20,7 @@ mod rolling_wheel;
 mod stability;
 mod stability_of_methods;
 mod support;
+use support as spoilt;
 #[path = "support/sympy.rs"]
 mod sympy;
 mod sympy_reference;

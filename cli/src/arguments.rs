@@ -154,6 +154,9 @@ pub struct Simulate {
     /// Replace the file of --csv whatever its name is; never what the run reads
     #[arg(long, requires = "csv")]
     pub overwrite: bool,
+    /// End with status 3 also where a warning says not to trust the run, or where its digits are not assessed
+    #[arg(long)]
+    pub strict: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

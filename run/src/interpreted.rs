@@ -11,7 +11,7 @@ use tripos_derive::algebra::evaluate::{Numeric, Tape, UnknownSymbol};
 use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::steps::{Definition, needed};
-use tripos_derive::mechanics::{Derivation, Solved, energy_gradient};
+use tripos_derive::mechanics::{Derivation, Divisors, Solved, energy_gradient};
 use tripos_derive::reduce::Reduction;
 use tripos_traits::{DoubleDouble, Lengths, System};
 
@@ -56,6 +56,8 @@ enum Part {
     GeneralizedSpeeds,
     GeneralizedSpeedRates,
     MotionVariables,
+    /// What is divided by and might be zero somewhere.
+    Divisors,
     KineticEnergy,
     PotentialEnergy,
 }
@@ -89,6 +91,8 @@ pub struct Interpreted<S = f64> {
     tapes: [Option<Tape<S>>; Part::PotentialEnergy as usize + 1],
     /// The recurrences of the Taylor coefficients.
     series: Option<Series<S>>,
+    /// What people call the divisors that are watched.
+    divisors: Vec<String>,
     /// Room for the inputs of a tape, and for its values.
     work: Room<(Vec<S>, Vec<S>)>,
     /// Room for q̇ and v̇.
@@ -120,7 +124,10 @@ impl Interpreted {
         tape(Part::MotionVariables, &[p.clone(), q.clone(), model.u()].concat(), &e.motion_variables)?;
         tape(Part::KineticEnergy, &state, &[e.kinetic_energy])?;
         tape(Part::PotentialEnergy, &[p.clone(), q.clone()].concat(), &[e.potential_energy])?;
+        let divisors = Divisors::of(arena, e, None);
+        tape(Part::Divisors, &state, &divisors.values)?;
         Ok(Self {
+            divisors: divisors.names(arena),
             lengths: Lengths {
                 parameters: p.len(),
                 coordinates: q.len(),
@@ -144,6 +151,8 @@ impl Interpreted {
     pub fn solved(mut self, derivation: &Derivation) -> Result<Self, NotInterpreted> {
         let Derivation { mut arena, equations: e } = derivation.clone();
         let Solved { accelerations, jacobian } = Solved::new(&mut arena, &e)?;
+        let divisors = Divisors::of(&arena, &e, Some(&accelerations));
+        self.divisors = divisors.names(&arena);
         let parameters = &self.state[..self.lengths.parameters];
         let recurrences = recurrences_of(&mut arena, &e, &accelerations);
         self.series = recurrences.map(|list| Series::new(&arena, parameters, &list)).transpose()?;
@@ -153,6 +162,7 @@ impl Interpreted {
         self.tapes[Part::Accelerations as usize] = Some(tape(&accelerations.steps, rates)?);
         self.tapes[Part::Derivative as usize] = Some(tape(&accelerations.steps, &both)?);
         self.tapes[Part::Jacobian as usize] = Some(tape(&jacobian.steps, &jacobian.entries.concat())?);
+        self.tapes[Part::Divisors as usize] = Some(tape(&divisors.steps, &divisors.values)?);
         Ok(self)
     }
 
@@ -195,6 +205,7 @@ impl Interpreted {
             lengths: self.lengths,
             state: self.state.clone(),
             symmetric: self.symmetric,
+            divisors: self.divisors.clone(),
             tapes: self.tapes.each_ref().map(|tape| tape.as_ref().map(Tape::to)),
             series: self.series.as_ref().map(Series::to),
             work: Room::default(),
@@ -312,6 +323,15 @@ impl<S: Numeric> System<S> for Interpreted<S> {
     }
     fn motion_variables(&self, p: &[S], q: &[S], u: &[S], out: &mut [S]) {
         self.run(Part::MotionVariables, &[p, q, u], out);
+    }
+    fn divisor_count(&self) -> usize {
+        self.divisors.len()
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        &self.divisors[at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.run(Part::Divisors, &[p, q, v], out);
     }
     fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
         self.value(Part::KineticEnergy, &[p, q, v])

@@ -23,6 +23,7 @@ pub mod case;
 pub mod chart;
 pub mod code;
 pub mod compared;
+mod digits;
 mod error;
 pub mod figure;
 pub mod follow;
@@ -46,6 +47,7 @@ pub mod sweep;
 mod trust;
 mod watched;
 
+pub use digits::Digits;
 pub use error::Error;
 pub use how::method_words;
 pub use invariants::{Conserved, Course, Drift, Watch};

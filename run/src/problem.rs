@@ -118,6 +118,22 @@ impl<'a> Problem<'a> {
         Ok(Self { mechanism, model, scene, shown: scene, by, code, solve: wanted.unwrap_or(natural), origin })
     }
 
+    /// These equations with another scene: one with other numbers.
+    #[must_use]
+    pub fn with_scene<'b>(&self, scene: &'b Scene) -> Problem<'b>
+    where
+        'a: 'b,
+    {
+        let Self { mechanism, model, shown, by, code, solve, origin, .. } = *self;
+        Problem { mechanism, model, scene, shown, by, code, solve, origin }
+    }
+
+    /// Whether the run can be made by Taylor coefficients.
+    #[must_use]
+    pub fn has_series(&self) -> bool {
+        self.solve == Solve::Eliminated && self.system().has_taylor()
+    }
+
     /// The equations in doubles.
     #[must_use]
     pub fn system(&self) -> &'a dyn System<f64> {

@@ -1,10 +1,10 @@
 //! What came out of one run of a scene.
 
 use crate::code::{Code, Form};
+use crate::digits::Digits;
 use crate::error::{Error, refused};
 use crate::invariants::{Course, Drift, Watch};
 use crate::problem::Problem;
-use crate::shown::Shown;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, EventRecord, Solution};
@@ -33,6 +33,8 @@ pub struct Run {
     pub energies: Vec<(f64, f64)>,
     /// What is shown at the end.
     pub end: Vec<f64>,
+    /// How many digits of what is shown are right; nothing if the run took no step or was interrupted.
+    pub digits: Option<Digits>,
     /// Largest change of total energy over the samples, J, if it is known.
     pub energy_drift: Option<f64>,
     /// How much each first integral that was watched changed.
@@ -73,6 +75,12 @@ impl Run {
         self.failure().into_iter().chain(self.warnings.iter().cloned()).collect()
     }
 
+    /// Whether the run can be trusted to its end: nothing objects to it, and its digits were assessed.
+    #[must_use]
+    pub fn is_trusted(&self) -> bool {
+        self.objections().is_empty() && self.digits.as_ref().is_none_or(Digits::is_complete)
+    }
+
     /// Why the run could not go on, or what it does not give; nothing if it gives all that was asked for.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
@@ -83,7 +91,7 @@ impl Run {
     ///
     /// # Errors
     /// As [`Problem::near_divisors`].
-    pub fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
+    pub(crate) fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
         self.missing = None;
         let Solution { t, y, t_end, y_end, .. } = &self.solution;
         // The last sample is the end, unless only some instants were asked for.
@@ -101,22 +109,6 @@ impl Run {
         let near = problem.near_divisors(y)?;
         self.missing = Some(format!("`{}` has no value at t = {t} s{more}{near}", self.names[which]));
         Ok(())
-    }
-
-    /// Shows outputs beside the states of a run by whole equations.
-    ///
-    /// # Errors
-    /// [`Error`] if a value that is shown cannot be computed.
-    pub fn show(&mut self, shown: &Shown, problem: &Problem<'_>) -> Result<(), Error> {
-        if !shown.is_more() {
-            return Ok(());
-        }
-        let Solution { t, y, t_end, y_end, .. } = &self.solution;
-        let states = t.iter().zip(y).map(|(t, y)| shown.of(problem, *t, y));
-        self.states = states.collect::<Result<_, _>>()?;
-        self.end = shown.of(problem, *t_end, y_end)?;
-        self.names.clone_from(&shown.names);
-        self.look_for_missing(problem)
     }
 
     /// Everything watched along the run, which was by this code.

@@ -76,12 +76,6 @@ impl Shown {
         Ok(Self { names, outputs: Some(outputs) })
     }
 
-    /// Whether it is more than the state.
-    #[must_use]
-    pub fn is_more(&self) -> bool {
-        self.outputs.is_some()
-    }
-
     /// What an integrated state of whole equations shows.
     ///
     /// # Errors

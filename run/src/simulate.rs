@@ -1,6 +1,7 @@
 //! Runs of scenes: by their own reduced equations, or by whole ones, and what is made of them.
 
 use crate::code::{Code, Ready, by_or_first, code};
+use crate::digits::{Digits, Values, assess};
 use crate::error::{Error, refused};
 use crate::how::options;
 use crate::invariants::Watch;
@@ -15,7 +16,7 @@ use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;
 use tripos_derive::reduce::Ground;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
-use tripos_sim::Solution;
+use tripos_sim::{Solution, Stop};
 use tripos_traits::larger;
 
 /// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced
@@ -40,17 +41,53 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
             let reduced = Reduced::of_ground(&ground, mechanism, scene)?;
             // Quadrature needs the one degree of freedom that only a reduction has.
             let may_run_whole = by.is_none() && scene.integration.method != QUADRATURE;
+            let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
             match if may_run_whole { reduced.no_gain(mechanism)? } else { None } {
-                None => run_reduced(mechanism, scene, &ground, &reduced),
+                None => {
+                    let run = run_reduced(mechanism, scene, &ground, &reduced, watch.as_ref())?;
+                    if may_run_whole { taken_through(mechanism, scene, watch.as_ref(), run) } else { Ok(run) }
+                }
                 Some(why) => {
                     let by = by_or_first(mechanism, None)?;
-                    let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
-                    let notes = vec![format!("whole equations are run: {why}")];
-                    Ok(Run { notes, ..run_whole(mechanism, scene, &by, watch.as_ref())? })
+                    let mut run = run_whole(mechanism, scene, &by, watch.as_ref())?;
+                    run.notes.insert(0, format!("whole equations are run: {why}"));
+                    taken_through(mechanism, scene, watch.as_ref(), run)
                 }
             }
         }
     }
+}
+
+/// A run that ended where its equations divide by zero, taken through by other equations of the same motion if there
+/// are such: Kane's, or Lagrange's, whose motion variables are the rates. They show all states.
+fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, run: Run) -> Result<Run, Error> {
+    let Stop::Singular { divisor } = &run.solution.stop else { return Ok(run) };
+    let t = run.solution.t_end;
+    for formulation in [Formulation::Kane, Formulation::Lagrange] {
+        let by = By::from(formulation);
+        if by == run.by {
+            continue;
+        }
+        let mut other = match run_whole(mechanism, scene, &by, watch) {
+            Ok(other) => other,
+            // A formulation that the model does not have takes nothing through.
+            Err(Error::Unsupported(_) | Error::Stopped(_)) => continue,
+            Err(error) => return Err(error),
+        };
+        let further = (other.solution.t_end - t) * (scene.span.1 - scene.span.0).signum() > 0.0;
+        if further && !other.solution.stop.is_failure() {
+            other.notes.insert(
+                0,
+                format!(
+                    "{} are run, since {} divide by {divisor}, which is 0 at t = {t} s",
+                    other.by.title(),
+                    run.by.title()
+                ),
+            );
+            return Ok(other);
+        }
+    }
+    Ok(run)
 }
 
 /// Runs a scene by one set of equations, and shows what it asks for.
@@ -65,9 +102,7 @@ pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
 fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -> Result<Run, Error> {
     let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
-    let mut run = run_problem(&problem, watch)?;
-    run.show(&Shown::new(model, scene)?, &problem)?;
-    Ok(run)
+    run_shown(&problem, watch, Some(&Shown::new(model, scene)?))
 }
 
 /// Runs a scene by its own reduced equations. Where they have no value at the start, since what determines a speed
@@ -75,21 +110,26 @@ fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -
 ///
 /// # Errors
 /// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
-fn run_reduced(model: &Mechanism, scene: &Scene, ground: &Ground, reduced: &Reduced) -> Result<Run, Error> {
+fn run_reduced(
+    model: &Mechanism,
+    scene: &Scene,
+    ground: &Ground,
+    reduced: &Reduced,
+    watch: Option<&Watch>,
+) -> Result<Run, Error> {
     // Integrals of the whole are functions of all states, which a scene may not show.
-    let watch = !scene.states_outputs && is_proved(model);
-    let watch = watch.then(|| Watch::of_ground(model, ground)).transpose()?;
+    let watch = watch.filter(|_| !scene.states_outputs);
     let code = reduced.code(model)?;
     let singular = Problem::reduced(model, reduced, scene, &code)?.singular_start()?;
     let (Some(singular), false) = (singular, reduced.constants().next().is_none()) else {
-        return run_own(model, scene, (reduced, &code), watch.as_ref());
+        return run_own(model, scene, (reduced, &code), watch);
     };
     let plain = Reduced::without_momenta(ground, model, scene)?;
     let code = plain.code(model)?;
     if Problem::reduced(model, &plain, scene, &code)?.singular_start()?.is_some() {
         return Err(Error::Stopped(format!("the run cannot start: {singular}")));
     }
-    let mut run = run_own(model, scene, (&plain, &code), watch.as_ref())?;
+    let mut run = run_own(model, scene, (&plain, &code), watch)?;
     run.warnings.insert(0, format!("no momentum is held, since {singular}"));
     Ok(run)
 }
@@ -135,7 +175,7 @@ pub fn whole_energies(model: &Mechanism, scene: &Scene, reduced: &Reduced, run: 
 }
 
 /// The names of what a run shows: of the outputs of a scene, or of coordinates and generalized speeds.
-fn shown(problem: &Problem<'_>) -> Vec<String> {
+fn shown_names(problem: &Problem<'_>) -> Vec<String> {
     if problem.by.is_reduced() {
         problem.shown.outputs.iter().map(|o| o.name.clone()).collect()
     } else {
@@ -168,21 +208,40 @@ pub fn run_code(model: &Mechanism, scene: &Scene, by: &By, code: &Code, watch: O
     run_problem(&Problem::new(model, scene, by, code, None)?, watch)
 }
 
-/// Runs a problem over the span of its scene, as the scene says.
+/// Runs a problem over the span of its scene, as the scene says, and shows its states.
 ///
 /// # Errors
 /// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
 pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Error> {
+    run_shown(problem, watch, None)
+}
+
+/// Runs a problem, and shows this of its states.
+fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>) -> Result<Run, Error> {
     let scene = problem.scene;
     let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;
     let y0 = problem.start()?;
     let mut events = events(problem, &balance);
-    let solution = problem.solve(&y0, &options(scene)?, &mut events)?;
+    let options = options(scene)?;
+    let solution = problem.solve(&y0, &options, &mut events)?;
     drop(events);
-    finish(problem, solution, watch)
+    let values = |problem: &Problem<'_>, t: f64, y: &[f64]| match shown {
+        Some(shown) => shown.of(problem, t, y),
+        None => Ok(problem.state(t, y)),
+    };
+    let names = shown.map_or_else(|| shown_names(problem), |shown| shown.names.clone());
+    let digits = assess(problem, &y0, &options, &solution, &values)?;
+    finish(problem, solution, watch, names, digits, &values)
 }
 
-fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> Result<Run, Error> {
+fn finish(
+    problem: &Problem<'_>,
+    solution: Solution,
+    watch: Option<&Watch>,
+    names: Vec<String>,
+    digits: Option<Digits>,
+    values: &Values<'_>,
+) -> Result<Run, Error> {
     let scene = problem.scene;
     let (system, p) = (problem.system(), scene.parameters.as_slice());
     let dynamics = problem.dynamics().map_err(|error| refused(scene, &error))?;
@@ -192,24 +251,31 @@ fn finish(problem: &Problem<'_>, solution: Solution, watch: Option<&Watch>) -> R
     };
     let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
     let energy_drift = dynamics.energy_drift(&solution);
-    let warnings = trust::objections(problem, &solution, watch, energy_drift)?;
+    let warnings = trust::objections(problem, &solution, watch, energy_drift, (digits.as_ref(), &names))?;
     let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
-    let names = problem.variables();
-    let at = if solution.stop.is_failure() { problem.near_divisors(&solution.y_end)? } else { String::new() };
+    let variables = problem.variables();
+    let names_place = matches!(solution.stop, Stop::Singular { .. });
+    let at = if solution.stop.is_failure() && !names_place {
+        problem.near_divisors(&solution.y_end)?
+    } else {
+        String::new()
+    };
+    let states = solution.t.iter().zip(&solution.y).map(|(t, y)| values(problem, *t, y));
     let mut run = Run {
-        why: solution.stop.described(&names) + &at,
-        ending: solution.described(&names) + &at,
+        why: solution.stop.described(&variables) + &at,
+        ending: solution.described(&variables) + &at,
         missing: None,
         drifts,
         by: problem.by.clone(),
         code: problem.code.form(),
         solve: problem.solve,
-        states: solution.t.iter().zip(&solution.y).map(|(t, y)| problem.state(*t, y)).collect(),
+        states: states.collect::<Result<_, _>>()?,
         energies,
-        names: shown(problem),
-        end: problem.state(solution.t_end, &solution.y_end),
+        names,
+        end: values(problem, solution.t_end, &solution.y_end)?,
         energy_drift: Some(energy_drift),
-        notes: Vec::new(),
+        notes: digits.as_ref().and_then(trust::unassessed).into_iter().collect(),
+        digits,
         warnings,
         solution,
     };

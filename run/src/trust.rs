@@ -2,31 +2,20 @@
 //!
 //! Every objection comes with its figure. None is raised by a clock: the same run gives the same objections.
 
+use crate::digits::{Digits, FEW};
 use crate::error::{Error, refused};
 use crate::how::method;
 use crate::invariants::{Conserved, Excursion, Watch};
 use crate::problem::Problem;
-use tripos_derive::scene::{QUADRATURE, Scene, Solve};
-use tripos_sim::stability::growth;
-use tripos_sim::{Eliminated, Method, Options, RightHandSide, Solution, Stop};
+use tripos_derive::scene::{QUADRATURE, Solve};
+use tripos_sim::{Eliminated, RightHandSide, Solution, Stop};
 
-/// How many times what the tolerances allow a conserved quantity may change before it can be an objection.
-const ALLOWED: f64 = 100.0;
-/// How many times it may change before it is one whatever the tolerance, in units of what the allowed error of one
-/// step moves it where it is: there are many steps, and they all may err to one side.
-const ALLOWED_DRIFT: f64 = 1e4;
-/// An integral that moves as if the state erred by this leaves no more than three digits, whatever the tolerance.
+/// A relative error that leaves no more than three digits.
 const THREE_DIGITS: f64 = 1e-3;
-/// What fixed steps are judged by, since they promise no tolerance: three digits, too.
-const FIXED: f64 = THREE_DIGITS / ALLOWED_DRIFT;
 /// Samples of a run at which matrices are looked at.
 const MOST_SAMPLES: usize = 400;
-/// Steps after which the growth of errors is not followed further.
-const MOST_STEPS: u64 = 100_000;
-/// A part of the span at whose end a growth says nothing about the rest.
-const LAST_PART: f64 = 0.01;
 
-/// Objections to a run, each with its figure.
+/// Objections to a run, each with its figure; `names` are those of the values that `digits` is about.
 ///
 /// # Errors
 /// [`Error::Request`] if the parameters are not those of the equations.
@@ -35,33 +24,59 @@ pub fn objections(
     solution: &Solution,
     watch: Option<&Watch>,
     energy_drift: f64,
+    (digits, names): (Option<&Digits>, &[String]),
 ) -> Result<Vec<String>, Error> {
     let mut list: Vec<String> = solution.warnings.iter().map(|w| w.described(&problem.variables())).collect();
     if solution.stop == Stop::Interrupted {
         // Nobody waits for a judgement.
         return Ok(list);
     }
+    list.extend(digits.and_then(|digits| few(digits, names)));
     match watch.filter(|watch| !watch.integrals.is_empty()) {
         Some(watch) => {
             let worst = worst(problem, solution, watch);
-            list.extend(worst.iter().filter(|(_, furthest)| is_lost(problem.scene, furthest.ratio)).map(said));
+            list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(said));
         }
         None => list.extend(energy(problem, solution, energy_drift)),
     }
     list.extend(condition(problem, solution)?);
-    // Quadrature has no steps whose errors could grow.
+    // Quadrature has no steps that anything could keep short.
     if problem.scene.integration.method != QUADRATURE {
-        list.extend(horizon(problem, solution)?);
         list.extend(stiffness(problem, solution)?);
     }
     Ok(list)
+}
+
+/// The objection to a run that shows too few digits, and since when.
+fn few(digits: &Digits, names: &[String]) -> Option<String> {
+    let (instant, which) = digits.first_with_few()?;
+    let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
+    let end = digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} are left again"));
+    Some(format!(
+        "fewer than three digits are left from t = {t:.4} s on, where `{name}` may be off by {error:.1e}: so far apart are this run and another, {}{}",
+        digits.by,
+        end.unwrap_or_default()
+    ))
+}
+
+/// Where the assessment of a run ends early: what to say of it.
+pub fn unassessed(digits: &Digits) -> Option<String> {
+    let from = match digits.assessed() {
+        _ if digits.is_complete() => return None,
+        Some(t) => format!("beyond t = {t} s"),
+        None => "at any instant".to_owned(),
+    };
+    let by = &digits.by;
+    Some(format!(
+        "digits are not assessed {from}: the run that this one is compared with ({by}) ended there, or had cost as much as this one"
+    ))
 }
 
 /// The objection to a run of equations whose first integrals were not looked for: where nothing but gravity works,
 /// total energy is constant.
 fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
     let Problem { model, scene, .. } = *problem;
-    if scene.integration.step.is_some() || !(model.forces.is_empty() && model.torques.is_empty()) {
+    if !(model.forces.is_empty() && model.torques.is_empty()) {
         return None;
     }
     let (system, p) = (problem.system(), scene.parameters.as_slice());
@@ -71,56 +86,31 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
     let start = solution.y.first().unwrap_or(&solution.y_end);
     let first = (system.kinetic_energy(p, &start[..n], &start[n..]) + system.potential_energy(p, &start[..n])).abs();
     let scale = solution.y.iter().fold(first, |m, y| m.max(first + potential(y)));
-    let how = &scene.integration;
-    let allowed = how.atol.smallest() + how.rtol * scale;
     // A run that ended where energy has no value says so by its stop.
-    (drift > ALLOWED * allowed).then(|| {
+    (drift > THREE_DIGITS * scale).then(|| {
         format!(
-            "total energy, constant in this motion, changed by {drift:.3e} J, {} times what the tolerances allow: do not trust this run",
-            times(drift / allowed)
+            "total energy, constant in this motion, changed by {drift:.3e} J of {scale:.3e} J: fewer than three digits are left"
         )
     })
-}
-
-/// Whether a first integral that is this many times further from its start than one step's errors can move it tells
-/// that digits are lost.
-fn is_lost(scene: &Scene, ratio: f64) -> bool {
-    let tolerance = if scene.integration.step.is_some() { FIXED } else { scene.integration.rtol };
-    ratio > ALLOWED_DRIFT || (ratio > ALLOWED && ratio * tolerance > THREE_DIGITS)
-}
-
-/// The error that the tolerances allow in a component.
-fn allowance(scene: &Scene, at: usize, value: f64) -> f64 {
-    if scene.integration.step.is_some() {
-        return FIXED * (1.0 + value.abs());
-    }
-    let atol = scene.integration.atol.of(at).unwrap_or(0.0);
-    // No tolerance makes a number better known than to its rounding.
-    (atol + scene.integration.rtol * value.abs()).max(f64::EPSILON * value.abs())
-}
-
-/// How many times, in few digits.
-fn times(ratio: f64) -> String {
-    if ratio < 1e6 { format!("{ratio:.0}") } else { format!("{ratio:.0e}") }
 }
 
 /// A first integral, and where it is furthest from its start.
 type Worst<'a> = (&'a Conserved, Excursion);
 
 fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Vec<Worst<'a>> {
-    let worst = watch.worst(problem, solution, MOST_SAMPLES, &|at, x| allowance(problem.scene, at, x));
+    // How far it would be if the state had three digits there.
+    let worst = watch.worst(problem, solution, MOST_SAMPLES, &|_, x| THREE_DIGITS * (1.0 + x.abs()));
     let list = watch.integrals.iter().zip(worst).zip(watch.exist(&problem.shown.parameters));
     list.filter(|(_, exists)| *exists).map(|(found, _)| found).collect()
 }
 
-fn said((integral, Excursion { t, change, ratio }): &Worst<'_>) -> String {
+fn said((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
     let (name, unit) = (integral.name(), &integral.unit);
     if change.is_nan() {
         return format!("{name}, constant in this motion, has no value at t = {t:.4} s: do not trust this run");
     }
     format!(
-        "{name}, constant in this motion, has changed by {change:.3e} {unit} at t = {t:.4} s, {} times what the tolerances allow in a step: do not trust this run",
-        times(*ratio)
+        "{name}, constant in this motion, has changed by {change:.3e} {unit} at t = {t:.4} s: fewer than three digits are left there"
     )
 }
 
@@ -210,33 +200,4 @@ fn fastest_decay(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
         w = image.into_iter().map(|x| x / length).collect();
     }
     (eigenvalue < 0.0 && change < 0.01 * eigenvalue.abs()).then_some(-eigenvalue)
-}
-
-/// The instant after which no digit is left, if the run goes beyond it.
-///
-/// Without eliminated accelerations the growth is followed by differences of those that are solved for.
-fn horizon(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
-    let scene = problem.scene;
-    // A run that took no step says why.
-    let Some(start) = solution.y.first().filter(|_| solution.steps > 0) else { return Ok(None) };
-    let mut rhs: Box<dyn RightHandSide<f64> + '_> = match Eliminated::new(problem.system(), &scene.parameters) {
-        Some(rhs) => Box::new(rhs),
-        None => Box::new(problem.dynamics().map_err(|error| refused(scene, &error))?),
-    };
-    // Tight, whatever the run: of a motion that is wrong the growth is wrong too.
-    let options = Options { method: Method::Dop853, step_limit: MOST_STEPS, ..Options::tolerances(1e-9, 1e-9) };
-    let span = (solution.t[0], solution.t_end);
-    let growth = growth(rhs.as_mut(), span, start, &vec![1.0; start.len()], &options);
-    let growth = growth.map_err(|error| refused(scene, &error))?;
-    let tolerance = scene.integration.rtol.max(scene.integration.atol.smallest()).max(f64::EPSILON);
-    // What only the very end shows is the surface that the motion ends at.
-    // Every step adds an error of its own, and the growth carries all of them on.
-    let steps = solution.steps as f64;
-    let sum = |t: f64| tolerance * (steps * (t - span.0) / (span.1 - span.0)).max(1.0);
-    let t = growth.horizon(sum).filter(|t| (span.1 - t).abs() > LAST_PART * (span.1 - span.0).abs());
-    Ok(t.map(|t| {
-        format!(
-            "the errors of {tolerance:.0e} that the tolerances allow in each step can have grown to 1 at t = {t:.4} s: no digit need be left after that"
-        )
-    }))
 }

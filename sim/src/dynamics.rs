@@ -201,6 +201,19 @@ impl RightHandSide<f64> for Dynamics<'_> {
             Ok(())
         })
     }
+
+    fn divisor_count(&self) -> usize {
+        self.system.divisor_count()
+    }
+
+    fn divisors(&mut self, _t: f64, y: &[f64], out: &mut [f64]) {
+        let (q, v) = y.split_at(self.system.lengths().coordinates);
+        self.system.divisors(&self.parameters, q, v, out);
+    }
+
+    fn divisor_name(&self, at: usize) -> String {
+        self.system.divisor_name(at).to_owned()
+    }
 }
 
 fn wrong_length() -> Failure {

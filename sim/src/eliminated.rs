@@ -50,4 +50,17 @@ impl<S: Real> RightHandSide<S> for Eliminated<'_, S> {
             Ok(())
         })
     }
+
+    fn divisor_count(&self) -> usize {
+        self.system.divisor_count()
+    }
+
+    fn divisors(&mut self, _t: f64, y: &[S], out: &mut [S]) {
+        let (q, v) = y.split_at(self.system.lengths().coordinates);
+        self.system.divisors(&self.parameters, q, v, out);
+    }
+
+    fn divisor_name(&self, at: usize) -> String {
+        self.system.divisor_name(at).to_owned()
+    }
 }

@@ -75,7 +75,8 @@ impl Options {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Output {
     /// The start, then `refine` points a step: its end and `refine` − 1 inside, evenly spaced in
-    /// time, from the dense output. `ode45` uses 4.
+    /// time, from the dense output. `ode45` uses 4. Of more than 200 000 points every second is left out, as often as
+    /// there are more: memory does not grow with the number of steps.
     Steps {
         /// Points a step, at least 1.
         refine: usize,

@@ -1,14 +1,23 @@
 //! Keeps the samples of a solution that were asked for.
+//!
+//! Invariant: memory does not grow with the number of steps. Of points that nobody asked for one by one at most
+//! [`MOST`] are kept: whenever there would be more, every second of them is forgotten, and of those to come as many.
 
 use tripos_traits::Real;
 
 use crate::options::Output;
 use crate::stepper::{DenseStep, Interpolant, same};
 
+/// Points of steps that are kept at most.
+pub(crate) const MOST: usize = 200_000;
+
 /// Samples so far.
 pub(crate) struct Recorder<'a, S> {
     output: &'a Output,
     next: usize,
+    /// Of points of steps every so many is kept; so many have come after the last that was.
+    every: u64,
+    passed: u64,
     pub(crate) t: Vec<f64>,
     pub(crate) y: Vec<Vec<S>>,
 }
@@ -16,7 +25,7 @@ pub(crate) struct Recorder<'a, S> {
 impl<'a, S: Real> Recorder<'a, S> {
     /// Starts at (t0, y0). `Output::At` must have been checked to be in order.
     pub(crate) fn new(output: &'a Output, t0: f64, y0: &[S]) -> Self {
-        let mut recorder = Self { output, next: 0, t: Vec::new(), y: Vec::new() };
+        let mut recorder = Self { output, next: 0, every: 1, passed: 0, t: Vec::new(), y: Vec::new() };
         match output {
             Output::Steps { .. } | Output::Ends => recorder.push(t0, y0.to_vec()),
             Output::At(times) => {
@@ -38,6 +47,21 @@ impl<'a, S: Real> Recorder<'a, S> {
         self.push(t, step.sample(theta, t));
     }
 
+    /// Takes a point of a step, unless so many have come that it is left out.
+    fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64) {
+        self.passed += 1;
+        if self.passed < self.every {
+            return;
+        }
+        self.passed = 0;
+        self.sample(step, step.time_at(theta), theta);
+        if self.t.len() > MOST {
+            halve(&mut self.t);
+            halve(&mut self.y);
+            self.every *= 2;
+        }
+    }
+
     /// Whether samples inside a step from `t_old` to `t_new` are to be kept.
     pub(crate) fn looks_inside(&self, (t_old, t_new): (f64, f64)) -> bool {
         match self.output {
@@ -57,10 +81,9 @@ impl<'a, S: Real> Recorder<'a, S> {
             Output::Ends => {}
             Output::Steps { refine } => {
                 for i in 1..*refine {
-                    let theta = end * (i as f64 / *refine as f64);
-                    self.sample(step, step.time_at(theta), theta);
+                    self.point(step, end * (i as f64 / *refine as f64));
                 }
-                self.sample(step, step.time_at(end), end);
+                self.point(step, end);
             }
             Output::At(times) => {
                 let (t_old, t_new) = step.times();
@@ -75,10 +98,45 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// Adds the end of the run where only the ends are kept.
+    /// Adds the end of the run where it was asked for and is not kept yet.
     pub(crate) fn finish(&mut self, t_end: f64, y_end: &[S], steps: u64) {
-        if matches!(self.output, Output::Ends) && steps > 0 {
+        let is_kept = self.t.last().is_some_and(|t| same(*t, t_end));
+        let is_asked = match self.output {
+            Output::Ends => true,
+            Output::Steps { .. } => !is_kept,
+            Output::At(_) => false,
+        };
+        if is_asked && steps > 0 {
             self.push(t_end, y_end.to_vec());
         }
+    }
+}
+
+/// Forgets every second entry of a list; the first stays.
+fn halve<T>(list: &mut Vec<T>) {
+    let mut stays = false;
+    list.retain(|_| {
+        stays = !stays;
+        stays
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Method, Options, integrate};
+
+    #[test]
+    fn a_run_of_a_million_steps_keeps_no_more_points_than_are_bounded() {
+        let rhs = |_t: f64, _y: &[f64], out: &mut [f64]| {
+            out[0] = 1.0;
+            Ok(())
+        };
+        let options = Options { method: Method::Rk4, step: Some(1e-3), step_limit: 2_000_000, ..Options::default() };
+        let run = integrate(rhs, (0.0, 1000.0003), &[0.0], &options, &mut []).unwrap();
+        assert!(run.steps == 1_000_001 && run.t.len() <= MOST + 1 && run.t.len() > MOST / 2, "{}", run.t.len());
+        assert!(run.t[0] == 0.0 && run.t.last() == Some(&run.t_end) && run.y.len() == run.t.len());
+        let longest = run.t.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
+        assert!(longest < 0.01, "points are evenly spread: {longest}");
     }
 }

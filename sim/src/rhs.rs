@@ -28,6 +28,22 @@ pub trait RightHandSide<S = f64> {
         let _ = (t, order, x);
         None
     }
+
+    /// How many divisors f has that are watched: what it divides by and might be zero somewhere.
+    fn divisor_count(&self) -> usize {
+        0
+    }
+
+    /// Writes the divisors at (t, y) to `out`, which has [`RightHandSide::divisor_count`] entries. A step over a change
+    /// of the sign of one is no part of a solution: the run ends there, with [`crate::Stop::Singular`].
+    fn divisors(&mut self, t: f64, y: &[S], out: &mut [S]) {
+        let _ = (t, y, out);
+    }
+
+    /// What people call a divisor, counted from 0.
+    fn divisor_name(&self, at: usize) -> String {
+        format!("divisor {at}")
+    }
 }
 
 impl<S, F> RightHandSide<S> for F
@@ -82,5 +98,17 @@ impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
     #[inline]
     fn taylor(&mut self, t: f64, order: usize, x: &mut [S]) -> Option<Result<(), Failure>> {
         self.0.taylor(t, order, x)
+    }
+
+    fn divisor_count(&self) -> usize {
+        self.0.divisor_count()
+    }
+
+    fn divisors(&mut self, t: f64, y: &[S], out: &mut [S]) {
+        self.0.divisors(t, y, out);
+    }
+
+    fn divisor_name(&self, at: usize) -> String {
+        self.0.divisor_name(at)
     }
 }

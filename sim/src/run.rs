@@ -5,6 +5,7 @@
 
 use crate::doubt::Doubts;
 use crate::events::Event;
+use crate::guard::{Guard, Zero};
 use crate::options::{Options, Poll};
 use crate::pace::{Pace, Verdict};
 use crate::projection::Projector;
@@ -95,25 +96,35 @@ impl<M: Stepper> Run<'_, M> {
     where
         R: RightHandSide<M::Real>,
     {
+        let mut guard = Guard::new(rhs, self.stepper.span().0, self.stepper.ends().0);
         let stop = loop {
             let last = match self.advance(rhs) {
                 Ok(last) => last,
                 Err(stop) => break stop,
             };
-            if !watch.is_empty() || recorder.looks_inside(self.stepper.span()) {
+            let suspects = !guard.is_empty() && guard.suspects(rhs, &self.stepper);
+            if suspects || !watch.is_empty() || recorder.looks_inside(self.stepper.span()) {
                 let known = self.stepper.prepare_inside(rhs);
                 self.doubts.note_inside(&self.stepper, known);
             }
-            match watch.look(&self.stepper) {
-                Ok(None) => recorder.step(&self.stepper, 1.0),
-                Ok(Some((theta, stop))) => {
-                    recorder.step(&self.stepper, theta);
-                    let t_end = self.stepper.time_at(theta);
-                    y_end.copy_from_slice(&self.stepper.sample(theta, t_end));
-                    return (stop, t_end);
+            let zero = if suspects { guard.zero(rhs, &self.stepper) } else { None };
+            let end = match (watch.look(&self.stepper), zero) {
+                (Ok(Some((theta, stop))), zero) if zero.is_none_or(|zero| theta <= zero.theta) => Some((theta, stop)),
+                (_, Some(Zero { divisor, theta })) => {
+                    Some((theta, Stop::Singular { divisor: rhs.divisor_name(divisor) }))
                 }
-                Err(failure) => break Stop::Failed(failure),
+                (Ok(_), None) => None,
+                (Err(failure), None) => break Stop::Failed(failure),
+            };
+            recorder.step(&self.stepper, end.as_ref().map_or(1.0, |(theta, _)| *theta));
+            if let Some((theta, stop)) = end {
+                let t_end = self.stepper.time_at(theta);
+                watch.forget_beyond(t_end, self.stepper.span());
+                y_end.copy_from_slice(&self.stepper.sample(theta, t_end));
+                return (stop, t_end);
             }
+            let (t, t_new) = self.stepper.span();
+            guard.accept(t_new - t);
             self.stepper.accept();
             if let Some(projector) = &mut projector {
                 let outcome = match projector.project(self.stepper.span().0, self.stepper.ends().0) {

@@ -50,6 +50,11 @@ pub enum Stop {
         /// Iterations of Newton's method that were made.
         iterations: u32,
     },
+    /// Something that the equations divide by is zero there: they have no value, and a motion does not go on by them.
+    Singular {
+        /// What they divide by.
+        divisor: String,
+    },
     /// The right-hand side (or an event function) has no value, however small the step.
     Failed(Failure),
     /// Who followed the run ended it.
@@ -58,7 +63,7 @@ pub enum Stop {
 
 impl Stop {
     /// A stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`,
-    /// `step-limit`, `not-finite`, `not-converged`, `interrupted`, or the code of the [`Failure`], such as `singular`.
+    /// `step-limit`, `not-finite`, `not-converged`, `singular`, `interrupted`, or the code of the [`Failure`], such as `singular`.
     #[must_use]
     pub fn code(&self) -> String {
         match self {
@@ -69,6 +74,7 @@ impl Stop {
             Self::StepLimit { .. } => "step-limit".to_owned(),
             Self::NotFinite { .. } => "not-finite".to_owned(),
             Self::NotConverged { .. } => "not-converged".to_owned(),
+            Self::Singular { .. } => "singular".to_owned(),
             Self::Failed(failure) => failure.code.to_owned(),
             Self::Interrupted => "interrupted".to_owned(),
         }
@@ -115,6 +121,7 @@ impl fmt::Display for Stop {
             Self::NotConverged { iterations } => {
                 write!(f, "Newton's method does not solve the equations of the step in {iterations} iterations")
             }
+            Self::Singular { divisor } => write!(f, "the equations divide by {divisor}, which is 0 there"),
             Self::Failed(failure) => failure.fmt(f),
             Self::Interrupted => f.write_str("interrupted"),
         }

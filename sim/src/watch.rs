@@ -83,6 +83,11 @@ impl<'w, 'e> Watch<'w, 'e> {
         Ok(end.map(|(i, f)| (f.theta, stop_for(&self.events[i]))))
     }
 
+    /// Forgets what happened beyond an instant of a step.
+    pub(crate) fn forget_beyond(&mut self, t: f64, (start, end): (f64, f64)) {
+        self.records.retain(|record| (record.t - t) * (end - start).signum() <= 0.0);
+    }
+
     /// Whether there is anything to watch.
     pub(crate) fn is_empty(&self) -> bool {
         self.events.is_empty()

@@ -18,3 +18,4 @@ mod spoilt;
 mod support;
 mod sweep;
 mod sweep_lanes;
+mod trust;

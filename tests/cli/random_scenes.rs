@@ -7,6 +7,7 @@
 //!
 //! `TRIPOS_RANDOM_SCENES=1000` runs that many.
 
+#[path = "../support/mechanism.rs"]
 mod mechanism;
 mod whole;
 

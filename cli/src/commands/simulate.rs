@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::code::Form;
-use tripos::{Drift, Mechanism, Run, method_words, simulate as simulate_scene};
+use tripos::{Digits, Drift, Mechanism, Run, method_words, simulate as simulate_scene};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load, model_path};
@@ -43,7 +43,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     }
     Ok(match &run.solution.stop {
         Stop::Interrupted => status::INTERRUPTED,
-        _ if failure.is_some() => status::STOPPED,
+        _ if failure.is_some() || (request.strict && !run.is_trusted()) => status::STOPPED,
         _ => 0,
     })
 }
@@ -63,6 +63,10 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
     let mut drift = Map::new();
     drift.insert("energy".to_owned(), json!(run.energy_drift));
     drift.extend(momenta(run).map(|drift| (drift.integral.to_string(), json!(drift.change))));
+    let named = |list: Option<&[f64]>| -> Value {
+        list.map_or(Value::Null, |list| run.names.iter().cloned().zip(list.iter().map(|x| json!(x))).collect())
+    };
+    let digits = run.digits.as_ref();
     let events: Vec<Value> = solution
         .events
         .iter()
@@ -76,6 +80,12 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "compiled": run.code == Form::Compiled,
         "t": solution.t_end,
         "state": state,
+        "digits": digits.and_then(Digits::end),
+        "digits_of": named(digits.and_then(Digits::at_end)),
+        "uncertainty": named(digits.and_then(Digits::errors_at_end)),
+        "fewest_digits": fewest(run),
+        "assessed_to": digits.and_then(Digits::assessed),
+        "assessed_by": digits.map(|digits| &digits.by),
         "steps": solution.steps,
         "rejected": solution.rejected,
         "evaluations": solution.evaluations,
@@ -87,6 +97,27 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "notes": run.notes,
         "warnings": run.warnings,
     })
+}
+
+/// Where the run knows its values worst.
+fn fewest(run: &Run) -> Value {
+    let found = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)));
+    found.map_or(
+        Value::Null,
+        |(digits, (instant, which, left))| json!({ "digits": left, "of": run.names[which], "t": digits.t[instant] }),
+    )
+}
+
+/// How far the values shown are known, in a line; empty if that was not assessed.
+fn digits_in_words(run: &Run) -> String {
+    let Some((digits, (instant, which, least))) =
+        run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)))
+    else {
+        return String::new();
+    };
+    let at_end = digits.end().map_or_else(String::new, |end| format!("{end:.1} digits are right at the end, "));
+    let (t, name) = (digits.t[instant], &run.names[which]);
+    format!("{at_end}{least:.1} at least on the way (`{name}` at t = {t:.4} s), by comparison with {}\n", digits.by)
 }
 
 /// The drifts of all that is conserved but the energy, which is stated apart.
@@ -123,9 +154,12 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
         let _ = writeln!(out, "  {} at t = {} s ({:?})", event.name, event.t, event.kind);
     }
     let _ = writeln!(out, "\nstate at t = {} s", run.solution.t_end);
-    for (name, x) in run.names.iter().zip(&run.end) {
-        let _ = writeln!(out, "  {name} = {x}");
+    let errors = run.digits.as_ref().and_then(Digits::errors_at_end);
+    for (at, (name, x)) in run.names.iter().zip(&run.end).enumerate() {
+        let error = errors.map_or_else(String::new, |errors| format!(" ± {:.0e}", errors[at]));
+        let _ = writeln!(out, "  {name} = {x}{error}");
     }
+    out += &digits_in_words(run);
     out.push('\n');
     if let Some(drift) = run.energy_drift {
         let _ = writeln!(out, "largest change of total energy: {drift:e} J");

@@ -6,8 +6,8 @@ use super::taylor::TaylorPlan;
 use crate::taylor::Recurrences;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
-use tripos_derive::algebra::{Arena, Expr, Node};
-use tripos_derive::mechanics::Solved;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::{Divisors, Solved, bare};
 
 /// One formulation of one model.
 pub struct FormulationPlan<'a> {
@@ -17,8 +17,12 @@ pub struct FormulationPlan<'a> {
     pub equations: Vec<Function>,
     /// What runs use beside the equations: `derivative` and `jacobian`, where accelerations were solved for.
     pub machine: Vec<Function>,
+    /// What people call the divisors that `divisors` gives; none where nothing is divided by that might be zero.
+    pub divisors: Vec<String>,
     /// The recurrences of its Taylor coefficients.
     pub taylor: Option<TaylorPlan<'a>>,
+    /// Whether the accelerations were solved for.
+    pub is_solved: bool,
     /// What its header says of it, line by line.
     pub facts: Vec<String>,
 }
@@ -33,18 +37,16 @@ impl<'a> FormulationPlan<'a> {
         if planner.equations.formulation.is_in_rates() {
             equations.extend(conversions(planner));
         }
-        let machine = solved.map_or_else(Vec::new, |solved| {
+        let mut machine = solved.map_or_else(Vec::new, |solved| {
             vec![derivative(planner, &solved.accelerations.steps), jacobian(planner, solved)]
         });
+        let (divisors, names) = divisors(planner, solved);
+        machine.extend(divisors);
         let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
-        Self { planner, equations, machine, taylor, facts: facts(planner, solved) }
+        let (is_solved, facts) = (solved.is_some(), facts(planner, solved));
+        Self { planner, equations, machine, divisors: names, taylor, is_solved, facts }
     }
 
-    /// Whether the accelerations were solved for.
-    #[must_use]
-    pub fn is_solved(&self) -> bool {
-        !self.machine.is_empty()
-    }
 }
 
 /// `mass_matrix` and `forcing`.
@@ -102,6 +104,19 @@ pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Function {
     let about = format!("Jacobian of the derivative by the state; columns {}.", state.join(", "));
     let returns = Returns::Matrix { symmetric: false };
     planner.stepwise("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes)
+}
+
+/// `divisors`: what is divided by on the way to q̇ and v̇ and might be zero somewhere; nothing if that is nothing.
+pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Solved>) -> (Option<Function>, Vec<String>) {
+    let divisors = Divisors::of(planner.arena, planner.equations, solved.map(|solved| &solved.accelerations));
+    let names = divisors.names(planner.arena);
+    let name = |at: usize| format!("divisor{}", index(at, names.len()));
+    let named: Vec<Value> =
+        divisors.values.iter().enumerate().map(|(at, value)| (name(at), name(at), *value)).collect();
+    let about = "What the equations divide by: where one of these is zero, they have no value.";
+    let planned = (!named.is_empty())
+        .then(|| planner.stepwise("divisors", about, Arguments::State, Returns::Vector, &divisors.steps, &named));
+    (planned, names)
 }
 
 /// The symbols of v̇.
@@ -220,10 +235,7 @@ pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> Str
 fn distinct(arena: &Arena, divisors: &[Expr]) -> Vec<Expr> {
     let mut list: Vec<Expr> = Vec::new();
     for &divisor in divisors {
-        let bare = match arena.node(divisor) {
-            Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
-            _ => divisor,
-        };
+        let bare = bare(arena, divisor);
         if !list.contains(&bare) {
             list.push(bare);
         }

@@ -1,7 +1,7 @@
 //! The functions of one scene's own equations, and what a call costs beside the whole model.
 
 use super::cost::Cost;
-use super::formulation::{accelerations, derivative, jacobian, kinematics_and_energies, singular_text};
+use super::formulation::{accelerations, derivative, divisors, jacobian, kinematics_and_energies, singular_text};
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::names::{Language, spelled};
 use super::taylor::TaylorPlan;
@@ -57,6 +57,8 @@ pub struct ScenePlan<'a> {
     pub equations: Vec<Function>,
     /// What runs use beside the equations.
     pub machine: Vec<Function>,
+    /// What people call the divisors that `divisors` gives; none where nothing is divided by that might be zero.
+    pub divisors: Vec<String>,
     /// The recurrences of its Taylor coefficients.
     pub taylor: Option<TaylorPlan<'a>>,
     /// What its header says of it, line by line.
@@ -73,6 +75,8 @@ impl<'a> ScenePlan<'a> {
         own.extend(kinematics_and_energies(planner));
         own.push(outputs(planner, reduction));
         let mut machine = vec![derivative(planner, steps), jacobian(planner, &equations.solved)];
+        let (watched, divisors) = divisors(planner, Some(&equations.solved));
+        machine.extend(watched);
         if reduction.has_energy {
             machine.push(energy_gradient(planner, &equations.gradient));
         }
@@ -81,7 +85,7 @@ impl<'a> ScenePlan<'a> {
         }
         let taylor = equations.recurrences.as_ref().map(|list| TaylorPlan::new(planner, list));
         let from_start = from_start(whole, planner, reduction);
-        Self { reduction, from_start, equations: own, machine, taylor, facts: facts(reduction) }
+        Self { reduction, from_start, equations: own, machine, divisors, taylor, facts: facts(reduction) }
     }
 }
 

@@ -29,8 +29,9 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
     let sorted = written.sort(&module, planned.chain(taylor));
 
     let mut parts = vec![Part::LinearSystem, Part::WholeState(model.coordinates.len() + model.speeds.len())];
-    parts.extend(plan.is_solved().then_some(Part::Eliminated));
+    parts.extend(plan.is_solved.then_some(Part::Eliminated));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
+    parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
     let system = system::system(model, equations, &parts);
     let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, sorted.has("taylor")));
     let (own, imports) = (&sorted.own, sorted.imports());

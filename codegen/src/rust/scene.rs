@@ -126,6 +126,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
     parts.extend(reduction.has_energy.then_some(Part::EnergyGradient));
     parts.extend(reduction.slope.as_ref().map(|_| Part::PotentialSlope));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
+    parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
     let system = system::system(model, &reduction.derivation.equations, &parts);
     let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, true));
     let taylor = plan.taylor.as_ref().map(|plan| taylor::function(plan, &own));

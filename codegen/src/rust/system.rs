@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 use tripos_derive::{Equations, Model};
 
 /// What there may be of a set of equations beside its kinematics and energies.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub enum Part {
     /// `mass_matrix` and `forcing`.
     LinearSystem,
@@ -23,11 +23,13 @@ pub enum Part {
     EnergyGradient,
     /// `potential_slope`.
     PotentialSlope,
+    /// `divisors`, called this; not empty.
+    Divisors(Vec<String>),
 }
 
 impl Part {
     /// The methods that hand slices to its functions.
-    fn methods(self) -> TokenStream {
+    fn methods(&self) -> TokenStream {
         let state = state();
         match self {
             Self::LinearSystem => quote! {
@@ -54,9 +56,9 @@ impl Part {
                     out.copy_from_slice(jacobian(#state).as_flattened());
                 }
             },
-            Self::Taylor(width) => series(width),
+            Self::Taylor(width) => series(*width),
             Self::Outputs(count) => {
-                let count = Literal::usize_unsuffixed(count);
+                let count = Literal::usize_unsuffixed(*count);
                 let (q, v) = (array("q"), array("v"));
                 quote! {
                     fn output_count(&self) -> usize { #count }
@@ -66,7 +68,7 @@ impl Part {
                 }
             }
             Self::WholeState(length) => {
-                let length = Literal::usize_unsuffixed(length);
+                let length = Literal::usize_unsuffixed(*length);
                 quote! {
                     fn output_count(&self) -> usize { #length }
                     fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
@@ -82,6 +84,16 @@ impl Part {
                     energy
                 }
             },
+            Self::Divisors(names) => {
+                let count = Literal::usize_unsuffixed(names.len());
+                quote! {
+                fn divisor_count(&self) -> usize { #count }
+                fn divisor_name(&self, at: usize) -> &str { [#(#names),*][at] }
+                fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+                    out.copy_from_slice(&divisors(#state));
+                }
+                }
+            }
             Self::PotentialSlope => quote! {
                 fn has_potential_slope(&self) -> bool { true }
                 fn potential_slope(&self, p: &[S], a: S, b: S) -> S {

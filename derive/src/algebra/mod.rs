@@ -22,6 +22,7 @@ pub mod normal;
 pub mod parse;
 mod points;
 pub mod polynomial;
+pub mod primitive;
 pub mod print;
 pub mod range;
 pub mod rank;

@@ -4,6 +4,7 @@ mod accelerations;
 mod by;
 mod derivation;
 mod distance;
+mod divisors;
 mod energy;
 mod equations;
 mod error;
@@ -22,6 +23,7 @@ pub use accelerations::{Jacobian, Solved, accelerations, energy_gradient, jacobi
 pub use by::{By, Distance};
 pub use derivation::{Derivation, DerivationInSteps, Derivations, derive, derive_all, derive_in_steps};
 pub use distance::{distances, in_distance};
+pub use divisors::{Divisors, bare};
 pub use energy::Momentum;
 pub use equations::Equations;
 pub use error::DeriveError;

@@ -4,7 +4,7 @@
 //! Unknowns: (u1', u2', u3', u4', u5').
 //! The kinematic equations are singular where cos(q2) = 0.
 
-pub use super::code::printed_kane_final::PrintedKaneFinal;
+pub use super::code::printed_kane_final::{PrintedKaneFinal, divisors};
 
 pub use super::kane::potential_energy;
 

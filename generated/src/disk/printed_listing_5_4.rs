@@ -4,7 +4,7 @@
 //! Unknowns: (u1', u2', u3', u4', u5').
 //! The kinematic equations are singular where cos(q2) = 0.
 
-pub use super::code::printed_listing_5_4::PrintedListing54;
+pub use super::code::printed_listing_5_4::{PrintedListing54, divisors};
 
 pub use super::printed_kane_final::{coordinate_rates, kinetic_energy, mass_matrix};
 

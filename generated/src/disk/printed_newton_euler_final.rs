@@ -4,7 +4,7 @@
 //! Unknowns: (u1', u2', u3', u4', u5', N).
 //! The kinematic equations are singular where cos(q2) = 0.
 
-pub use super::code::printed_newton_euler_final::PrintedNewtonEulerFinal;
+pub use super::code::printed_newton_euler_final::{PrintedNewtonEulerFinal, divisors};
 
 pub use super::printed_kane_final::{coordinate_rates, kinetic_energy};
 

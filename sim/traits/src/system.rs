@@ -120,6 +120,20 @@ pub trait System<S: Scalar = f64> {
         S::from_f64(f64::NAN)
     }
 
+    /// How many divisors are watched while these equations run: what they divide by and might be zero somewhere.
+    fn divisor_count(&self) -> usize {
+        0
+    }
+    /// What people call a divisor, counted from 0: its formula, or its place where that is long.
+    fn divisor_name(&self, _at: usize) -> &str {
+        ""
+    }
+    /// The divisors at a state: where one of them is zero, the equations have no value, and a step over a change of its
+    /// sign is no part of a motion. `out` has [`System::divisor_count`] entries.
+    fn divisors(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
+        out.fill(S::from_f64(f64::NAN));
+    }
+
     /// Generalized speeds u of the model file, from v; `out` has [`Lengths::speeds`] entries.
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
     /// u̇ from v̇, so that formulations compare key by key.

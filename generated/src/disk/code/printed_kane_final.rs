@@ -4,7 +4,7 @@
 
 use super::super::Parameters;
 
-pub use super::kane::potential_energy;
+pub use super::kane::{divisors, potential_energy};
 
 use tripos_traits::{Lengths, Scalar, System};
 
@@ -187,6 +187,15 @@ impl<S: Scalar> System<S> for PrintedKaneFinal {
     }
     fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
         self.whole_state(p, q, v, out);
+    }
+    fn divisor_count(&self) -> usize {
+        1
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["cos(q2)"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

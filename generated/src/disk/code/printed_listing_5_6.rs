@@ -93,6 +93,22 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     [f1, f2, zero, f4, f5]
 }
 
+/// What the equations divide by: where one of these is zero, they have no value.
+///
+/// 4 operations, 1 sine and cosine.
+#[must_use]
+pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 5], _u: &[S; 5]) -> [S; 2] {
+    let [_, q2, _, _, _] = *q;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Values.
+    // divisor1 = cos(q2)
+    let divisor1 = c2;
+    // divisor2 = 5*sin(q2)^2 + cos(q2)^2
+    let divisor2 = c2.mul_add(c2, S::int(5) * s2 * s2);
+    [divisor1, divisor2]
+}
+
 /// Newton–Euler equations as printed (listing-5.6) of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct PrintedListing56;
@@ -128,6 +144,15 @@ impl<S: Scalar> System<S> for PrintedListing56 {
     }
     fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
         self.whole_state(p, q, v, out);
+    }
+    fn divisor_count(&self) -> usize {
+        2
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["cos(q2)", "5*sin(q2)^2 + cos(q2)^2"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

@@ -16,8 +16,8 @@
 //! Singular where sin(q2_minus_90deg) = 0.
 
 pub use super::code::flat_fall::{
-    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, energy_gradient,
-    half_differences, jacobian, potential_slope, taylor,
+    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, divisors,
+    energy_gradient, half_differences, jacobian, potential_slope, taylor,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

@@ -16,8 +16,8 @@
 //! Singular where 13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)) = 0.
 
 pub use super::code::folding::{
-    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, energy_gradient,
-    jacobian, taylor,
+    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, divisors,
+    energy_gradient, jacobian, taylor,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

@@ -5,8 +5,8 @@
 use super::super::Parameters;
 
 pub use super::kane::{
-    accelerations, coordinate_rates, derivative, forcing, jacobian, kinetic_energy,
-    potential_energy, taylor,
+    accelerations, coordinate_rates, derivative, divisors, forcing, jacobian,
+    kinetic_energy, potential_energy, taylor,
 };
 
 use tripos_traits::series::{SLACK, rows};
@@ -141,6 +141,15 @@ impl<S: Scalar> System<S> for NewtonEuler {
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
         let x = &mut x.as_chunks_mut().0[..=order];
         taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn divisor_count(&self) -> usize {
+        1
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["sin(theta)"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

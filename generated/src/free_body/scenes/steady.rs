@@ -19,8 +19,8 @@
 //! Singular where sin(theta) = 0.
 
 pub use super::code::steady::{
-    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, energy_gradient,
-    half_differences, jacobian, potential_slope, taylor,
+    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, divisors,
+    energy_gradient, half_differences, jacobian, potential_slope, taylor,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

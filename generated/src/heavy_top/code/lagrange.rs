@@ -368,6 +368,20 @@ pub fn jacobian<S: Scalar>(
     ]
 }
 
+/// What the equations divide by: where one of these is zero, they have no value.
+///
+/// 0 operations, 1 sine and cosine.
+#[must_use]
+pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], _q_dot: &[S; 3]) -> [S; 1] {
+    let [_, q2, _] = *q;
+    // Sines and cosines.
+    let (_, c2) = q2.sin_cos();
+    // Values.
+    // divisor1 = cos(q2)
+    let divisor1 = c2;
+    [divisor1]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 12 convolutions and 20 linear operations an order.
@@ -706,6 +720,15 @@ impl<S: Scalar> System<S> for Lagrange {
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
         let x = &mut x.as_chunks_mut().0[..=order];
         taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn divisor_count(&self) -> usize {
+        1
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["cos(q2)"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -383,6 +383,20 @@ pub fn jacobian<S: Scalar>(
     ]
 }
 
+/// What the equations divide by: where one of these is zero, they have no value.
+///
+/// 0 operations, 1 sine and cosine.
+#[must_use]
+pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], _q_dot: &[S; 3]) -> [S; 1] {
+    let [_, q2_minus_90deg, _] = *q;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, _) = q2_minus_90deg.sin_cos();
+    // Values.
+    // divisor1 = sin(q2_minus_90deg)
+    let divisor1 = sin_q2_minus_90deg;
+    [divisor1]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 12 convolutions and 20 linear operations an order.
@@ -783,6 +797,15 @@ impl<S: Scalar> System<S> for LagrangeQ290deg {
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
         let x = &mut x.as_chunks_mut().0[..=order];
         taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn divisor_count(&self) -> usize {
+        1
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["sin(q2_minus_90deg)"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(

@@ -4,7 +4,9 @@
 
 use super::super::Parameters;
 
-pub use super::kane::{coordinate_rates, jacobian, kinetic_energy, potential_energy};
+pub use super::kane::{
+    coordinate_rates, divisors, jacobian, kinetic_energy, potential_energy,
+};
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Lengths, Scalar, System};
@@ -455,6 +457,15 @@ impl<S: Scalar> System<S> for NewtonEuler {
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
         let x = &mut x.as_chunks_mut().0[..=order];
         taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn divisor_count(&self) -> usize {
+        1
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["cos(q2)"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

@@ -5,7 +5,7 @@
 use super::super::Parameters;
 
 pub use super::kane_q2_90deg::{
-    accelerations, coordinate_rates, derivative, jacobian, kinetic_energy,
+    accelerations, coordinate_rates, derivative, divisors, jacobian, kinetic_energy,
     potential_energy,
 };
 
@@ -448,6 +448,15 @@ impl<S: Scalar> System<S> for NewtonEulerQ290deg {
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
         let x = &mut x.as_chunks_mut().0[..=order];
         taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn divisor_count(&self) -> usize {
+        1
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["sin(q2_minus_90deg)"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

@@ -8,8 +8,8 @@
 //! Singular where cos(q2) = 0.
 
 pub use super::code::looping::{
-    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, energy_gradient,
-    jacobian, taylor,
+    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, divisors,
+    energy_gradient, jacobian, taylor,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

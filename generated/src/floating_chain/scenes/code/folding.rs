@@ -3167,6 +3167,28 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     ]
 }
 
+/// What the equations divide by: where one of these is zero, they have no value.
+///
+/// 8 operations, 2 sines and cosines.
+#[must_use]
+pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], _u: &[S; 2]) -> [S; 1] {
+    let [theta2_from_theta1, theta3_from_theta1, _] = *q;
+    // Sines and cosines.
+    let (sin_theta2_from_theta1, cos_theta2_from_theta1) = theta2_from_theta1.sin_cos();
+    let (sin_theta3_from_theta1, cos_theta3_from_theta1) = theta3_from_theta1.sin_cos();
+    // Shared terms.
+    // sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))
+    let divisor1_of_place = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1)
+        + sin_theta2_from_theta1 * sin_theta3_from_theta1;
+    // Values.
+    // divisor1 = 13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))
+    let divisor1 = cos_theta3_from_theta1.mul_add(S::int(2), S::int(13))
+        + S::int(6) * divisor1_of_place;
+    [divisor1]
+}
+
 /// The energy, then its derivatives by the state.
 ///
 /// 118 operations, 2 sines and cosines.
@@ -6738,6 +6760,15 @@ impl<S: Scalar> System<S> for Reduced {
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
         let x = &mut x.as_chunks_mut().0[..=order];
         taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn divisor_count(&self) -> usize {
+        1
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["divisor 1 of the accelerations"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

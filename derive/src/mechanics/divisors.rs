@@ -1,0 +1,112 @@
+//! What equations divide by while they run.
+
+use super::equations::Equations;
+use crate::algebra::elimination::{Elimination, divisors};
+use crate::algebra::print::text;
+use crate::algebra::range::never_zero;
+use crate::algebra::steps::{Definition, needed};
+use crate::algebra::{Arena, Expr, Node};
+
+/// What running equations divide by that depends on the state and is not proved to be zero nowhere: where one of these
+/// vanishes the equations have no value, and a step across is no part of a motion.
+///
+/// Sums that only an elimination brings in are left out: pivots of a positive definite matrix never change their sign.
+#[derive(Clone, Debug, Default)]
+pub struct Divisors {
+    /// What the values mention, in the order of computation.
+    pub steps: Vec<Definition>,
+    /// The divisors, without powers and factors that are numbers, each once.
+    pub values: Vec<Expr>,
+}
+
+impl Divisors {
+    /// What equations divide by as they stand, or what was solved of them does.
+    #[must_use]
+    pub fn of(arena: &Arena, equations: &Equations, solved: Option<&Elimination>) -> Self {
+        let e = equations;
+        let mut wanted = e.coordinate_rates.clone();
+        let steps = match solved {
+            Some(solved) => {
+                wanted.extend(&e.unknowns[..e.variables.len()]);
+                needed(arena, &solved.steps, &wanted)
+            }
+            None => {
+                wanted.extend(e.matrix.iter().flatten().chain(&e.forcing));
+                needed(arena, &e.definitions, &wanted)
+            }
+        };
+        let all: Vec<Expr> = steps.iter().map(|step| step.value).chain(wanted).collect();
+        let moving = moving(arena, e, &steps);
+        let moves = |divisor: &Expr| arena.reachable(&[*divisor]).iter().any(|part| moving.contains(part));
+        let mut values: Vec<Expr> = Vec::new();
+        let pivots = Pivots::new(arena, e, &steps);
+        for divisor in divisors(arena, &all).into_iter().filter(|d| moves(d) && !pivots.contains(arena, *d)) {
+            let bare = bare(arena, divisor);
+            if !values.contains(&bare) && !never_zero(arena, bare) {
+                values.push(bare);
+            }
+        }
+        Self { steps: needed(arena, &steps, &values), values }
+    }
+}
+
+/// What a divisor is called that would take more than a line.
+const LONGEST: usize = 80;
+
+impl Divisors {
+    /// What people call each: its formula, or, where that is long, its place among the divisors.
+    #[must_use]
+    pub fn names(&self, arena: &Arena) -> Vec<String> {
+        let name = |(at, value): (usize, &Expr)| {
+            let formula = text(arena, *value);
+            if formula.len() <= LONGEST { formula } else { format!("divisor {} of the accelerations", at + 1) }
+        };
+        self.values.iter().enumerate().map(name).collect()
+    }
+}
+
+/// What tells a pivot from what was divided by before anything was eliminated.
+struct Pivots<'a> {
+    is_definite: bool,
+    /// What the equations divide by as they were derived.
+    before: Vec<Expr>,
+    steps: &'a [Definition],
+}
+
+impl<'a> Pivots<'a> {
+    fn new(arena: &Arena, e: &Equations, steps: &'a [Definition]) -> Self {
+        let entries = e.matrix.iter().flatten().chain(&e.forcing).chain(&e.coordinate_rates);
+        let values: Vec<Expr> = entries.copied().chain(e.definitions.iter().map(|d| d.value)).collect();
+        let is_definite = e.symmetric || !e.projection.is_empty();
+        Self { is_definite, before: divisors(arena, &values), steps }
+    }
+
+    /// Whether a divisor is a pivot: a sum that only the elimination divides by, or the name of one.
+    fn contains(&self, arena: &Arena, divisor: Expr) -> bool {
+        let is_sum = |e: Expr| matches!(arena.node(bare(arena, e)), Node::Sum(..));
+        match self.steps.iter().find(|step| step.symbol == divisor) {
+            Some(step) => self.is_definite && is_sum(step.value),
+            None => self.is_definite && is_sum(divisor) && !self.before.contains(&divisor),
+        }
+    }
+}
+
+/// The variables of the state, and the steps that depend on them.
+fn moving(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Expr> {
+    let mut list: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
+    for step in steps {
+        if arena.reachable(&[step.value]).iter().any(|part| list.contains(part)) {
+            list.push(step.symbol);
+        }
+    }
+    list
+}
+
+/// A divisor without a factor that is a number.
+#[must_use]
+pub fn bare(arena: &Arena, divisor: Expr) -> Expr {
+    match arena.node(divisor) {
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+        _ => divisor,
+    }
+}

@@ -1,0 +1,203 @@
+//! How many digits of what a run shows are right, as a second run tells.
+//!
+//! The second run is of the same motion with other steps ([`tripos_sim::seconds`]), from a start and with parameters
+//! that are one rounding away: what the two differ by holds the errors of the steps, of rounding, and of numbers that
+//! doubles do not have, each as far as the motion has carried it on.
+//!
+//! On the way an error is measured by the largest size s of its value along the run, at least the quotient of absolute and
+//! relative tolerance: whoever gives both says below which size nothing matters; a curve has no digits of its own where
+//! it goes through zero. At the end, where the number itself is wanted, it is measured by |value| + s with s at most 1
+//! in its SI unit.
+
+use crate::error::Error;
+use crate::problem::Problem;
+use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_sim::{Options, Output, Second, Solution, Stop, seconds};
+use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
+
+/// Instants at which the two runs are compared.
+const INSTANTS: usize = 400;
+/// Fewer digits than this are too few to be used without a word.
+pub const FEW: f64 = 3.0;
+/// No value is known better than to some roundings of what it is computed from.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Where no relative tolerance tells which size matters, that of the default tolerances.
+const SMALL: f64 = 1e-3;
+/// What part of the difference of two motions by quadrature is the error: both have all errors but of the start.
+const QUADRATURE_PART: f64 = 4.0;
+
+/// How many digits of what a run shows are right.
+#[derive(Clone, Debug)]
+pub struct Digits {
+    /// Instants, s, in the order of the run; the last one is its end, if it was assessed to its end.
+    pub t: Vec<f64>,
+    /// The estimated error of each value that is shown, at each of these instants, in its unit.
+    pub errors: Vec<Vec<f64>>,
+    /// The digits of each value that is shown, at each of these instants: −log₁₀ of its error by its largest size.
+    pub digits: Vec<Vec<f64>>,
+    /// The digits of each value at the last of these instants: −log₁₀ of its error by the value itself.
+    last: Vec<f64>,
+    /// What the second run was, in words.
+    pub by: String,
+    /// The end of the run, s.
+    pub t_end: f64,
+}
+
+impl Digits {
+    /// Whether the whole run was assessed.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.assessed() == Some(self.t_end)
+    }
+
+    /// The last instant that was assessed, s; nothing if none was.
+    #[must_use]
+    pub fn assessed(&self) -> Option<f64> {
+        self.t.last().copied()
+    }
+
+    /// The digits of each value at the end; nothing if the run was not assessed to its end.
+    #[must_use]
+    pub fn at_end(&self) -> Option<&[f64]> {
+        self.is_complete().then_some(self.last.as_slice())
+    }
+
+    /// The digits that every value has at the end; nothing if the run was not assessed to its end.
+    #[must_use]
+    pub fn end(&self) -> Option<f64> {
+        self.at_end()?.iter().copied().reduce(f64::min)
+    }
+
+    /// The estimated error of each value at the end, in its unit; nothing if the run was not assessed to its end.
+    #[must_use]
+    pub fn errors_at_end(&self) -> Option<&[f64]> {
+        self.errors.last().filter(|_| self.is_complete()).map(Vec::as_slice)
+    }
+
+    /// The value with the fewest digits at an instant, and how many: (place, digits).
+    #[must_use]
+    pub fn fewest(&self, instant: usize) -> Option<(usize, f64)> {
+        self.digits[instant].iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// The fewest digits of all values and instants: (instant, value, digits), the first where several have as few.
+    #[must_use]
+    pub fn fewest_of_all(&self) -> Option<(usize, usize, f64)> {
+        let all = (0..self.t.len()).filter_map(|at| self.fewest(at).map(|(which, digits)| (at, which, digits)));
+        all.min_by(|a, b| a.2.total_cmp(&b.2))
+    }
+
+    /// The first instant at which a value has too few digits, and the value: (instant, value).
+    #[must_use]
+    pub fn first_with_few(&self) -> Option<(usize, usize)> {
+        let few = |at: usize| self.fewest(at).filter(|(_, digits)| *digits < FEW).map(|(which, _)| (at, which));
+        let at_end = || Some((self.t.len().checked_sub(1)?, self.at_end()?.iter().position(|digits| *digits < FEW)?));
+        (0..self.t.len()).find_map(few).or_else(at_end)
+    }
+}
+
+/// What is shown of a state, at an instant of a run of a problem.
+pub type Values<'a> = dyn Fn(&Problem<'_>, f64, &[f64]) -> Result<Vec<f64>, Error> + 'a;
+
+/// Compares a run from `y0` with a second one; nothing if it has no step, or nobody waits for it.
+///
+/// # Errors
+/// [`Error`] if the second run makes no sense where the first did, or a value cannot be computed.
+pub fn assess(
+    problem: &Problem<'_>,
+    y0: &[f64],
+    options: &Options,
+    solution: &Solution,
+    values: &Values<'_>,
+) -> Result<Option<Digits>, Error> {
+    if solution.steps == 0 || solution.stop == Stop::Interrupted || y0.is_empty() {
+        return Ok(None);
+    }
+    let scene = beside(problem.scene);
+    let beside = problem.with_scene(&scene);
+    let start: Vec<f64> = y0.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
+    let samples = samples(solution);
+    let times: Vec<f64> = samples.iter().map(|(t, _)| *t).collect();
+    let mut best: Option<(Solution, Second)> = None;
+    for second in choices(problem, options, solution) {
+        let how = Options { output: Output::At(times.clone()), ..second.options.clone() };
+        let run = beside.solve(&start, &how, &mut [])?;
+        if run.stop == Stop::Interrupted {
+            return Ok(None);
+        }
+        if best.as_ref().is_none_or(|(other, _)| run.t.len() > other.t.len()) {
+            best = Some((run, second));
+        }
+        if best.as_ref().is_some_and(|(run, _)| run.t.len() == times.len()) {
+            break;
+        }
+    }
+    let Some((run, Second { part, words, .. })) = best else { return Ok(None) };
+    let first: Vec<Vec<f64>> = samples.iter().map(|(t, y)| values(problem, *t, y)).collect::<Result<_, _>>()?;
+    let second: Vec<Vec<f64>> =
+        run.t.iter().zip(&run.y).map(|(t, y)| values(&beside, *t, y)).collect::<Result<_, _>>()?;
+    let sizes = sizes(problem.scene, &first);
+    let (mut errors, mut digits, mut last) = (Vec::new(), Vec::new(), Vec::new());
+    for (a, b) in first.iter().zip(&second) {
+        let own = |at: usize| a[at].abs() + sizes[at].min(1.0);
+        let error = |at: usize| part * (a[at] - b[at]).abs() + ROUNDING * own(at);
+        errors.push((0..a.len()).map(error).collect::<Vec<_>>());
+        digits.push((0..a.len()).map(|at| told(error(at) / sizes[at])).collect::<Vec<_>>());
+        last = (0..a.len()).map(|at| told(error(at) / own(at))).collect();
+    }
+    Ok(Some(Digits { t: run.t, errors, digits, last, by: words, t_end: solution.t_end }))
+}
+
+/// Digits that a relative error leaves: none where it is 1 or more, or no number.
+fn told(relative: f64) -> f64 {
+    if relative < 1.0 { -relative.log10() } else { 0.0 }
+}
+
+/// The second runs that may be made, the first choice first.
+fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec<Second> {
+    if problem.scene.integration.method == QUADRATURE {
+        let words = "quadrature from numbers one rounding away".to_owned();
+        return vec![Second { options: options.clone(), part: QUADRATURE_PART, words }];
+    }
+    seconds(options, solution, problem.scene.span, problem.has_series())
+}
+
+/// Samples spread evenly over a run, few enough to be compared, and its end.
+fn samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
+    let every = solution.y.len().div_ceil(INSTANTS).max(1);
+    let mut list: Vec<_> = solution.t.iter().copied().zip(&solution.y).step_by(every).collect();
+    if list.last().is_none_or(|(t, _)| t.total_cmp(&solution.t_end).is_ne()) {
+        list.push((solution.t_end, &solution.y_end));
+    }
+    list
+}
+
+/// A scene whose parameters are on the other side of the numbers that doubles do not have.
+fn beside(scene: &Scene) -> Scene {
+    let other = |(x, exact): (&f64, &DoubleDouble)| {
+        let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();
+        if rest > 0.0 {
+            x.next_up()
+        } else if rest < 0.0 {
+            x.next_down()
+        } else {
+            *x
+        }
+    };
+    let parameters = scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect();
+    Scene { parameters, ..scene.clone() }
+}
+
+/// The largest size of each value, or what matters of it if that is more.
+fn sizes(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
+    let how = &scene.integration;
+    let adaptive = how.step.is_none() && how.method != QUADRATURE;
+    let matters = match (adaptive, how.rtol > 0.0) {
+        (true, true) => (how.atol.smallest() / how.rtol).clamp(f64::MIN_POSITIVE, 1.0),
+        (true, false) => 1.0,
+        (false, _) => SMALL,
+    };
+    let count = values.first().map_or(0, Vec::len);
+    let of = |at: usize| largest(values.iter().map(|list| list[at])).max(matters);
+    (0..count).map(of).map(|size| larger(size, f64::MIN_POSITIVE)).collect()
+}

@@ -1,0 +1,230 @@
+//! Watches what the equations divide by, so that no step leads across a place where they have no value.
+//!
+//! Invariant: the steps are those of a run that nobody watches, up to where one changes the sign of a divisor. The
+//! divisors are looked at once an accepted step; what may have happened inside is found on the dense output.
+//!
+//! What can be missed is a divisor that reaches zero and turns back within a step towards which it did not move before.
+
+use tripos_traits::{Real, larger};
+
+use crate::rhs::RightHandSide;
+use crate::root::{self, NotANumber};
+use crate::stepper::Interpolant;
+
+/// A divisor that is zero inside a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Zero {
+    /// Its place among the divisors.
+    pub(crate) divisor: usize,
+    /// The fraction of the step.
+    pub(crate) theta: f64,
+}
+
+/// How near a zero f is looked at, in fractions of a step.
+const NEAR: [f64; 3] = [1e-4, 1e-7, 1e-10];
+/// How many times as large f may be there as elsewhere.
+const LARGE: f64 = 100.0;
+/// A component of f that is smaller than this part of the largest is as large as that.
+const SMALL: f64 = 1e-9;
+
+/// The divisors of a run.
+pub(crate) struct Guard<S> {
+    /// At the start of the step before, at that of this step, and at its end.
+    values: [Vec<f64>; 3],
+    /// The length of the step before, s; none before the first.
+    before: Option<f64>,
+    out: Vec<S>,
+    y: Vec<S>,
+}
+
+impl<S: Real> Guard<S> {
+    /// Over the divisors of these equations, from a start.
+    pub(crate) fn new<R: RightHandSide<S>>(rhs: &mut R, t: f64, y: &[S]) -> Self {
+        let count = rhs.divisor_count();
+        let zeros = || vec![0.0; count];
+        let values = [zeros(), zeros(), zeros()];
+        let mut guard = Self { values, before: None, out: vec![S::from_f64(0.0); count], y: y.to_vec() };
+        guard.evaluate(rhs, t);
+        guard.values[1] = guard.values[2].clone();
+        guard
+    }
+
+    /// Whether nothing is watched.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.out.is_empty()
+    }
+
+    /// Looks at the end of an accepted step; says whether a divisor may have been zero inside.
+    pub(crate) fn suspects<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>) -> bool {
+        let (t, t_new) = step.span();
+        self.y.copy_from_slice(step.ends().1);
+        self.evaluate(rhs, t_new);
+        (0..self.out.len()).any(|at| self.is_suspect(at, t_new - t))
+    }
+
+    /// The first zero of a divisor inside a step that is suspected.
+    pub(crate) fn zero<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>) -> Option<Zero> {
+        let (t, t_new) = step.span();
+        let suspects: Vec<usize> = (0..self.out.len()).filter(|at| self.is_suspect(*at, t_new - t)).collect();
+        let found = suspects.into_iter().filter_map(|divisor| {
+            let theta = self.locate(rhs, step, divisor)?;
+            (!self.is_passed(rhs, step, theta)).then_some(Zero { divisor, theta })
+        });
+        found.min_by(|a, b| a.theta.total_cmp(&b.theta))
+    }
+
+    /// Goes on to the next step.
+    pub(crate) fn accept(&mut self, length: f64) {
+        self.values.rotate_left(1);
+        self.before = Some(length);
+    }
+
+    /// Whether a divisor changed its sign over the step, or would have if it had gone on as in the step before.
+    fn is_suspect(&self, at: usize, length: f64) -> bool {
+        let [before, start, end] = [0, 1, 2].map(|k| self.values[k][at]);
+        if start == 0.0 || start.is_nan() || end.is_nan() {
+            return false;
+        }
+        let goes_on = self.before.map_or(start, |h| start + (start - before) * (length / h));
+        (end < 0.0) != (start < 0.0) || end == 0.0 || (goes_on < 0.0) != (start < 0.0)
+    }
+
+    /// The first zero of a suspect; none if it only came near, or passed through a pole.
+    fn locate<R: RightHandSide<S>>(
+        &mut self,
+        rhs: &mut R,
+        step: &impl Interpolant<Real = S>,
+        at: usize,
+    ) -> Option<f64> {
+        let (t, t_new) = step.span();
+        let (start, end) = (self.values[1][at], self.values[2][at]);
+        let side = start.signum();
+        let mut value = |theta: f64| {
+            step.inside(S::from_f64(theta), |i, x| self.y[i] = x);
+            rhs.divisors(t + theta * (t_new - t), &self.y, &mut self.out);
+            side * self.out[at].to_f64()
+        };
+        let bottom = if end * side <= 0.0 {
+            (1.0, end * side)
+        } else {
+            // A point without a value is nothing that a divisor reaches.
+            root::minimum(&mut value, (0.0, 1.0), 0.0).ok().filter(|(_, least)| *least <= 0.0)?
+        };
+        let theta = match root::zero(&mut value, (0.0, start * side), bottom, 0.0) {
+            Ok(theta) | Err(NotANumber { at: theta }) => theta,
+        };
+        let there = value(theta).abs();
+        (there <= start.abs().max(end.abs()) || there.is_nan()).then_some(theta)
+    }
+
+    /// Whether f stays as large next to a zero of a divisor as it is elsewhere in the step: what is divided is zero, too,
+    /// and the motion passes. That needs exact zeros, as of a speed that no force changes: errors of any size would be
+    /// divided as well.
+    fn is_passed<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, zero: f64) -> bool {
+        let (t, t_new) = step.span();
+        let mut rates = |theta: f64| {
+            let mut out = vec![S::from_f64(0.0); self.y.len()];
+            step.inside(S::from_f64(theta), |i, x| self.y[i] = x);
+            let known = rhs.rhs(t + theta * (t_new - t), &self.y, &mut out).is_ok();
+            known.then(|| out.iter().map(|f| f.to_f64().abs()).collect::<Vec<_>>())
+        };
+        let far: Vec<Vec<f64>> = [0.5 * zero, 0.5 + 0.5 * zero].into_iter().filter_map(&mut rates).collect();
+        let next_to = NEAR.iter().flat_map(|d| [zero - d, zero + d]).filter(|theta| (0.0..=1.0).contains(theta));
+        let largest = far.iter().flatten().copied().fold(0.0, larger);
+        let is_bounded = |near: Vec<f64>| {
+            near.iter().enumerate().all(|(i, f)| {
+                let own = far.iter().map(|far| far[i]).fold(SMALL * largest, larger);
+                *f <= LARGE * own
+            })
+        };
+        far.len() == 2 && next_to.into_iter().all(|theta| rates(theta).is_some_and(is_bounded))
+    }
+
+    /// Evaluates the divisors at `self.y`, as those of the end of a step.
+    fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) {
+        rhs.divisors(t, &self.y, &mut self.out);
+        for (value, out) in self.values[2].iter_mut().zip(&self.out) {
+            *value = out.to_f64();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Failure, Method, Options, RightHandSide, Stop, integrate};
+
+    /// x′ = v/xⁿ with v′ = `force`, which divides by x.
+    struct Point {
+        n: i32,
+        force: f64,
+    }
+
+    impl RightHandSide for Point {
+        fn rhs(&mut self, _t: f64, y: &[f64], out: &mut [f64]) -> Result<(), Failure> {
+            (out[0], out[1]) = (y[1] / y[0].powi(self.n), self.force);
+            Ok(())
+        }
+        fn divisor_count(&self) -> usize {
+            1
+        }
+        fn divisors(&mut self, _t: f64, y: &[f64], out: &mut [f64]) {
+            out[0] = y[0];
+        }
+        fn divisor_name(&self, _at: usize) -> String {
+            "x".to_owned()
+        }
+    }
+
+    /// With v = x/2 at the start and the force 1/4, x = −1 + t/2 and v = x/2: 0/0 at t = 2 but for errors.
+    #[test]
+    fn a_run_ends_where_a_divisor_changes_its_sign() {
+        for method in [Method::Ode45, Method::Dopri5, Method::Dop853] {
+            for step in [None, Some(0.3)] {
+                let options = Options { method, step, ..Options::tolerances(1e-6, 1e-9) };
+                let mut point = Point { n: 1, force: 0.25 };
+                let run = integrate(
+                    crate::Lent(&mut point as &mut dyn RightHandSide<f64>),
+                    (0.0, 10.0),
+                    &[-1.0, -0.5 + 1e-9],
+                    &options,
+                    &mut [],
+                );
+                let run = run.unwrap();
+                let ended = matches!(&run.stop, Stop::Singular { divisor } if divisor == "x")
+                    || matches!(run.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. });
+                assert!(
+                    ended && run.t_end < 4.0 && run.y_end[0] < 1e-3,
+                    "{method:?} {step:?}: {:?} {:?}",
+                    run.stop,
+                    run.y_end
+                );
+            }
+        }
+    }
+
+    /// Without anything to divide, x = 1 − t passes 0: the speed is 0 exactly.
+    #[test]
+    fn what_passes_with_bounded_rates_goes_on() {
+        let rhs = |_t: f64, y: &[f64], out: &mut [f64]| {
+            (out[0], out[1]) = (-1.0, y[1] / y[0]);
+            Ok(())
+        };
+        struct Watched<F>(F);
+        impl<F: FnMut(f64, &[f64], &mut [f64]) -> Result<(), Failure>> RightHandSide for Watched<F> {
+            fn rhs(&mut self, t: f64, y: &[f64], out: &mut [f64]) -> Result<(), Failure> {
+                (self.0)(t, y, out)
+            }
+            fn divisor_count(&self) -> usize {
+                1
+            }
+            fn divisors(&mut self, _t: f64, y: &[f64], out: &mut [f64]) {
+                out[0] = y[0];
+            }
+        }
+        for (start, passes) in [(0.0, true), (1e-9, false)] {
+            let options = Options { method: Method::Dop853, ..Options::tolerances(1e-6, 1e-9) };
+            let run = integrate(Watched(rhs), (0.0, 2.0), &[1.0, start], &options, &mut []).unwrap();
+            assert_eq!(run.stop == Stop::End, passes, "{:?}", run.stop);
+        }
+    }
+}

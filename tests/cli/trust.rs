@@ -1,0 +1,87 @@
+//! Runs say how many of their digits are right, and end where their equations have no value.
+
+use crate::support::{answer, asked, root};
+use serde_json::Value;
+
+/// A file of `tests/data/repro`.
+fn given(file: &str) -> String {
+    root().join("tests/data/repro").join(file).to_str().unwrap().to_owned()
+}
+
+/// A scene of the pendulum, in a folder of its own.
+fn pendulum(text: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let model = root().join("models/pendulum/model.toml");
+    std::fs::write(&path, format!("model = {:?}\n{text}", model.to_str().unwrap())).unwrap();
+    let path = path.to_str().unwrap().to_owned();
+    (folder, path)
+}
+
+fn number(run: &Value, list: &str, name: &str) -> f64 {
+    run[list][name].as_f64().unwrap_or_else(|| panic!("no number {list}.{name} in {run}"))
+}
+
+/// x′ (x/L)² is no speed at x = 0, where the point passes with x′ = 1/2: x = −1/2 + (1 − e⁻ᵗ), by its rates.
+#[test]
+fn a_place_where_speeds_say_nothing_is_passed_by_equations_in_rates_and_no_others() {
+    let scene = given("singular/s.toml");
+    let run = asked(&["simulate", &scene, "--json"]);
+    let right = 0.5 - (-2_f64).exp();
+    let (x, error) = (number(&run, "state", "x"), number(&run, "uncertainty", "x"));
+    assert!((x - right).abs() < 1e-7 && (x - right).abs() < 10.0 * error, "{x} ± {error}, not {right}");
+    assert_eq!(run["formulation"], "lagrange");
+    assert!(run["notes"][0].as_str().unwrap().contains("divide by x, which is 0 at t = 0.69314"), "{}", run["notes"]);
+    for method in ["ode45", "dop853", "taylor", "gauss6"] {
+        let (status, out, err) = answer(&["simulate", &scene, "--by", "kane", "--method", method, "--json"]);
+        let run: Value = serde_json::from_str(&out).unwrap_or_else(|_| panic!("{err}"));
+        assert!(status == 3, "{method}: {status} {run}");
+        let t = run["t"].as_f64().unwrap();
+        assert!(t < 2_f64.ln() + 1e-5, "{method} goes beyond x = 0: {t}");
+    }
+}
+
+/// Two beads that repel, started 1e-12 beside one another: what decides how they part is 1e-4 of a rounding.
+#[test]
+fn growth_in_any_direction_is_seen() {
+    let run = asked(&["simulate", &given("transverse/s.toml"), "--by", "kane", "--method", "taylor", "--json"]);
+    assert!(run["digits"].as_f64().unwrap() < 1.0, "{run}");
+    assert!(run["warnings"][0].as_str().unwrap().contains("fewer than three digits are left from t = "), "{run}");
+}
+
+/// A pendulum from 5e-8 beside its upright rest: its falls multiply an error by 1e13, and each return takes that back.
+#[test]
+fn growth_that_goes_back_is_not_forgotten() {
+    let (_folder, scene) = pendulum("span = [0, 20]\n[start]\ntheta = 3.1415926\nomega = 0\n");
+    let way = ["--method", "taylor", "--rtol", "1e-12", "--atol", "1e-12"];
+    let run = asked(&[&["simulate", &scene, "--json"], &way[..]].concat());
+    assert!(run["fewest_digits"]["digits"].as_f64().unwrap() < 1.0 && run["digits"].as_f64().unwrap() < 1.0, "{run}");
+    let strict = [&["simulate", &scene, "--strict"], &way[..]].concat();
+    assert_eq!((answer(&strict).0, answer(&strict[..2]).0), (3, 0));
+}
+
+/// A pendulum that turns over and over.
+#[test]
+fn a_loose_tolerance_is_no_reason_to_say_nothing() {
+    let (_folder, scene) = pendulum("span = [0, 100]\n[start]\ntheta = 0\nomega = 10\n");
+    let loose = asked(&["simulate", &scene, "--method", "dop853", "--rtol", "1e-2", "--json"]);
+    let said: Vec<&str> = loose["warnings"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
+    assert!(said.iter().any(|w| w.contains("fewer than three digits")), "{said:?}");
+    // θ is off by 619 rad at the end.
+    assert!(number(&loose, "uncertainty", "theta") > 100.0, "{loose}");
+    let tight = asked(&["simulate", &scene, "--method", "dop853", "--rtol", "1e-12", "--atol", "1e-12", "--json"]);
+    let apart = (number(&loose, "state", "theta") - number(&tight, "state", "theta")).abs();
+    let told = number(&loose, "uncertainty", "theta");
+    assert!((0.5..2.0).contains(&(told / apart)), "{told} for {apart}");
+    assert!(tight["warnings"].as_array().unwrap().is_empty() && tight["digits"].as_f64().unwrap() > 8.0, "{tight}");
+}
+
+/// The text shows each number with its error, and how it was assessed.
+#[test]
+fn each_number_stands_beside_its_error() {
+    let (_folder, scene) = pendulum("span = [0, 1]\n[start]\ntheta = 1\nomega = 0\n");
+    let (status, out, _) = answer(&["simulate", &scene]);
+    let line = out.lines().find(|line| line.starts_with("  theta = ")).unwrap();
+    assert!(status == 0 && line.contains(" ± "), "{out}");
+    assert!(out.contains("digits are right at the end") && out.contains("a tenth of the tolerances"), "{out}");
+}
