@@ -12,6 +12,7 @@ use crate::recorder::Recorder;
 use crate::rhs::RightHandSide;
 use crate::solution::{Solution, Stop};
 use crate::stepper::{DenseStep, Stepper, Trouble};
+use crate::warning::Warning;
 use crate::watch::Watch;
 
 /// A run under way: the method, the sizes of its steps, and counts.
@@ -51,6 +52,7 @@ where
         None => run.walk(rhs, &mut watch, (&mut recorder, projector.as_mut()), &mut y_end),
     };
     recorder.finish(t_end, &y_end, run.steps);
+    let undecided: Vec<Warning> = watch.warnings().collect();
     Solution {
         t: recorder.t,
         y: recorder.y,
@@ -62,7 +64,7 @@ where
         jacobians: run.stepper.jacobians(),
         stop,
         events: watch.records,
-        warnings: run.doubts.warnings::<M::Real>().collect(),
+        warnings: run.doubts.warnings::<M::Real>().chain(undecided).collect(),
         projection: projector.map(|projector| projector.report),
     }
 }
