@@ -115,3 +115,22 @@ fn a_coordinate_is_watched_that_is_integrated_as_a_distance() {
     assert_eq!(plain.len(), in_distance.len(), "{plain:?} {in_distance:?}");
     assert!(plain.iter().zip(&in_distance).all(|(a, b)| (a - b).abs() < 1e-8), "{plain:?} {in_distance:?}");
 }
+
+#[test]
+fn the_longest_step_bounds_every_step_and_is_said() {
+    let scene = scene(0.0, "");
+    let how = Overrides { max_step: Some(0.125), method: Some("dop853".to_owned()), ..Overrides::default() };
+    let run = scene.simulate(&how).unwrap();
+    assert!(run.solution.steps >= 80, "{}", run.solution.steps);
+    let free = scene.simulate(&Overrides { max_step: None, ..how.clone() }).unwrap();
+    assert!(free.solution.steps < 40, "{}", free.solution.steps);
+    for (how, message) in [
+        (Overrides { max_step: Some(0.0), ..how.clone() }, "max-step is 0"),
+        (Overrides { max_step: Some(f64::NAN), ..how.clone() }, "max-step is NaN"),
+        (Overrides { step: Some(0.1), ..how.clone() }, "where every step has one length, none is longer"),
+        (Overrides { method: Some("quadrature".to_owned()), ..how }, "quadrature takes no steps: none is the longest"),
+    ] {
+        let refused = scene.simulate(&how).err().unwrap();
+        assert!(refused.to_string().contains(message), "{refused}");
+    }
+}
