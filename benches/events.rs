@@ -10,7 +10,7 @@ use tripos_derive::algebra::evaluate::{Numeric, Tape};
 use tripos_derive::algebra::parse::parse_free;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_models::disk::kane::Kane;
-use tripos_sim::{Direction, Eliminated, Event, Lent, Method, Options, Output, integrate};
+use tripos_sim::{Direction, Eliminated, Event, InRanges, Lent, Method, Options, Output, integrate};
 use tripos_traits::Enclosure;
 
 const P: [f64; 3] = [1.0, 1.0, 9.81];
@@ -36,7 +36,9 @@ impl Watched {
     fn event(&self, in_ranges: bool) -> Event<'_> {
         let (mut value, mut range) = (of(&self.tape), of(&self.ranges));
         let event = Event::recorded("watched", Direction::Either, move |_, y: &[f64]| value(y));
-        if in_ranges { event.with_ranges(move |_, y| range(y)) } else { event }
+        let components = Some(self.tape.used());
+        let ranges = InRanges { function: Box::new(move |_, y| range(y)), components };
+        Event { ranges: Some(ranges).filter(|_| in_ranges), ..event }
     }
 }
 

@@ -58,7 +58,12 @@ const WRONG: &[Wrong] = &[
     ("step = 0.01", "max_step = \"q1\"", "q1", "`q1`"),
     ("step = 0.01", "max_step = true", "true", "`max_step`"),
     ("step = 0.01", "step = 0.01\nmax_step = 0.1", "0.1", "`max_step` means nothing"),
-    ("\"dop853\"\nsolve = \"eliminated\"", "\"quadrature\"\nmax_step = 0.5", "0.5", "quadrature takes no steps"),
+    (
+        "\"dop853\"\nsolve = \"eliminated\"\nrtol = 3e-14\natol = { q1 = 1e-14 }\nstep = 0.01",
+        "\"quadrature\"\nmax_step = 0.5",
+        "0.5",
+        "quadrature takes no steps: `max_step` means nothing",
+    ),
     ("q1 = 1e-14", "q7 = 1e-14", "q7", "no coordinate or speed `q7`"),
     ("q1 = 1e-14", "q1 = -1", "-1", "`q1` is negative"),
     ("{ q1 = 1e-14 }", "[1e-14]", "[", "`atol`"),

@@ -11,7 +11,7 @@ use tripos_derive::algebra::steps::{Definition, fresh_symbol, needed};
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::Scene;
 use tripos_derive::{Formulation, Model};
-use tripos_sim::{Direction, Dynamics, Effect, Event, EventFunction, RangeFunction};
+use tripos_sim::{Direction, Dynamics, Effect, Event, EventFunction, InRanges};
 use tripos_traits::{Enclosure, Lengths, Scalar};
 
 /// What is watched in the runs of a scene, compiled once: expressions, and the force balance that gives reactions,
@@ -127,13 +127,15 @@ fn watch<'a>(
     problem: &'a Problem<'_>,
     balance: &'a Balance,
     watched: &'a Watched,
-) -> (EventFunction<'a>, Option<RangeFunction<'a>>) {
+) -> (EventFunction<'a>, Option<InRanges<'a>>) {
     match watched {
         Watched::OfState { tape, ranges } => {
             let p = problem.scene.parameters.as_slice();
             let mut value = of_inputs(tape, p.to_vec());
             let mut range = of_inputs(ranges, p.iter().map(|p| Enclosure::from_f64(*p)).collect());
-            (Box::new(move |_t, y| value(y)), Some(Box::new(move |_t, y| range(y))))
+            let components = tape.used().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
+            let ranges = InRanges { function: Box::new(move |_t, y| range(y)), components: Some(components) };
+            (Box::new(move |_t, y| value(y)), Some(ranges))
         }
         Watched::OfMotion { tape, needs_reactions } => {
             let code = balance.code.as_ref().filter(|_| *needs_reactions);

@@ -55,6 +55,14 @@ pub type EventFunction<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 /// same variable.
 pub type RangeFunction<'a> = Box<dyn FnMut(Enclosure, &[Enclosure]) -> Enclosure + 'a>;
 
+/// An event function in ranges.
+pub struct InRanges<'a> {
+    /// The function.
+    pub function: RangeFunction<'a>,
+    /// The components of the state that it depends on; it is given no others. All unless they are named.
+    pub components: Option<Vec<usize>>,
+}
+
 /// A function of time and state, and what its zeros mean.
 pub struct Event<'a> {
     /// The name by which it is reported.
@@ -63,7 +71,7 @@ pub struct Event<'a> {
     /// zero.
     pub function: EventFunction<'a>,
     /// The same function in ranges, if it can be had; without them it is sampled.
-    pub ranges: Option<RangeFunction<'a>>,
+    pub ranges: Option<InRanges<'a>>,
     /// Which crossings count.
     pub direction: Direction,
     /// What they do.
@@ -114,7 +122,7 @@ impl<'a> Event<'a> {
     /// ```
     #[must_use]
     pub fn with_ranges(self, ranges: impl FnMut(Enclosure, &[Enclosure]) -> Enclosure + 'a) -> Self {
-        Self { ranges: Some(Box::new(ranges)), ..self }
+        Self { ranges: Some(InRanges { function: Box::new(ranges), components: None }), ..self }
     }
 }
 

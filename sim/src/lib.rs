@@ -84,7 +84,7 @@ pub use dormand_prince_853::{DORMAND_PRINCE_853, Decimal, Published853, Row};
 pub use dynamics::Dynamics;
 pub use eliminated::Eliminated;
 pub use error::{Failure, SimError};
-pub use events::{Effect, Event, EventFunction, EventRecord, Kind, RangeFunction};
+pub use events::{Effect, Event, EventFunction, EventRecord, InRanges, Kind, RangeFunction};
 pub use integrate::{integrate, integrate_projected};
 pub use options::{Options, Output, Poll};
 pub use rhs::{Lent, RightHandSide, WithJacobian};

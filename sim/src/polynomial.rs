@@ -4,41 +4,52 @@ use tripos_traits::{Enclosure, Interval};
 
 use crate::stepper::DenseStep;
 
-/// The polynomials of one step.
+/// The polynomials of one step, of the components that somebody asks for.
 ///
-/// Invariant: `rows` holds, component by component, the coefficients of the powers of τ = 2θ − 1, which is at most 1 in
-/// size inside the step; they differ from those of the dense output by rounding, which `margins` bound.
+/// Invariant: `rows` holds, power by power, the coefficients of the powers of τ = 2θ − 1, which is at most 1 in size
+/// inside the step, for each of `components`; they differ from those of the dense output by rounding, which `margins`
+/// bound.
 #[derive(Debug, Default)]
 pub(crate) struct Polynomial {
-    degree: usize,
+    /// Which components of the state, in order, and how many the state has.
+    components: Vec<usize>,
+    length: usize,
     rows: Vec<f64>,
     /// What rounding may have changed of the value, and of the slope by θ, of each component.
     margins: Vec<[f64; 2]>,
     /// Start and end of the step, in s.
     times: (f64, f64),
-    /// Room for the coefficients of one component.
-    row: Vec<f64>,
+    /// Room for the coefficients of all components, and for those about another middle.
+    all: Vec<f64>,
+    shifted: Vec<f64>,
 }
 
 impl Polynomial {
+    /// For a state of this length.
+    pub(crate) fn new(components: Vec<usize>, length: usize) -> Self {
+        Self { components, length, ..Self::default() }
+    }
+
     /// Takes the polynomials of a step; says no if it has none.
-    pub(crate) fn take(&mut self, step: &dyn DenseStep, components: usize) -> bool {
+    pub(crate) fn take(&mut self, step: &dyn DenseStep) -> bool {
         let Some(degree) = step.degree() else { return false };
-        (self.degree, self.times) = (degree, step.times());
+        self.times = step.times();
+        self.all.resize((degree + 1) * self.length, 0.0);
+        step.powers(&mut self.all);
         self.rows.clear();
-        self.rows.resize(components * (degree + 1), 0.0);
-        let rows = &mut self.rows;
-        step.powers(&mut |i, power, value| rows[i * (degree + 1) + power] = value);
-        self.margins.clear();
-        for row in self.rows.chunks_exact_mut(degree + 1) {
-            self.margins.push(margins(row));
-            let mut scale = 1.0;
-            for x in row.iter_mut() {
-                *x *= scale;
-                scale *= 0.5;
-            }
-            shift(row, 1.0);
+        for row in self.all.chunks_exact(self.length.max(1)) {
+            self.rows.extend(self.components.iter().map(|i| row[*i]));
         }
+        let count = self.components.len();
+        margins(&self.rows, count, &mut self.margins);
+        let mut scale = 1.0;
+        for row in self.rows.chunks_exact_mut(count.max(1)) {
+            for x in row {
+                *x *= scale;
+            }
+            scale *= 0.5;
+        }
+        shift(&mut self.rows, count, 1.0);
         true
     }
 
@@ -49,64 +60,73 @@ impl Polynomial {
         Enclosure { value: start + Interval::new(from, to) * slope, slope }
     }
 
-    /// Every component over a part of the step, with the fraction of the step as the argument of its slope.
+    /// The state over a part of the step, with the fraction of the step as the argument of its slope; undefined where
+    /// nobody asks for a component.
     pub(crate) fn state(&mut self, from: f64, to: f64, out: &mut Vec<Enclosure>) {
         let (middle, radius) = (from + to - 1.0, to - from);
+        let count = self.components.len();
+        self.shifted.clone_from(&self.rows);
+        shift(&mut self.shifted, count, middle);
         out.clear();
-        for (row, margins) in self.rows.chunks_exact(self.degree + 1).zip(&self.margins) {
-            self.row.clear();
-            self.row.extend_from_slice(row);
-            shift(&mut self.row, middle);
-            out.push(range(&self.row, radius, *margins));
+        out.resize(self.length, Enclosure { value: Interval::UNDEFINED, slope: Interval::UNDEFINED });
+        for (at, (i, margins)) in self.components.iter().zip(&self.margins).enumerate() {
+            out[*i] = range(self.shifted[at..].iter().step_by(count), radius, *margins);
         }
     }
 }
 
-/// What rounding may change of a polynomial with these coefficients, and of its slope, where |θ| ≤ 1: each operation
+/// What rounding may change of polynomials with these coefficients, and of their slopes, where |θ| ≤ 1: each operation
 /// of the shifts, and of the method's own evaluation, by ε of what it adds up.
-fn margins(row: &[f64]) -> [f64; 2] {
-    let degree = (row.len() - 1) as f64;
-    let rest: f64 = row[1..].iter().map(|x| x.abs()).sum();
-    let slope: f64 = row.iter().enumerate().map(|(k, x)| k as f64 * x.abs()).sum();
-    [f64::EPSILON * (4.0 * row[0].abs() + 3.0 * degree * rest), f64::EPSILON * 4.0 * degree * slope]
+fn margins(rows: &[f64], count: usize, out: &mut Vec<[f64; 2]>) {
+    let degree = (rows.len() / count.max(1)).saturating_sub(1) as f64;
+    out.clear();
+    out.resize(count, [0.0; 2]);
+    for (k, row) in rows.chunks_exact(count.max(1)).enumerate() {
+        let (of_value, of_slope) = if k == 0 { (4.0, 0.0) } else { (3.0 * degree, 4.0 * degree * k as f64) };
+        for (margin, x) in out.iter_mut().zip(row) {
+            margin[0] += f64::EPSILON * of_value * x.abs();
+            margin[1] += f64::EPSILON * of_slope * x.abs();
+        }
+    }
 }
 
-/// The coefficients of p(x + by) from those of p(x), by Horner's scheme, in place.
-fn shift(row: &mut [f64], by: f64) {
-    if by == 0.0 {
+/// The coefficients of p(x + by) from those of p(x) for `count` polynomials, by Horner's scheme, in place.
+fn shift(rows: &mut [f64], count: usize, by: f64) {
+    if by == 0.0 || count == 0 {
         return;
     }
-    for low in 0..row.len() {
-        for k in (low..row.len() - 1).rev() {
-            row[k] += by * row[k + 1];
+    let degree = rows.len() / count - 1;
+    for low in 0..degree {
+        for k in (low..degree).rev() {
+            let (lower, upper) = rows[k * count..(k + 2) * count].split_at_mut(count);
+            for (x, next) in lower.iter_mut().zip(upper) {
+                *x += by * *next;
+            }
         }
     }
 }
 
 /// The range of Σ c_k (radius x)^k over |x| ≤ 1, and of its slope by θ, of which x is 2/radius times.
-fn range(row: &[f64], radius: f64, [margin, slope_margin]: [f64; 2]) -> Enclosure {
+fn range<'c>(row: impl Iterator<Item = &'c f64>, radius: f64, [margin, slope_margin]: [f64; 2]) -> Enclosure {
     // Even powers are between 0 and 1, odd ones between −1 and 1.
-    let (mut value, mut slope) = (Spread::at(row[0]), Spread::at(0.0));
-    let mut power = 1.0;
-    for (k, c) in row.iter().enumerate().skip(1) {
-        slope.add(2.0 * k as f64 * c * power, k - 1);
-        power *= radius;
+    let (mut value, mut slope) = (Spread::default(), Spread::default());
+    let (mut power, mut before) = (1.0, 0.0);
+    for (k, c) in row.enumerate() {
         value.add(c * power, k);
+        slope.add(2.0 * k as f64 * c * before, k.wrapping_sub(1));
+        (before, power) = (power, power * radius);
     }
     Enclosure { value: value.within(margin), slope: slope.within(slope_margin) }
 }
 
 /// A sum of terms between bounds.
+#[derive(Default)]
 struct Spread {
     lo: f64,
     hi: f64,
 }
 
 impl Spread {
-    fn at(x: f64) -> Self {
-        Self { lo: x, hi: x }
-    }
-
     /// Adds c xᵏ with |x| ≤ 1.
     fn add(&mut self, c: f64, k: usize) {
         match k {
@@ -146,9 +166,9 @@ mod tests {
         fn degree(&self) -> Option<usize> {
             Some(4)
         }
-        fn powers(&self, put: &mut dyn FnMut(usize, usize, f64)) {
+        fn powers(&self, out: &mut [f64]) {
             for (i, row) in self.0.iter().enumerate() {
-                row.iter().enumerate().for_each(|(k, c)| put(i, k, *c));
+                row.iter().enumerate().for_each(|(k, c)| out[3 * k + i] = *c);
             }
         }
     }
@@ -158,8 +178,8 @@ mod tests {
     #[test]
     fn values_and_slopes_lie_in_their_ranges() {
         let step = Quartics([[1.0, -3.0, 2.0, 5.0, -4.0], [1e8, 1.0, 0.0, 0.0, 1e-3], [0.0, 0.0, 1.0, 0.0, 0.0]]);
-        let (mut polynomial, mut out) = (Polynomial::default(), Vec::new());
-        assert!(polynomial.take(&step, 3));
+        let (mut polynomial, mut out) = (Polynomial::new(vec![0, 1, 2], 3), Vec::new());
+        assert!(polynomial.take(&step));
         for width in [1.0, 0.3, 1e-3, 1e-9, 0.0] {
             for start in [0.0_f64, 0.1, 0.5, 0.7] {
                 let (from, to) = (start, (start + width).min(1.0));

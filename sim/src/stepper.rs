@@ -73,8 +73,9 @@ pub(crate) trait DenseStep {
     fn interpolate(&self, theta: f64, out: &mut [f64]);
     /// The degree of the solution inside the step; nothing if it is no polynomial.
     fn degree(&self) -> Option<usize>;
-    /// Hands `put` the component, the power of the fraction of the step and its coefficient, up to the degree.
-    fn powers(&self, put: &mut dyn FnMut(usize, usize, f64));
+    /// Writes the coefficients of the powers of the fraction of the step, up to the degree: first those of power 0, one
+    /// for each component.
+    fn powers(&self, out: &mut [f64]);
     /// The time at the fraction `theta` of the step.
     fn time_at(&self, theta: f64) -> f64 {
         let (start, end) = self.times();
@@ -145,8 +146,9 @@ impl<I: Interpolant> DenseStep for I {
         self.order_inside()
     }
 
-    fn powers(&self, put: &mut dyn FnMut(usize, usize, f64)) {
-        self.coefficients(|i, k, value| put(i, k, value.to_f64()));
+    fn powers(&self, out: &mut [f64]) {
+        let components = self.ends().0.len();
+        self.coefficients(|i, k, value| out[k * components + i] = value.to_f64());
     }
 }
 

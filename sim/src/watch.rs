@@ -29,12 +29,15 @@ pub(crate) struct Watch<'w, 'e> {
 impl<'w, 'e> Watch<'w, 'e> {
     /// A watch over a state of `n` components.
     pub(crate) fn new(events: &'w mut [Event<'e>], n: usize) -> Self {
+        let ranges = || events.iter().filter_map(|event| event.ranges.as_ref());
+        let wanted = |i: &usize| ranges().any(|r| r.components.as_ref().is_none_or(|list| list.contains(i)));
+        let polynomial = Polynomial::new((0..n).filter(wanted).collect(), n);
         Self {
             events,
             memories: Vec::new(),
             y: vec![0.0; n],
             magnitudes: vec![0.0; n],
-            polynomial: Polynomial::default(),
+            polynomial,
             stretch: Vec::new(),
             records: Vec::new(),
         }
@@ -70,15 +73,15 @@ impl<'w, 'e> Watch<'w, 'e> {
         step.interpolate(1.0, &mut self.y);
         self.note_magnitudes();
         let wanted = self.events.iter().any(|event| event.ranges.is_some());
-        let has_ranges = wanted && self.polynomial.take(step, self.y.len());
+        let has_ranges = wanted && self.polynomial.take(step);
         let mut found: Vec<(usize, Found)> = Vec::new();
         let mut nowhere: Option<(f64, usize)> = None;
         for (i, (event, memory)) in self.events.iter_mut().zip(&mut self.memories).enumerate() {
             let mut probe =
                 Probe { step, function: &mut *event.function, y: &mut self.y, magnitudes: &self.magnitudes };
-            let ranges = event.ranges.as_mut().filter(|_| has_ranges).map(|function| Ranges {
+            let ranges = event.ranges.as_mut().filter(|_| has_ranges).map(|ranges| Ranges {
                 polynomial: &mut self.polynomial,
-                function,
+                function: &mut ranges.function,
                 y: &mut self.stretch,
             });
             let findings = search(&mut probe, memory, ranges);

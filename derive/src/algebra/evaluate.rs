@@ -262,6 +262,16 @@ impl<S: Numeric> Tape<S> {
         self.outputs.len()
     }
 
+    /// The places of the inputs that outputs depend on, in order.
+    #[must_use]
+    pub fn used(&self) -> Vec<usize> {
+        let mut list: Vec<usize> =
+            self.ops.iter().filter_map(|op| if let Op::Input(at) = op { Some(*at) } else { None }).collect();
+        list.sort_unstable();
+        list.dedup();
+        list
+    }
+
     /// Evaluates all outputs. `scratch` is working space, reused between calls.
     ///
     /// # Panics

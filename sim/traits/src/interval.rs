@@ -22,15 +22,24 @@ pub struct Interval {
 }
 
 /// A little below; 0 stays, since sums that are 0 are exact.
+#[inline]
 fn down(x: f64) -> f64 {
+    let below = x - x.abs() * f64::EPSILON;
+    if below < x { below } else { just_below(x) }
+}
+
+/// Of 0, of numbers next to it, and of what is not finite.
+fn just_below(x: f64) -> f64 {
     if x == 0.0 { x } else { x.next_down() }
 }
 
+#[inline]
 fn up(x: f64) -> f64 {
     -down(-x)
 }
 
 /// The ends of the range of a product: 0 times anything is 0, and what underflows has a sign.
+#[inline]
 fn product(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 {
         return 0.0;
@@ -123,6 +132,15 @@ impl Interval {
 
     fn outwards(lo: f64, hi: f64) -> Self {
         Self { lo: down(lo), hi: up(hi) }
+    }
+
+    /// k x.
+    fn times(self, k: f64) -> Self {
+        if k - 1.0 == 0.0 {
+            return self;
+        }
+        let (a, b) = (product(k, self.lo), product(k, self.hi));
+        Self::outwards(a.min(b), a.max(b))
     }
 
     fn has_zero(self) -> bool {
@@ -335,6 +353,13 @@ impl Mul for Interval {
     fn mul(self, other: Self) -> Self {
         if self.is_undefined() || other.is_undefined() {
             return Self::UNDEFINED;
+        }
+        // Factors of terms are mostly 1, or one number.
+        if self.width() == 0.0 {
+            return other.times(self.lo);
+        }
+        if other.width() == 0.0 {
+            return self.times(other.lo);
         }
         let (a, b) = (product(self.lo, other.lo), product(self.lo, other.hi));
         let (c, d) = (product(self.hi, other.lo), product(self.hi, other.hi));
