@@ -70,7 +70,7 @@ pub struct Event<'a> {
     /// The function. Called at many points of a step, out of order; it should be smooth where it is
     /// zero.
     pub function: EventFunction<'a>,
-    /// The same function in ranges, if it can be had; without them it is sampled.
+    /// Its ranges, if they can be had; without them the function is sampled.
     pub ranges: Option<InRanges<'a>>,
     /// Which crossings count.
     pub direction: Direction,
