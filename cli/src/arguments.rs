@@ -214,6 +214,9 @@ pub struct How {
     /// The length of every step, s, instead of steps chosen by the error
     #[arg(long)]
     pub step: Option<f64>,
+    /// The longest step that the error may choose, s
+    #[arg(long)]
+    pub max_step: Option<f64>,
     /// Relative tolerance
     #[arg(long)]
     pub rtol: Option<f64>,
@@ -228,13 +231,14 @@ pub struct How {
 impl How {
     /// What stands in the place of what a scene says.
     pub fn overrides(&self) -> Overrides {
-        let Self { by, method, project, solve, step, rtol, atol, until } = self;
+        let Self { by, method, project, solve, step, max_step, rtol, atol, until } = self;
         Overrides {
             by: by.clone(),
             method: method.clone(),
             project: project.clone(),
             solve: solve.clone(),
             step: *step,
+            max_step: *max_step,
             rtol: *rtol,
             atol: *atol,
             until: *until,

@@ -23,6 +23,7 @@ pub fn options_of_ends(scene: &Scene) -> Result<Options, Error> {
         // Quadrature takes no steps: any method will do.
         method: if how.method == QUADRATURE { Method::Dop853 } else { method(&how.method)? },
         step: how.step,
+        max_step: how.max_step,
         step_limit: how.step_limit,
         output: Output::Ends,
         ..Options::tolerances(how.rtol, how.atol.clone())
@@ -55,10 +56,11 @@ pub fn method_words(scene: &Scene) -> String {
         (None, AbsoluteTolerance::Uniform(atol)) => format!("rtol {:e}, atol {atol:e}", how.rtol),
         (None, AbsoluteTolerance::Each(_)) => format!("rtol {:e}, an atol for each state", how.rtol),
     };
+    let longest = how.max_step.map_or_else(String::new, |longest| format!(", steps of {longest:e} s at most"));
     let distance = how.distance.map_or_else(String::new, |d| {
         format!(", in a coordinate's distance from {}°", 90 * i64::from(d.quarter_turns))
     });
-    format!("{} with {steps}{projected}{distance}", how.method)
+    format!("{} with {steps}{longest}{projected}{distance}", how.method)
 }
 
 fn output(scene: &Scene) -> Output {

@@ -18,6 +18,8 @@ pub struct Overrides {
     pub solve: Option<String>,
     /// The length of every step, s.
     pub step: Option<f64>,
+    /// The longest step that the error may choose, s.
+    pub max_step: Option<f64>,
     /// Relative tolerance.
     pub rtol: Option<f64>,
     /// Absolute tolerance of every state.
@@ -42,17 +44,29 @@ impl Overrides {
         if let Some(name) = &self.project {
             scene.integration.project = Some(project(name)?);
         }
-        if let Some(step) = self.step {
-            if !(step.is_finite() && step > 0.0) {
+        let how = &mut scene.integration;
+        for (option, length, place) in
+            [("step", self.step, &mut how.step), ("max-step", self.max_step, &mut how.max_step)]
+        {
+            let Some(length) = length else { continue };
+            if !(length.is_finite() && length > 0.0) {
                 let help = "give the length of a step in seconds, above zero";
-                return Err(Error::request(format!("step is {step}"), help.to_owned()));
+                return Err(Error::request(format!("{option} is {length}"), help.to_owned()));
             }
-            scene.integration.step = Some(step);
+            *place = Some(length);
+        }
+        if how.step.is_some() && how.max_step.is_some() {
+            let help = "leave the longest step out, or the length of every step";
+            return Err(Error::request("where every step has one length, none is longer", help));
         }
         if scene.integration.method == QUADRATURE {
             if scene.integration.step.is_some() {
                 let help = "leave the step out, or give a stepping method";
                 return Err(Error::request("quadrature takes no steps", help));
+            }
+            if scene.integration.max_step.is_some() {
+                let help = "leave the longest step out, or give a stepping method";
+                return Err(Error::request("quadrature takes no steps: none is the longest", help));
             }
             if scene.integration.project.is_some() {
                 let help = "leave the projection out, or give a stepping method";

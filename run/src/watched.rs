@@ -6,12 +6,13 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::evaluate::{Numeric, Tape, UnknownSymbol};
+use tripos_derive::algebra::steps::{Definition, fresh_symbol, needed};
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::Scene;
 use tripos_derive::{Formulation, Model};
-use tripos_sim::{Direction, Dynamics, Effect, Event};
-use tripos_traits::Lengths;
+use tripos_sim::{Direction, Dynamics, Effect, Event, EventFunction, InRanges};
+use tripos_traits::{Enclosure, Lengths, Scalar};
 
 /// What is watched in the runs of a scene, compiled once: expressions, and the force balance that gives reactions,
 /// whichever formulation runs, if one of them mentions a reaction.
@@ -22,11 +23,13 @@ pub struct Balance {
     watched: Vec<Watched>,
 }
 
-/// An expression in parameters, q, q̇, u and reactions.
+/// An expression in parameters, q, q̇, u and reactions, as it is computed.
 #[derive(Clone)]
-struct Watched {
-    tape: Tape,
-    needs_reactions: bool,
+enum Watched {
+    /// From parameters and the integrated state, in numbers and in ranges.
+    OfState { tape: Tape, ranges: Tape<Enclosure> },
+    /// From parameters, q, q̇, u and reactions, which the equations that run and the force balance give.
+    OfMotion { tape: Tape, needs_reactions: bool },
 }
 
 impl Balance {
@@ -52,54 +55,118 @@ impl Balance {
                     )
                 })?);
             }
-            let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
-            let inputs = [model.p(), model.q(), model.q_dot(), model.u(), reactions].concat();
-            let tape = tape(&model.arena, &inputs, &[e], &format!("`{name}`"))?;
-            list.push(Watched { tape, needs_reactions: reaction.is_some() });
+            list.push(match of_state(model, scene, by, e) {
+                Ok(tape) => Watched::OfState { ranges: tape.to(), tape },
+                // There is another way to its value, which says what is unknown there, too.
+                Err(UnknownSymbol(_)) => of_motion(model, e, name)?,
+            });
         }
         Ok(Self { code: balance, watched: list })
     }
 }
 
-/// The domain's conditions and the scene's events as functions of the integrated state; the scene must have those that
-/// `balance` was made for.
+/// The expression as a function of parameters and the integrated state: not of reactions, nor of rates where the
+/// equations that run have rates of their own, as printed ones.
+fn of_state(model: &Model, scene: &Scene, by: &By, e: Expr) -> Result<Tape, UnknownSymbol> {
+    let mut arena = model.arena.clone();
+    let (mut variables, mut steps) = (model.q(), Vec::new());
+    if let Some(distance) = scene.integration.distance {
+        let coordinate = variables[distance.coordinate];
+        let symbol = fresh_symbol(&mut arena, "distance");
+        let (quarter, pi) = (arena.ratio(i64::from(distance.quarter_turns), 2), arena.pi());
+        let origin = arena.mul(quarter, pi);
+        steps.push(Definition { symbol: coordinate, value: arena.add(symbol, origin) });
+        variables[distance.coordinate] = symbol;
+    }
+    let formulation = match by {
+        By::Derived(formulation) | By::Printed { formulation, .. } => Some(*formulation),
+        By::Reduced => None,
+    };
+    let (v, other, values) = if formulation.is_some_and(Formulation::is_in_rates) {
+        (model.q_dot(), model.u(), model.speeds.iter().map(|s| s.definition).collect())
+    } else {
+        (model.u(), model.q_dot(), model.kinematic_equations.rates.clone())
+    };
+    if by.printed_id().is_none() {
+        steps.extend(other.into_iter().zip(values).map(|(symbol, value)| Definition { symbol, value }));
+    }
+    let steps = needed(&arena, &steps, &[e]);
+    Tape::stepwise(&arena, &[model.p(), variables, v].concat(), &steps, &[e])
+}
+
+fn of_motion(model: &Model, e: Expr, name: &str) -> Result<Watched, Error> {
+    let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
+    let needs_reactions = reactions.iter().any(|r| model.arena.mentions(e, *r));
+    let inputs = [model.p(), model.q(), model.q_dot(), model.u(), reactions].concat();
+    Ok(Watched::OfMotion { tape: tape(&model.arena, &inputs, &[e], &format!("`{name}`"))?, needs_reactions })
+}
+
+/// The domain's conditions and the scene's events as functions of the integrated state, in ranges where no reaction is
+/// watched; the scene must have those that `balance` was made for.
 #[must_use]
 pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'a>> {
     let Problem { model, scene, .. } = *problem;
-    let mut watched = balance.watched.iter();
-    let mut events = Vec::new();
-    for (condition, watched) in model.domain.iter().zip(&mut watched) {
-        let function = watch(problem, balance, watched);
-        let name = format!("{} ({})", condition.name, condition.text);
-        if scene.integration.domain_stops {
-            events.push(Event::domain(name, function));
-        } else {
-            events.push(Event::recorded(name, Direction::Falling, function));
-        }
-    }
-    for (event, watched) in scene.events.iter().zip(watched) {
-        let function = watch(problem, balance, watched);
+    let conditions = model.domain.iter().map(|condition| {
+        let effect = if scene.integration.domain_stops { Effect::Domain } else { Effect::Record };
+        (format!("{} ({})", condition.name, condition.text), Direction::Falling, effect)
+    });
+    let events = scene.events.iter().map(|event| {
         let effect = if event.terminal { Effect::Terminal } else { Effect::Record };
-        let name = event.name.clone();
-        events.push(Event { name, function: Box::new(function), direction: event.direction, effect });
-    }
-    events
+        (event.name.clone(), event.direction, effect)
+    });
+    let watched = conditions.chain(events).zip(&balance.watched);
+    let event = |((name, direction, effect), watched): ((String, Direction, Effect), &'a Watched)| {
+        let (function, ranges) = watch(problem, balance, watched);
+        Event { name, function, ranges, direction, effect }
+    };
+    watched.map(event).collect()
 }
 
-/// A watched expression as a function of (t, y).
+/// A watched expression as a function of (t, y), and in ranges of them.
 fn watch<'a>(
     problem: &'a Problem<'_>,
     balance: &'a Balance,
     watched: &'a Watched,
+) -> (EventFunction<'a>, Option<InRanges<'a>>) {
+    match watched {
+        Watched::OfState { tape, ranges } => {
+            let p = problem.scene.parameters.as_slice();
+            let mut value = of_inputs(tape, p.to_vec());
+            let mut range = of_inputs(ranges, p.iter().map(|p| Enclosure::from_f64(*p)).collect());
+            let components = tape.used().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
+            let ranges = InRanges { function: Box::new(move |_t, y| range(y)), components: Some(components) };
+            (Box::new(move |_t, y| value(y)), Some(ranges))
+        }
+        Watched::OfMotion { tape, needs_reactions } => {
+            let code = balance.code.as_ref().filter(|_| *needs_reactions);
+            (Box::new(along_motion(problem, code, tape)), None)
+        }
+    }
+}
+
+/// A tape as a function of the rest of its inputs, the first of which are given.
+fn of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S]) -> S + '_ {
+    let (given, mut scratch) = (inputs.len(), Vec::new());
+    move |rest: &[S]| {
+        inputs.truncate(given);
+        inputs.extend_from_slice(rest);
+        let mut out = [S::int(0)];
+        tape.evaluate_into(&inputs, &mut scratch, &mut out);
+        out[0]
+    }
+}
+
+/// A tape of parameters, q, q̇, u and reactions as a function of (t, y).
+fn along_motion<'a>(
+    problem: &'a Problem<'_>,
+    code: Option<&'a Code>,
+    tape: &'a Tape,
 ) -> impl FnMut(f64, &[f64]) -> f64 + 'a {
     let system = problem.system();
     let p = problem.scene.parameters.clone();
     let Lengths { coordinates, speeds, .. } = system.lengths();
     let reactions = problem.model.reactions.len();
-    let mut dynamics = match &balance.code {
-        Some(code) if watched.needs_reactions => Dynamics::new(code.system(), &p).ok(),
-        _ => None,
-    };
+    let mut dynamics = code.and_then(|code| Dynamics::new(code.system(), &p).ok());
     let (mut q_dot, mut u, mut scratch) = (vec![0.0; coordinates], vec![0.0; speeds], Vec::new());
     move |_t: f64, y: &[f64]| {
         let (variables, v) = y.split_at(coordinates);
@@ -116,7 +183,7 @@ fn watch<'a>(
             None => values.resize(values.len() + reactions, f64::NAN),
         }
         let mut out = [0.0];
-        watched.tape.evaluate_into(&values, &mut scratch, &mut out);
+        tape.evaluate_into(&values, &mut scratch, &mut out);
         out[0]
     }
 }

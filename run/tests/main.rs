@@ -1,6 +1,7 @@
 //! The library as a program uses it.
 
 mod shared;
+mod watched;
 
 use tripos::{Error, Mechanism, Overrides, Run, Scene};
 use tripos_derive::diagnostic::Source;

@@ -264,6 +264,28 @@ impl<S: Real> Interpolant for Dop853<S> {
             put(i, r0 + theta * (r1 + rest * (r2 + theta * (r3 + rest * inner))));
         }
     }
+
+    fn order_inside(&self) -> Option<usize> {
+        Some(7)
+    }
+
+    fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
+        for i in 0..self.y.components().len() {
+            let r = self.dense[i / LANES].map(|r| r[i % LANES]);
+            // From the innermost bracket outwards: times θ or 1 − θ in turn, plus the next of r.
+            let mut p = [S::from_f64(0.0); 8];
+            p[0] = r[7];
+            for (at, add) in r[..7].iter().enumerate().rev() {
+                for k in (1..8).rev() {
+                    p[k] = if at % 2 == 0 { p[k - 1] } else { p[k] - p[k - 1] };
+                }
+                p[0] = if at % 2 == 0 { *add } else { p[0] + *add };
+            }
+            for (power, value) in p.into_iter().enumerate() {
+                put(i, power, value);
+            }
+        }
+    }
 }
 
 impl<S: Real> Stepper for Dop853<S> {

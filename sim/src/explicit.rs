@@ -106,6 +106,22 @@ impl<T: Real, const S: usize> Interpolant for ExplicitRungeKutta<T, S> {
             put(i, sum + *y);
         }
     }
+
+    fn order_inside(&self) -> Option<usize> {
+        Some(4)
+    }
+
+    fn coefficients(&self, mut put: impl FnMut(usize, usize, T)) {
+        let h = T::from_f64(self.t_new) - T::from_f64(self.t);
+        let dense = &self.coefficients.dense;
+        for (i, y) in self.y.iter().enumerate() {
+            put(i, 0, *y);
+            for power in 0..4 {
+                let sum = dense.iter().zip(&self.k).fold(T::from_f64(0.0), |sum, (d, k)| sum + d[power] * k[i]);
+                put(i, power + 1, h * sum);
+            }
+        }
+    }
 }
 
 impl<T: Real, const S: usize> Stepper for ExplicitRungeKutta<T, S> {

@@ -74,6 +74,12 @@ impl<S: Real> Slope<S> {
         let square = tau * tau;
         theta * self.middle + (square - S::ratio(1, 4)) * self.first + (square * tau + S::ratio(1, 8)) * self.second
     }
+
+    /// The coefficients of θ, θ² and θ³ in the integral.
+    fn powers(&self) -> [S; 3] {
+        let half = S::ratio(3, 2) * self.second;
+        [self.middle - self.first + S::ratio(3, 4) * self.second, self.first - half, self.second]
+    }
 }
 
 /// State of the method between and inside steps.
@@ -304,6 +310,20 @@ impl<S: Real> Interpolant for Gauss6<S> {
         let h = S::from_f64(self.t_new) - S::from_f64(self.t);
         for (i, y) in self.y.iter().enumerate() {
             put(i, *y + h * self.slope_of(&self.k, i).integral(theta));
+        }
+    }
+
+    fn order_inside(&self) -> Option<usize> {
+        Some(3)
+    }
+
+    fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
+        let h = S::from_f64(self.t_new) - S::from_f64(self.t);
+        for (i, y) in self.y.iter().enumerate() {
+            put(i, 0, *y);
+            for (power, value) in self.slope_of(&self.k, i).powers().into_iter().enumerate() {
+                put(i, power + 1, h * value);
+            }
         }
     }
 }

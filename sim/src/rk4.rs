@@ -62,6 +62,22 @@ impl<S: Real> Interpolant for Rk4<S> {
             put(i, *y + theta * (rise + rest * bend));
         }
     }
+
+    fn order_inside(&self) -> Option<usize> {
+        Some(3)
+    }
+
+    fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
+        let h = S::from_f64(self.t_new) - S::from_f64(self.t);
+        for (i, (y, y_new)) in self.y.iter().zip(&self.y_new).enumerate() {
+            // y + θ (Δ + a) − θ² (2 a + b) + θ³ (a + b), with a = h f − Δ and b = h f_new − Δ
+            let rise = *y_new - *y;
+            let (a, b) = (h * self.k[0][i] - rise, h * self.k[4][i] - rise);
+            for (power, value) in [*y, rise + a, -(a + a + b), a + b].into_iter().enumerate() {
+                put(i, power, value);
+            }
+        }
+    }
 }
 
 impl<S: Real> Stepper for Rk4<S> {

@@ -69,13 +69,15 @@ pub(crate) fn minimum(
     enough: f64,
 ) -> Result<Point, NotANumber> {
     const GOLDEN: f64 = 0.381_966_011_250_105_1;
+    // Half of the digits, as far as a smooth minimum has them; in a narrow interval more of them count.
+    let narrow = 1e-6 * (high - low);
     let start = low + GOLDEN * (high - low);
     let mut x = (start, value(f, start)?);
     let (mut second, mut third) = (x, x);
     let (mut step, mut before) = (0.0_f64, 0.0_f64);
     for _ in 0..100 {
         let middle = 0.5 * (low + high);
-        let tolerance = 1e-9 * x.0.abs() + 1e-12;
+        let tolerance = (1e-9 * x.0.abs() + 1e-12).min(narrow).max(f64::EPSILON * x.0.abs());
         if x.1 < enough || (x.0 - middle).abs() <= 2.0 * tolerance - 0.5 * (high - low) {
             break;
         }

@@ -13,7 +13,11 @@ use crate::recorder::Recorder;
 use crate::rhs::RightHandSide;
 use crate::solution::{Solution, Stop};
 use crate::stepper::{DenseStep, Stepper, Trouble};
+use crate::warning::Warning;
 use crate::watch::Watch;
+
+/// Fractions of a step that are one place.
+const ONE_PLACE: f64 = 1e-9;
 
 /// A run under way: the method, the sizes of its steps, and counts.
 struct Run<'o, M> {
@@ -52,6 +56,7 @@ where
         None => run.walk(rhs, &mut watch, (&mut recorder, projector.as_mut()), &mut y_end),
     };
     recorder.finish(t_end, &y_end, run.steps);
+    let undecided: Vec<Warning> = watch.warnings().collect();
     Solution {
         t: recorder.t,
         y: recorder.y,
@@ -63,7 +68,7 @@ where
         jacobians: run.stepper.jacobians(),
         stop,
         events: watch.records,
-        warnings: run.doubts.warnings::<M::Real>().collect(),
+        warnings: run.doubts.warnings::<M::Real>().chain(undecided).collect(),
         projection: projector.map(|projector| projector.report),
     }
 }
@@ -102,19 +107,9 @@ impl<M: Stepper> Run<'_, M> {
                 Ok(last) => last,
                 Err(stop) => break stop,
             };
-            let suspects = !guard.is_empty() && guard.suspects(rhs, &self.stepper);
-            if suspects || !watch.is_empty() || recorder.looks_inside(self.stepper.span()) {
-                let known = self.stepper.prepare_inside(rhs);
-                self.doubts.note_inside(&self.stepper, known);
-            }
-            let zero = if suspects { guard.zero(rhs, &self.stepper) } else { None };
-            let end = match (watch.look(&self.stepper), zero) {
-                (Ok(Some((theta, stop))), zero) if zero.is_none_or(|zero| theta <= zero.theta) => Some((theta, stop)),
-                (_, Some(Zero { divisor, theta })) => {
-                    Some((theta, Stop::Singular { divisor: rhs.divisor_name(divisor) }))
-                }
-                (Ok(_), None) => None,
-                (Err(failure), None) => break Stop::Failed(failure),
+            let end = match self.end_inside(rhs, watch, &mut guard, recorder.looks_inside(self.stepper.span())) {
+                Ok(end) => end,
+                Err(stop) => break stop,
             };
             recorder.step(&self.stepper, end.as_ref().map_or(1.0, |(theta, _)| *theta));
             if let Some((theta, stop)) = end {
@@ -145,6 +140,36 @@ impl<M: Stepper> Run<'_, M> {
         // Until a step is accepted, both ends are the start; afterwards `ends` begins with the current state.
         y_end.copy_from_slice(self.stepper.ends().0);
         (stop, self.stepper.span().0)
+    }
+
+    /// What ends the run inside the step last taken, with its fraction of the step: an event, or a divisor that is zero.
+    /// Where both are at one place, the event has the word: it says of which condition the place is the end.
+    fn end_inside<R>(
+        &mut self,
+        rhs: &mut R,
+        watch: &mut Watch<'_, '_>,
+        guard: &mut Guard<M::Real>,
+        is_sampled: bool,
+    ) -> Result<Option<(f64, Stop)>, Stop>
+    where
+        R: RightHandSide<M::Real>,
+    {
+        let suspects = !guard.is_empty() && guard.suspects(rhs, &self.stepper);
+        if suspects || is_sampled || !watch.is_empty() {
+            let known = self.stepper.prepare_inside(rhs);
+            self.doubts.note_inside(&self.stepper, known);
+        }
+        let zero = if suspects { guard.zero(rhs, &self.stepper) } else { None };
+        match (watch.look(&self.stepper), zero) {
+            (Ok(Some((theta, stop))), zero) if zero.is_none_or(|zero| theta <= zero.theta + ONE_PLACE) => {
+                Ok(Some((theta, stop)))
+            }
+            (_, Some(Zero { divisor, theta })) => {
+                Ok(Some((theta, Stop::Singular { divisor: rhs.divisor_name(divisor) })))
+            }
+            (Ok(_), None) => Ok(None),
+            (Err(failure), None) => Err(Stop::Failed(failure)),
+        }
     }
 
     /// Takes one step, with as many attempts as it needs; says whether it reached the end of the

@@ -36,6 +36,12 @@ impl Probe<'_> {
         (self.function)(self.step.time_at(theta), self.y)
     }
 
+    /// How far rounding may move an instant of the step, in s: 4 ε of its times.
+    pub(crate) fn instant(&self) -> f64 {
+        let (start, end) = self.step.times();
+        4.0 * f64::EPSILON * start.abs().max(end.abs())
+    }
+
     /// The value, which must be one.
     pub(crate) fn value_at(&mut self, theta: f64) -> Result<f64, NotANumber> {
         let g = self.at(theta);

@@ -1,65 +1,76 @@
-//! What one event function did during one step.
-//!
-//! Invariant: `Memory::side` is the side of zero the function was last known to be on, and every
-//! sign change against it is reported exactly once. See [`crate::events`] for the conventions.
+//! What one event function did during one step: by ranges where there are any, else by samples.
 
 use crate::events::Kind;
-use crate::root::{self, NotANumber};
-use crate::samples::{Node, Probe, Sign, hidden_extrema, may_dip, sign};
+use crate::isolate::{Isolation, Known, Ranges, isolate};
+use crate::root::NotANumber;
+use crate::samples::{Node, Probe, hidden_extrema, may_dip, sign};
+use crate::walk::{Doubt, Findings, Found, LADDER, Memory, walk};
 
 /// The slope at the ends of a step is taken over this fraction of it: the root of ε, below which a
 /// smooth function cannot turn by more than rounding.
 const DELTA: f64 = 1.0 / 67_108_864.0;
 /// Samples a step, evenly spaced.
 const INTERVALS: u32 = 8;
-/// Where to look for the side on which a function leaves zero: 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸ of a step away.
-const LADDER: [f64; 3] = [1.0 / 1_048_576.0, 1.0 / 16_384.0, 1.0 / 256.0];
-
-/// What is known of an event function at the start of a step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Memory {
-    /// Its value there.
-    pub(crate) value: f64,
-    /// The sign of that value.
-    pub(crate) sign: Sign,
-    /// The side it was last on; 0 if it has been zero since the start of the run.
-    pub(crate) side: Sign,
-    /// Whether a step has been searched.
-    pub(crate) begun: bool,
-    /// The side assumed for a run that starts at zero.
-    pub(crate) side_at_zero: Sign,
-}
-
-/// Something the function did, at a fraction of the step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Found {
-    pub(crate) theta: f64,
-    pub(crate) kind: Kind,
-}
-
-/// What a step held, in no particular order, up to where the function stopped having a value.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Findings {
-    pub(crate) found: Vec<Found>,
-    pub(crate) not_a_number: Option<f64>,
-}
 
 /// Looks at one step; `memory` moves on to its end.
-pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {
+pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut Memory, ranges: Option<Ranges<'_, '_>>) -> Findings {
+    match ranges {
+        Some(mut ranges) => by_ranges(probe, memory, &mut ranges),
+        None => by_samples(probe, memory),
+    }
+}
+
+/// By parts of the step on which ranges tell what happens.
+fn by_ranges(probe: &mut Probe<'_>, memory: &mut Memory, ranges: &mut Ranges<'_, '_>) -> Findings {
+    let isolation = isolate(probe, ranges);
+    let mut findings = Findings { not_a_number: isolation.cut, ..Findings::default() };
+    if let Some(side) = isolation.side()
+        && side == memory.side
+        && memory.begun
+    {
+        memory.stay(side);
+        return findings;
+    }
+    let mut nodes = Vec::new();
+    sample(probe, isolation.ends(), &mut nodes, &mut findings);
+    let Some(near) = nearest(&nodes) else { return findings };
+    let tolerance = probe.rounding(near, 0.0) + 0.5 * ranges.spread(near);
+    let slope = if memory.begun { 0.0 } else { ranges.over(0.0, 0.0).slope.size() };
+    set_signs(probe, &mut nodes, memory, (tolerance, slope), &mut findings);
+    stay_at_start(probe, &mut nodes, memory);
+    let doubt = |k: usize| doubt_of(isolation.parts[k - 1].known);
+    let outcome = walk(probe, (&nodes, &doubt), memory, tolerance, &mut findings);
+    findings.note(outcome);
+    findings.found.extend(left_open(&isolation, &nodes, memory));
+    memory.move_on(&nodes);
+    findings
+}
+
+fn doubt_of(known: Known) -> Doubt {
+    match known {
+        Known::Clear(_) | Known::Monotone => Doubt::None,
+        Known::Unknown => Doubt::Unknown,
+        Known::Open => Doubt::Dip,
+    }
+}
+
+/// Where parts were left open, but for those that begin and end at zero: one place for all of them.
+fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Found> {
+    let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
+    let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
+    let near = ends.min_by(|a, b| a.g.abs().total_cmp(&b.g.abs()))?;
+    Some(Found { theta: near.theta, kind: Kind::Undecided, side: memory.side })
+}
+
+fn by_samples(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {
     let mut findings = Findings::default();
     let nodes = &mut gather(probe, memory, &mut findings);
     let scale = nodes.iter().map(|n| n.g.abs()).filter(|g| g.is_finite()).fold(0.0, f64::max);
     if !(memory.begun && is_quiet(nodes, memory, scale)) {
         let outcome = examine(probe, nodes, memory, scale, &mut findings);
-        if let Err(NotANumber { at }) = outcome {
-            let first = findings.not_a_number.map_or(at, |theta| theta.min(at));
-            findings.not_a_number = Some(first);
-        }
+        findings.note(outcome);
     }
-    memory.begun = true;
-    if let Some(end) = nodes.last() {
-        (memory.value, memory.sign) = (end.g, end.sign);
-    }
+    memory.move_on(nodes);
     findings
 }
 
@@ -119,18 +130,9 @@ fn examine(
     scale: f64,
     findings: &mut Findings,
 ) -> Result<(), NotANumber> {
-    let nearest = nodes.iter().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs()));
-    let tolerance = probe.rounding(nearest.map_or(0.0, |n| n.theta), scale);
-    for node in nodes.iter_mut().skip(usize::from(memory.begun)) {
-        node.sign = sign(node.g, tolerance);
-    }
-    if !memory.begun {
-        memory.side = nodes[0].sign;
-        if memory.side == 0 {
-            memory.side = memory.side_at_zero;
-            findings.found.push(Found { theta: 0.0, kind: Kind::AtStart });
-        }
-    }
+    let tolerance = probe.rounding(nearest(nodes).unwrap_or(0.0), scale);
+    let slope = nodes.get(1).map_or(0.0, |next| (next.g - nodes[0].g).abs() / next.theta);
+    set_signs(probe, nodes, memory, (tolerance, slope), findings);
     if nodes[0].sign == 0 && nodes.len() > 2 {
         let mut ladder = Vec::new();
         for theta in LADDER {
@@ -139,93 +141,46 @@ fn examine(
         }
         nodes.splice(2..2, ladder);
     }
-    walk(probe, nodes, memory, tolerance, findings)
+    stay_at_start(probe, nodes, memory);
+    let nodes = &nodes[..];
+    let doubt = |k: usize| if may_dip(nodes, k) { Doubt::Dip } else { Doubt::None };
+    walk(probe, (nodes, &doubt), memory, tolerance, findings)
 }
 
-fn crossing_to(side: Sign, theta: f64) -> Found {
-    Found { theta, kind: if side > 0 { Kind::Rising } else { Kind::Falling } }
+/// The place of the smallest sample.
+fn nearest(nodes: &[Node]) -> Option<f64> {
+    nodes.iter().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs())).map(|n| n.theta)
 }
 
-fn walk(
-    probe: &mut Probe<'_>,
-    nodes: &[Node],
+/// The signs of samples, up to a tolerance.
+///
+/// The instant at which a run starts is as uncertain as its rounding, through which the function goes with `slope`, by
+/// the fraction of the step: a run that begins where an event ended another one begins at zero.
+fn set_signs(
+    probe: &Probe<'_>,
+    nodes: &mut [Node],
     memory: &mut Memory,
-    tolerance: f64,
+    (tolerance, slope): (f64, f64),
     findings: &mut Findings,
-) -> Result<(), NotANumber> {
-    // Last sample clearly on a side, and the first of the zeros after it. Zeros that begin with the
-    // step were dealt with at the end of the step before.
-    let mut clear: Option<usize> = None;
-    let mut zeros: Option<usize> = None;
-    for (k, node) in nodes.iter().enumerate() {
-        if node.sign == 0 {
-            zeros.get_or_insert(k);
-            continue;
-        }
-        if memory.side == 0 {
-            memory.side = node.sign;
-        } else if node.sign != memory.side {
-            let theta = locate(probe, nodes, clear.unwrap_or(k.saturating_sub(1)), k)?;
-            findings.found.push(crossing_to(node.sign, theta));
-            memory.side = node.sign;
-        } else if let (Some(low), Some(_)) = (clear, zeros) {
-            dip(probe, [nodes[low], *node], tolerance, findings)?;
-        } else if k > 0 && may_dip(nodes, k) {
-            dip(probe, [nodes[k - 1], *node], tolerance, findings)?;
-        }
-        (clear, zeros) = (Some(k), None);
+) {
+    for node in nodes.iter_mut().skip(1) {
+        node.sign = sign(node.g, tolerance);
     }
-    if let Some(z) = zeros.filter(|z| *z > 0) {
-        findings.found.push(arrive(probe, &nodes[z..], memory, tolerance));
+    let ((start, end), instant) = (probe.step.times(), probe.instant());
+    nodes[0].sign = memory.sign;
+    if !memory.begun {
+        let passed = slope * (instant / (end - start).abs());
+        nodes[0].sign = sign(nodes[0].g, tolerance + if passed.is_finite() { passed } else { 0.0 });
+        memory.begin(nodes[0].sign, findings);
+        memory.zero_at = Some(start).filter(|_| nodes[0].sign == 0);
     }
-    Ok(())
 }
 
-/// The zero between samples `low` and `high`; the last sample before `high` if they do not bracket
-/// one.
-fn locate(probe: &mut Probe<'_>, nodes: &[Node], low: usize, high: usize) -> Result<f64, NotANumber> {
-    let (a, b) = (nodes[low], nodes[high]);
-    if (a.g < 0.0) == (b.g < 0.0) || a.g == 0.0 {
-        return Ok(nodes[high.saturating_sub(1)].theta);
-    }
-    root::zero(&mut |theta| probe.at(theta), (a.theta, a.g), (b.theta, b.g), 0.0)
-}
-
-/// Follows |g| down between two samples of one side: two crossings, a touch, or nothing.
-fn dip(probe: &mut Probe<'_>, [a, b]: [Node; 2], tolerance: f64, findings: &mut Findings) -> Result<(), NotANumber> {
-    let side = f64::from(a.sign);
-    let mut height = |theta| side * probe.at(theta);
-    let (theta, least) = root::minimum(&mut height, (a.theta, b.theta), -tolerance)?;
-    if least < -tolerance {
-        let mut g = |theta| probe.at(theta);
-        let bottom = (theta, side * least);
-        let first = root::zero(&mut g, (a.theta, a.g), bottom, 0.0)?;
-        let second = root::zero(&mut g, bottom, (b.theta, b.g), 0.0)?;
-        findings.found.push(crossing_to(-a.sign, first));
-        findings.found.push(crossing_to(a.sign, second));
-    } else if least <= tolerance {
-        findings.found.push(Found { theta, kind: Kind::Touch });
-    }
-    Ok(())
-}
-
-/// A function that is zero at the last sample, since the first of `zeros`: a touch if it goes back
-/// a little beyond, else a crossing.
-fn arrive(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut Memory, tolerance: f64) -> Found {
-    let end = zeros.last().map_or(1.0, |n| n.theta);
-    let mut sides = LADDER.iter().map(|d| sign_or_zero(probe.at(end + d), tolerance));
-    let beyond = sides.find(|s| *s != 0);
-    let nearest = zeros.iter().rev().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs()));
-    let nearest = nearest.map_or(end, |n| n.theta);
-    if beyond == Some(memory.side) {
-        return Found { theta: nearest, kind: Kind::Touch };
-    }
-    memory.side = -memory.side;
-    // A function that stays at zero arrived at the first of them.
-    let theta = if beyond.is_some() { nearest } else { zeros[0].theta };
-    crossing_to(memory.side, theta)
-}
-
-fn sign_or_zero(g: f64, tolerance: f64) -> Sign {
-    if g.is_nan() { 0 } else { sign(g, tolerance) }
+/// A run that begins at zero is there for as long as its start is uncertain.
+fn stay_at_start(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut Memory) {
+    let Some(zero_at) = memory.zero_at else { return };
+    let (end, instant) = (probe.step.times().1, probe.instant());
+    let within = |n: &&mut Node| (probe.step.time_at(n.theta) - zero_at).abs() <= instant;
+    nodes.iter_mut().filter(within).for_each(|n| n.sign = 0);
+    memory.zero_at = Some(zero_at).filter(|t| (end - t).abs() <= instant);
 }

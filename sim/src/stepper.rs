@@ -71,6 +71,11 @@ pub(crate) trait DenseStep {
     /// The state at the fraction `theta` of the step, exactly the step's ends at 0 and 1.
     /// A little beyond 1 is allowed and extrapolates.
     fn interpolate(&self, theta: f64, out: &mut [f64]);
+    /// The degree of the solution inside the step; nothing if it is no polynomial.
+    fn degree(&self) -> Option<usize>;
+    /// Writes the coefficients of the powers of the fraction of the step, up to the degree: first those of power 0, one
+    /// for each component.
+    fn powers(&self, out: &mut [f64]);
     /// The time at the fraction `theta` of the step.
     fn time_at(&self, theta: f64) -> f64 {
         let (start, end) = self.times();
@@ -88,6 +93,11 @@ pub(crate) trait Interpolant {
     fn ends(&self) -> (&[Self::Real], &[Self::Real]);
     /// Hands each component of the state at the fraction `theta` to `put`.
     fn inside(&self, theta: Self::Real, put: impl FnMut(usize, Self::Real));
+    /// The degree of the solution inside the step as a polynomial in its fraction; nothing if it is none.
+    fn order_inside(&self) -> Option<usize>;
+    /// Hands `put` the component, the power of the fraction of the step and its coefficient, for every power up to the
+    /// degree: the polynomial of [`Interpolant::inside`] but for rounding.
+    fn coefficients(&self, put: impl FnMut(usize, usize, Self::Real));
 
     /// The state at the fraction `theta`, which is at the time `t`.
     fn sample(&self, theta: f64, t: f64) -> Vec<Self::Real> {
@@ -130,6 +140,15 @@ impl<I: Interpolant> DenseStep for I {
         } else {
             self.inside(I::Real::from_f64(theta), |i, value| out[i] = value.to_f64());
         }
+    }
+
+    fn degree(&self) -> Option<usize> {
+        self.order_inside()
+    }
+
+    fn powers(&self, out: &mut [f64]) {
+        let components = self.ends().0.len();
+        self.coefficients(|i, k, value| out[k * components + i] = value.to_f64());
     }
 }
 

@@ -205,6 +205,21 @@ impl<S: Real> Interpolant for Taylor<S> {
             put(i, self.x[i] + (self.carry[i] + h * sum));
         }
     }
+
+    fn order_inside(&self) -> Option<usize> {
+        Some(self.usable)
+    }
+
+    fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
+        let h = S::from_f64(self.t_new) - S::from_f64(self.t);
+        let mut power = S::int(1);
+        for (k, row) in self.x.chunks_exact(self.n.max(1)).take(self.usable + 1).enumerate() {
+            for (i, x) in row.iter().enumerate() {
+                put(i, k, power * *x);
+            }
+            power = power * h;
+        }
+    }
 }
 
 impl<S: Real> Stepper for Taylor<S> {

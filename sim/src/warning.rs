@@ -44,6 +44,15 @@ pub enum Warning {
         /// The start of the first such step, in s.
         t: f64,
     },
+    /// Whether an event happened that would have ended the run is not known.
+    EventUndecided {
+        /// The event's name.
+        name: String,
+        /// When first, in s.
+        t: f64,
+        /// How many such places come after it.
+        more: usize,
+    },
 }
 
 impl Warning {
@@ -78,6 +87,14 @@ impl Warning {
                 "the equations have no value at some point of the step from t = {t:.6} s: events and output inside it \
                  are less exact than its ends"
             ),
+            Self::EventUndecided { name, t, more } => {
+                let rest = if *more == 0 { String::new() } else { format!(", and at {more} places after it") };
+                write!(
+                    f,
+                    "whether `{name}` crosses zero at t = {t} s{rest} is not known: it comes too close to zero, or \
+                     varies too fast; the run went on"
+                )
+            }
         }
     }
 }

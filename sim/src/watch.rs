@@ -1,13 +1,17 @@
 //! All events of a run, step by step, in order of time.
 
-use tripos_traits::{Direction, Real};
+use tripos_traits::{Direction, Enclosure, Real};
 
 use crate::error::Failure;
 use crate::events::{Effect, Event, EventRecord, Kind};
+use crate::isolate::Ranges;
+use crate::polynomial::Polynomial;
 use crate::samples::Probe;
-use crate::search::{Found, Memory, search};
+use crate::search::search;
 use crate::solution::Stop;
 use crate::stepper::DenseStep;
+use crate::walk::{Found, Memory};
+use crate::warning::Warning;
 
 /// The events of a run and what they did so far.
 pub(crate) struct Watch<'w, 'e> {
@@ -16,13 +20,27 @@ pub(crate) struct Watch<'w, 'e> {
     y: Vec<f64>,
     /// The largest size of each component so far.
     magnitudes: Vec<f64>,
+    /// The solution inside the step, and room for its ranges.
+    polynomial: Polynomial,
+    stretch: Vec<Enclosure>,
     pub(crate) records: Vec<EventRecord>,
 }
 
 impl<'w, 'e> Watch<'w, 'e> {
     /// A watch over a state of `n` components.
     pub(crate) fn new(events: &'w mut [Event<'e>], n: usize) -> Self {
-        Self { events, memories: Vec::new(), y: vec![0.0; n], magnitudes: vec![0.0; n], records: Vec::new() }
+        let ranges = || events.iter().filter_map(|event| event.ranges.as_ref());
+        let wanted = |i: &usize| ranges().any(|r| r.components.as_ref().is_none_or(|list| list.contains(i)));
+        let polynomial = Polynomial::new((0..n).filter(wanted).collect(), n);
+        Self {
+            events,
+            memories: Vec::new(),
+            y: vec![0.0; n],
+            magnitudes: vec![0.0; n],
+            polynomial,
+            stretch: Vec::new(),
+            records: Vec::new(),
+        }
     }
 
     /// Evaluates the events at the start; returns a reason not to start.
@@ -41,7 +59,7 @@ impl<'w, 'e> Watch<'w, 'e> {
                 return Some(Stop::StartsOutside { name: event.name.clone() });
             }
             let side_at_zero = i8::from(domain);
-            self.memories.push(Memory { value, sign: 0, side: 0, begun: false, side_at_zero });
+            self.memories.push(Memory { value, sign: 0, side: 0, begun: false, side_at_zero, zero_at: None });
         }
         None
     }
@@ -54,12 +72,19 @@ impl<'w, 'e> Watch<'w, 'e> {
         }
         step.interpolate(1.0, &mut self.y);
         self.note_magnitudes();
+        let wanted = self.events.iter().any(|event| event.ranges.is_some());
+        let has_ranges = wanted && self.polynomial.take(step);
         let mut found: Vec<(usize, Found)> = Vec::new();
         let mut nowhere: Option<(f64, usize)> = None;
         for (i, (event, memory)) in self.events.iter_mut().zip(&mut self.memories).enumerate() {
             let mut probe =
                 Probe { step, function: &mut *event.function, y: &mut self.y, magnitudes: &self.magnitudes };
-            let findings = search(&mut probe, memory);
+            let ranges = event.ranges.as_mut().filter(|_| has_ranges).map(|ranges| Ranges {
+                polynomial: &mut self.polynomial,
+                function: &mut ranges.function,
+                y: &mut self.stretch,
+            });
+            let findings = search(&mut probe, memory, ranges);
             found.extend(findings.found.into_iter().map(|f| (i, f)));
             if let Some(theta) = findings.not_a_number
                 && nowhere.is_none_or(|(first, _)| theta < first)
@@ -69,7 +94,7 @@ impl<'w, 'e> Watch<'w, 'e> {
         }
         found.retain(|(i, f)| matters(&self.events[*i], f.kind));
         found.sort_by(|(i, f), (j, g)| f.theta.total_cmp(&g.theta).then(i.cmp(j)));
-        let end = found.iter().find(|(i, f)| ends_run(&self.events[*i], f.kind)).copied();
+        let end = found.iter().find(|(i, f)| ends_run(&self.events[*i], *f)).copied();
         if let Some((theta, i)) = nowhere
             && end.is_none_or(|(_, f)| theta <= f.theta)
         {
@@ -99,7 +124,17 @@ impl<'w, 'e> Watch<'w, 'e> {
         }
     }
 
-    fn record(&mut self, step: &dyn DenseStep, event: usize, Found { theta, kind }: Found) {
+    /// Events that might have ended the run where nobody can tell.
+    pub(crate) fn warnings(&self) -> impl Iterator<Item = Warning> {
+        self.events.iter().enumerate().filter(|(_, event)| event.effect != Effect::Record).filter_map(|(i, event)| {
+            let mut places = self.records.iter().filter(|r| r.event == i && r.kind == Kind::Undecided);
+            let first = places.next()?;
+            Some(Warning::EventUndecided { name: event.name.clone(), t: first.t, more: places.count() })
+        })
+    }
+
+    fn record(&mut self, step: &dyn DenseStep, event: usize, found: Found) {
+        let Found { theta, kind, .. } = found;
         let mut y = vec![0.0; self.y.len()];
         step.interpolate(theta, &mut y);
         self.records.push(EventRecord {
@@ -108,7 +143,7 @@ impl<'w, 'e> Watch<'w, 'e> {
             t: step.time_at(theta),
             y,
             kind,
-            terminal: ends_run(&self.events[event], kind),
+            terminal: ends_run(&self.events[event], found),
         });
     }
 }
@@ -122,12 +157,17 @@ fn matters(event: &Event<'_>, kind: Kind) -> bool {
     match kind {
         Kind::Rising => direction != Direction::Falling,
         Kind::Falling => direction != Direction::Rising,
-        Kind::Touch | Kind::AtStart => true,
+        Kind::Touch | Kind::AtStart | Kind::Pole | Kind::Undecided => true,
     }
 }
 
-fn ends_run(event: &Event<'_>, kind: Kind) -> bool {
-    event.effect != Effect::Record && matches!(kind, Kind::Rising | Kind::Falling)
+fn ends_run(event: &Event<'_>, found: Found) -> bool {
+    match found.kind {
+        Kind::Rising | Kind::Falling => event.effect != Effect::Record,
+        // What was positive is negative, whichever way it went.
+        Kind::Pole => event.effect == Effect::Domain && found.side < 0,
+        Kind::Touch | Kind::AtStart | Kind::Undecided => false,
+    }
 }
 
 fn stop_for(event: &Event<'_>) -> Stop {

@@ -1,7 +1,7 @@
 //! Events on solutions of no special kind: an oscillator, and polynomials drawn at random.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{Direction, Event, Failure, Kind, Options, Output, integrate};
+use tripos_sim::{Direction, Event, Failure, Kind, Method, Options, Output, integrate};
 
 #[allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 fn oscillator(_t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
@@ -14,16 +14,29 @@ fn value(_t: f64, y: &[f64]) -> f64 {
     y[0]
 }
 
+/// By samples and by ranges.
+fn zero(in_ranges: bool) -> Event<'static> {
+    let event = Event::terminal("zero", Direction::Either, value);
+    if in_ranges { event.with_ranges(|_, y| y[0]) } else { event }
+}
+
+/// Goal: the event that ended a run does not end the run that goes on from there. Method: the zeros of cos t one by one,
+/// at every pair of tolerances from 1e-3 to 1e-12. Tolerance: 1e3 times the tolerances, for 40 s.
 #[test]
 fn a_run_continued_from_its_terminal_event_does_not_meet_it_again() {
-    let options = Options::tolerances(1e-6, 1e-6);
-    let (mut t, mut y) = (0.0, vec![1.0, 0.0]);
-    for k in 0..10 {
-        let event = Event::terminal("zero", Direction::Either, value);
-        let solution = integrate(oscillator, (t, 100.0), &y, &options, &mut [event]).unwrap();
-        (t, y) = (solution.t_end, solution.y_end);
-        let exact = std::f64::consts::PI * (f64::from(k) + 0.5);
-        assert!((t - exact).abs() < 1e-4, "{k}: {t} {exact}");
+    for (r, a) in (3..=12).flat_map(|r| (3..=12).map(move |a| (r, a))) {
+        let (rtol, atol) = (10_f64.powi(-r), 10_f64.powi(-a));
+        for (method, in_ranges) in [Method::Ode45, Method::Dop853].into_iter().flat_map(|m| [(m, false), (m, true)]) {
+            let options = Options { method, ..Options::tolerances(rtol, atol) };
+            let (mut t, mut y) = (0.0, vec![1.0, 0.0]);
+            for k in 0..12 {
+                let solution = integrate(oscillator, (t, 100.0), &y, &options, &mut [zero(in_ranges)]).unwrap();
+                (t, y) = (solution.t_end, solution.y_end);
+                let exact = std::f64::consts::PI * (f64::from(k) + 0.5);
+                let allowed = 1e3 * rtol.max(atol);
+                assert!((t - exact).abs() < allowed.min(1.0), "{method:?} {rtol} {atol} {k}: {t} {exact}");
+            }
+        }
     }
 }
 
@@ -32,9 +45,12 @@ fn watching_does_not_change_the_steps() {
     let options = Options::default();
     let event = Event::recorded("zero", Direction::Either, value);
     let bare = integrate(oscillator, (0.0, 20.0), &[1.0, 0.0], &options, &mut []).unwrap();
-    let watched = integrate(oscillator, (0.0, 20.0), &[1.0, 0.0], &options, &mut [event]).unwrap();
-    assert_eq!((bare.t, bare.y, bare.evaluations), (watched.t, watched.y, watched.evaluations));
-    assert_eq!(watched.events.len(), 6); // zeros of cos t up to 20
+    let in_ranges = Event::recorded("zero", Direction::Either, value).with_ranges(|_, y| y[0]);
+    for event in [event, in_ranges] {
+        let watched = integrate(oscillator, (0.0, 20.0), &[1.0, 0.0], &options, &mut [event]).unwrap();
+        assert_eq!((&bare.t, &bare.y, bare.evaluations), (&watched.t, &watched.y, watched.evaluations));
+        assert_eq!(watched.events.len(), 6); // zeros of cos t up to 20
+    }
 }
 
 /// A generator of numbers in [0, 1): the same ones on every machine (Knuth's MMIX constants).

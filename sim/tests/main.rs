@@ -4,6 +4,7 @@ mod batch;
 mod convergence;
 mod events;
 mod events_everywhere;
+mod events_in_ranges;
 mod exact;
 mod fixed;
 mod gauss;

@@ -220,6 +220,10 @@ fn slips_of_the_pen_are_answered_with_what_to_write() {
     );
     let (status, _, err) = answer(&["simulate", &path, "--step", "0.1"]);
     assert!(status == 2 && err.contains("quadrature takes no steps"), "{err}");
+    let (status, _, err) = answer(&["simulate", &path, "--max-step", "0.1"]);
+    assert!(status == 2 && err.contains("quadrature takes no steps: none is the longest"), "{err}");
+    let (status, out, _) = answer(&["simulate", &path, "--max-step", "0.1", "--method", "dop853"]);
+    assert!(status == 0 && out.contains("steps of 1e-1 s at most"), "{out}");
 }
 
 /// Goal: arithmetic with constants is exact, or refused. Method: a spring whose stiffness hides in a constant; x = 0.5

@@ -46,7 +46,6 @@ impl<'a> FormulationPlan<'a> {
         let (is_solved, facts) = (solved.is_some(), facts(planner, solved));
         Self { planner, equations, machine, divisors: names, taylor, is_solved, facts }
     }
-
 }
 
 /// `mass_matrix` and `forcing`.

@@ -8,7 +8,7 @@ use super::steps::Definition;
 use super::{Arena, Expr, Function, Rational};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{DoubleDouble, Enclosure, Interval, Scalar};
 
 /// A kind of number that expressions are evaluated in.
 pub trait Numeric: Scalar {
@@ -46,6 +46,15 @@ pub trait Numeric: Scalar {
 }
 
 impl Numeric for DoubleDouble {}
+
+/// What a tape gives in the ranges of its inputs: a constant that no double holds is one of two neighbours' range.
+impl Numeric for Enclosure {
+    fn of(value: &Rational) -> Self {
+        let nearest = value.to_f64();
+        let exact = Rational::from_f64_exact(nearest).as_ref() == Some(value);
+        Self::constant(if exact { Interval::point(nearest) } else { Interval::rounded(nearest) })
+    }
+}
 
 /// By the functions of the standard library, which are those of the system: a second way to what generated code
 /// computes by functions of its own.
@@ -251,6 +260,16 @@ impl<S: Numeric> Tape<S> {
     #[must_use]
     pub fn outputs(&self) -> usize {
         self.outputs.len()
+    }
+
+    /// The places of the inputs that outputs depend on, in order.
+    #[must_use]
+    pub fn used(&self) -> Vec<usize> {
+        let mut list: Vec<usize> =
+            self.ops.iter().filter_map(|op| if let Op::Input(at) = op { Some(*at) } else { None }).collect();
+        list.sort_unstable();
+        list.dedup();
+        list
     }
 
     /// Evaluates all outputs. `scratch` is working space, reused between calls.

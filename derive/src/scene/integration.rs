@@ -78,6 +78,8 @@ pub struct Integration {
     pub atol: AbsoluteTolerance,
     /// The length of every step, s; chosen by the error if nothing is said.
     pub step: Option<f64>,
+    /// The longest step that the error may choose, s; the method decides if nothing is said.
+    pub max_step: Option<f64>,
     /// Steps after which a run is given up.
     pub step_limit: u64,
     /// Number of equally spaced samples of the output; by default four points for each step.
@@ -92,8 +94,8 @@ pub struct Integration {
     pub may_measure: bool,
 }
 
-const KEYS: [&str; 10] =
-    ["method", "solve", "rtol", "atol", "step", "step_limit", "samples", "domain", "project", "distance"];
+const KEYS: [&str; 11] =
+    ["method", "solve", "rtol", "atol", "step", "max_step", "step_limit", "samples", "domain", "project", "distance"];
 
 impl<'a> Values<'a, '_> {
     /// The section `integration`; what is not said is the default.
@@ -111,8 +113,15 @@ impl<'a> Values<'a, '_> {
         let project = self.choice(section, "project", &Project::ALL.map(Project::name));
         let solve = self.choice(section, "solve", &Solve::ALL.map(Solve::name));
         let method = self.choice(section, "method", &METHODS).unwrap_or(Method::default().name());
+        let given = |key: &str| section.and_then(|s| s.get(key));
+        if let (Some(_), Some(longest)) = (given("step"), given("max_step")) {
+            let help = "leave one of the two out";
+            let message = "every step is as long as `step` says: `max_step` means nothing";
+            self.reader.error(longest.span(), message, help);
+        }
         if method == QUADRATURE {
-            for (key, what) in [("step", "takes no steps"), ("project", "keeps the energy by itself")] {
+            let steps = "takes no steps";
+            for (key, what) in [("step", steps), ("max_step", steps), ("project", "keeps the energy by itself")] {
                 if let Some(value) = section.and_then(|s| self.reader.get(s, key)) {
                     let help = format!("leave `{key}` out, or give a stepping method");
                     self.reader.error(value.span(), format!("quadrature {what}: `{key}` means nothing"), help);
@@ -124,7 +133,8 @@ impl<'a> Values<'a, '_> {
             solve: solve.and_then(|name| Solve::ALL.into_iter().find(|s| s.name() == name)),
             rtol,
             atol,
-            step: self.step(section, p),
+            step: self.step(section, "step", p),
+            max_step: self.step(section, "max_step", p),
             step_limit: self.count(section, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000),
             samples: self.count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
             domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
@@ -145,11 +155,13 @@ impl<'a> Values<'a, '_> {
         Some(number)
     }
 
-    fn step(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> Option<f64> {
-        let value = section.and_then(|s| self.reader.get(s, "step"))?;
-        let step = self.size(section, "step", p)?;
+    /// The length of a step, above zero.
+    fn step(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let step = self.size(section, key, p)?;
         if step == 0.0 {
-            self.reader.error(value.span(), "`step` is zero", "give the length of a step in seconds, above zero");
+            let help = "give the length of a step in seconds, above zero";
+            self.reader.error(value.span(), format!("`{key}` is zero"), help);
         }
         Some(step)
     }

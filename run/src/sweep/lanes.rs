@@ -33,10 +33,10 @@ impl Request {
     /// The request of a problem that can start; others are for the scalar run, which says why they cannot.
     pub fn new(problem: &Problem<'_>) -> Option<Self> {
         let scene: &Scene = problem.scene;
-        let Options { rtol, atol, step_limit, .. } = options_of_ends(scene).ok()?;
+        let Options { rtol, atol, max_step, step_limit, .. } = options_of_ends(scene).ok()?;
         let (parameters, start) = (scene.parameters.clone(), problem.start().ok()?);
         let finite = parameters.iter().chain(&start).all(|x| x.is_finite());
-        let plan = Plan { span: scene.span, rtol, atol, max_step: None, step_limit };
+        let plan = Plan { span: scene.span, rtol, atol, max_step, step_limit };
         finite.then_some(Self { plan, parameters, start })
     }
 }

@@ -207,6 +207,13 @@ impl Interpolant for Step<'_> {
         }
     }
 
+    /// Time is a series in the coordinate, not the other way round.
+    fn order_inside(&self) -> Option<usize> {
+        None
+    }
+
+    fn coefficients(&self, _put: impl FnMut(usize, usize, f64)) {}
+
     /// The time itself counts, not the fraction of a step that may be long.
     fn sample(&self, _theta: f64, t: f64) -> Vec<f64> {
         let mut y = vec![0.0; self.ends.0.len()];

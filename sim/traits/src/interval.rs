@@ -1,0 +1,376 @@
+//! Ranges of a number that is not known exactly: every operation is rounded outwards.
+//!
+//! Invariant: the range of a result holds every result of numbers of the ranges it was made from. Where there may be
+//! none, as of √x with x of either sign, both ends are "not a number", and so is all that follows. A division by a
+//! range with 0 in it has an infinite end.
+//!
+//! R. E. Moore, R. B. Kearfott & M. J. Cloud, *Introduction to Interval Analysis* (2009), §2 and §5.
+
+use core::f64::consts::PI;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// What an elementary function may err by, relative to its value: several times what those of this crate do.
+const LIBRARY: f64 = 4.0 * f64::EPSILON;
+/// Angles beyond this are known to less than a turn's millionth part: their sines may be any.
+const FAR: f64 = 1e9;
+
+/// All numbers from `lo` to `hi`, which may be infinite; both are "not a number" where there may be none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    lo: f64,
+    hi: f64,
+}
+
+/// A little below; 0 stays, since sums that are 0 are exact.
+#[inline]
+fn down(x: f64) -> f64 {
+    let below = x - x.abs() * f64::EPSILON;
+    if below < x { below } else { just_below(x) }
+}
+
+/// Of 0, of numbers next to it, and of what is not finite.
+fn just_below(x: f64) -> f64 {
+    if x == 0.0 { x } else { x.next_down() }
+}
+
+#[inline]
+fn up(x: f64) -> f64 {
+    -down(-x)
+}
+
+/// The ends of the range of a product: 0 times anything is 0, and what underflows has a sign.
+#[inline]
+fn product(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 {
+        return 0.0;
+    }
+    let p = a * b;
+    if p == 0.0 { f64::from_bits(1).copysign(p) } else { p }
+}
+
+impl Interval {
+    /// Everything.
+    pub const WHOLE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+    /// What may have no value.
+    pub const UNDEFINED: Self = Self { lo: f64::NAN, hi: f64::NAN };
+    /// 0.
+    pub const ZERO: Self = Self { lo: 0.0, hi: 0.0 };
+
+    /// From one number to another, in any order.
+    #[must_use]
+    pub fn new(a: f64, b: f64) -> Self {
+        if a.is_nan() || b.is_nan() { Self::UNDEFINED } else { Self { lo: a.min(b), hi: a.max(b) } }
+    }
+
+    /// One number.
+    #[must_use]
+    pub fn point(x: f64) -> Self {
+        Self { lo: x, hi: x }
+    }
+
+    /// A number and its neighbours: what was rounded to it.
+    #[must_use]
+    pub fn rounded(x: f64) -> Self {
+        Self { lo: x.next_down(), hi: x.next_up() }
+    }
+
+    /// All within `radius` of `middle`.
+    #[must_use]
+    pub fn around(middle: f64, radius: f64) -> Self {
+        Self::outwards(middle - radius, middle + radius)
+    }
+
+    /// The lower end.
+    #[must_use]
+    pub fn lo(self) -> f64 {
+        self.lo
+    }
+
+    /// The upper end.
+    #[must_use]
+    pub fn hi(self) -> f64 {
+        self.hi
+    }
+
+    /// The distance of the ends.
+    #[must_use]
+    pub fn width(self) -> f64 {
+        self.hi - self.lo
+    }
+
+    /// The largest size of a number in it.
+    #[must_use]
+    pub fn size(self) -> f64 {
+        self.lo.abs().max(self.hi.abs())
+    }
+
+    /// Whether 0 is outside; not where there may be no value.
+    #[must_use]
+    pub fn excludes_zero(self) -> bool {
+        self.lo > 0.0 || self.hi < 0.0
+    }
+
+    /// Whether there is a value, and all of them are finite.
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.lo.is_finite() && self.hi.is_finite()
+    }
+
+    /// Whether there may be no value.
+    #[must_use]
+    pub fn is_undefined(self) -> bool {
+        self.lo.is_nan()
+    }
+
+    /// What is in both, where both hold one and the same number.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        let both = Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) };
+        // Two ranges of one number that do not meet are both wrong by rounding.
+        if both.lo <= both.hi && !self.is_undefined() && !other.is_undefined() { both } else { self }
+    }
+
+    fn outwards(lo: f64, hi: f64) -> Self {
+        Self { lo: down(lo), hi: up(hi) }
+    }
+
+    /// k x.
+    fn times(self, k: f64) -> Self {
+        if k - 1.0 == 0.0 {
+            return self;
+        }
+        let (a, b) = (product(k, self.lo), product(k, self.hi));
+        Self::outwards(a.min(b), a.max(b))
+    }
+
+    fn has_zero(self) -> bool {
+        self.lo <= 0.0 && self.hi >= 0.0
+    }
+
+    /// From f's value at the lower end to that at the upper one, for a function that rises.
+    fn rising(self, f: impl Fn(f64) -> f64) -> Self {
+        let (lo, hi) = (f(self.lo), f(self.hi));
+        if lo.is_nan() || hi.is_nan() {
+            return Self::UNDEFINED;
+        }
+        let wide = |x: f64| if x.is_finite() { LIBRARY * x.abs() } else { 0.0 };
+        Self::outwards(lo - wide(lo), hi + wide(hi))
+    }
+
+    fn restricted(self, low: f64, high: f64) -> Self {
+        if self.is_undefined() { self } else { Self { lo: self.lo.max(low), hi: self.hi.min(high) } }
+    }
+
+    /// 1/x.
+    fn reciprocal(self) -> Self {
+        if self.is_undefined() || (self.lo == 0.0 && self.hi == 0.0) {
+            Self::UNDEFINED
+        } else if self.lo == 0.0 {
+            Self { lo: down(1.0 / self.hi), hi: f64::INFINITY }
+        } else if self.hi == 0.0 {
+            Self { lo: f64::NEG_INFINITY, hi: up(1.0 / self.lo) }
+        } else if self.has_zero() {
+            Self::WHOLE
+        } else {
+            Self::outwards(1.0 / self.hi, 1.0 / self.lo)
+        }
+    }
+
+    /// cos x: 1 and −1 where the range holds even or odd multiples of π, else its values at the ends.
+    fn cos(self) -> Self {
+        self.wave(0.0, libm::cos)
+    }
+
+    /// sin x.
+    fn sin(self) -> Self {
+        self.wave(0.5, libm::sin)
+    }
+
+    /// A function that is 1 at even multiples of π, −1 at odd ones, and monotone between, all moved by `shift` of π.
+    fn wave(self, shift: f64, f: impl Fn(f64) -> f64) -> Self {
+        const ALL: Interval = Interval { lo: -1.0, hi: 1.0 };
+        if self.is_undefined() {
+            return self;
+        }
+        if self.size() > FAR || self.width() >= 2.0 * PI {
+            return ALL;
+        }
+        // A multiple next to an end counts as inside.
+        let slack = 4.0 * f64::EPSILON * (1.0 + self.size());
+        let first = libm::ceil(self.lo / PI - shift - slack);
+        let last = libm::floor(self.hi / PI - shift + slack);
+        let (a, b) = (f(self.lo), f(self.hi));
+        let ends = Self::outwards(a.min(b) - LIBRARY, a.max(b) + LIBRARY);
+        let even = |n: f64| n % 2.0 == 0.0;
+        let both = last - first >= 1.0;
+        let top = both || (first <= last && even(first));
+        let bottom = both || (first <= last && !even(first));
+        let (lo, hi) = (if bottom { -1.0 } else { ends.lo }, if top { 1.0 } else { ends.hi });
+        Self { lo, hi }.restricted(-1.0, 1.0)
+    }
+
+    /// (sin x, cos x).
+    #[must_use]
+    pub fn sin_cos(self) -> (Self, Self) {
+        (self.sin(), self.cos())
+    }
+
+    /// √x.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        if self.lo >= 0.0 { self.rising(libm::sqrt).restricted(0.0, f64::INFINITY) } else { Self::UNDEFINED }
+    }
+
+    /// Inverse sine.
+    #[must_use]
+    pub fn asin(self) -> Self {
+        self.rising(libm::asin)
+    }
+
+    /// Inverse cosine.
+    #[must_use]
+    pub fn acos(self) -> Self {
+        // acos falls: −acos rises.
+        -self.rising(|x| -libm::acos(x))
+    }
+
+    /// Inverse tangent.
+    #[must_use]
+    pub fn atan(self) -> Self {
+        self.rising(libm::atan)
+    }
+
+    /// eˣ.
+    #[must_use]
+    pub fn exp(self) -> Self {
+        self.rising(libm::exp).restricted(0.0, f64::INFINITY)
+    }
+
+    /// Natural logarithm.
+    #[must_use]
+    pub fn ln(self) -> Self {
+        if self.lo >= 0.0 { self.rising(libm::log) } else { Self::UNDEFINED }
+    }
+
+    /// Hyperbolic sine.
+    #[must_use]
+    pub fn sinh(self) -> Self {
+        self.rising(libm::sinh)
+    }
+
+    /// Hyperbolic cosine.
+    #[must_use]
+    pub fn cosh(self) -> Self {
+        // cosh x = cosh |x|, which rises.
+        self.abs().rising(libm::cosh).restricted(1.0, f64::INFINITY)
+    }
+
+    /// Hyperbolic tangent.
+    #[must_use]
+    pub fn tanh(self) -> Self {
+        self.rising(libm::tanh).restricted(-1.0, 1.0)
+    }
+
+    /// |x|.
+    #[must_use]
+    pub fn abs(self) -> Self {
+        if self.lo >= 0.0 || self.is_undefined() {
+            self
+        } else if self.hi <= 0.0 {
+            -self
+        } else {
+            Self { lo: 0.0, hi: self.size() }
+        }
+    }
+
+    /// The sign: −1, 0 or 1.
+    #[must_use]
+    pub fn sign(self) -> Self {
+        let of = |x: f64| if x == 0.0 { 0.0 } else { x.signum() };
+        Self { lo: of(self.lo), hi: of(self.hi) }
+    }
+
+    /// xⁿ; n may be negative.
+    #[must_use]
+    pub fn powi(self, n: i32) -> Self {
+        match n {
+            i32::MIN..=-1 => self.raised(n.unsigned_abs()).reciprocal(),
+            0 if self.is_undefined() => self,
+            _ => self.raised(n.unsigned_abs()),
+        }
+    }
+
+    fn raised(self, n: u32) -> Self {
+        if n.is_multiple_of(2) {
+            let size = self.abs();
+            Self { lo: size.power(n).lo, hi: size.power(n).hi }.restricted(0.0, f64::INFINITY)
+        } else {
+            // An odd power rises.
+            let (low, high) = (Self::point(self.lo).power(n), Self::point(self.hi).power(n));
+            Self { lo: low.lo, hi: high.hi }
+        }
+    }
+
+    /// xⁿ by multiplication, each rounded outwards, for ends of one sign.
+    fn power(self, mut n: u32) -> Self {
+        let (mut base, mut result) = (self, Self::point(1.0));
+        while n > 0 {
+            if n & 1 == 1 {
+                result = result * base;
+            }
+            n >>= 1;
+            if n > 0 {
+                base = base * base;
+            }
+        }
+        result
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::outwards(self.lo + other.lo, self.hi + other.hi)
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        if self.is_undefined() || other.is_undefined() {
+            return Self::UNDEFINED;
+        }
+        // Factors of terms are mostly 1, or one number.
+        if self.width() == 0.0 {
+            return other.times(self.lo);
+        }
+        if other.width() == 0.0 {
+            return self.times(other.lo);
+        }
+        let (a, b) = (product(self.lo, other.lo), product(self.lo, other.hi));
+        let (c, d) = (product(self.hi, other.lo), product(self.hi, other.hi));
+        Self::outwards(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
+    }
+}
+
+impl Div for Interval {
+    type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "what may be 0 is dealt with in the reciprocal")]
+    fn div(self, other: Self) -> Self {
+        self * other.reciprocal()
+    }
+}
