@@ -4,10 +4,9 @@ use crate::page::{Standing, two_digits};
 use crate::plot::{Panel, Scale, Series};
 use std::fmt::Write;
 use tripos::{Conserved, Course, Run, Watch};
-use tripos_derive::mechanics::By;
+use tripos_derive::Model;
 use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
-use tripos_derive::{Formulation, Model};
-use tripos_sim::{Method, Stop};
+use tripos_sim::Stop;
 
 /// A run with what was watched along it, and how its curves look.
 #[derive(Clone)]
@@ -49,30 +48,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// Formulations and a scene's own equations keep their colours, whichever a model supports; printed ones come after
-/// these.
-pub fn style(by: &By) -> usize {
-    let reduced = Formulation::ALL.len();
-    let formulation = Formulation::ALL.iter().position(|f| by.formulation() == Some(*f));
-    formulation.unwrap_or(if by.is_reduced() { reduced } else { PRINTED })
-}
-
-/// Curves of printed systems in a figure, of each kind; more cannot be told apart.
-pub const MOST_PRINTED: usize = 5;
-/// The style of the first printed system that is not proved wrong.
-pub const PRINTED: usize = Formulation::ALL.len() + 1;
-/// The style of the first wrong one: these are red, and nothing else is.
-pub const WRONG: usize = PRINTED + MOST_PRINTED;
-/// The styles of a chart: its front, the first of its methods, the numeric solve and quadrature.
-pub const FRONT: usize = WRONG + MOST_PRINTED;
-/// As [`FRONT`].
-pub const METHODS: usize = FRONT + 1;
-/// As [`FRONT`].
-pub const NUMERIC: usize = METHODS + Method::ALL.len();
-/// As [`FRONT`].
-pub const BY_QUADRATURE: usize = NUMERIC + 1;
-
-/// The curves, of those that show the same numbers one for all, under all their names.
+/// Curves of the same numbers as one, under all their names.
 pub fn merged(curves: Vec<Curve>) -> Vec<Curve> {
     let mut list: Vec<Curve> = Vec::new();
     for curve in curves {
@@ -84,7 +60,7 @@ pub fn merged(curves: Vec<Curve>) -> Vec<Curve> {
     list
 }
 
-/// What the curves of a figure are, in sentences: which equations, which of them are wrong, and which loose, with errors.
+/// Which equations the curves of a figure are of, in sentences: which are wrong, and which loose, with their errors.
 pub fn said(curves: &[Curve]) -> String {
     let names = |of: &dyn Fn(&Standing) -> bool| {
         let some = curves.iter().filter(|curve| of(curve.standing));

@@ -8,6 +8,7 @@ mod axis;
 mod error;
 mod heat;
 mod look;
+pub mod styles;
 mod thin;
 
 pub use error::PlotError;

@@ -2,7 +2,7 @@
 
 use super::words::{is_derived, is_whole};
 use crate::failure::Failure;
-use crate::figures::{BY_QUADRATURE, FRONT, METHODS, MOST_PRINTED, NUMERIC, PRINTED, style};
+use crate::plot::styles::{BY_QUADRATURE, FRONT, METHODS, MOST_PRINTED, NUMERIC, PRINTED, style};
 use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};
 use tripos::case::Way;
 use tripos::chart::Measurement;

@@ -12,7 +12,7 @@ use crate::figures::{self, Curve};
 use crate::follow;
 use crate::output::{folder, keep_inputs, text};
 use crate::page::{self, Page, RunRow, SceneSection, Standing};
-use crate::plot::Panel;
+use crate::plot::{Panel, styles};
 use crate::workspace::{current_folder, edited, model_file, read_model, workspace_around};
 use drawn::{Drawn, after, drawing, folder_of};
 use indicatif::ProgressBar;
@@ -274,11 +274,11 @@ impl<'a> Work<'a> {
         for ((run, course), standing) in runs.printed.iter().zip(&runs.standings[before..]) {
             let Some(id) = run.by.printed_id() else { continue };
             let wrong = *standing == Standing::Wrong;
-            let (kind, first) = (if wrong { figures::WRONG } else { figures::PRINTED }, published.first_alike(id));
+            let (kind, first) = (if wrong { styles::WRONG } else { styles::PRINTED }, published.first_alike(id));
             let count = &mut drawn[usize::from(wrong)];
             if first != id {
                 alike.push(format!("{id} moves as {first}"));
-            } else if *count < figures::MOST_PRINTED {
+            } else if *count < styles::MOST_PRINTED {
                 curves.push(Curve::new(run, course, kind + *count, standing));
                 *count += 1;
             } else {
@@ -381,5 +381,5 @@ fn curves(runs: &Runs, shows: impl Fn(&Own) -> bool) -> Vec<Curve<'_>> {
     let own = runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&UNWATCHED)));
     let derived = runs.derived.iter().map(|(run, course)| (run, course));
     let all = derived.chain(own).zip(&runs.standings);
-    all.map(|((run, course), standing)| Curve::new(run, course, figures::style(&run.by), standing)).collect()
+    all.map(|((run, course), standing)| Curve::new(run, course, styles::style(&run.by), standing)).collect()
 }

@@ -103,14 +103,14 @@ pub struct RunRow {
 pub enum Standing {
     /// Derived equations, or printed ones that are proved to move alike, integrated as well as was asked for.
     Right,
-    /// The same, at tolerances that leave few digits.
+    /// Right equations at tolerances that leave few digits.
     Loose {
         /// The method and its tolerances.
         how: String,
         /// The largest |e| / (1 + |exact|) at the end of the run, or why it is not known.
         error: Result<f64, String>,
     },
-    /// The same, where the run could not go on.
+    /// Right equations whose run could not go on.
     Stopped,
     /// Printed equations that do not give the derived accelerations, however their run ends.
     Wrong,

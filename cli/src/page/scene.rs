@@ -120,7 +120,7 @@ fn runs(page: &Page, scene: &SceneSection) -> String {
     scroll(&format!("Runs of {}", scene.title), &table)
 }
 
-/// Of the printed equations that ran, how many are wrong.
+/// How many of the printed equations that ran are wrong.
 fn how_many_are_wrong(scene: &SceneSection) -> String {
     let printed: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     match (printed.iter().filter(|run| run.standing == Standing::Wrong).count(), printed.len()) {
