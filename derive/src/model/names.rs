@@ -1,10 +1,9 @@
 //! What each name of a model file stands for, and what may be used where.
 
 use super::velocities::StatedVelocity;
-use crate::algebra::interval::lost_constant;
 use crate::algebra::modular::zero_divisor;
 use crate::algebra::parse::{is_reserved, parse_with_velocities};
-use crate::algebra::{Arena, Expr, Node, Rational};
+use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::read::{Located, Reader};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -209,7 +208,7 @@ impl Names {
             Ok(e) => {
                 self.name_velocities(reader, velocities)?;
                 let e = no_hidden_zero(reader, arena, formula, e)?;
-                in_range(reader, arena, formula, e)
+                reader.is_computable(arena, formula, e).then_some(e)
             }
             Err(error) => {
                 let (span, help) = (formula.part(error.span), error.help.unwrap_or_default());
@@ -274,45 +273,6 @@ fn cannot_stand(kind: Kind, name: &str, allowed: Allowed, what: &str) -> (String
     let may: Vec<String> = allowed.0.iter().map(|kind| kind.plural()).collect();
     let may = if may.is_empty() { "numbers only".to_owned() } else { may.join(", ") };
     (format!("the {} `{name}` cannot stand in {what}", kind.noun()), Some(format!("allowed: {may}")))
-}
-
-/// Refuses a number that no double comes near: it would be infinite, or zero, wherever the formula is computed.
-fn in_range(reader: &mut Reader<'_>, arena: &Arena, formula: &Located, e: Expr) -> Option<Expr> {
-    let fits = |value: &Rational| {
-        let size = value.to_f64().abs();
-        value.is_zero() || (size.is_normal() && size.recip().is_normal())
-    };
-    for part in arena.reachable(&[e]) {
-        let found = match arena.node(part) {
-            Node::Number(value) => Some(value).filter(|value| !fits(value)),
-            Node::Sum(constant, terms) => terms.iter().map(|(_, k)| k).chain([constant]).find(|value| !fits(value)),
-            _ => None,
-        };
-        if let Some(value) = found {
-            let message = format!("a number of about {} is beyond double precision", magnitude(value));
-            reader.error(
-                formula.span.clone(),
-                message,
-                "scale the quantity: numbers reach from 1e-307 to 1e308 in size",
-            );
-            return None;
-        }
-    }
-    match lost_constant(arena, e) {
-        Some(lost) => {
-            reader.lost(arena, formula, lost);
-            None
-        }
-        None => Some(e),
-    }
-}
-
-/// A number of any size as a power of ten.
-fn magnitude(value: &Rational) -> String {
-    let big = value.to_big();
-    let bits = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
-    let twos = bits(big.numer().bits()) - bits(big.denom().bits());
-    format!("10^{}", (twos as f64 * std::f64::consts::LOG10_2).round())
 }
 
 /// Refuses a divisor that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1.
