@@ -180,6 +180,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/algebra/parse.rs",
             "derive/src/algebra/rational/text.rs",
             "derive/src/algebra/parse/error.rs",
+            "derive/src/algebra/parse/velocity.rs",
             "derive/src/algebra/rational.rs",
             "derive/src/diagnostic.rs",
             "derive/src/diff/systems.rs",

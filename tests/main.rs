@@ -17,6 +17,7 @@ mod peers;
 mod reductions;
 mod reference_cases;
 mod rolling_wheel;
+mod sliding_drag;
 mod stability;
 mod stability_of_methods;
 mod support;

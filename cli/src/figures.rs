@@ -1,13 +1,15 @@
 //! What the figures of a scene show: panels from runs.
 
+use crate::page::{Standing, two_digits};
 use crate::plot::{Panel, Scale, Series};
+use std::fmt::Write;
 use tripos::{Conserved, Course, Run, Watch};
-use tripos_derive::mechanics::By;
+use tripos_derive::Model;
 use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
-use tripos_derive::{Formulation, Model};
 use tripos_sim::Stop;
 
 /// A run with what was watched along it, and how its curves look.
+#[derive(Clone)]
 pub struct Curve<'a> {
     /// The run.
     pub run: &'a Run,
@@ -15,33 +17,86 @@ pub struct Curve<'a> {
     pub course: &'a Course,
     /// Colour, dashes and marker, the same in every figure.
     pub style: usize,
+    /// The name in a legend.
+    pub label: String,
+    /// How it stands.
+    pub standing: &'a Standing,
 }
 
-impl Curve<'_> {
-    /// The name in a legend.
-    pub fn label(&self) -> String {
-        match self.run.by.printed_id() {
+impl<'a> Curve<'a> {
+    /// The curves of a run; wrong equations are called so in every legend.
+    pub fn new(run: &'a Run, course: &'a Course, style: usize, standing: &'a Standing) -> Self {
+        let label = match run.by.printed_id() {
+            Some(id) if *standing == Standing::Wrong => format!("printed {id} (wrong)"),
             Some(id) => format!("printed {id}"),
-            None => self.run.by.title(),
-        }
+            None => run.by.title(),
+        };
+        Self { run, course, style, label, standing }
+    }
+
+    /// Whether two runs show the same numbers, and stand alike.
+    fn shows_the_same(&self, other: &Self) -> bool {
+        let (own, its) = (self.run, other.run);
+        (*self.standing == Standing::Wrong) == (*other.standing == Standing::Wrong)
+            && own.solution.t == its.solution.t
+            && own.states == its.states
     }
 
     fn series(&self, values: impl IntoIterator<Item = f64>) -> Series {
         let points = self.run.solution.t.iter().copied().zip(values).collect();
-        Series::curve(self.label(), self.style, points)
+        Series::curve(self.label.clone(), self.style, points)
     }
 }
 
-/// Formulations and a scene's own equations keep their colours, whichever a model supports; printed ones come after
-/// these.
-pub fn style(by: &By) -> usize {
-    let reduced = Formulation::ALL.len();
-    let formulation = Formulation::ALL.iter().position(|f| by.formulation() == Some(*f));
-    formulation.unwrap_or(if by.is_reduced() { reduced } else { PRINTED })
+/// Curves of the same numbers as one, under all their names.
+pub fn merged(curves: Vec<Curve>) -> Vec<Curve> {
+    let mut list: Vec<Curve> = Vec::new();
+    for curve in curves {
+        match list.iter_mut().find(|known| known.shows_the_same(&curve)) {
+            Some(known) => known.label = format!("{} = {}", known.label, curve.label),
+            None => list.push(curve),
+        }
+    }
+    list
 }
 
-/// The style of the first printed system.
-pub const PRINTED: usize = Formulation::ALL.len() + 1;
+/// Which equations the curves of a figure are of, in sentences: which are wrong, and which loose, with their errors.
+pub fn said(curves: &[Curve]) -> String {
+    let names = |of: &dyn Fn(&Standing) -> bool| {
+        let some = curves.iter().filter(|curve| of(curve.standing));
+        some.map(|curve| curve.label.as_str()).collect::<Vec<_>>().join(", ")
+    };
+    let mut out = format!("Shown: {}.", names(&|standing| *standing != Standing::Wrong));
+    let wrong = names(&|standing| *standing == Standing::Wrong);
+    if !wrong.is_empty() {
+        let _ = write!(out, " In red, since they do not give the derived accelerations: {wrong}.");
+    }
+    let stopped = names(&|standing| *standing == Standing::Stopped);
+    if !stopped.is_empty() {
+        let _ = write!(out, " Right, but stopped on the way: {stopped}.");
+    }
+    out + &loose(curves)
+}
+
+/// The curves of right equations that are loosely integrated, with their errors.
+fn loose(curves: &[Curve]) -> String {
+    let mut how = "";
+    let mut list = Vec::new();
+    for curve in curves {
+        if let Standing::Loose { how: words, error } = curve.standing {
+            how = words;
+            let error = error.as_ref().map_or_else(|_| "not known".to_owned(), |error| two_digits(*error));
+            list.push(format!("{error} by {}", curve.label));
+        }
+    }
+    if list.is_empty() {
+        return String::new();
+    }
+    format!(
+        " Right, but loose: {how} leaves an error at the end, the largest |e| / (1 + |exact|), of {}.",
+        list.join(", ")
+    )
+}
 
 /// Where a run ended that did not arrive.
 fn note(curves: &[Curve]) -> Option<String> {

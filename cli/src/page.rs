@@ -16,9 +16,11 @@ mod needs;
 mod proof;
 mod scene;
 mod singular;
+mod standing;
 mod typeset;
 
-pub use content::{Advice, Choice, Fact, Figure, Nearest, Needs, Page, RunRow, SceneSection};
+pub use content::{Advice, Choice, Fact, Figure, Nearest, Needs, Page, RunRow, SceneSection, Standing};
+pub use standing::two_digits;
 
 use html::{anchor, escape};
 use std::fmt::Write;

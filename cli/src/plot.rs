@@ -8,6 +8,7 @@ mod axis;
 mod error;
 mod heat;
 mod look;
+pub mod styles;
 mod thin;
 
 pub use error::PlotError;
@@ -87,20 +88,25 @@ fn describe(panels: &[Panel]) -> String {
     format!("{}. Curves: {curves}", panels.iter().map(panel).collect::<Vec<_>>().join("; "))
 }
 
-/// Every label once, with the place of its entry.
+/// Every label once, with the place of its entry: a line of its own for what each panel shows that none before it does.
 fn legend(panels: &[Panel]) -> Vec<(&Series, f64, f64)> {
     let mut entries: Vec<(&Series, f64, f64)> = Vec::new();
     let (mut x, mut y) = (4.0, 2.0);
-    for series in panels.iter().flat_map(|panel| &panel.series) {
-        if entries.iter().any(|(known, ..)| known.label == series.label && known.style == series.style) {
-            continue;
-        }
-        let width = 80.0 + text_width(&series.label);
-        if x > 4.0 && x + width > WIDTH {
+    for panel in panels {
+        if x > 4.0 {
             (x, y) = (4.0, y + LINE);
         }
-        entries.push((series, x, y));
-        x += width;
+        for series in &panel.series {
+            if entries.iter().any(|(known, ..)| known.label == series.label && known.style == series.style) {
+                continue;
+            }
+            let width = 80.0 + text_width(&series.label);
+            if x > 4.0 && x + width > WIDTH {
+                (x, y) = (4.0, y + LINE);
+            }
+            entries.push((series, x, y));
+            x += width;
+        }
     }
     entries
 }

@@ -1,5 +1,6 @@
 //! Typed access to a TOML file, collecting every error with its place.
 
+use crate::algebra::interval::{beyond_doubles, lost_constant};
 use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
@@ -151,6 +152,23 @@ impl<'a> Reader<'a> {
         let message = format!("double precision does not know the constant `{}`", shown(&text(arena, constant)));
         let help = "write its value: where it is computed its digits cancel or are rounded away";
         self.error(formula.span.clone(), message, help);
+    }
+
+    /// Whether doubles can compute a formula; reports a number that no double comes near, which would be infinite or zero
+    /// wherever it is used, and a constant whose digits they lose. Exact arithmetic would carry either along at any
+    /// cost.
+    pub fn is_computable(&mut self, arena: &Arena, formula: &Located, e: Expr) -> bool {
+        if let Some(power) = beyond_doubles(arena, e) {
+            let message = format!("a number of about 10^{power} is beyond double precision");
+            let help = "scale the quantity: numbers reach from 1e-307 to 1e308 in size";
+            self.error(formula.span.clone(), message, help);
+            return false;
+        }
+        match lost_constant(arena, e) {
+            Some(lost) => self.lost(arena, formula, lost),
+            None => return true,
+        }
+        false
     }
 
     /// Notes an error that one cause may raise at many places: shown once, with its first two places.

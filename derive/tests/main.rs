@@ -15,6 +15,7 @@ mod expressions;
 mod figures;
 mod kinematic_equations;
 mod limits;
+mod material_points;
 mod proofs;
 mod properties;
 #[path = "common/reduced.rs"]

@@ -20,12 +20,13 @@ fn proof_of(path: &str) -> (Derivations, Proof) {
     (derivations, proof)
 }
 
-const MODELS: [&str; 12] = [
+const MODELS: [&str; 13] = [
     "models/disk/model.toml",
     "models/cart_pendulum_3/model.toml",
     "models/chaotic_pendulum/model.toml",
     "models/heavy_top/model.toml",
     "models/pendulum/model.toml",
+    "derive/tests/models/dragged_disk.toml",
     "derive/tests/models/free_body.toml",
     "derive/tests/models/k01.toml",
     "derive/tests/models/k02.toml",

@@ -173,33 +173,50 @@ fn an_initial_value_is_a_number_and_stands_once_in_its_set() {
     check(
         &edited(&edits),
         &expect![[r#"
-        error: `10*m` is not a number: it contains `m`
-          --> report.toml:54:12
-           |
-        54 | printed = "10*m"
-           |            ^^^^
-           |
-           = help: write a number, or one in terms of numbers and `pi`
+            error: `10*m` is not a number: it contains `m`
+              --> report.toml:54:12
+               |
+            54 | printed = "10*m"
+               |            ^^^^
+               |
+               = help: write a number, or one in terms of numbers and `pi`
 
-        error: `q` has two values in the set `text`
-          --> report.toml:60:13
-           |
-        60 | quantity = "q"
-           |             ^
-           |
-          ::: report.toml:53:13
-           |
-        53 | quantity = "q"
-           |             - first stated here
-           |
-           = help: put what another place prints into a set of its own
+            error: `q` has two values in the set `text`
+              --> report.toml:60:13
+               |
+            60 | quantity = "q"
+               |             ^
+               |
+              ::: report.toml:53:13
+               |
+            53 | quantity = "q"
+               |             - first stated here
+               |
+               = help: put what another place prints into a set of its own
 
-        error: `1e999` is not a number of double precision
-          --> report.toml:61:11
-           |
-        61 | printed = 1e999
-           |           ^^^^^
-           |
-           = help: give a finite number below 1e308 in size"#]],
+            error: a number of about 10^999 is beyond double precision
+              --> report.toml:61:11
+               |
+            61 | printed = 1e999
+               |           ^^^^^
+               |
+               = help: scale the quantity: numbers reach from 1e-307 to 1e308 in size"#]],
+    );
+}
+
+/// What no double comes near is computed nowhere, and carried along exactly it costs minutes.
+#[test]
+fn a_number_beyond_double_precision_is_refused() {
+    check_edit(
+        "s = \"sin(q)\"",
+        "s = \"sin(q) - 1e999*cos(q)\"",
+        &expect![[r#"
+        error: a number of about 10^999 is beyond double precision
+         --> report.toml:5:6
+          |
+        5 | s = "sin(q) - 1e999*cos(q)"
+          |      ^^^^^^^^^^^^^^^^^^^^^
+          |
+          = help: scale the quantity: numbers reach from 1e-307 to 1e308 in size"#]],
     );
 }

@@ -356,7 +356,12 @@ fn the_page_has_the_scenes_beside_its_model() {
         }
         let table = text(inside.join("states.csv"));
         assert!(table.starts_with("quantity,equations,t,value\nx [m],"), "{table}");
-        assert!(table.contains("\nu [m/s],Kane's method,0,0\n"), "{table}");
+        assert!(
+            table.contains(
+                "\nu [m/s],Kane's method = Lagrange's equations = Newton–Euler equations = Reduced equations,0,0\n"
+            ),
+            "{table}"
+        );
         assert!(text(inside.join("states.svg")).starts_with("<svg"));
     }
     // What is broken there is said, and the page is made of the others.

@@ -40,7 +40,7 @@ fn the_page_of_the_disk_has_every_erratum_integral_and_printed_run() {
     let scenes = page.matches("<article id=\"scene-").count();
     for system in systems {
         let row = format!(
-            "<tr class=\"printed\"><th scope=\"row\"><code>printed:{}</code></th>",
+            "<tr class=\"printed wrong\"><th scope=\"row\"><code>printed:{}</code> <strong class=\"standing\">wrong</strong></th>",
             system["system"].as_str().unwrap()
         );
         // In each scene: among the runs, the first integrals and the extremes.
@@ -80,7 +80,7 @@ fn the_page_of_the_disk_has_every_scenes_own_equations() {
             "{title}: heading and spin are wanted but for the lean"
         );
         // Among the runs; among first integrals and extremes only where every state is shown.
-        let rows = runs.matches("<th scope=\"row\">Reduced equations</th>").count();
+        let rows = runs.matches("<th scope=\"row\">Reduced equations").count();
         assert_eq!(rows, if is_lean { 1 } else { 3 }, "{title}");
         assert!(!article.contains("NaN"), "{title}");
     }
@@ -95,6 +95,33 @@ fn the_page_of_the_disk_has_every_scenes_own_equations() {
     let lean = figure("The lean and its speed over 10 s");
     assert!(lean.contains("[rad]") && lean.contains("[rad/s]") && lean.contains("Kane's method"), "its panels");
     assert!(figure("Speed against accuracy over 10 s, in the lean").contains("reduced"));
+}
+
+/// Goal: the page of the disk tells right from wrong. Method: of the run to 10 s at the report's tolerances every derived run
+/// is loose, with its error, and every printed one wrong, the one that ends well among them; captions and legends say so.
+#[test]
+fn the_page_of_the_disk_tells_loose_from_wrong() {
+    let (_, page, _) = page("models/disk");
+    let (_, article) = page.split_once("<h3>The report's simulation, to t = 10 s</h3>").unwrap();
+    let (article, _) = article.split_once("</article>").unwrap();
+    let (runs, figures) = article.split_once("</table>\n</div>\n<figure>").unwrap();
+    let (derived, printed) = runs.split_once("<tr class=\"group\">").unwrap();
+    assert_eq!(derived.matches("<tr class=\"loose\">").count(), 4, "{derived}");
+    assert_eq!(derived.matches("ode45 with rtol 1e−3, atol 1e−5 leaves an error of ").count(), 4, "{derived}");
+    assert!(!derived.contains("wrong"), "{derived}");
+    assert!(printed.contains(": all are wrong, they do not give the derived accelerations"), "{printed}");
+    assert_eq!(printed.matches("<tr class=\"printed wrong\">").count(), 6, "{printed}");
+    for said in [
+        "Total energy over 10 s. Shown: Kane's method = Newton–Euler equations, Lagrange's equations, Reduced equations.",
+        "Right, but loose: ode45 with rtol 1e−3, atol 1e−5 leaves an error at the end",
+        "In red, since they do not give the derived accelerations: printed kane-final (wrong), printed lagrange-final (wrong)",
+    ] {
+        assert!(figures.contains(said), "{said}");
+    }
+    // Fewer names than before: 16 and more in one legend told nothing apart.
+    for curves in figures.split("Curves: ").skip(1).filter_map(|rest| Some(rest.split_once('"')?.0)) {
+        assert!(curves.split(", ").count() <= 14, "{curves}");
+    }
 }
 
 /// The report's explanation of its failure, tested: Kane's determinant is never zero, Lagrange's is.
@@ -170,7 +197,10 @@ fn printed_equations_that_fail_do_not_fail_the_page() {
     assert_eq!(status, Some(0), "{}", stderr(&output));
     assert!(!stderr(&output).contains("warning"), "the derived runs are fine: {}", stderr(&output));
     for id in ["right", "explodes", "singular", "singular-later", "not-finite"] {
-        assert!(page.contains(&format!("printed:{id}</code></th>")), "{id}");
+        assert!(page.contains(&format!("printed:{id}</code>")), "{id}");
+    }
+    for (id, standing) in [("explodes", " <strong class=\"standing\">wrong</strong>"), ("right", "")] {
+        assert!(page.contains(&format!("printed:{id}</code>{standing}</th>")), "{id}");
     }
     let (_, rows) = page.split_once("<tr class=\"group\">").unwrap();
     let (rows, _) = rows.split_once("</table>").unwrap();

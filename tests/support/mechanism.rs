@@ -1,7 +1,8 @@
 //! Random mechanisms whose rows couple, and scenes of them.
 //!
 //! Links hang on one another by hinges and slides about any axis, each with a full inertia tensor; speeds mix the rates
-//! of the links before; springs, dampers and gravity act; every reaction of every joint is named.
+//! of the links before; springs, dampers and gravity act, and drag at points that move in their links; every reaction of
+//! every joint is named.
 
 use crate::spoilt::Random;
 use std::fmt::Write;
@@ -13,6 +14,8 @@ struct Link {
     mixed: Option<String>,
     spring: bool,
     damper: bool,
+    /// The point where drag acts on the link, as its place from the link's mass centre: frame and position.
+    drag: Option<(String, String)>,
 }
 
 /// The frame that holds the axis of a link's joint: that before it; for a hinge the link's own does, too.
@@ -46,7 +49,13 @@ impl Mechanism {
                 _ => "be".to_owned(),
             });
             let (spring, damper) = (random.chance(50), random.chance(40));
-            links.push(Link { axis: random.below(3), is_hinge: random.chance(65), mixed, spring, damper });
+            let (axis, is_hinge) = (random.below(3), random.chance(65));
+            let along = if is_hinge { format!("a{i}*cos(q{i})") } else { format!("q{i}") };
+            let drag = random.chance(35).then(|| match random.below(2) {
+                0 => ("N".to_owned(), format!("\"a{i}\", \"b{i}\", 0")),
+                _ => (format!("F{i}"), format!("\"b{i}\", \"{along}\", 0")),
+            });
+            links.push(Link { axis, is_hinge, mixed, spring, damper, drag });
             let mass = if random.chance(40) { 2.0 } else { random.decimal(0.3, 3.0) };
             values.push((format!("m{i}"), "kg", mass));
             values.push((format!("a{i}"), "m", random.decimal(0.1, 0.4)));
@@ -121,6 +130,7 @@ impl Mechanism {
                 "[bodies.B{i}]\nframe = \"{frame}\"\ncentre = \"G{i}\"\nmass = \"m{i}\"\ninertia = {{ {inertia} }}"
             );
             Self::load(loads, i, link, &axes);
+            Self::drag(points, loads, i, link);
             Self::reactions(reactions, i, link, &joint, &axes);
             point = format!("J{i}");
         }
@@ -159,6 +169,19 @@ impl Mechanism {
                 );
             }
         }
+    }
+
+    /// Drag at a point that moves in the link: on the material there, and by the velocity of the point.
+    fn drag(points: &mut String, loads: &mut String, i: usize, link: &Link) {
+        let Some((frame, position)) = &link.drag else { return };
+        let against = if i == 0 { String::new() } else { format!("against = \"B{}\"\n", i - 1) };
+        let _ = writeln!(points, "W{i} = {{ from = \"G{i}\", frame = \"{frame}\", position = [{position}] }}");
+        let of = |velocity: &str, axis: usize| format!("\"-c{i}*v({velocity}) @ F{i} [{axis}]\"");
+        let vector = [of(&format!("B{i}, W{i}"), 1), of(&format!("B{i}, W{i}"), 2), of(&format!("W{i}"), 3)].join(", ");
+        let _ = writeln!(
+            loads,
+            "[forces.drag{i}]\non = \"B{i}\"\nat = \"W{i}\"\n{against}frame = \"F{i}\"\nvector = [{vector}]"
+        );
     }
 
     /// What the joint prevents: forces along every axis but a slide's, torques about every axis but a hinge's.

@@ -1,5 +1,6 @@
 """The mechanism of a model: its frames, points and bodies with their motion, and what acts on them."""
 
+import re
 from dataclasses import dataclass
 
 from sympy import Symbol
@@ -35,6 +36,24 @@ class Load:
     target: object
     force: Vector
     moment: Vector
+
+
+class LoadNames(dict):
+    """What formulas of loads may name: what all may, and components of velocities."""
+
+    def __init__(self, mechanism):
+        super().__init__(mechanism.names)
+        self.mechanism = mechanism
+
+    def __missing__(self, word):
+        if "@" not in word:
+            raise KeyError(word)
+        *of, frame, axis = re.findall(r"\w+", word)[1:]
+        velocity = self.mechanism.velocity(*of)
+        basis = self.mechanism.get(self.mechanism.frames, frame)
+        if axis not in ("1", "2", "3"):
+            raise Unsupported(f"component {axis} of a velocity")
+        return velocity.dot((basis.x, basis.y, basis.z)[int(axis) - 1])
 
 
 class Mechanism:
@@ -111,6 +130,17 @@ class Mechanism:
             point.set_vel(inertial, velocity)
             point.set_acc(inertial, msubs(velocity.dt(inertial), self.rates))
 
+    def velocity(self, *of):
+        """Of a point, or of the material of a body that is at a point, in the inertial frame."""
+        point = self.get(self.points, of[-1])
+        if len(of) == 1:
+            return point.vel(self.inertial)
+        body = self.get(self.bodies, of[0])
+        if body.frame is None:
+            return body.point.vel(self.inertial)
+        arm = point.pos_from(body.point)
+        return body.point.vel(self.inertial) + body.frame.ang_vel_in(self.inertial).cross(arm)
+
     def rigid_body(self, name, entry):
         frame, centre = self.get(self.frames, entry["frame"]), self.get(self.points, entry["centre"])
         mass = expression(entry["mass"], self.names)
@@ -155,7 +185,8 @@ class Mechanism:
         """The loads of [forces] and [torques]."""
         kinds = ((self.force, "forces"), (self.torque, "torques"))
         entries = ((act, entry) for act, section in kinds for entry in self.model.section(section).values())
-        return sum((act(entry, self.vector(entry["frame"], entry["vector"])) for act, entry in entries), [])
+        names = LoadNames(self)
+        return sum((act(entry, self.vector(entry["frame"], entry["vector"], names)) for act, entry in entries), [])
 
     def reactions(self):
         """The name of each reaction, with the loads it exerts."""

@@ -2,14 +2,14 @@
 
 use super::words::{is_derived, is_whole};
 use crate::failure::Failure;
+use crate::plot::styles::{BY_QUADRATURE, FRONT, METHODS, MOST_PRINTED, NUMERIC, PRINTED, style};
 use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};
 use tripos::case::Way;
 use tripos::chart::Measurement;
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::Solve;
 use tripos_sim::Method;
 use tripos_sim::work_precision::pareto;
-
-/// The look of the Pareto front.
-const FRONT: usize = 0;
 
 /// Which method, which formulation, which solve.
 ///
@@ -42,14 +42,22 @@ pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
     let Some(Measurement { by: first, solve: natural, .. }) = list.first() else { return Vec::new() };
     let best = Method::Dop853;
     let is_best = |m: &Measurement| m.way.method() == Some(best);
-    let method = |m: &Measurement| (m.by == *first && m.solve == *natural).then(|| m.way.name().to_owned());
-    let formulation = |m: &Measurement| match m.way {
-        Way::Quadrature => Some(format!("{}, {}", m.by.name(), m.way.name())),
-        _ => (is_best(m) && m.solve == *natural).then(|| m.by.name()),
+    let method = |m: &Measurement| {
+        let at = m.way.method().and_then(|method| Method::ALL.into_iter().position(|other| other == method))?;
+        (m.by == *first && m.solve == *natural).then(|| (m.way.name().to_owned(), METHODS + at))
     };
+    let formulation = |m: &Measurement| match m.way {
+        Way::Quadrature => Some((format!("{}, {}", m.by.name(), m.way.name()), BY_QUADRATURE)),
+        _ => (is_best(m) && m.solve == *natural).then(|| (m.by.name(), own_style(list, &m.by))),
+    };
+    // Those that are not solved numerically are in the panel before, by the same names.
     let solve = |m: &Measurement| {
         let shown = is_best(m) && is_whole(m) && is_derived(m);
-        shown.then(|| format!("{}, {}", m.by.name(), m.solve.name()))
+        let (name, style) = match m.solve {
+            Solve::Numeric => (m.solve.name().to_owned(), NUMERIC),
+            Solve::Eliminated => (m.by.name(), own_style(list, &m.by)),
+        };
+        shown.then_some((name, style))
     };
     let (first, natural, best) = (first.name(), natural.name(), best.name());
     vec![
@@ -59,12 +67,27 @@ pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
     ]
 }
 
-fn panel(list: &[Measurement], title: &str, group: &dyn Fn(&Measurement) -> Option<String>, uncertainty: f64) -> Panel {
-    let shown: Vec<(String, &Measurement)> = list.iter().filter_map(|m| Some((group(m)?, m))).collect();
-    let mut labels: Vec<&String> = Vec::new();
-    for (label, _) in &shown {
-        if !labels.contains(&label) {
-            labels.push(label);
+/// The style of equations; printed ones after one another.
+fn own_style(list: &[Measurement], by: &By) -> usize {
+    let mut printed: Vec<&By> = Vec::new();
+    for m in list.iter().filter(|m| m.by.printed_id().is_some()) {
+        if !printed.contains(&&m.by) {
+            printed.push(&m.by);
+        }
+    }
+    printed.iter().position(|other| *other == by).map_or_else(|| style(by), |at| PRINTED + at % MOST_PRINTED)
+}
+
+/// What a measurement is a point of: the name in the legend and the style; nothing if it is not shown.
+type Group<'a> = &'a dyn Fn(&Measurement) -> Option<(String, usize)>;
+
+fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) -> Panel {
+    let shown: Vec<((String, usize), &Measurement)> = list.iter().filter_map(|m| Some((group(m)?, m))).collect();
+    // Curves of one name and look may be of several equations.
+    let mut curves: Vec<(&(String, usize), &By)> = Vec::new();
+    for (name, m) in &shown {
+        if !curves.contains(&(name, &m.by)) {
+            curves.push((name, &m.by));
         }
     }
     let points: Vec<(f64, f64)> = shown.iter().map(|(_, m)| place(m)).collect();
@@ -72,11 +95,11 @@ fn panel(list: &[Measurement], title: &str, group: &dyn Fn(&Measurement) -> Opti
     // Its points are measurements too: marked where they are, not along the line.
     let spread = front.iter().map(|(x, _)| (*x, *x)).collect();
     let mut series = vec![Series { label: "Pareto front".to_owned(), style: FRONT, points: front, spread }];
-    for (at, label) in labels.into_iter().enumerate() {
-        let own: Vec<&Measurement> = shown.iter().filter(|(l, _)| l == label).map(|(_, m)| *m).collect();
+    for (name, by) in curves {
+        let own: Vec<&Measurement> = shown.iter().filter(|(n, m)| n == name && m.by == *by).map(|(_, m)| *m).collect();
         series.push(Series {
-            label: label.clone(),
-            style: at + 1,
+            label: name.0.clone(),
+            style: name.1,
             points: own.iter().map(|m| place(m)).collect(),
             spread: own.iter().map(|m| (m.seconds.least, m.seconds.most)).collect(),
         });

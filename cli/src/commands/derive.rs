@@ -16,16 +16,19 @@ use tripos_derive::algebra::print::{mathml, mathml_name, text, whole_text};
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{DerivationInSteps, accelerations, derive_all, derive_in_steps};
+use tripos_derive::mechanics::{
+    DerivationInSteps, MovingPlace, accelerations, derive_all, derive_in_steps, moving_places,
+};
 use tripos_derive::prove::prove;
 
 /// Derives and prints.
 pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Failure> {
     let model = read_model(model)?;
     let mut derivations = derivations(&model, by)?;
+    let moving = moving_places(&model).map_err(|error| model.diagnose(&error))?;
     let out = match format {
-        Format::Text => as_text(&model, &mut derivations),
-        Format::Latex => as_latex(&model, &mut derivations)?,
+        Format::Text => as_text(&model, &moving, &mut derivations),
+        Format::Latex => as_latex(&model, &moving, &mut derivations)?,
         Format::Mathml => as_mathml(&derivations),
         Format::Json => {
             let list: Vec<Value> = derivations.iter_mut().map(|d| as_json(&model, d)).collect();
@@ -60,8 +63,11 @@ fn solved(derivation: &mut DerivationInSteps) -> Option<Elimination> {
     accelerations(&mut derivation.arena, &mut Simplifier::default(), &derivation.equations).ok()
 }
 
-fn as_text(model: &Mechanism, derivations: &mut [DerivationInSteps]) -> String {
+fn as_text(model: &Mechanism, moving: &[MovingPlace], derivations: &mut [DerivationInSteps]) -> String {
     let mut out = format!("{}\n{}\n", model.title, model.count());
+    for place in moving {
+        let _ = writeln!(out, "{}", place.text(model));
+    }
     for derivation in derivations {
         let solved = solved(derivation);
         let DerivationInSteps { arena, equations: e, steps } = &*derivation;
@@ -111,8 +117,12 @@ fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
 /// Coordinates up to which what is conserved is looked for: `prove` does for any model.
 const MOST_PROVED: usize = 8;
 
-fn as_latex(model: &Mechanism, derivations: &mut [DerivationInSteps]) -> Result<String, Failure> {
-    let mut out = latex::head(model);
+fn as_latex(
+    model: &Mechanism,
+    moving: &[MovingPlace],
+    derivations: &mut [DerivationInSteps],
+) -> Result<String, Failure> {
+    let mut out = latex::head(model, moving);
     for derivation in derivations {
         let solved = solved(derivation);
         out += &latex::formulation(model, derivation, solved.as_ref());

@@ -4,20 +4,22 @@ mod drawn;
 mod measured;
 mod own;
 mod rows;
+mod standing;
 
 use crate::commands::chart::progress;
 use crate::failure::{Failure, say, status, warn};
 use crate::figures::{self, Curve};
 use crate::follow;
 use crate::output::{folder, keep_inputs, text};
-use crate::page::{self, Page, RunRow, SceneSection};
-use crate::plot::Panel;
+use crate::page::{self, Page, RunRow, SceneSection, Standing};
+use crate::plot::{Panel, styles};
 use crate::workspace::{current_folder, edited, model_file, read_model, workspace_around};
-use drawn::{Drawn, drawing, folder_of};
+use drawn::{Drawn, after, drawing, folder_of};
 use indicatif::ProgressBar;
 use measured::Measured;
 use own::{Own, shown};
 use rows::{UNWATCHED, facts, own_row, row, title};
+use standing::Standings;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos::code::{Code, Ready, code};
@@ -35,9 +37,6 @@ use tripos_sim::Method;
 
 /// Steps after which a run of printed equations is given up: such equations may creep to a place that they never reach.
 const MOST_PRINTED_STEPS: u64 = 10_000;
-
-/// Curves of printed systems in a figure; more cannot be told apart.
-const MOST_PRINTED_CURVES: usize = 5;
 
 /// Writes the page of a model.
 pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
@@ -156,6 +155,8 @@ struct Runs {
     /// By the scene's own equations, or why there are none.
     own: Result<Own, String>,
     printed: Vec<(Run, Course)>,
+    /// How each stands, in this order.
+    standings: Vec<Standing>,
     /// Printed systems that could not be run, and why.
     not_run: Vec<(String, String)>,
 }
@@ -218,7 +219,8 @@ impl<'a> Work<'a> {
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
         let message = |by: &By| format!("running {} by {}", path_in_line(&scene.source.path), by.name());
         let own = Own::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
-        let mut runs = Runs { derived: Vec::new(), own, printed: Vec::new(), not_run: Vec::new() };
+        let mut runs =
+            Runs { derived: Vec::new(), own, printed: Vec::new(), standings: Vec::new(), not_run: Vec::new() };
         // Quadrature and projection are of a scene's own equations alone.
         let mut stepped = scene.clone();
         stepped.integration.project = None;
@@ -256,6 +258,10 @@ impl<'a> Work<'a> {
             };
             runs.not_run.push((by.name(), why));
         }
+        let mut standings = Standings::new(self.model, scene, self.study);
+        let (derived, own) = (runs.derived.iter().map(|(run, _)| run), runs.own.iter().map(|own| &own.run));
+        let all = derived.chain(own).chain(runs.printed.iter().map(|(run, _)| run));
+        runs.standings = all.map(|run| standings.of(run)).collect();
         Ok(runs)
     }
 
@@ -263,16 +269,18 @@ impl<'a> Work<'a> {
     fn drawn<'r>(&self, runs: &'r Runs) -> (Vec<Curve<'r>>, Option<String>) {
         let mut curves = curves(runs, |own| own.course.is_some());
         let Some(published) = &self.study.published else { return (curves, None) };
-        let derived = curves.len();
-        let (mut alike, mut left_out) = (Vec::new(), Vec::new());
-        for (run, course) in &runs.printed {
+        let (mut alike, mut left_out, mut drawn) = (Vec::new(), Vec::new(), [0; 2]);
+        let before = runs.standings.len() - runs.printed.len();
+        for ((run, course), standing) in runs.printed.iter().zip(&runs.standings[before..]) {
             let Some(id) = run.by.printed_id() else { continue };
-            let first = published.first_alike(id);
-            let style = curves.len() - derived + figures::PRINTED;
+            let wrong = *standing == Standing::Wrong;
+            let (kind, first) = (if wrong { styles::WRONG } else { styles::PRINTED }, published.first_alike(id));
+            let count = &mut drawn[usize::from(wrong)];
             if first != id {
                 alike.push(format!("{id} moves as {first}"));
-            } else if style < figures::PRINTED + MOST_PRINTED_CURVES {
-                curves.push(Curve { run, course, style });
+            } else if *count < styles::MOST_PRINTED {
+                curves.push(Curve::new(run, course, kind + *count, standing));
+                *count += 1;
             } else {
                 left_out.push(id.to_owned());
             }
@@ -292,7 +300,7 @@ impl<'a> Work<'a> {
 
     /// The panels of a figure of states: every state, or what the scene wants to see.
     fn states(&self, scene: &Scene, runs: &Runs) -> Result<Vec<Panel>, Failure> {
-        let curves = curves(runs, |_| true);
+        let curves = figures::merged(curves(runs, |_| true));
         if !scene.states_outputs {
             return Ok(figures::states(self.model, &curves));
         }
@@ -317,10 +325,14 @@ impl<'a> Work<'a> {
             bar.set_message(format!("{} of {}", kind.name(), path_in_line(&scene.source.path)));
             shown.extend(match kind {
                 FigureKind::Energy => {
-                    let panel = figures::energy(&curves(&runs, |own| own.has_energy));
-                    Some(drawn.figure(kind.name(), caption, &[panel], 1)?)
+                    let curves = figures::merged(curves(&runs, |own| own.has_energy));
+                    let caption = after(caption, &figures::said(&curves));
+                    Some(drawn.figure(kind.name(), &caption, &[figures::energy(&curves)], 1)?)
                 }
-                FigureKind::States => Some(drawn.figure(kind.name(), caption, &self.states(scene, &runs)?, 2)?),
+                FigureKind::States => {
+                    let caption = after(caption, &figures::said(&figures::merged(curves(&runs, |_| true))));
+                    Some(drawn.figure(kind.name(), &caption, &self.states(scene, &runs)?, 2)?)
+                }
                 _ => measured.figure(kind, caption)?,
             });
             bar.inc(1);
@@ -329,21 +341,25 @@ impl<'a> Work<'a> {
         let note = note.map(|note| format!(" {note}")).unwrap_or_default();
         let mut integrals = None;
         if !curves.is_empty() && !self.watch.integrals.is_empty() {
+            let curves = figures::merged(curves.clone());
             let panels = figures::integrals(&self.watch, &curves);
             let caption = "First integrals: how far each is from its value at the start, on logarithmic scales. What lies \
                            at the lower edge does not change; what lies at the upper edge is beyond it.";
-            integrals = Some(drawing(&format!("{caption}{note}"), &panels, panels.len().min(2))?);
+            let said = figures::said(&curves);
+            integrals = Some(drawing(&format!("{caption} {said}{note}"), &panels, panels.len().min(2))?);
         }
         let mut nearness = None;
         if !curves.is_empty() {
             let caption = "How near the matrix A of the accelerations comes to a singular one, and the kinematic equations \
                            to a division by zero, on logarithmic scales.";
-            nearness = Some(drawing(&format!("{caption}{note}"), &figures::nearness(&self.watch, &curves), 2)?);
+            let said = figures::said(&curves);
+            nearness = Some(drawing(&format!("{caption} {said}{note}"), &figures::nearness(&self.watch, &curves), 2)?);
         }
-        let own = runs.own.as_ref().ok();
-        let mut rows: Vec<RunRow> = runs.derived.iter().map(|(run, course)| row(scene, run, course)).collect();
-        rows.extend(own.map(|own| own_row(scene, own)));
-        rows.extend(runs.printed.iter().map(|(run, course)| row(scene, run, course)));
+        let mut standings = runs.standings.iter().cloned();
+        let mut next = || standings.next().unwrap_or(Standing::Right);
+        let mut rows: Vec<RunRow> = runs.derived.iter().map(|(run, course)| row(scene, run, course, next())).collect();
+        rows.extend(runs.own.iter().map(|own| own_row(scene, own, next())));
+        rows.extend(runs.printed.iter().map(|(run, course)| row(scene, run, course, next())));
         Ok(SceneSection {
             title: title(scene),
             about: scene.about.clone(),
@@ -364,5 +380,6 @@ impl<'a> Work<'a> {
 fn curves(runs: &Runs, shows: impl Fn(&Own) -> bool) -> Vec<Curve<'_>> {
     let own = runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&UNWATCHED)));
     let derived = runs.derived.iter().map(|(run, course)| (run, course));
-    derived.chain(own).map(|(run, course)| Curve { run, course, style: figures::style(&run.by) }).collect()
+    let all = derived.chain(own).zip(&runs.standings);
+    all.map(|((run, course), standing)| Curve::new(run, course, styles::style(&run.by), standing)).collect()
 }

@@ -86,8 +86,8 @@ pub struct RunRow {
     pub arrived: bool,
     /// Why it ended, as a sentence.
     pub stop: String,
-    /// Whether the run went as far as its equations hold and it was asked to.
-    pub trusted: bool,
+    /// Whether its equations are right, and its numbers good.
+    pub standing: Standing,
     /// Largest change of total energy, J; none of equations that do not know it.
     pub energy_drift: Option<f64>,
     /// What else the reader should know.
@@ -96,6 +96,26 @@ pub struct RunRow {
     pub changes: Vec<f64>,
     /// How near it came to singular places.
     pub nearest: Nearest,
+}
+
+/// What is known of the equations of a run, and of its numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Standing {
+    /// Derived equations, or printed ones that are proved to move alike, integrated as well as was asked for.
+    Right,
+    /// Right equations at tolerances that leave few digits.
+    Loose {
+        /// The method and its tolerances.
+        how: String,
+        /// The largest |e| / (1 + |exact|) at the end of the run, or why it is not known.
+        error: Result<f64, String>,
+    },
+    /// Right equations whose run could not go on.
+    Stopped,
+    /// Printed equations that do not give the derived accelerations, however their run ends.
+    Wrong,
+    /// Printed equations of which that is not known, and why.
+    Undecided(String),
 }
 
 /// Extremes along a run: (value, time), nothing where no sample has a value.

@@ -5,6 +5,7 @@ use super::math::{basis, formula, inline, matrix, symbol};
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
+use tripos_derive::mechanics::moving_places;
 use tripos_derive::model::{Place, ReactionKind, Unit};
 
 /// The section of the mechanism.
@@ -151,7 +152,16 @@ fn loads(model: &Model) -> String {
         let direction = components_in(model, r.frame, &r.direction);
         rows.push(vec![format!("{} ({kind})", inline(&symbol(&r.name))), on, format!("along {direction}")]);
     }
-    some("Loads", &["Name", "On", "Vector"], &rows)
+    some("Loads", &["Name", "On", "Vector"], &rows) + &moving(model)
+}
+
+/// What each load acts on whose point moves in its body.
+fn moving(model: &Model) -> String {
+    let line = |text: String| format!("<p>{}</p>\n", escape(&text));
+    match moving_places(model) {
+        Ok(places) => places.iter().map(|place| line(place.text(model))).collect(),
+        Err(error) => line(format!("Where loads act is not known: {error}.")),
+    }
 }
 
 /// Components as (x, y, z) in a frame.

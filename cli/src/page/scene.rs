@@ -1,9 +1,10 @@
 //! One simulated scene: what was given, how each run went, figures.
 
-use super::content::{Fact, Figure, Page, RunRow, SceneSection};
+use super::content::{Fact, Figure, Page, RunRow, SceneSection, Standing};
 use super::html::{address, anchor, escape, head, number, rounded, scroll};
 use super::math::inline;
 use super::proof::{integral_name, integral_symbol};
+use super::standing::{self, class};
 use super::{advice, needs, singular};
 use crate::plot::pretty;
 use std::fmt::Write;
@@ -106,7 +107,8 @@ fn runs(page: &Page, scene: &SceneSection) -> String {
         let (columns, title) = (HEAD.len(), escape(&published.report.title));
         let _ = writeln!(
             rows,
-            "<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{columns}\">As printed in {title}, errors included</th></tr>"
+            "<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{columns}\">As printed in {title}{}</th></tr>",
+            how_many_are_wrong(scene)
         );
         rows += &printed;
     }
@@ -118,20 +120,30 @@ fn runs(page: &Page, scene: &SceneSection) -> String {
     scroll(&format!("Runs of {}", scene.title), &table)
 }
 
+/// How many of the printed equations that ran are wrong.
+fn how_many_are_wrong(scene: &SceneSection) -> String {
+    let printed: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
+    match (printed.iter().filter(|run| run.standing == Standing::Wrong).count(), printed.len()) {
+        (_, 0) => String::new(),
+        (0, _) => ": none is wrong".to_owned(),
+        (wrong, all) if wrong == all => ": all are wrong, they do not give the derived accelerations".to_owned(),
+        (wrong, all) => format!(": {wrong} of {all} are wrong, they do not give the derived accelerations"),
+    }
+}
+
 /// The largest change of each first integral in each run.
 fn changes(page: &Page, scene: &SceneSection) -> String {
     let integrals = &page.study.proof.integrals;
     let heads: Vec<String> = (0..integrals.len()).map(|at| inline(&integral_symbol(at))).collect();
     let columns: Vec<&str> = std::iter::once("Equations").chain(heads.iter().map(String::as_str)).collect();
     let row = |run: &RunRow| {
-        let class = if run.printed.is_some() { " class=\"printed\"" } else { "" };
         let cell = |(at, change): (usize, &f64)| {
             let (open, close) =
                 if breaks(page, run, at) { ("<strong class=\"wrong\">", "</strong>") } else { ("", "") };
             format!("<td class=\"n\">{open}{}{close}</td>", energy(*change))
         };
         let cells: String = run.changes.iter().enumerate().map(cell).collect();
-        format!("<tr{class}><th scope=\"row\">{}</th>{cells}</tr>\n", singular::name(run))
+        format!("<tr{}><th scope=\"row\">{}</th>{cells}</tr>\n", class(run, ""), standing::name(run))
     };
     let named = |(at, integral): (usize, &tripos_derive::prove::Integral)| {
         format!(
@@ -165,25 +177,15 @@ fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
     rate.is_some_and(|rate| matches!(rate.verdict, Verdict::Different(_)))
 }
 
-/// One row of numbers; below it how a run ended that cannot be trusted, and warnings.
+/// One row of numbers; below it how its equations stand, how it ended early, and warnings.
 fn run(run: &RunRow) -> String {
-    let alarm = run.printed.is_none() && !run.trusted;
-    let class = match (&run.printed, alarm) {
-        (Some(_), _) => " class=\"printed\"",
-        (None, true) => " class=\"untrusted\"",
-        (None, false) => "",
-    };
-    // A printed run that ends early says below how.
-    let early = run.printed.is_some() && !run.arrived;
-    let result = match (alarm, early) {
-        (true, _) => "<strong>not trusted</strong>".to_owned(),
-        (false, true) => "ended early".to_owned(),
-        (false, false) => escape(&run.stop),
-    };
+    let early = !run.arrived && (run.printed.is_some() || run.standing == Standing::Stopped);
+    let result = if early { "ended early".to_owned() } else { escape(&run.stop) };
     let mut out = format!(
-        "<tr{class}><th scope=\"row\">{}</th><td class=\"result\">{result}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
+        "<tr{}><th scope=\"row\">{}</th><td class=\"result\">{result}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
          <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td><td>{}</td></tr>\n",
-        singular::name(run),
+        class(run, ""),
+        standing::name(run),
         number(&rounded(run.t_end, 6)),
         run.energy_drift.map_or_else(|| "–".to_owned(), energy),
         run.steps,
@@ -192,25 +194,14 @@ fn run(run: &RunRow) -> String {
         escape(&run.method),
         escape(&run.code),
     );
-    let mut remark = |label: &str, text: &str| {
-        let (columns, text) = (HEAD.len() - 1, escape(text.trim()));
-        let _ = writeln!(
-            out,
-            "<tr class=\"remark{}\"><td></td><td colspan=\"{columns}\"><strong>{label}</strong> {text}</td></tr>",
-            if run.printed.is_some() {
-                " printed"
-            } else if alarm {
-                " untrusted"
-            } else {
-                ""
-            }
-        );
-    };
-    if alarm || early {
-        remark("How it ended:", &run.stop);
-    }
-    for warning in &run.warnings {
-        remark("Warning:", warning);
+    let word = run.standing.word().map_or(String::new(), |word| format!("{}{}:", word[..1].to_uppercase(), &word[1..]));
+    let standing = run.standing.remark(run.t_end).map(|text| (word.as_str(), text));
+    let ending = early.then(|| ("How it ended:", run.stop.clone()));
+    let warnings = run.warnings.iter().map(|warning| ("Warning:", warning.clone()));
+    for (label, text) in standing.into_iter().chain(ending).chain(warnings) {
+        let (class, columns, text) = (class(run, "remark"), HEAD.len() - 1, words(text.trim()));
+        let _ =
+            writeln!(out, "<tr{class}><td></td><td colspan=\"{columns}\"><strong>{label}</strong> {text}</td></tr>");
     }
     out
 }

@@ -5,6 +5,7 @@
 use super::content::{Page, RunRow, SceneSection};
 use super::html::{each, escape, head, number, rounded, scroll};
 use super::math::{formula, inline};
+use super::standing::{self, class};
 use std::fmt::Write;
 use tripos_derive::algebra::Expr;
 use tripos_derive::prove::{Singularity, There};
@@ -157,8 +158,7 @@ fn table(scene: &SceneSection, divisors: &[String]) -> String {
         let pairs = [nearest.relative, nearest.condition].into_iter().chain(nearest.divisors.iter().copied());
         let cells: Vec<String> = range.into_iter().chain(pairs.flat_map(pair)).collect();
         let cells = each(&cells, |cell| format!("<td class=\"n\">{cell}</td>"));
-        let class = if run.printed.is_some() { " class=\"printed\"" } else { "" };
-        let _ = writeln!(rows, "<tr{class}><th scope=\"row\">{}</th>{cells}</tr>", name(run));
+        let _ = writeln!(rows, "<tr{}><th scope=\"row\">{}</th>{cells}</tr>", class(run, ""), standing::name(run));
     }
     let table = format!(
         "<table class=\"runs extremes\">\n<caption>Extremes at the samples of the runs</caption>\n{}<tbody>\n{rows}</tbody>\n\

@@ -19,14 +19,16 @@ const OUTLINE: f64 = 1.5;
 /// Line colour, width and dashes, marker colour and outline in units of its radius; no outline: a circle.
 pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
 
-/// Colours of Okabe and Ito, then of Tol. A thick light line lies under thin dashed ones, so equal curves all show.
-const LOOKS: [Look; 9] = [
+/// The three formulations and a scene's own equations; five printed systems; five wrong ones, which alone are red; the front
+/// of a chart, six methods, the numeric solve and quadrature. Each has a marker of its own: one marker, one meaning. A thick
+/// light line lies under thin dashed ones, so equal curves all show; colour and width together are those of one look.
+pub const LOOKS: [Look; 23] = [
     Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
-        RGBColor(0xd5, 0x5e, 0x00),
+        RGBColor(0x00, 0x9e, 0x73),
         2.0,
         "28 16",
-        RGBColor(0xd5, 0x5e, 0x00),
+        RGBColor(0x00, 0x9e, 0x73),
         &[&[(-1.0, 0.8), (1.0, 0.8), (0.0, -1.0), (-1.0, 0.8), (1.0, 0.8)]],
     ),
     Look(
@@ -37,10 +39,10 @@ const LOOKS: [Look; 9] = [
         &[&[(-0.9, -0.9), (0.9, 0.9)], &[(-0.9, 0.9), (0.9, -0.9)]],
     ),
     Look(
-        RGBColor(0x00, 0x9e, 0x73),
+        RGBColor(0xe6, 0x9f, 0x00),
         2.0,
         "40 12 8 12",
-        RGBColor(0x00, 0x9e, 0x73),
+        RGBColor(0xe6, 0x9f, 0x00),
         &[&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9), (-0.9, -0.9), (0.9, -0.9)]],
     ),
     Look(
@@ -51,22 +53,131 @@ const LOOKS: [Look; 9] = [
         &[&[(0.0, -1.2), (1.2, 0.0), (0.0, 1.2), (-1.2, 0.0), (0.0, -1.2), (1.2, 0.0)]],
     ),
     Look(
-        RGBColor(0xe6, 0x9f, 0x00),
+        RGBColor(0x00, 0x72, 0xb2),
         2.0,
         "52 12",
-        RGBColor(0xe6, 0x9f, 0x00),
+        RGBColor(0x00, 0x72, 0xb2),
         &[&[(-1.1, 0.0), (1.1, 0.0)], &[(0.0, -1.1), (0.0, 1.1)]],
     ),
     Look(
-        RGBColor(0x88, 0x22, 0x55),
+        RGBColor(0x33, 0x22, 0x88),
         2.0,
         "20 8",
-        RGBColor(0x88, 0x22, 0x55),
+        RGBColor(0x33, 0x22, 0x88),
         &[&[(-1.0, -0.8), (1.0, -0.8), (0.0, 1.0), (-1.0, -0.8), (1.0, -0.8)]],
     ),
-    Look(RGBColor(0x33, 0x22, 0x88), 2.0, "4 8 24 8", RGBColor(0x33, 0x22, 0x88), &[&[(0.0, -1.2), (0.0, 1.2)]]),
-    Look(RGBColor(0x8b, 0x5a, 0x2b), 2.0, "8 6", RGBColor(0x8b, 0x5a, 0x2b), &[&[(-1.2, 0.0), (1.2, 0.0)]]),
+    Look(RGBColor(0x8b, 0x5a, 0x2b), 2.0, "4 8 24 8", RGBColor(0x8b, 0x5a, 0x2b), &[&[(0.0, -1.2), (0.0, 1.2)]]),
+    Look(RGBColor(0x99, 0x99, 0x33), 2.0, "8 6", RGBColor(0x99, 0x99, 0x33), &[&[(-1.2, 0.0), (1.2, 0.0)]]),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        2.0,
+        "24 10",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(-1.1, 0.0), (1.1, 0.0)], &[(-0.6, -1.0), (0.6, 1.0)], &[(-0.6, 1.0), (0.6, -1.0)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        1.75,
+        "8 8",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(0.0, 0.0), (0.0, 1.2)], &[(0.0, 0.0), (-1.0, -0.8)], &[(0.0, 0.0), (1.0, -0.8)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        2.25,
+        "44 10",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(-1.0, -0.9), (1.0, 0.9), (1.0, -0.9), (-1.0, 0.9), (-1.0, -0.9), (1.0, 0.9)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        2.5,
+        "30 8 6 8",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(-0.9, -1.0), (0.9, -1.0), (-0.9, 1.0), (0.9, 1.0), (-0.9, -1.0), (0.9, -1.0)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        2.75,
+        "14 6",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(0.0, -1.1), (1.05, -0.35), (0.65, 0.9), (-0.65, 0.9), (-1.05, -0.35), (0.0, -1.1), (1.05, -0.35)]],
+    ),
+    Look(
+        RGBColor(0xbb, 0xbb, 0xbb),
+        4.5,
+        "",
+        RGBColor(0xbb, 0xbb, 0xbb),
+        &[&[
+            (-0.55, -1.0),
+            (0.55, -1.0),
+            (1.1, 0.0),
+            (0.55, 1.0),
+            (-0.55, 1.0),
+            (-1.1, 0.0),
+            (-0.55, -1.0),
+            (0.55, -1.0),
+        ]],
+    ),
+    Look(RGBColor(0x44, 0x77, 0xaa), 2.0, "", RGBColor(0x44, 0x77, 0xaa), &[&[(-1.0, 0.6), (0.0, -0.8), (1.0, 0.6)]]),
+    Look(
+        RGBColor(0x66, 0xcc, 0xee),
+        2.0,
+        "30 8",
+        RGBColor(0x66, 0xcc, 0xee),
+        &[&[(-1.0, -0.6), (0.0, 0.8), (1.0, -0.6)]],
+    ),
+    Look(
+        RGBColor(0x22, 0x88, 0x33),
+        2.0,
+        "16 8",
+        RGBColor(0x22, 0x88, 0x33),
+        &[&[(0.7, -1.0), (-0.7, 0.0), (0.7, 1.0)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0xbb, 0x44),
+        2.0,
+        "40 8",
+        RGBColor(0xcc, 0xbb, 0x44),
+        &[&[(-0.7, -1.0), (0.7, 0.0), (-0.7, 1.0)]],
+    ),
+    Look(
+        RGBColor(0xaa, 0x33, 0x77),
+        2.0,
+        "10 6",
+        RGBColor(0xaa, 0x33, 0x77),
+        &[&[(0.0, 0.0), (0.0, -1.2)], &[(0.0, 0.0), (-1.0, 0.8)], &[(0.0, 0.0), (1.0, 0.8)]],
+    ),
+    Look(
+        RGBColor(0x55, 0x55, 0x55),
+        2.0,
+        "24 6 6 6",
+        RGBColor(0x55, 0x55, 0x55),
+        &[&[(0.0, 1.2), (0.0, -1.1)], &[(-0.8, -0.3), (0.0, -1.1), (0.8, -0.3)]],
+    ),
+    Look(
+        RGBColor(0x77, 0x77, 0x77),
+        1.25,
+        "5 9",
+        RGBColor(0x77, 0x77, 0x77),
+        &[&[(-0.8, -1.0), (-0.8, 1.0)], &[(0.8, -1.0), (0.8, 1.0)], &[(-0.8, 0.0), (0.8, 0.0)]],
+    ),
+    Look(
+        RGBColor(0xdd, 0xaa, 0x33),
+        2.0,
+        "16 6",
+        RGBColor(0xdd, 0xaa, 0x33),
+        &[&[(-0.9, -0.9), (0.9, -0.9), (-0.9, 0.9), (0.9, 0.9)]],
+    ),
 ];
+
+#[cfg(test)]
+impl Look {
+    /// Whether two looks could be taken for each other.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.4 == other.4 || (self.0 == other.0 && extent(self.1) == extent(other.1))
+    }
+}
 
 /// The look of a style; beyond the last one they begin again.
 pub fn look(style: usize) -> &'static Look {

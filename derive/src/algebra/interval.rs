@@ -121,6 +121,29 @@ impl Interval {
 /// Digits of a constant below which it is not known.
 const KNOWN: f64 = 1e-8;
 
+/// The power of ten of a number in a term that no double comes near, if there is one.
+#[must_use]
+pub fn beyond_doubles(arena: &Arena, e: Expr) -> Option<f64> {
+    let fits = |value: &&Rational| {
+        let size = value.to_f64().abs();
+        value.is_zero() || (size.is_normal() && size.recip().is_normal())
+    };
+    let found = arena.reachable(&[e]).into_iter().find_map(|part| match arena.node(part) {
+        Node::Number(value) => Some(value).filter(|value| !fits(value)),
+        Node::Sum(constant, terms) => terms.iter().map(|(_, k)| k).chain([constant]).find(|value| !fits(value)),
+        _ => None,
+    });
+    found.map(magnitude)
+}
+
+/// A number of any size as a power of ten.
+fn magnitude(value: &Rational) -> f64 {
+    let big = value.to_big();
+    let bits = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
+    let twos = bits(big.numer().bits()) - bits(big.denom().bits());
+    (twos as f64 * std::f64::consts::LOG10_2).round()
+}
+
 /// A part without symbols of which the arithmetic of doubles finds no eight digits, such as exp(10^-20) − 1 or
 /// sin(10^30).
 pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {

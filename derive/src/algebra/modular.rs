@@ -123,6 +123,28 @@ fn has_roots_of_numbers(arena: &Arena, parts: &[Expr]) -> bool {
     })
 }
 
+/// Divisors of one term that are tested for being zero by meaning.
+const MAX_DIVISORS: usize = 200;
+
+/// The first divisor in a term that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1.
+#[must_use]
+pub fn zero_divisor(arena: &Arena, e: Expr) -> Option<Expr> {
+    let mut divisors = Vec::new();
+    for part in arena.reachable(&[e]) {
+        if let Node::Product(factors) = arena.node(part) {
+            divisors.extend(factors.iter().filter(|(_, n)| *n < 0).map(|(base, _)| *base));
+        }
+    }
+    // A sum of different symbols is not zero; only products and functions can cancel unseen.
+    let may_cancel = |base: &Expr| match arena.node(*base) {
+        Node::Sum(_, terms) => terms.iter().any(|(term, _)| arena.symbol_name(*term).is_none()),
+        _ => false,
+    };
+    divisors.retain(may_cancel);
+    divisors.truncate(MAX_DIVISORS);
+    divisors.into_iter().find(|d| zero_test(arena, *d) == ZeroTest::Zero)
+}
+
 /// Whether square roots or absolute values occur among these terms.
 #[must_use]
 pub fn has_roots(arena: &Arena, parts: &[Expr]) -> bool {

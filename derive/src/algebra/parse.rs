@@ -2,31 +2,35 @@
 //!
 //! Decimals are exact (`0.1` is 1/10). Sums and products are read in loops, so their length is
 //! unlimited; nesting is limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as
-//! quotients of sine and cosine.
+//! quotients of sine and cosine. Where the reader of a file knows velocities, `v(P) @ A [1]` is an operand.
 
 mod domain;
 mod error;
+mod number;
 mod size;
+mod velocity;
 
 pub use error::ParseError;
+pub use velocity::{VelocityName, canonical as velocity_name};
 
 use super::{Arena, Expr, Function, Node, PowerError, Rational};
 use domain::{is_outside, is_partial};
 use error::error;
+use number::decimal;
 use rustc_hash::FxHashSet;
 use size::{below_of, largest_number};
 
 /// The deepest nesting of parentheses and functions that is read.
 pub const MAX_DEPTH: usize = 200;
 
-/// The most digits that a number is written with.
-const MAX_DIGITS: usize = 4000;
-
 /// What exact arithmetic in one expression may cost, in squared bits: about a second.
 const MAX_WORK: u64 = 50_000_000_000;
 
 /// What a name stands for, or why it stands for nothing here: (message, help).
 pub type Resolve<'a> = dyn FnMut(&mut Arena, &str) -> Result<Expr, (String, Option<String>)> + 'a;
+
+/// What a component of a velocity stands for, or why it stands for nothing here: (message, help).
+pub type ResolveVelocity<'a> = dyn FnMut(&mut Arena, &VelocityName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
 
 /// Reads one expression; names are looked up by `resolve`.
 ///
@@ -47,22 +51,21 @@ pub fn parse_primed(
     primes: usize,
     resolve: &mut Resolve<'_>,
 ) -> Result<Expr, ParseError> {
-    let mut parser = Parser { arena, text, at: 0, depth: 0, work: 0, primes, partial: Vec::new(), resolve };
-    parser.skip_space();
-    if parser.at == text.len() {
-        return Err(error(0..text.len(), "the expression is empty", Some("write 0 if nothing is meant")));
-    }
-    let e = parser.sum()?;
-    if parser.at < text.len() {
-        return Err(ParseError::unexpected(parser.text, parser.at, parser.primes));
-    }
-    // log(w) − log(w) + w is w, but only where there is a logarithm of w.
-    let partial = std::mem::take(&mut parser.partial);
-    if !partial.is_empty() {
-        let kept = arena.reachable(&[e]);
-        partial.into_iter().filter(|part| !kept.contains(part)).for_each(|part| arena.restrict(part));
-    }
-    Ok(e)
+    Parser { arena, text, at: 0, depth: 0, work: 0, primes, partial: Vec::new(), resolve, velocity: None }.whole()
+}
+
+/// Reads one expression that may name components of velocities, which are looked up by `velocity`.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse_with_velocities<'a>(
+    arena: &mut Arena,
+    text: &str,
+    resolve: &mut Resolve<'a>,
+    velocity: &mut ResolveVelocity<'a>,
+) -> Result<Expr, ParseError> {
+    let velocity = Some(velocity);
+    Parser { arena, text, at: 0, depth: 0, work: 0, primes: 1, partial: Vec::new(), resolve, velocity }.whole()
 }
 
 /// Reads one expression in which every name is a symbol, declared as it appears.
@@ -94,9 +97,29 @@ struct Parser<'a, 'b> {
     /// Functions that have no real value for every argument, as they were written.
     partial: Vec<Expr>,
     resolve: &'a mut Resolve<'b>,
+    velocity: Option<&'a mut ResolveVelocity<'b>>,
 }
 
 impl Parser<'_, '_> {
+    fn whole(mut self) -> Result<Expr, ParseError> {
+        self.skip_space();
+        if self.at == self.text.len() {
+            let help = "write 0 if nothing is meant";
+            return Err(error(0..self.text.len(), "the expression is empty", Some(help)));
+        }
+        let e = self.sum()?;
+        if self.at < self.text.len() {
+            return Err(ParseError::unexpected(self.text, self.at, self.primes));
+        }
+        // log(w) − log(w) + w is w, but only where there is a logarithm of w.
+        let partial = std::mem::take(&mut self.partial);
+        if !partial.is_empty() {
+            let kept = self.arena.reachable(&[e]);
+            partial.into_iter().filter(|part| !kept.contains(part)).for_each(|part| self.arena.restrict(part));
+        }
+        Ok(e)
+    }
+
     fn peek(&self) -> Option<u8> {
         self.text.as_bytes().get(self.at).copied()
     }
@@ -280,30 +303,8 @@ impl Parser<'_, '_> {
     }
 
     fn number(&mut self) -> Result<Expr, ParseError> {
-        let start = self.at;
-        let bytes = self.text.as_bytes();
-        let digits = |mut at: usize| {
-            while bytes.get(at).is_some_and(|b| b.is_ascii_digit() || *b == b'.') {
-                at += 1;
-            }
-            at
-        };
-        self.at = digits(start);
-        if self.at - start > MAX_DIGITS {
-            let message = format!("a number of more than {MAX_DIGITS} digits");
-            return Err(error(start..self.at, message, Some("round it")));
-        }
-        if matches!(self.peek(), Some(b'e' | b'E')) {
-            let sign = usize::from(matches!(bytes.get(self.at + 1), Some(b'+' | b'-')));
-            let end = digits(self.at + 1 + sign);
-            if end > self.at + 1 + sign {
-                self.at = end;
-            }
-        }
-        let value = Rational::parse_decimal(&self.text[start..self.at]).ok_or_else(|| {
-            let message = format!("`{}` is not a number", &self.text[start..self.at.min(start + 60)]);
-            error(start..self.at, message, Some("write 12, 0.5 or 1.5e-3; exponents reach to ±4000"))
-        })?;
+        let (value, end) = decimal(self.text, self.at)?;
+        self.at = end;
         self.skip_space();
         Ok(self.arena.number(value))
     }
@@ -330,6 +331,9 @@ impl Parser<'_, '_> {
             let argument = self.parenthesized(open)?;
             return self.function(name, argument, start);
         }
+        if called && name == "v" && self.velocity.is_some() {
+            return self.component(start);
+        }
         if called {
             let help = format!("write `{name}` alone if it depends on time, `{name}*(…)` for a product");
             return Err(error(start..end, format!("`{name}` is not a function"), Some(&help)));
@@ -346,6 +350,14 @@ impl Parser<'_, '_> {
             return Ok(self.arena.pi());
         }
         (self.resolve)(self.arena, name).map_err(|(message, help)| ParseError { span: start..end, message, help })
+    }
+
+    /// A component of a velocity, whose `v` was at `start`.
+    fn component(&mut self, start: usize) -> Result<Expr, ParseError> {
+        let (name, end) = VelocityName::read(self.text, self.at)?;
+        self.at = end;
+        let resolve = self.velocity.as_mut().expect("asked before");
+        resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 
     fn function(&mut self, name: &str, argument: Expr, start: usize) -> Result<Expr, ParseError> {

@@ -25,6 +25,13 @@ pub enum DeriveError {
         /// The power for each unit of that.
         rate: String,
     },
+    /// A force or torque divides by a velocity that is zero at all times.
+    LoadDividesByZero {
+        /// The force or torque.
+        load: String,
+        /// The term, velocities put in.
+        term: String,
+    },
     /// The direction of a reaction has another length than 1, so its value would not be the force.
     DirectionNotUnit {
         /// The reaction.
@@ -110,6 +117,9 @@ impl DeriveError {
             Self::DirectionNotUnit { reaction, .. } => {
                 (Some(reaction), "divide the direction by its length, as in [\"sqrt(1/2)\", \"sqrt(1/2)\", 0]")
             }
+            Self::LoadDividesByZero { load, .. } => {
+                (Some(load), "divide by what can differ from zero, such as the speed of a point that moves")
+            }
             Self::NoZeroOfPotential { .. } => {
                 (None, "give every coordinate that divides a value in `zero_at`, or leave `zero_at` out")
             }
@@ -149,6 +159,9 @@ impl fmt::Display for DeriveError {
             }
             Self::DirectionNotUnit { reaction, square } => {
                 write!(f, "the direction of `{reaction}` is no unit vector: the square of its length is {square}")
+            }
+            Self::LoadDividesByZero { load, term } => {
+                write!(f, "`{load}` divides by what is zero at all times, in {term}")
             }
             Self::NoZeroOfPotential { term } => {
                 write!(

@@ -4,7 +4,8 @@
 
 use super::energy::Momentum;
 use super::error::DeriveError;
-use super::kinematics::{Kinematics, Load, Velocities, motion_rates_without_acceleration, rates_to_speeds};
+use super::kinematics::{Kinematics, Velocities, motion_rates_without_acceleration, rates_to_speeds};
+use super::loads::Load;
 use super::quantity::{QuantityKind, VectorName};
 use super::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
 use super::vector::{Dots, Vector};

@@ -9,7 +9,7 @@ use crate::algebra::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
-use crate::model::{Body, Model, Place, ReactionKind};
+use crate::model::{Body, Model, ReactionKind};
 
 /// Positions and velocities in q and q̇, and the tools to go on from there.
 pub struct Kinematics {
@@ -23,6 +23,10 @@ pub struct Kinematics {
     pub positions: Vec<Vector>,
     /// Velocities in terms of q̇.
     pub in_rates: Velocities,
+    /// The applied forces of the model, N, in parameters, q, q̇ and u: the velocities that they name are put in.
+    pub forces: Vec<Vector>,
+    /// The applied torques of the model, N m, likewise.
+    pub torques: Vec<Vector>,
 }
 
 /// Angular velocities of all frames and velocities of all points, in one choice of motion variables.
@@ -34,21 +38,12 @@ pub struct Velocities {
     pub linear: Vec<Vector>,
 }
 
-/// A force or a torque and the velocity of what it acts on: F_r = Σ ∂velocity/∂u_r · scale load.
-pub struct Load {
-    /// The velocity of the point, or the angular velocity of the body for a torque.
-    pub velocity: Vector,
-    /// The mass for a weight, else 1. It is kept apart so that equal products of vectors are seen to be equal.
-    pub scale: Expr,
-    /// The force or the torque; for a weight, the acceleration of free fall.
-    pub load: Vector,
-}
-
 impl Kinematics {
     /// The kinematics of a model.
     ///
     /// # Errors
-    /// [`DeriveError`] if the stated inertia of a body is not constant in the body, or a reaction works.
+    /// [`DeriveError`] if the stated inertia of a body is not constant in the body, a reaction works, or a load divides
+    /// by a velocity that is zero.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         let mut arena = model.arena.clone();
         let mut frames = Frames::new(&model.frames);
@@ -57,7 +52,9 @@ impl Kinematics {
         let angular = angular_velocities(&mut arena, model, &mut rates);
         let (positions, linear) = points(&mut arena, &mut frames, model, &angular, &mut rates);
         let in_rates = Velocities { angular, linear };
-        let mut kinematics = Self { arena, frames, simplifier: Simplifier::default(), positions, in_rates };
+        let (simplifier, forces, torques) = (Simplifier::default(), Vec::new(), Vec::new());
+        let mut kinematics = Self { arena, frames, simplifier, positions, in_rates, forces, torques };
+        kinematics.apply_loads(model)?;
         kinematics.check_inertias(model)?;
         kinematics.check_reactions(model)?;
         Ok(kinematics)
@@ -74,22 +71,6 @@ impl Kinematics {
         }
     }
 
-    /// The velocity of the material point of a body that is at `place`: v_P = v_C + ω × p_CP.
-    pub fn place_velocity(&mut self, model: &Model, velocities: &Velocities, place: Place) -> Vector {
-        let body = &model.bodies[place.body];
-        let centre = velocities.linear[body.centre].clone();
-        let Some((frame, _)) = &body.rigid else { return centre };
-        let arm = self.arm(body, place.point);
-        let turning = self.frames.cross(&mut self.arena, &velocities.angular[*frame], &arm);
-        centre.add(&mut self.arena, &turning)
-    }
-
-    /// p_CP: from the mass centre of a body to a point.
-    pub fn arm(&mut self, body: &Body, point: usize) -> Vector {
-        let back = self.positions[body.centre].neg(&mut self.arena);
-        self.positions[point].add(&mut self.arena, &back)
-    }
-
     /// Angular momentum of a body about its mass centre, H = I · ω, in the frame of the inertia;
     /// nothing for a particle.
     pub fn angular_momentum(&mut self, body: &Body, velocities: &Velocities) -> Vector {
@@ -103,38 +84,6 @@ impl Kinematics {
         let (frame, inertia) = body.rigid.as_ref()?;
         let omega = self.frames.express(&mut self.arena, &velocities.angular[*frame], inertia.frame);
         Some(omega.map(|e| self.simplifier.simplify(&mut self.arena, e)))
-    }
-
-    /// The weights of all bodies.
-    pub fn weights(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
-        let Some(gravity) = &model.gravity else { return Vec::new() };
-        let weight = |centre: usize, mass: Expr| Load {
-            velocity: velocities.linear[centre].clone(),
-            scale: mass,
-            load: Vector::in_frame(gravity.frame, gravity.acceleration),
-        };
-        model.bodies.iter().map(|body| weight(body.centre, body.mass)).collect()
-    }
-
-    /// The applied loads other than weights.
-    pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
-        let mut loads = Vec::new();
-        for force in &model.forces {
-            let vector = Vector::in_frame(force.frame, force.vector);
-            loads.push((self.place_velocity(model, velocities, force.on), vector.clone()));
-            if let Some(place) = force.against {
-                let back = vector.neg(&mut self.arena);
-                loads.push((self.place_velocity(model, velocities, place), back));
-            }
-        }
-        for torque in &model.torques {
-            let vector = Vector::in_frame(torque.frame, torque.vector);
-            loads.push((velocities.angular[torque.on.0].clone(), vector.clone()));
-            if let Some((frame, _)) = torque.against {
-                loads.push((velocities.angular[frame].clone(), vector.neg(&mut self.arena)));
-            }
-        }
-        loads.into_iter().map(|(velocity, load)| Load { velocity, scale: Expr::ONE, load }).collect()
     }
 
     fn check_inertias(&mut self, model: &Model) -> Result<(), DeriveError> {

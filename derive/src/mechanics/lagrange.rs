@@ -3,7 +3,8 @@
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §1.4.
 
 use super::error::DeriveError;
-use super::kinematics::{Kinematics, Load, speeds_to_rates};
+use super::kinematics::{Kinematics, speeds_to_rates};
+use super::loads::Load;
 use super::quantity::{Energy, QuantityKind};
 use super::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
 use super::vector::Dots;

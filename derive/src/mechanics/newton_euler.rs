@@ -169,9 +169,9 @@ fn balance(
 pub(super) fn forces_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<(usize, Vector)> {
     let mut to_speeds = rates_to_speeds(model);
     let mut loads: Vec<(Place, Vector)> = Vec::new();
-    let arena = &mut kinematics.arena;
-    for force in &model.forces {
-        let vector = Vector::in_frame(force.frame, force.vector).substitute(arena, &mut to_speeds);
+    let Kinematics { arena, forces, .. } = kinematics;
+    for (force, vector) in model.forces.iter().zip(forces) {
+        let vector = vector.substitute(arena, &mut to_speeds);
         loads.extend(force.against.map(|place| (place, vector.neg(arena))));
         loads.push((force.on, vector));
     }
@@ -189,9 +189,9 @@ pub(super) fn forces_on(model: &Model, kinematics: &mut Kinematics, body: usize)
 pub(super) fn torques_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<Vector> {
     let mut to_speeds = rates_to_speeds(model);
     let mut loads: Vec<(Option<usize>, Vector)> = Vec::new();
-    let arena = &mut kinematics.arena;
-    for torque in &model.torques {
-        let vector = Vector::in_frame(torque.frame, torque.vector).substitute(arena, &mut to_speeds);
+    let Kinematics { arena, torques, .. } = kinematics;
+    for (torque, vector) in model.torques.iter().zip(torques) {
+        let vector = vector.substitute(arena, &mut to_speeds);
         loads.extend(torque.against.map(|(_, body)| (body, vector.neg(arena))));
         loads.push((torque.on.1, vector));
     }

@@ -23,7 +23,7 @@ use super::quantity::{Energy, Quantity, QuantityKind, Row, VectorName};
 use super::vector::{Components, Vector, apply_tensor};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
-use crate::model::Model;
+use crate::model::{Model, Place};
 use rustc_hash::FxHashMap;
 
 type Tensor = [[Expr; 3]; 3];
@@ -97,6 +97,11 @@ impl<'a> Quantities<'a> {
                 frames.rotation(arena, from, to)[i][j]
             }
             QuantityKind::Component { vector, of, frame, axis } => self.component(vector, of, frame)[axis],
+            QuantityKind::MaterialVelocity { body, point, frame, axis } => {
+                let (model, kinematics) = (self.model, &mut self.derivations.kinematics);
+                let velocity = kinematics.place_velocity(model, &self.velocities, Place { body, point });
+                kinematics.frames.component(&mut kinematics.arena, &velocity, frame, axis)
+            }
             QuantityKind::Partial { vector, of, frame, axis, speed } => {
                 let component = self.component(vector, of, frame)[axis];
                 let mut partial = Differential::partial(self.model.speeds[speed].symbol);

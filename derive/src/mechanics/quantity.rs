@@ -1,5 +1,6 @@
 //! What a derived quantity is called: the names in report files, as data.
 
+use crate::algebra::parse::velocity_name;
 use crate::model::Model;
 use std::fmt;
 
@@ -187,6 +188,17 @@ pub enum QuantityKind {
         /// The axis.
         axis: usize,
     },
+    /// A component of the velocity, in the inertial frame, of the material of a body that is at a point, m/s.
+    MaterialVelocity {
+        /// The body.
+        body: usize,
+        /// The point.
+        point: usize,
+        /// The frame of the component.
+        frame: usize,
+        /// The axis.
+        axis: usize,
+    },
     /// A component of a partial velocity: the derivative by a speed.
     Partial {
         /// Velocity or angular velocity.
@@ -239,6 +251,11 @@ impl QuantityKind {
                 format!("rotation({}, {}) [{},{}]", model.frames[from].name, model.frames[to].name, i + 1, j + 1)
             }
             Self::Component { vector, of, frame, axis } => component(vector, of, frame, axis),
+            Self::MaterialVelocity { body, point, frame, axis } => {
+                let [body, point, frame] =
+                    [&model.bodies[body].name, &model.points[point].name, &model.frames[frame].name];
+                velocity_name(Some(body), point, frame, axis)
+            }
             Self::Partial { vector, of, frame, axis, speed } => {
                 format!("d {}/d {}", component(vector, of, frame, axis), model.speeds[speed].name)
             }

@@ -136,6 +136,7 @@ impl<'a> Loading<'a> {
     /// Reads a formula whose unit is known.
     pub fn quantity(&mut self, formula: &Located, allowed: Allowed, unit: &Unit, what: &str) -> Option<Expr> {
         let e = self.names.formula(&mut self.reader, &mut self.arena, formula, allowed, what)?;
+        self.units.extend(self.names.velocities.iter().map(|velocity| (velocity.symbol, Unit::new(1, 0, -1))));
         if let Some(found) = self.unit_of(e, &formula.span)
             && found != *unit
         {

@@ -4,7 +4,8 @@ use super::elements::{Elements, vector};
 use super::loading::Loading;
 use super::names::{CONFIGURATION, Kind, MOTION, PARAMETERS};
 use super::units::Unit;
-use super::{Force, Gravity, Place, Reaction, ReactionKind, Torque};
+use super::velocities::StatedVelocity;
+use super::{Force, Gravity, NamedVelocity, Place, Reaction, ReactionKind, Torque};
 use crate::algebra::Expr;
 use crate::diagnostic::shown;
 use crate::read::{Entry, Located};
@@ -147,6 +148,28 @@ impl Elements {
                 self.reactions.push(Reaction { name: name.text.clone(), symbol, kind, frame, direction });
             }
         }
+    }
+
+    /// The velocities that formulas name, by their places in the lists of the model; reports a particle that is not at
+    /// the point.
+    pub fn velocities(&self, loading: &mut Loading<'_>) -> Vec<NamedVelocity> {
+        let stated = std::mem::take(&mut loading.names.velocities);
+        stated.iter().filter_map(|velocity| self.velocity(loading, velocity)).collect()
+    }
+
+    fn velocity(&self, loading: &mut Loading<'_>, stated: &StatedVelocity) -> Option<NamedVelocity> {
+        let StatedVelocity { symbol, axis, .. } = *stated;
+        let point = self.points.iter().position(|p| p.name == stated.point.text)?;
+        let frame = self.frames.iter().position(|f| f.name == stated.frame.text)?;
+        let Some(name) = &stated.body else { return Some(NamedVelocity { symbol, body: None, point, frame, axis }) };
+        let body = self.bodies.iter().position(|b| b.name == name.text)?;
+        if self.bodies[body].rigid.is_none() && self.bodies[body].centre != point {
+            let help = format!("write v({}): a particle has no material elsewhere", stated.point.text);
+            let message = format!("the particle `{}` is not at the point `{}`", name.text, stated.point.text);
+            loading.reader.error(stated.point.span.clone(), message, help);
+            return None;
+        }
+        Some(NamedVelocity { symbol, body: Some(body), point, frame, axis })
     }
 
     fn body(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {

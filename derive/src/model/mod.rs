@@ -11,9 +11,11 @@ mod read_model;
 mod speeds;
 mod tree;
 mod units;
+mod velocities;
 
 pub use read_model::load;
 pub use units::Unit;
+pub use velocities::NamedVelocity;
 
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::Source;
@@ -151,7 +153,7 @@ pub struct Force {
     pub against: Option<Place>,
     /// The frame of the components.
     pub frame: usize,
-    /// The components, N, in parameters, q, q̇ and u.
+    /// The components, N, in parameters, q, q̇, u and [`Model::velocities`].
     pub vector: [Expr; 3],
 }
 
@@ -166,7 +168,7 @@ pub struct Torque {
     pub against: Option<(usize, Option<usize>)>,
     /// The frame of the components.
     pub frame: usize,
-    /// The components, N m, in parameters, q, q̇ and u.
+    /// The components, N m, in parameters, q, q̇, u and [`Model::velocities`].
     pub vector: [Expr; 3],
 }
 
@@ -285,6 +287,8 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Applied torques.
     pub torques: Vec<Torque>,
+    /// The velocities that the components of forces and torques name.
+    pub velocities: Vec<NamedVelocity>,
     /// Reactions.
     pub reactions: Vec<Reaction>,
     /// Holonomic constraints.

@@ -1,9 +1,9 @@
 //! What each name of a model file stands for, and what may be used where.
 
-use crate::algebra::interval::lost_constant;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::parse::{is_reserved, parse};
-use crate::algebra::{Arena, Expr, Node, Rational};
+use super::velocities::StatedVelocity;
+use crate::algebra::modular::zero_divisor;
+use crate::algebra::parse::{is_reserved, parse_with_velocities};
+use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::read::{Located, Reader};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -16,6 +16,7 @@ pub enum Kind {
     Coordinate,
     Rate,
     Speed,
+    Velocity,
     Reaction,
     Frame,
     Point,
@@ -34,6 +35,7 @@ impl Kind {
             Self::Coordinate => "coordinate",
             Self::Rate => "time derivative",
             Self::Speed => "speed",
+            Self::Velocity => "velocity",
             Self::Reaction => "reaction",
             Self::Frame => "frame",
             Self::Point => "point",
@@ -43,6 +45,11 @@ impl Kind {
             Self::Constraint => "constraint",
             Self::Condition => "condition",
         }
+    }
+
+    /// What several are called in a message.
+    fn plural(self) -> String {
+        if self == Self::Velocity { "velocities".to_owned() } else { format!("{}s", self.noun()) }
     }
 }
 
@@ -60,15 +67,13 @@ pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate])
 pub const HOLONOMIC: &str = "a holonomic constraint";
 /// Parameters, coordinates and their time derivatives.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
-/// What formulas of motions may mention: parameters, coordinates, their rates and speeds.
-pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
+/// What formulas of loads may mention: parameters, coordinates, their rates, speeds, and velocities of points.
+pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity]);
 /// Everything that has a value during a run.
 pub const ANYTHING: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Reaction]);
 
 /// The longest name: it becomes an identifier in generated code.
 const MAX_LENGTH: usize = 60;
-/// Divisors of one formula that are tested for being zero by meaning.
-const MAX_DIVISORS: usize = 200;
 
 /// All names of a file.
 ///
@@ -81,6 +86,8 @@ pub struct Names {
     spoiled: FxHashSet<String>,
     /// Kinds whose section could not be read: an unknown name may be one of them.
     unread: Vec<Kind>,
+    /// The velocities that formulas name, each once.
+    pub velocities: Vec<StatedVelocity>,
 }
 
 impl Names {
@@ -172,7 +179,7 @@ impl Names {
 
     /// Reads a formula; reports what is wrong in it.
     pub fn formula(
-        &self,
+        &mut self,
         reader: &mut Reader<'_>,
         arena: &mut Arena,
         formula: &Located,
@@ -180,19 +187,28 @@ impl Names {
         what: &str,
     ) -> Option<Expr> {
         let (mut spoiled, mut unknown) = (false, false);
-        let result = parse(arena, &formula.text, &mut |arena, name| {
+        let mut velocities = Vec::new();
+        let mut resolve = |arena: &mut Arena, name: &str| {
             if self.excused(name, allowed.0) {
                 spoiled = true;
                 return Ok(arena.symbol(name));
             }
             unknown = !self.known.contains_key(name);
             self.resolve(name, allowed, what)
+        };
+        let result = parse_with_velocities(arena, &formula.text, &mut resolve, &mut |arena, name| {
+            if !allowed.0.contains(&Kind::Velocity) {
+                return Err(cannot_stand(Kind::Velocity, &name.text(), allowed, what));
+            }
+            velocities.push(StatedVelocity::new(arena, formula, name));
+            Ok(arena.symbol(&name.text()))
         });
         match result {
             Ok(_) if spoiled => None,
             Ok(e) => {
+                self.name_velocities(reader, velocities)?;
                 let e = no_hidden_zero(reader, arena, formula, e)?;
-                in_range(reader, arena, formula, e)
+                reader.is_computable(arena, formula, e).then_some(e)
             }
             Err(error) => {
                 let (span, help) = (formula.part(error.span), error.help.unwrap_or_default());
@@ -206,6 +222,24 @@ impl Names {
         }
     }
 
+    /// Keeps the velocities that a formula names; none if one of them is of what is not declared, which is reported.
+    fn name_velocities(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedVelocity>) -> Option<()> {
+        let unknown = stated.iter().filter(|velocity| !self.knows(reader, velocity)).count();
+        for velocity in stated {
+            if unknown == 0 && self.velocities.iter().all(|other| other.symbol != velocity.symbol) {
+                self.velocities.push(velocity);
+            }
+        }
+        (unknown == 0).then_some(())
+    }
+
+    /// Whether each name of a velocity is declared as what it is used for; reports those that are not, all of them.
+    fn knows(&self, reader: &mut Reader<'_>, velocity: &StatedVelocity) -> bool {
+        let body = velocity.body.iter().map(|name| (name, Kind::Body));
+        let all = body.chain([(&velocity.point, Kind::Point), (&velocity.frame, Kind::Frame)]);
+        all.filter(|(name, kind)| !self.expect(reader, name, *kind)).count() == 0
+    }
+
     fn resolve(&self, name: &str, allowed: Allowed, what: &str) -> Result<Expr, (String, Option<String>)> {
         let plain = name.trim_end_matches('\'');
         match self.known.get(name) {
@@ -216,11 +250,7 @@ impl Names {
                 ),
                 Some("choose speeds that fulfil it, or state a relation between coordinates".to_owned()),
             )),
-            Some((kind, _, _)) => {
-                let may: Vec<String> = allowed.0.iter().map(|k| format!("{}s", k.noun())).collect();
-                let may = if may.is_empty() { "numbers only".to_owned() } else { may.join(", ") };
-                Err((format!("the {} `{name}` cannot stand in {what}", kind.noun()), Some(format!("allowed: {may}"))))
-            }
+            Some((kind, _, _)) => Err(cannot_stand(*kind, name, allowed, what)),
             None if name == "t" => Err((
                 "explicit time is not supported yet".to_owned(),
                 Some("state the motion by coordinates and speeds".to_owned()),
@@ -238,61 +268,16 @@ impl Names {
     }
 }
 
-/// Refuses a number that no double comes near: it would be infinite, or zero, wherever the formula is computed.
-fn in_range(reader: &mut Reader<'_>, arena: &Arena, formula: &Located, e: Expr) -> Option<Expr> {
-    let fits = |value: &Rational| {
-        let size = value.to_f64().abs();
-        value.is_zero() || (size.is_normal() && size.recip().is_normal())
-    };
-    for part in arena.reachable(&[e]) {
-        let found = match arena.node(part) {
-            Node::Number(value) => Some(value).filter(|value| !fits(value)),
-            Node::Sum(constant, terms) => terms.iter().map(|(_, k)| k).chain([constant]).find(|value| !fits(value)),
-            _ => None,
-        };
-        if let Some(value) = found {
-            let message = format!("a number of about {} is beyond double precision", magnitude(value));
-            reader.error(
-                formula.span.clone(),
-                message,
-                "scale the quantity: numbers reach from 1e-307 to 1e308 in size",
-            );
-            return None;
-        }
-    }
-    match lost_constant(arena, e) {
-        Some(lost) => {
-            reader.lost(arena, formula, lost);
-            None
-        }
-        None => Some(e),
-    }
-}
-
-/// A number of any size as a power of ten.
-fn magnitude(value: &Rational) -> String {
-    let big = value.to_big();
-    let bits = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
-    let twos = bits(big.numer().bits()) - bits(big.denom().bits());
-    format!("10^{}", (twos as f64 * std::f64::consts::LOG10_2).round())
+/// A name of a kind that may not stand in a formula: what is wrong, and what may.
+fn cannot_stand(kind: Kind, name: &str, allowed: Allowed, what: &str) -> (String, Option<String>) {
+    let may: Vec<String> = allowed.0.iter().map(|kind| kind.plural()).collect();
+    let may = if may.is_empty() { "numbers only".to_owned() } else { may.join(", ") };
+    (format!("the {} `{name}` cannot stand in {what}", kind.noun()), Some(format!("allowed: {may}")))
 }
 
 /// Refuses a divisor that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1.
 fn no_hidden_zero(reader: &mut Reader<'_>, arena: &Arena, formula: &Located, e: Expr) -> Option<Expr> {
-    let mut divisors = Vec::new();
-    for part in arena.reachable(&[e]) {
-        if let Node::Product(factors) = arena.node(part) {
-            divisors.extend(factors.iter().filter(|(_, n)| *n < 0).map(|(base, _)| *base));
-        }
-    }
-    // A sum of different symbols is not zero; only products and functions can cancel unseen.
-    let may_cancel = |base: &Expr| match arena.node(*base) {
-        Node::Sum(_, terms) => terms.iter().any(|(term, _)| arena.symbol_name(*term).is_none()),
-        _ => false,
-    };
-    divisors.retain(may_cancel);
-    divisors.truncate(MAX_DIVISORS);
-    let zero = divisors.into_iter().find(|d| zero_test(arena, *d) == ZeroTest::Zero);
+    let zero = zero_divisor(arena, e);
     let Some(zero) = zero else { return Some(e) };
     let message = format!("division by zero: {} is zero", shown(&crate::algebra::print::text(arena, zero)));
     reader.error(formula.span.clone(), message, "this divisor vanishes identically");

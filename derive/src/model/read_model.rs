@@ -110,6 +110,7 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check(self, &parameters);
+        let velocities = elements.velocities(self);
         let domain =
             domain.into_iter().map(|c| Condition { positive: fixed.apply(&mut self.arena, c.positive), ..c }).collect();
         if let Some(term) = fixed.undefined {
@@ -136,6 +137,7 @@ impl<'a> Loading<'a> {
             gravity: elements.gravity,
             forces: elements.forces,
             torques: elements.torques,
+            velocities,
             reactions: elements.reactions,
             constraints,
             domain,

@@ -159,7 +159,7 @@ impl Words {
                 }
             });
         match result {
-            Ok(e) => (!spoiled).then_some(e),
+            Ok(e) => (!spoiled && reader.is_computable(arena, formula, e)).then_some(e),
             Err(error) => {
                 let (span, help) = (formula.part(error.span), error.help.unwrap_or_default());
                 if repeated {

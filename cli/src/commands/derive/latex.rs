@@ -9,7 +9,7 @@ use tripos_derive::algebra::elimination::Elimination;
 use tripos_derive::algebra::print::{latex, latex_name};
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{DerivationInSteps, LineName, QuantityKind, Stage, Step, VectorName};
+use tripos_derive::mechanics::{DerivationInSteps, LineName, MovingPlace, QuantityKind, Stage, Step, VectorName};
 use tripos_derive::plain::called;
 use tripos_derive::prove::Integral;
 
@@ -22,12 +22,16 @@ const WIDEST: usize = 400;
 const COLUMNS: usize = 10;
 
 /// The head of the file: what it needs, and what it is of.
-pub fn head(model: &Model) -> String {
-    format!(
+pub fn head(model: &Model, moving: &[MovingPlace]) -> String {
+    let mut out = format!(
         "% Needs \\usepackage{{amsmath}} in the preamble.\n\\section*{{{}}}\n{}.\n",
         escape(&model.title),
         escape(&model.count())
-    )
+    );
+    for place in moving {
+        let _ = writeln!(out, "\n{}", escape(&place.text(model)));
+    }
+    out
 }
 
 /// One formulation: steps, equations of motion, accelerations, energies, where the kinematic equations are singular.

@@ -84,6 +84,14 @@ pub fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure
     Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
 }
 
+/// What a figure says of itself, after the caption of the scene file if it has one.
+pub fn after(own: &str, computed: &str) -> String {
+    match own.trim_end_matches('.') {
+        "" => computed.to_owned(),
+        own => format!("{own}. {computed}"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::folder_name;

@@ -2,6 +2,7 @@
 //!
 //! Invariant: every point of such a figure is in a table beside the page, in a folder named after the scene.
 
+use super::drawn::after;
 use crate::chart::words::{TARGETS, caption, fastest, lead};
 use crate::chart::{figure, files};
 use crate::failure::Failure;
@@ -119,13 +120,5 @@ impl<'a> Measured<'a> {
             self.not_drawn.push(format!("The figure `{}` cannot be drawn: {why}", kind.name()));
         }
         Ok(svg)
-    }
-}
-
-/// What was measured, after the caption of the scene file if it has one.
-fn after(own: &str, measured: &str) -> String {
-    match own.trim_end_matches('.') {
-        "" => measured.to_owned(),
-        own => format!("{own}. {measured}"),
     }
 }

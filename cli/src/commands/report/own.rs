@@ -40,11 +40,15 @@ impl Own {
     }
 }
 
+/// A state in twice its precision.
+pub fn wide(state: &[f64]) -> Vec<DoubleDouble> {
+    state.iter().copied().map(DoubleDouble::from_f64).collect()
+}
+
 /// What a run shows of the outputs of a scene, sample by sample; not a number where whole states do not show it.
 pub fn shown(compared: &Compared, run: &Run) -> Vec<Vec<f64>> {
     if run.by.is_reduced() {
         return run.states.clone();
     }
-    let wide = |state: &Vec<f64>| state.iter().copied().map(DoubleDouble::from_f64).collect::<Vec<_>>();
     run.states.iter().map(|state| compared.of_state(&wide(state)).iter().map(|x| x.to_f64()).collect()).collect()
 }

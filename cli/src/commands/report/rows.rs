@@ -1,7 +1,7 @@
 //! What the page says of a scene and of each of its runs, in words and numbers.
 
 use super::own::Own;
-use crate::page::{Fact, Nearest, RunRow};
+use crate::page::{Fact, Nearest, RunRow, Standing};
 use tripos::{Course, Mechanism, Run, method_words, state_names};
 use tripos_derive::scene::Scene;
 use tripos_sim::Stop;
@@ -40,7 +40,7 @@ pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Fact)> {
 }
 
 /// The row of a run.
-pub fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
+pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> RunRow {
     let solution = &run.solution;
     RunRow {
         title: run.by.title(),
@@ -53,7 +53,7 @@ pub fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
         t_end: solution.t_end,
         arrived: solution.stop == Stop::End,
         stop: run.why.clone(),
-        trusted: run.objections().is_empty(),
+        standing,
         energy_drift: run.energy_drift,
         warnings: run.warnings.clone(),
         changes: course.largest_changes(),
@@ -67,8 +67,8 @@ pub fn row(scene: &Scene, run: &Run, course: &Course) -> RunRow {
 }
 
 /// The row of the scene's own equations.
-pub fn own_row(scene: &Scene, own: &Own) -> RunRow {
-    let row = row(scene, &own.run, own.course.as_ref().unwrap_or(&UNWATCHED));
+pub fn own_row(scene: &Scene, own: &Own, standing: Standing) -> RunRow {
+    let row = row(scene, &own.run, own.course.as_ref().unwrap_or(&UNWATCHED), standing);
     RunRow { energy_drift: row.energy_drift.filter(|_| own.has_energy), ..row }
 }
 

@@ -2,6 +2,10 @@
 
 /// A name split into (letters, subscript, number of primes): `q12'` is (q, 12, 1), `m_p` (m, p, 0).
 pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
+    // `v(my_disk, P) @ A [1]`: the words of a quantity, none of which is a subscript.
+    if name.contains('(') {
+        return (name, "", 0);
+    }
     let stem = name.trim_end_matches('\'');
     let primes = name.len() - stem.len();
     if let Some((letters, subscript)) = stem.split_once('_')

@@ -10,6 +10,10 @@ use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr, Function, Node};
 use rustc_hash::{FxHashMap, FxHashSet};
 
+/// Addition theorems that are multiplied out at once: opened one in another, their coefficients grow to as many bits as
+/// there are of them, and so many are never shorter.
+const MOST_OPENED: usize = 48;
+
 /// How the sine and cosine of one angle come from two others: angle = first + second, or first − second.
 struct Addition {
     angle: Expr,
@@ -36,7 +40,7 @@ pub(super) fn compose(
     let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(values.iter().copied()).collect();
     let parts = arena.reachable(&roots);
     let additions = additions(arena, &parts);
-    if additions.is_empty() {
+    if additions.is_empty() || (matches!(how, Composed::Open) && additions.len() > MOST_OPENED) {
         return None;
     }
     let mut rewriting = Rewriting { of: FxHashMap::default() };

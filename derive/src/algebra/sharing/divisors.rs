@@ -11,6 +11,10 @@ const LONGEST: usize = 300;
 /// Places of sums of two terms that are looked at; what comes later shares products only.
 const MOST_PLACES: usize = 100_000;
 
+/// Factors of terms that are weighed in pairs, each pair with all factors of its term; what comes later shares no
+/// products. A product of n factors would take n⁴ of them: n³ at once, and again for each pair that is taken out.
+const MOST_WEIGHED: usize = 20_000_000;
+
 /// What several terms may have in common.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Divisor {
@@ -51,6 +55,8 @@ pub(super) struct Extraction {
     candidates: Vec<Candidate>,
     /// Places of sums of two terms so far.
     pairs: usize,
+    /// Factors weighed in pairs so far.
+    weighed: usize,
     /// The divisor that a sum is the definition of.
     definition_of: FxHashMap<Atom, usize>,
     /// (operations saved, the oldest first); bounds from above, which are weighed again when they come up.
@@ -65,6 +71,7 @@ impl Extraction {
             divisors: Vec::new(),
             candidates: Vec::new(),
             pairs: 0,
+            weighed: 0,
             definition_of: FxHashMap::default(),
             queue: BinaryHeap::new(),
         };
@@ -94,22 +101,32 @@ impl Extraction {
     /// Enters what a new term has in common with others. The pairs that make up the sum `own` are its own definition.
     fn register(&mut self, sum: Atom, at: usize, others: &[usize], own: Option<usize>) {
         let term = self.term(sum, at).clone();
-        for (i, (a, n)) in term.factors.iter().enumerate() {
-            if *n > 1 {
-                self.enter(Divisor::Product(*a, *a), (sum, at, at), own);
-            }
-            for (b, _) in &term.factors[i + 1..] {
-                self.enter(Divisor::Product(*a, *b), (sum, at, at), own);
-            }
-            if !is_unit(&term.k) {
-                self.enter(Divisor::Scaled(magnitude(&term.k), *a), (sum, at, at), own);
-            }
-        }
+        self.register_products(&term, (sum, at, at), own);
         if others.len() <= LONGEST && self.pairs < MOST_PLACES {
             self.pairs += others.len();
             for other in others {
                 let (divisor, _) = split(self.term(sum, *other), &term);
                 self.enter(divisor, (sum, *other, at), own);
+            }
+        }
+    }
+
+    /// Enters the products of two factors that a term at a place holds.
+    fn register_products(&mut self, term: &Term, place: Place, own: Option<usize>) {
+        let count = term.factors.len();
+        self.weighed = self.weighed.saturating_add(count.saturating_pow(3) / 2);
+        if self.weighed > MOST_WEIGHED {
+            return;
+        }
+        for (i, (a, n)) in term.factors.iter().enumerate() {
+            if *n > 1 {
+                self.enter(Divisor::Product(*a, *a), place, own);
+            }
+            for (b, _) in &term.factors[i + 1..] {
+                self.enter(Divisor::Product(*a, *b), place, own);
+            }
+            if !is_unit(&term.k) {
+                self.enter(Divisor::Scaled(magnitude(&term.k), *a), place, own);
             }
         }
     }

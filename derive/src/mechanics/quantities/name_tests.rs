@@ -9,6 +9,7 @@ fn a_name_reads_back_as_itself() {
     for (text, canonical) in [
         (" rotation( A ,H )[1 , 2] ", "rotation(A, H) [1,2]"),
         ("v(Cstar)@B[1]", "v(Cstar) @ B [1]"),
+        ("v(disk,P)@A[2]", "v(disk, P) @ A [2]"),
         ("d   omega(C) @ B [3] / d u5", "d omega(C) @ B [3]/d u5"),
         ("d v(P) @ A [1]/d 2", "d v(P) @ A [1]/d u2"),
         ("I(disk) @ B [1,2]", "I(disk) @ B [1,2]"),
@@ -36,6 +37,9 @@ fn a_wrong_name_says_what_and_where() {
         ("v(Cstr) @ B [1]", "Cstr", "the model has no point `Cstr`", "did you mean `Cstar`?"),
         ("omega(X) @ B [1]", "X", "the model has no frame `X`", "known here: `A`, `H`, `B`, `C`"),
         ("v(Cstar) @ B [4]", "4", "there is no component `4`", "components are 1, 2 and 3"),
+        ("v(dsk, P) @ A [1]", "dsk", "the model has no body `dsk`", "did you mean `disk`?"),
+        ("v(disk, B) @ A [1]", "B", "the model has no point `B`", "known here"),
+        ("v(disk, P) @ A", "", "`[` is missing here", "the form is `v(BODY, POINT) @ FRAME [COMPONENT]`"),
         ("v(Cstar) @ B", "", "`[` is missing here", "the form is `v(POINT) @ FRAME [COMPONENT]`"),
         ("v Cstar @ B", "Cstar", "", "did you mean"),
         ("weight(dsk) @ B [1]", "dsk", "the model has no body `dsk`", "did you mean `disk`?"),

@@ -117,6 +117,9 @@ impl<'a> Cursor<'a> {
         }
         if let Some((vector, name)) = VectorName::ALL.iter().find(|(_, n)| *n == head) {
             self.form = format!("{name}({}) @ FRAME [COMPONENT]", vector.owner().placeholder());
+            if *vector == VectorName::Velocity && self.names_two() {
+                return self.material_velocity();
+            }
             let (of, frame, axis) = self.component(*vector)?;
             return Ok(QuantityKind::Component { vector: *vector, of, frame, axis });
         }
@@ -151,6 +154,11 @@ impl<'a> Cursor<'a> {
     /// `(OWNER) @ FRAME [COMPONENT]`
     fn component(&mut self, vector: VectorName) -> Result<(usize, usize, usize), QuantityError> {
         self.mark('(')?;
+        self.component_after(vector)
+    }
+
+    /// `OWNER) @ FRAME [COMPONENT]`
+    fn component_after(&mut self, vector: VectorName) -> Result<(usize, usize, usize), QuantityError> {
         let of = self.owner(vector.owner())?;
         self.mark(')')?;
         self.mark('@')?;
@@ -159,6 +167,26 @@ impl<'a> Cursor<'a> {
         let axis = self.axis()?;
         self.mark(']')?;
         Ok((of, frame, axis))
+    }
+
+    /// Whether two names stand in the parentheses that begin here.
+    fn names_two(&self) -> bool {
+        self.text[self.at..].split(')').next().is_some_and(|inside| inside.contains(','))
+    }
+
+    /// `(BODY, POINT) @ FRAME [COMPONENT]`
+    fn material_velocity(&mut self) -> Result<QuantityKind, QuantityError> {
+        "v(BODY, POINT) @ FRAME [COMPONENT]".clone_into(&mut self.form);
+        self.mark('(')?;
+        let (body, place) = (self.owner(Owner::Body)?, self.at);
+        self.mark(',')?;
+        let (point, frame, axis) = self.component_after(VectorName::Velocity)?;
+        let of = &self.model.bodies[body];
+        if of.rigid.is_none() && of.centre != point {
+            let message = format!("the particle `{}` is not at the point `{}`", of.name, self.model.points[point].name);
+            return Err(self.error(place..self.at, message));
+        }
+        Ok(QuantityKind::MaterialVelocity { body, point, frame, axis })
     }
 
     fn rotation(&mut self) -> Result<QuantityKind, QuantityError> {
