@@ -15,7 +15,7 @@ pub(crate) const MOST: usize = 200_000;
 pub(crate) struct Recorder<'a, S> {
     output: &'a Output,
     next: usize,
-    /// Of points of steps every so many is kept; so many have come after the last that was.
+    /// One point of steps in so many is kept; so many have come after the last that was.
     every: u64,
     passed: u64,
     pub(crate) t: Vec<f64>,

@@ -19,7 +19,6 @@ use indicatif::ProgressBar;
 use measured::Measured;
 use own::{Own, shown};
 use rows::{UNWATCHED, facts, own_row, row, title};
-use standing::Standings;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos::code::{Code, Ready, code};
@@ -258,10 +257,9 @@ impl<'a> Work<'a> {
             };
             runs.not_run.push((by.name(), why));
         }
-        let mut standings = Standings::new(self.model, scene, self.study);
         let (derived, own) = (runs.derived.iter().map(|(run, _)| run), runs.own.iter().map(|own| &own.run));
         let all = derived.chain(own).chain(runs.printed.iter().map(|(run, _)| run));
-        runs.standings = all.map(|run| standings.of(run)).collect();
+        runs.standings = all.map(|run| standing::of(self.study, scene, run)).collect();
         Ok(runs)
     }
 

@@ -90,6 +90,9 @@ pub struct RunRow {
     pub standing: Standing,
     /// Largest change of total energy, J; none of equations that do not know it.
     pub energy_drift: Option<f64>,
+    /// Digits that every value has where the run ended, as its second run tells; nothing if that was not assessed, or the
+    /// equations are not those of the motion.
+    pub digits: Option<f64>,
     /// What else the reader should know.
     pub warnings: Vec<String>,
     /// Largest change of each first integral; nothing of a run that does not show every state.
@@ -107,7 +110,7 @@ pub enum Standing {
     Loose {
         /// The method and its tolerances.
         how: String,
-        /// The largest |e| / (1 + |exact|) at the end of the run, or why it is not known.
+        /// The largest |e| / (1 + |value|) at the end of the run, or why it is not known.
         error: Result<f64, String>,
     },
     /// Right equations whose run could not go on.

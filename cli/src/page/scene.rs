@@ -10,8 +10,18 @@ use crate::plot::pretty;
 use std::fmt::Write;
 use tripos_derive::algebra::compare::Verdict;
 
-const HEAD: [&str; 9] =
-    ["Equations", "Result", "Ended at [s]", "Energy change [J]", "Steps", "Rejected", "Evaluations", "Method", "Code"];
+const HEAD: [&str; 10] = [
+    "Equations",
+    "Result",
+    "Ended at [s]",
+    "Digits there",
+    "Energy change [J]",
+    "Steps",
+    "Rejected",
+    "Evaluations",
+    "Method",
+    "Code",
+];
 
 /// The part of one scene. `figures` counts figures over the whole page.
 pub fn section(page: &Page, scene: &SceneSection, at: usize, figures: &mut usize) -> String {
@@ -183,10 +193,11 @@ fn run(run: &RunRow) -> String {
     let result = if early { "ended early".to_owned() } else { escape(&run.stop) };
     let mut out = format!(
         "<tr{}><th scope=\"row\">{}</th><td class=\"result\">{result}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-         <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td><td>{}</td></tr>\n",
+         <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td><td>{}</td></tr>\n",
         class(run, ""),
         standing::name(run),
         number(&rounded(run.t_end, 6)),
+        run.digits.map_or_else(|| "–".to_owned(), |digits| number(&format!("{digits:.1}"))),
         run.energy_drift.map_or_else(|| "–".to_owned(), energy),
         run.steps,
         run.rejected,

@@ -25,7 +25,7 @@ impl Standing {
             Self::Right | Self::Stopped | Self::Wrong => None,
             Self::Loose { how, error: Ok(error) } => Some(format!(
                 "right equations, loosely integrated: {how} leaves an error of {} at t = {t_end} s, the largest \
-                 |e| / (1 + |exact|) of what is shown",
+                 |e| / (1 + |value|) of what is shown, by comparison with a second run",
                 two_digits(*error)
             )),
             Self::Loose { how, error: Err(why) } => Some(format!(

@@ -67,6 +67,7 @@ fn scene() -> SceneSection {
         t_end: 0.931_234_567,
         arrived: standing != Standing::Stopped,
         stop: "component 3 < 0 is not finite".to_owned(),
+        digits: Some(6.25),
         energy_drift: Some(if standing == Standing::Stopped { f64::NAN } else { 1.25e-9 }),
         standing,
         warnings: vec!["M is <badly> conditioned".to_owned()],

@@ -2,7 +2,7 @@
 
 use super::own::Own;
 use crate::page::{Fact, Nearest, RunRow, Standing};
-use tripos::{Course, Mechanism, Run, method_words, state_names};
+use tripos::{Course, Digits, Mechanism, Run, method_words, state_names};
 use tripos_derive::scene::Scene;
 use tripos_sim::Stop;
 
@@ -53,6 +53,7 @@ pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> Run
         t_end: solution.t_end,
         arrived: solution.stop == Stop::End,
         stop: run.why.clone(),
+        digits: run.digits.as_ref().and_then(Digits::end).filter(|_| standing != Standing::Wrong),
         standing,
         energy_drift: run.energy_drift,
         warnings: run.warnings.clone(),
