@@ -28,7 +28,7 @@ fn down(x: f64) -> f64 {
     if below < x { below } else { just_below(x) }
 }
 
-/// The unit in the last place of 0, of numbers next to it, and of what is not finite.
+/// The next number below; 0 stays, since products with 0 are exact.
 fn just_below(x: f64) -> f64 {
     if x == 0.0 { x } else { x.next_down() }
 }
