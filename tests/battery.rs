@@ -47,13 +47,13 @@ struct Outcome {
 #[test]
 fn no_run_states_digits_that_it_does_not_have() {
     let wanted = std::env::var("TRIPOS_BATTERY").map_or(RUNS, |text| text.parse().expect("a number"));
-    let first = std::env::var("TRIPOS_BATTERY_FROM").map_or(0, |text| text.parse().expect("a number"));
+    let first = std::env::var("TRIPOS_BATTERY_FROM").map_or(0_u64, |text| text.parse().expect("a number"));
     let (mut list, mut unknown, mut refused, mut silent) = (Vec::new(), 0, 0, 0);
     for seed in first.. {
         if list.len() >= wanted {
             break;
         }
-        let mut random = Random((seed as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(15));
+        let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(15));
         let problem = Problem::new(&mut random);
         let Some(truth) = Truth::new(&problem) else {
             unknown += 1;
@@ -146,7 +146,7 @@ fn compare(run: &tripos::Run, truth: &Truth, scene: &tripos_derive::scene::Scene
     let mut end = None;
     for (instant, t) in digits.t.iter().enumerate() {
         let Some(state) = truth.at(*t) else { continue };
-        let sample = run.solution.t.iter().position(|s| s == t)?;
+        let sample = run.solution.t.iter().position(|s| s.total_cmp(t).is_eq())?;
         let shown = &run.states[sample];
         let right = |by: &dyn Fn(usize) -> f64| {
             let of_value = known.iter().map(|(at, of)| {

@@ -85,7 +85,7 @@ impl First<'_> {
             Some(_) => Options { method, step: None, order: None, ..Options::tolerances(EQUAL, EQUAL) },
             None => Options { method, order: None, ..self.at(1.0 / TIMES) },
         };
-        options.max_step = if same { self.longest(1.0 / TIMES) } else { first.max_step };
+        options.max_step = if same { Some(self.longest(1.0 / TIMES)) } else { first.max_step };
         if same && method == Method::Taylor {
             options.order = Some((order_for(first) + 3).min(crate::options::ORDERS.1));
         }
@@ -104,7 +104,7 @@ impl First<'_> {
         let mut options = self.at(TIMES);
         options.step = first.step.map(|step| step * stretch);
         options.initial_step = first.initial_step.map(|step| step * stretch);
-        options.max_step = self.longest(TIMES);
+        options.max_step = Some(self.longest(TIMES));
         let how = if first.step.is_some() {
             format!("with steps {stretch:.2} times as long")
         } else {
@@ -124,11 +124,11 @@ impl First<'_> {
         Options { rtol, atol, initial_step: None, ..first.clone() }
     }
 
-    /// A longest step that makes this many times the error, where the method has a bound of its own or was given one.
-    fn longest(&self, times: f64) -> Option<f64> {
+    /// The longest step that makes this many times the error of the longest one of the first run, s.
+    fn longest(&self, times: f64) -> f64 {
         let order = f64::from(self.options.method.order().unwrap_or(8));
         let own = rules(self.options.method).map_or(1.0, Rules::longest_part) * self.length;
-        Some(self.options.max_step.unwrap_or(own) * times.powf(1.0 / order))
+        self.options.max_step.unwrap_or(own) * times.powf(1.0 / order)
     }
 
     fn limited(&self, options: Options, cost: f64, part: f64, words: String) -> Second {
@@ -150,9 +150,8 @@ fn stages(method: Method) -> f64 {
         Method::Taylor => 1.0,
         Method::Rk4 => 4.0,
         Method::Ode45 | Method::Dopri5 => 6.0,
-        Method::Dop853 => 12.0,
-        // Three stages, iterated some four times.
-        Method::Gauss6 => 12.0,
+        // Three stages of the implicit method are iterated some four times.
+        Method::Dop853 | Method::Gauss6 => 12.0,
     }
 }
 

@@ -127,7 +127,7 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     let lengths = [model.parameters.len(), model.coordinates.len(), e.variables.len(), model.speeds.len(), reactions];
     let [parameters, coordinates, variables, speeds, reactions] = lengths.map(Literal::usize_unsuffixed);
     let conversions = conversions(e);
-    let methods = parts.iter().map(|part| part.methods());
+    let methods = parts.iter().map(Part::methods);
     let (state, q) = (state(), array("q"));
     quote! {
         #[doc = #about]

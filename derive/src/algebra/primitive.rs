@@ -257,7 +257,7 @@ impl Integration<'_> {
         let Node::Sum(constant, terms) = self.arena.node(sum).clone() else { return None };
         let rest = self.arena.div(e, sum)?;
         let mut parts = vec![(self.of(rest, depth + 1)?, constant)];
-        for (term, k) in terms.iter() {
+        for (term, k) in &terms {
             let product = self.arena.mul(rest, *term);
             parts.push((self.of(product, depth + 1)?, k.clone()));
         }

@@ -126,7 +126,7 @@ pub trait System<S: Scalar = f64> {
     }
     /// What people call a divisor, counted from 0: its formula, or its place where that is long.
     fn divisor_name(&self, _at: usize) -> &str {
-        ""
+        Default::default()
     }
     /// The divisors at a state: where one of them is zero, the equations have no value, and a step over a change of its
     /// sign is no part of a motion. `out` has [`System::divisor_count`] entries.
