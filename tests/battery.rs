@@ -19,7 +19,7 @@ use tripos_sim::Method;
 use truth::Truth;
 
 /// How many runs are made, unless the environment says.
-const RUNS: usize = 150;
+const RUNS: usize = 100;
 /// Runs of one motion, which share its truth.
 const EACH: usize = 10;
 /// Digits claimed beyond the truth that are too many.

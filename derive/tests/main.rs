@@ -16,6 +16,7 @@ mod figures;
 mod kinematic_equations;
 mod limits;
 mod material_points;
+mod potentials;
 mod proofs;
 mod properties;
 #[path = "common/reduced.rs"]

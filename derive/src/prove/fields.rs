@@ -51,6 +51,11 @@ impl Lagrangian {
         Self { q, q_dot, t_by_q, momenta, v_by_q, forces }
     }
 
+    /// Whether anything but gravity acts along a coordinate.
+    pub fn has_forces(&self) -> bool {
+        self.forces.iter().any(|force| *force != Expr::ZERO)
+    }
+
     /// Every term.
     pub fn terms(&mut self) -> impl Iterator<Item = &mut Expr> {
         let Self { t_by_q, momenta, v_by_q, forces, .. } = self;

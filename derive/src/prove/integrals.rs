@@ -7,19 +7,17 @@ use super::fields::{Field, Lagrangian};
 use super::kind::IntegralKind;
 use super::motions;
 use super::verdicts::all;
-use crate::algebra::calculus::Differential;
+use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::elimination::divisors;
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::normal::Normalizer;
+use crate::algebra::primitive::primitive;
 use crate::algebra::range::never_zero;
 use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
-use crate::algebra::{Arena, Expr, Rational};
-use crate::mechanics::{
-    Derivations, Equations, Formulation, Kinematics, motion_rates, rates_to_speeds, speeds_to_rates,
-};
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::{Derivations, Equations, Formulation, Kinematics, motion_rates, rates_to_speeds};
 use crate::model::Model;
 
 /// A quantity that is constant along every motion.
@@ -31,6 +29,9 @@ pub struct Integral {
     pub expression: Expr,
     /// The symmetry q′ = ξ(q) whose momentum it is; none for the energy.
     pub field: Option<Vec<Expr>>,
+    /// A function of q that is part of it beside ξ · ∂T/∂q̇: what forces that depend on velocities add to a momentum; 0 for
+    /// all others.
+    pub of_place: Expr,
     /// Whether its rate is zero along Kane's equations, by identity.
     pub verdict: Verdict,
 }
@@ -40,7 +41,8 @@ impl Integral {
     #[must_use]
     pub fn names(&self, model: &Model, arena: &Arena) -> Vec<String> {
         let xi = self.field.as_deref().unwrap_or_default();
-        self.kinds.iter().map(|kind| kind.words(model, arena, xi)).collect()
+        let canonical = if self.of_place == Expr::ZERO { "" } else { "canonical " };
+        self.kinds.iter().map(|kind| format!("{canonical}{}", kind.words(model, arena, xi))).collect()
     }
 
     /// All that it is, in words.
@@ -64,7 +66,8 @@ impl Integral {
     }
 }
 
-/// Finds first integrals: the energy T + V and of forces with a polynomial potential; the momenta of coordinates;
+/// Finds first integrals: the energy T + V, with the potential of forces that have one by the rules of [`primitive`]; the
+/// momenta of coordinates, canonical where forces depend on velocities;
 /// of translations along the inertial axes and rotations about them through the mass centre and through the
 /// origin, of the whole and of each body; of all fields ξ = A q + b; and of quasi-cyclic
 /// coordinates. Of the momenta only functionally independent
@@ -136,8 +139,17 @@ impl Basis {
             ),
             None => "symmetries q' = A q + b were not searched: the conditions are too large".to_owned(),
         };
+        let covered = if self.lagrangian.has_forces() {
+            format!(
+                "{covered}; canonical momenta, with a function of place added, were looked for along coordinates and rigid motions"
+            )
+        } else {
+            covered
+        };
         let covered = if search.no_potential {
-            format!("{covered}; no energy: a potential of the applied forces was not found")
+            format!(
+                "{covered}; no energy: applied forces work, and the rules of integration found no potential of them"
+            )
         } else {
             covered
         };
@@ -169,7 +181,7 @@ impl Search<'_> {
         let power: Vec<Expr> = lagrangian.forces.iter().zip(rates).map(|(f, v)| arena.mul(*f, *v)).collect();
         let power = arena.sum(&power);
         if zero_test(arena, power) != ZeroTest::Zero {
-            let Some(of_forces) = potential_of(arena, model, &lagrangian.forces) else {
+            let Some(of_forces) = potential_of(arena, self.simplifier, model, lagrangian) else {
                 self.no_potential = true;
                 return;
             };
@@ -178,9 +190,8 @@ impl Search<'_> {
         }
         let energy = arena.add(kane.kinetic_energy, potential);
         // q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
-        let mut at_rest = crate::algebra::calculus::Substitution::new(
-            &model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>(),
-        );
+        let mut at_rest =
+            Substitution::new(&model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>());
         let multipliers: Vec<Expr> = model
             .speeds
             .iter()
@@ -189,16 +200,22 @@ impl Search<'_> {
                 arena.sub(s.symbol, offset)
             })
             .collect();
-        self.keep((kind, None), energy, &multipliers);
+        self.keep((kind, None, Expr::ZERO), energy, &multipliers);
     }
 
     fn momentum(&mut self, field: &Field) {
         let (arena, lagrangian) = (&mut *self.arena, &self.basis.lagrangian);
         let rate = lagrangian.rate(arena, &field.xi);
-        if zero_test(arena, rate) != ZeroTest::Zero {
-            return;
-        }
         let momentum = lagrangian.momentum(arena, &field.xi);
+        let of_place = if zero_test(arena, rate) == ZeroTest::Zero {
+            Expr::ZERO
+        } else {
+            // A rate that is itself the rate of a function of q is taken to the other side: what is then conserved is the
+            // canonical momentum of a magnetic or gyroscopic force, or of one that grows with the speed.
+            let Some(of_place) = rate_of(arena, self.simplifier, self.model, rate) else { return };
+            arena.neg(of_place)
+        };
+        let momentum = arena.add(momentum, of_place);
         let mut in_speeds = rates_to_speeds(self.model);
         let momentum = in_speeds.apply(arena, momentum);
         let momentum = self.simplifier.simplify(arena, momentum);
@@ -209,11 +226,16 @@ impl Search<'_> {
             let terms: Vec<Expr> = coefficients.iter().zip(&field.xi).map(|(j, x)| arena.mul(*j, *x)).collect();
             multipliers.push(arena.sum(&terms));
         }
-        self.keep((field.kind, Some(&field.xi)), momentum, &multipliers);
+        self.keep((field.kind, Some(&field.xi), of_place), momentum, &multipliers);
     }
 
     /// Keeps an integral unless it is a function of those found; what else a known one is, is noted.
-    fn keep(&mut self, (kind, field): (IntegralKind, Option<&[Expr]>), value: Expr, multipliers: &[Expr]) {
+    fn keep(
+        &mut self,
+        (kind, field, of_place): (IntegralKind, Option<&[Expr]>, Expr),
+        value: Expr,
+        multipliers: &[Expr],
+    ) {
         let arena = &mut *self.arena;
         for known in &mut self.found {
             let (difference, sum) = (arena.sub(value, known.expression), arena.add(value, known.expression));
@@ -239,7 +261,13 @@ impl Search<'_> {
         if !kind.is_energy() {
             self.gradients = gradients;
         }
-        self.found.push(Integral { kinds: vec![kind], expression: value, field: field.map(<[Expr]>::to_vec), verdict });
+        self.found.push(Integral {
+            kinds: vec![kind],
+            expression: value,
+            field: field.map(<[Expr]>::to_vec),
+            of_place,
+            verdict,
+        });
     }
 
     /// dI/dt − λᵀ (M u̇ − f) = 0, coefficient by coefficient of u̇.
@@ -264,52 +292,37 @@ impl Search<'_> {
     }
 }
 
-/// A potential U(q) with Q = −∂U/∂q, if Q is a polynomial in q that has one: U = −Σ ∫₀¹ q_i Q_i(t q) dt.
-fn potential_of(arena: &mut Arena, model: &Model, forces: &[Expr]) -> Option<Expr> {
-    let q = model.q();
-    let mut normalizer = Normalizer::default();
-    let mut terms = Vec::new();
-    for (coordinate, force) in q.iter().zip(forces) {
-        let mut in_rates = speeds_to_rates(model);
-        let force = in_rates.apply(arena, *force);
-        let product = arena.mul(*coordinate, force);
-        let form = normalizer.fraction(arena, product)?;
-        let below: Vec<Expr> = form.denominator.iter().map(|(p, _)| normalizer.polynomial(p).expand(arena)).collect();
-        let polynomial = normalizer.polynomial(&form.numerator);
-        let constant =
-            |e: Expr| arena.reachable(&[e]).iter().all(|s| arena.symbol_name(*s).is_none() || model.p().contains(s));
-        if !below.iter().all(|e| constant(*e)) {
-            return None;
-        }
-        let mut divisor = Expr::ONE;
-        for (factor, (_, n)) in below.iter().zip(&form.denominator) {
-            let power = arena.pow(*factor, i32::try_from(*n).ok()?).ok()?;
-            divisor = arena.mul(divisor, power);
-        }
-        for (monomial, k) in &polynomial.terms {
-            let degree: i32 = monomial.iter().filter(|(e, _)| q.contains(e)).map(|(_, n)| *n).sum();
-            let others = monomial.iter().filter(|(e, _)| !q.contains(e));
-            let fixed = others.clone().all(|(e, _)| {
-                arena.reachable(&[*e]).iter().all(|s| arena.symbol_name(*s).is_none() || model.p().contains(s))
-            });
-            if !fixed || degree < 1 {
-                return None;
-            }
-            let term = arena.try_product(monomial).ok()?;
-            let term = arena.div(term, divisor)?;
-            terms.push((term, k.mul(&Rational::fraction(-1, i64::from(degree))?)));
-        }
+/// A potential U(q) of the forces: those that are there at rest are −∂U/∂q, and what the others have beyond that does no
+/// work in any motion, as that of a magnetic field. Nothing if there is none, or no rule finds it.
+fn potential_of(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    model: &Model,
+    lagrangian: &Lagrangian,
+) -> Option<Expr> {
+    let rates = model.q_dot();
+    let mut at_rest = Substitution::new(&rates.iter().map(|rate| (*rate, Expr::ZERO)).collect::<Vec<_>>());
+    let (mut slopes, mut power) = (Vec::new(), Vec::new());
+    for (force, rate) in lagrangian.forces.iter().zip(&rates) {
+        let resting = at_rest.apply(arena, *force);
+        let beyond = arena.sub(*force, resting);
+        power.push(arena.mul(beyond, *rate));
+        slopes.push(arena.neg(resting));
     }
-    let potential = arena.linear_combination(&terms);
-    // Only a field without curl has a potential.
-    for (coordinate, force) in q.iter().zip(forces) {
-        let slope = Differential::partial(*coordinate).apply(arena, potential);
-        let rest = arena.add(slope, *force);
-        if zero_test(arena, rest) != ZeroTest::Zero {
-            return None;
-        }
+    let power = arena.sum(&power);
+    if at_rest.undefined.is_some() || zero_test(arena, power) != ZeroTest::Zero {
+        return None;
     }
-    Some(potential)
+    primitive(arena, simplifier, &model.q(), &slopes)
+}
+
+/// F(q) with dF/dt = `rate` along every path, if that is linear in q̇ and the rules find F.
+fn rate_of(arena: &mut Arena, simplifier: &mut Simplifier, model: &Model, rate: Expr) -> Option<Expr> {
+    let (slopes, rest) = LinearForm::new(&model.q_dot()).coefficients(arena, rate).ok()?;
+    if zero_test(arena, rest) != ZeroTest::Zero {
+        return None;
+    }
+    primitive(arena, simplifier, &model.q(), &slopes)
 }
 
 #[cfg(test)]
