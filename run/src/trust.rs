@@ -32,6 +32,7 @@ pub fn objections(
         return Ok(list);
     }
     list.extend(digits.and_then(|digits| few(digits, names)));
+    list.extend(digits.and_then(|digits| contradicted(digits, &problem.variables())));
     match watch.filter(|watch| !watch.integrals.is_empty()) {
         Some(watch) => {
             let worst = worst(problem, solution, watch);
@@ -59,17 +60,31 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
     ))
 }
 
-/// Where the assessment of a run ends early: what to say of it.
+/// From where on a run is not assessed, in words; nothing if it is assessed to its end.
+fn beyond(digits: &Digits) -> Option<String> {
+    match digits.assessed() {
+        _ if digits.is_complete() => None,
+        Some(t) => Some(format!("beyond t = {t} s")),
+        None => Some("at any instant".to_owned()),
+    }
+}
+
+/// Whether the second run could not go on, and not for its cost alone.
+fn could_not_go_on(digits: &Digits) -> bool {
+    digits.stop.is_failure() && !matches!(digits.stop, Stop::StepLimit { .. })
+}
+
+/// What to say of a run whose second run had cost as much before its end.
 pub fn unassessed(digits: &Digits) -> Option<String> {
-    let from = match digits.assessed() {
-        _ if digits.is_complete() => return None,
-        Some(t) => format!("beyond t = {t} s"),
-        None => "at any instant".to_owned(),
-    };
-    let by = &digits.by;
-    Some(format!(
-        "digits are not assessed {from}: the run that this one is compared with ({by}) ended there, or had cost as much as this one"
-    ))
+    let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
+    Some(format!("digits are not assessed {beyond}: a second run ({}) had cost as much as this one there", digits.by))
+}
+
+/// The objection to a run that another run of the same motion does not follow to its end.
+fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
+    let beyond = beyond(digits).filter(|_| could_not_go_on(digits))?;
+    let why = digits.stop.described(names);
+    Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
 }
 
 /// The objection to a run of equations whose first integrals were not looked for: where nothing but gravity works,

@@ -71,11 +71,11 @@ fn one_more_force_is_a_few_lines_in_the_equations_and_in_what_is_said_of_them() 
             forcing, f4: new - old = R*c*u4*cos(q2)*sin(q1)
             forcing, f6: new, -R*c*u4*cos(q1)
         changed  disk/scenes/flat_fall.rs
-            equations: 5 changed, 5 new, 17 gone
+            equations: 7 changed, 5 new, 14 gone
         changed  disk/scenes/lean.rs
-            equations: 1 changed, 4 new, 7 gone
+            equations: 1 changed, 6 new, 6 gone
         changed  disk/scenes/near_flat.rs
-            equations: 0 changed, 14 new, 0 gone
+            equations: 0 changed, 17 new, 0 gone
         missing  lib.rs
         and the code of these equations, 16 files under `code`
         missing  models/disk/reference.json

@@ -22,22 +22,39 @@ fn number(run: &Value, list: &str, name: &str) -> f64 {
     run[list][name].as_f64().unwrap_or_else(|| panic!("no number {list}.{name} in {run}"))
 }
 
-/// x′ (x/L)² is no speed at x = 0, where the point passes with x′ = 1/2: x = −1/2 + (1 − e⁻ᵗ), by its rates.
+/// x′ (x/L)² is no speed at x = 0, where the point passes. Under drag alone x = −1/2 + (1 − e⁻ᵗ), and m x′ + c x is
+/// conserved, by which the scene's own equations go through; a push from the origin leaves only equations in rates: then
+/// x″ = −x′ + x.
 #[test]
-fn a_place_where_speeds_say_nothing_is_passed_by_equations_in_rates_and_no_others() {
-    let scene = given("singular/s.toml");
-    let run = asked(&["simulate", &scene, "--json"]);
-    let right = 0.5 - (-2_f64).exp();
-    let (x, error) = (number(&run, "state", "x"), number(&run, "uncertainty", "x"));
-    assert!((x - right).abs() < 1e-7 && (x - right).abs() < 10.0 * error, "{x} ± {error}, not {right}");
-    assert_eq!(run["formulation"], "lagrange");
-    assert!(run["notes"][0].as_str().unwrap().contains("divide by x, which is 0 at t = 0.69314"), "{}", run["notes"]);
-    for method in ["ode45", "dop853", "taylor", "gauss6"] {
-        let (status, out, err) = answer(&["simulate", &scene, "--by", "kane", "--method", method, "--json"]);
-        let run: Value = serde_json::from_str(&out).unwrap_or_else(|_| panic!("{err}"));
-        assert!(status == 3, "{method}: {status} {run}");
-        let t = run["t"].as_f64().unwrap();
-        assert!(t < 2_f64.ln() + 1e-5, "{method} goes beyond x = 0: {t}");
+fn a_place_where_speeds_say_nothing_is_passed_by_equations_that_do_not_divide_by_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = std::fs::read_to_string(given("singular/model.toml")).unwrap();
+    let pushed = model.replace("-F*T/L*x'", "-F*T/L*x' + F*x/L");
+    assert_ne!(model, pushed);
+    std::fs::write(folder.path().join("model.toml"), pushed).unwrap();
+    std::fs::copy(given("singular/s.toml"), folder.path().join("s.toml")).unwrap();
+    let pushed = folder.path().join("s.toml").to_str().unwrap().to_owned();
+    let (r, s) = ((5_f64.sqrt() - 1.0) / 2.0, (-1.0 - 5_f64.sqrt()) / 2.0);
+    // A eʳᵗ + B eˢᵗ with A + B = −1/2 and r A + s B = 1.
+    let b = (1.0 + r / 2.0) / (s - r);
+    let ways = [
+        (given("singular/s.toml"), "reduced", 0.5 - (-2_f64).exp(), 2_f64.ln()),
+        (pushed, "lagrange", (-0.5 - b) * (2.0 * r).exp() + b * (2.0 * s).exp(), (-b / (-0.5 - b)).ln() / (r - s)),
+    ];
+    for (scene, formulation, right, passes) in ways {
+        let run = asked(&["simulate", &scene, "--json"]);
+        let (x, error) = (number(&run, "state", "x"), number(&run, "uncertainty", "x"));
+        assert!((x - right).abs() < 1e-6 && (x - right).abs() < 10.0 * error, "{x} ± {error}, not {right}");
+        assert_eq!(run["formulation"], formulation);
+        let noted = run["notes"].as_array().unwrap().iter().any(|n| n.as_str().unwrap().contains("divide by x"));
+        assert_eq!(noted, formulation == "lagrange", "{}", run["notes"]);
+        for method in ["ode45", "dop853", "taylor", "gauss6"] {
+            let (status, out, err) = answer(&["simulate", &scene, "--by", "kane", "--method", method, "--json"]);
+            let run: Value = serde_json::from_str(&out).unwrap_or_else(|_| panic!("{err}"));
+            let (t, warned) = (run["t"].as_f64().unwrap(), !run["warnings"].as_array().unwrap().is_empty());
+            // A step may be thrown back before it reaches x = 0; a second run then tells.
+            assert!((status == 3 && t < passes + 1e-4) || warned, "{method}: {status} at {t}\n{run}");
+        }
     }
 }
 
