@@ -72,7 +72,7 @@ struct First<'a> {
     options: &'a Options,
     /// Evaluations of the right-hand side, or as much as they take.
     spent: f64,
-    /// Of the span, s.
+    /// The length of the span, s.
     length: f64,
 }
 
