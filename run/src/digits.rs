@@ -41,8 +41,8 @@ pub struct Digits {
     pub by: String,
     /// The end of the run, s.
     pub t_end: f64,
-    /// Why the second run ended.
-    pub(crate) stop: Stop,
+    /// When and why the second run ended.
+    pub(crate) second: (f64, Stop),
 }
 
 impl Digits {
@@ -147,7 +147,7 @@ pub fn assess(
         digits.push((0..a.len()).map(|at| told(error(at) / sizes[at])).collect::<Vec<_>>());
         last = (0..a.len()).map(|at| told(error(at) / own(at))).collect();
     }
-    Ok(Some(Digits { t: run.t, errors, digits, last, by: words, t_end: solution.t_end, stop: run.stop }))
+    Ok(Some(Digits { t: run.t, errors, digits, last, by: words, t_end: solution.t_end, second: (run.t_end, run.stop) }))
 }
 
 /// Digits that a relative error leaves: none where it is 1 or more, or no number.

@@ -69,21 +69,31 @@ fn beyond(digits: &Digits) -> Option<String> {
     }
 }
 
-/// Whether the second run could not go on, and not for its cost alone.
+/// How near the end of a run another one may end where neither can go on, in parts of the run.
+const ONE_END: f64 = 1e-3;
+
+/// Whether the second run could not go on, and not for its cost alone, where the first went on.
 fn could_not_go_on(digits: &Digits) -> bool {
-    digits.stop.is_failure() && !matches!(digits.stop, Stop::StepLimit { .. })
+    let (t, stop) = &digits.second;
+    let start = digits.t.first().copied().unwrap_or(*t);
+    let is_one_end = (digits.t_end - t).abs() <= ONE_END * (digits.t_end - start).abs();
+    stop.is_failure() && !matches!(stop, Stop::StepLimit { .. }) && !is_one_end
 }
 
 /// What to say of a run whose second run had cost as much before its end.
 pub fn unassessed(digits: &Digits) -> Option<String> {
     let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
-    Some(format!("digits are not assessed {beyond}: a second run ({}) had cost as much as this one there", digits.by))
+    let why = match digits.second.1 {
+        Stop::StepLimit { .. } => "had cost as much as this one there",
+        _ => "ends just before this one",
+    };
+    Some(format!("digits are not assessed {beyond}: a second run ({}) {why}", digits.by))
 }
 
 /// The objection to a run that another run of the same motion does not follow to its end.
 fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
     let beyond = beyond(digits).filter(|_| could_not_go_on(digits))?;
-    let why = digits.stop.described(names);
+    let why = digits.second.1.described(names);
     Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
 }
 
