@@ -1,8 +1,8 @@
 //! Digits that runs state, against digits that they have: the battery.
 //!
 //! Library scenes and random mechanisms, starts near singular surfaces and separatrices, every method, solve, form and
-//! projection, tolerances of 1e-2 to 1e-13, spans of 1 s to 1 000 s. The truth is the whole model by Lagrange's or
-//! Kane's eliminated equations in 32 digits, by Taylor's method at two tolerances: what no digit is left of in 32
+//! projection, tolerances of 1e-2 to 1e-13, spans of 1 s to 1 000 s. The truth is the whole model by Kane's
+//! eliminated equations in 32 digits, by Taylor's method at two tolerances: what no digit is left of in 32
 //! digits is left out, and counted.
 //!
 //! `TRIPOS_BATTERY=5000` makes that many runs.

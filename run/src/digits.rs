@@ -41,8 +41,8 @@ pub struct Digits {
     pub by: String,
     /// The end of the run, s.
     pub t_end: f64,
-    /// When and why the second run ended.
-    pub(crate) second: (f64, Stop),
+    /// When and why the second run ended, and whether it was the finer of the two.
+    pub(crate) second: (f64, Stop, bool),
 }
 
 impl Digits {
@@ -134,7 +134,7 @@ pub fn assess(
             break;
         }
     }
-    let Some((run, Second { part, words, .. })) = best else { return Ok(None) };
+    let Some((run, Second { part, words, is_finer, .. })) = best else { return Ok(None) };
     let first: Vec<Vec<f64>> = samples.iter().map(|(t, y)| values(problem, *t, y)).collect::<Result<_, _>>()?;
     let second: Vec<Vec<f64>> =
         run.t.iter().zip(&run.y).map(|(t, y)| values(&beside, *t, y)).collect::<Result<_, _>>()?;
@@ -147,7 +147,8 @@ pub fn assess(
         digits.push((0..a.len()).map(|at| told(error(at) / sizes[at])).collect::<Vec<_>>());
         last = (0..a.len()).map(|at| told(error(at) / own(at))).collect();
     }
-    Ok(Some(Digits { t: run.t, errors, digits, last, by: words, t_end: solution.t_end, second: (run.t_end, run.stop) }))
+    let second = (run.t_end, run.stop, is_finer);
+    Ok(Some(Digits { t: run.t, errors, digits, last, by: words, t_end: solution.t_end, second }))
 }
 
 /// Digits that a relative error leaves: none where it is 1 or more, or no number.
@@ -159,9 +160,9 @@ fn told(relative: f64) -> f64 {
 fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec<Second> {
     if problem.scene.integration.method == QUADRATURE {
         let words = "quadrature from numbers one rounding away".to_owned();
-        return vec![Second { options: options.clone(), part: QUADRATURE_PART, words }];
+        return vec![Second { options: options.clone(), part: QUADRATURE_PART, is_finer: false, words }];
     }
-    seconds(options, solution, problem.scene.span, problem.has_series())
+    seconds(options, solution, problem.scene.span, problem.has_short_series())
 }
 
 /// Samples spread evenly over a run, few enough to be compared, and its end.

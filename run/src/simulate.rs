@@ -33,7 +33,7 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
             let mut done = whole(None)?;
             let what = "accelerations are found numerically for whole equations only: every coordinate and speed is run \
                         and shown";
-            done.warnings.insert(0, what.to_owned());
+            done.notes.insert(0, what.to_owned());
             Ok(done)
         }
         None => {
@@ -130,7 +130,7 @@ fn run_reduced(
         return Err(Error::Stopped(format!("the run cannot start: {singular}")));
     }
     let mut run = run_own(model, scene, (&plain, &code), watch)?;
-    run.warnings.insert(0, format!("no momentum is held, since {singular}"));
+    run.notes.insert(0, format!("no momentum is held, since {singular}"));
     Ok(run)
 }
 

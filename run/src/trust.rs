@@ -52,6 +52,9 @@ pub fn objections(
 fn few(digits: &Digits, names: &[String]) -> Option<String> {
     let (instant, which) = digits.first_with_few()?;
     let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
+    if error.is_nan() {
+        return Some(format!("`{name}` has no value at t = {t:.4} s, in this run or in another, {}", digits.by));
+    }
     let end = digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} are left again"));
     Some(format!(
         "fewer than three digits are left from t = {t:.4} s on, where `{name}` may be off by {error:.1e}: so far apart are this run and another, {}{}",
@@ -74,10 +77,11 @@ const ONE_END: f64 = 1e-3;
 
 /// Whether the second run could not go on, and not for its cost alone, where the first went on.
 fn could_not_go_on(digits: &Digits) -> bool {
-    let (t, stop) = &digits.second;
+    let (t, stop, is_finer) = &digits.second;
     let start = digits.t.first().copied().unwrap_or(*t);
     let is_one_end = (digits.t_end - t).abs() <= ONE_END * (digits.t_end - start).abs();
-    stop.is_failure() && !matches!(stop, Stop::StepLimit { .. }) && !is_one_end
+    // A coarser run may fail by its own errors.
+    *is_finer && stop.is_failure() && !matches!(stop, Stop::StepLimit { .. }) && !is_one_end
 }
 
 /// What to say of a run whose second run had cost as much before its end.
@@ -85,7 +89,7 @@ pub fn unassessed(digits: &Digits) -> Option<String> {
     let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
     let why = match digits.second.1 {
         Stop::StepLimit { .. } => "had cost as much as this one there",
-        _ => "ends just before this one",
+        _ => "could not go on there",
     };
     Some(format!("digits are not assessed {beyond}: a second run ({}) {why}", digits.by))
 }

@@ -11,7 +11,7 @@ use tripos_traits::{DoubleDouble, Real};
 /// The tolerances of the run that is kept, and of the one that it is checked by.
 const TOLERANCES: [f64; 2] = [1e-23, 1e-21];
 /// Steps after which a motion is given up.
-const STEPS: u64 = 20_000;
+const STEPS: u64 = 3_000;
 /// What the two may differ by at most.
 const KNOWN: f64 = 1e-17;
 

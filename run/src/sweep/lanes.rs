@@ -17,7 +17,9 @@ use tripos_traits::{CompiledSystem, InLanes};
 pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Option<InLanes<'static>> {
     let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
     let how = &scene.integration;
-    let watched = !model.domain.is_empty() || !scene.events.is_empty();
+    // Lanes look at nothing on their way: neither at events nor at what the equations divide by.
+    let divides = code.system().divisor_count() > 0;
+    let watched = divides || !model.domain.is_empty() || !scene.events.is_empty();
     let plain = solve == Solve::Eliminated && how.method == Method::Dop853.name() && how.step.is_none();
     (plain && !watched).then_some(*lanes)
 }
