@@ -181,6 +181,9 @@ pub struct Sweep {
     /// Threads; all that the machine has if not given. The results do not depend on them
     #[arg(long)]
     pub threads: Option<usize>,
+    /// A column of digits: how many are right at the end, by a second run of each point, which takes about as long
+    #[arg(long)]
+    pub digits: bool,
     /// Write a row for each point to this file
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,

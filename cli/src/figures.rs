@@ -46,6 +46,20 @@ impl<'a> Curve<'a> {
         let points = self.run.solution.t.iter().copied().zip(values).collect();
         Series::curve(self.label.clone(), self.style, points)
     }
+
+    /// The curve of one of the values that the run shows, with the band in which the true one lies.
+    fn with_band(&self, values: impl IntoIterator<Item = f64>, which: usize) -> Series {
+        let mut series = self.series(values);
+        if let (Some(digits), false) = (&self.run.digits, *self.standing == Standing::Wrong) {
+            let mut points = series.points.iter();
+            let errors = digits.t.iter().zip(&digits.errors).filter_map(|(t, errors)| {
+                let (_, y) = points.find(|(at, _)| at.total_cmp(t).is_eq())?;
+                Some((*t, y - errors[which], y + errors[which]))
+            });
+            series.band = errors.collect();
+        }
+        series
+    }
 }
 
 /// Curves of the same numbers as one, under all their names.
@@ -75,7 +89,18 @@ pub fn said(curves: &[Curve]) -> String {
     if !stopped.is_empty() {
         let _ = write!(out, " Right, but stopped on the way: {stopped}.");
     }
-    out + &loose(curves)
+    out + &loose(curves) + banded(curves)
+}
+
+/// Fewer digits than this are seen in a figure.
+const SEEN: f64 = 2.5;
+
+/// What a band is, where one is to be seen.
+fn banded(curves: &[Curve]) -> &'static str {
+    let right = curves.iter().filter(|curve| *curve.standing != Standing::Wrong);
+    let fewest = right.filter_map(|curve| curve.run.digits.as_ref()?.fewest_of_all());
+    let is_seen = fewest.map(|(.., digits)| digits).any(|digits| digits < SEEN);
+    if is_seen { " Shaded: between which values the true ones lie, as far as a second run tells." } else { "" }
 }
 
 /// The curves of right equations that are loosely integrated, with their errors.
@@ -143,7 +168,11 @@ pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) 
         x_scale: Scale::Linear,
         series: curves
             .iter()
-            .map(|(curve, values)| curve.series(values.iter().map(|sample| sample[at])))
+            .map(|(curve, values)| {
+                let values = values.iter().map(|sample| sample[at]);
+                // Digits are of what a run shows itself: whole equations show states.
+                if curve.run.by.is_reduced() { curve.with_band(values, at) } else { curve.series(values) }
+            })
             .filter(|series| series.points.iter().any(|(_, y)| y.is_finite()))
             .collect(),
         note: None,
@@ -163,7 +192,10 @@ pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
         y_label: label.clone(),
         scale: Scale::Linear,
         x_scale: Scale::Linear,
-        series: curves.iter().map(|curve| curve.series(curve.run.states.iter().map(|state| state[at]))).collect(),
+        series: curves
+            .iter()
+            .map(|curve| curve.with_band(curve.run.states.iter().map(|state| state[at]), at))
+            .collect(),
         note: None,
     };
     labels.iter().enumerate().map(panel).collect()

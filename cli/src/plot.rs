@@ -16,7 +16,7 @@ pub use heat::draw_heat;
 pub use tripos::figure::{Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
 
 use axis::Axis;
-use look::{Canvas, EDGE, GRID, curve, dashed, extent, line, look, marker, write};
+use look::{Canvas, EDGE, GRID, band, curve, dashed, extent, line, look, marker, write};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 use thin::{marked, thin};
@@ -24,6 +24,8 @@ use thin::{marked, thin};
 const WIDTH: f64 = 1000.0;
 const GAP: f64 = 22.0;
 const LINE: f64 = 17.0;
+/// A band that is nowhere wider is not seen beside its curve.
+const BAND: f64 = 1.0;
 
 /// Panels in a grid, row by row, with one legend, as one `<svg>` element.
 ///
@@ -174,6 +176,21 @@ impl<'a> Plot<'a> {
         }
         let shows = |p: (f64, f64)| self.panel.shows(p);
         let place = |(x, y): (f64, f64)| (left + self.x.place(x) * width, bottom - self.y.place(y) * self.height);
+        for series in &self.panel.series {
+            let edge = |y: &dyn Fn(&(f64, f64, f64)) -> f64| -> Vec<(f64, f64)> {
+                let inside = |(x, y): (f64, f64)| (x, y.clamp(top, bottom));
+                series
+                    .band
+                    .iter()
+                    .filter(|(_, low, high)| (high - low).is_finite())
+                    .map(|b| inside(place((b.0, y(b)))))
+                    .collect()
+            };
+            let (low, high) = (edge(&|b| b.1), edge(&|b| b.2));
+            if low.iter().zip(&high).any(|(low, high)| low.1 - high.1 > BAND) {
+                band(canvas, &low, &high, look(series.style))?;
+            }
+        }
         for (at, series) in self.panel.series.iter().enumerate() {
             let look = look(series.style);
             for run in series.points.split(|p| !shows(*p)).filter(|run| !run.is_empty()) {

@@ -7,7 +7,7 @@ use crate::figures;
 use figures::{CASES, Case, State};
 use std::path::Path;
 use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::mechanics::Derivation;
+use tripos_derive::mechanics::{Derivation, Kinematics};
 use tripos_derive::{Formulation, Model, derive};
 
 fn model(case: &Case) -> Model {
@@ -37,7 +37,7 @@ fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     b
 }
 
-/// u̇, T and V at a state given in q and u.
+/// u̇, T and the potential of gravity at a state given in q and u.
 fn evaluate(model: &Model, derivation: &Derivation, state: &State) -> (Vec<f64>, f64, f64) {
     let (arena, e) = (&derivation.arena, &derivation.equations);
     let p: Vec<f64> = model.parameters.iter().map(|p| p.value.as_ref().expect("all have values").to_f64()).collect();
@@ -49,7 +49,7 @@ fn evaluate(model: &Model, derivation: &Derivation, state: &State) -> (Vec<f64>,
     let inputs = [known, e.variables.clone()].concat();
     let values = [values, v].concat();
     let n = e.unknowns.len();
-    let outputs = [e.matrix.concat(), e.forcing.clone(), vec![e.kinetic_energy, e.potential_energy]].concat();
+    let outputs = [e.matrix.concat(), e.forcing.clone(), vec![e.kinetic_energy]].concat();
     let out = Tape::new(arena, &inputs, &outputs).expect("closed").evaluate(&values);
     let matrix = out[..n * n].chunks(n).map(<[f64]>::to_vec).collect();
     let unknowns = solve(matrix, out[n * n..n * n + n].to_vec());
@@ -57,7 +57,12 @@ fn evaluate(model: &Model, derivation: &Derivation, state: &State) -> (Vec<f64>,
     let inputs = [inputs, e.unknowns[..e.variables.len()].to_vec()].concat();
     let values = [&values, &unknowns[..e.variables.len()]].concat();
     let u_dot = Tape::new(arena, &inputs, &e.generalized_speed_rates).expect("closed").evaluate(&values);
-    (u_dot, out[n * n + n], out[n * n + n + 1])
+    let mut kinematics = Kinematics::new(model).expect("it was derived");
+    let gravity = kinematics.gravity_potential(model).expect("it has a zero");
+    let inputs = [model.p(), model.q()].concat();
+    let potential =
+        Tape::new(&kinematics.arena, &inputs, &[gravity]).expect("closed").evaluate(&[&p, state.q].concat());
+    (u_dot, out[n * n + n], potential[0])
 }
 
 fn close(got: f64, expected: f64, what: &str) {

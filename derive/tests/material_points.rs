@@ -12,7 +12,7 @@ use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::parse::parse_free;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Quantities, Quantity, derive_all, generalized_forces, moving_places, rates_to_speeds};
+use tripos_derive::mechanics::{Quantities, Quantity, derive_all, moving_places, rates_to_speeds};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model, derive};
 
@@ -41,7 +41,7 @@ fn same(arena: &mut Arena, left: Expr, right: Expr) {
 /// Σ Q_i q̇_i of everything but gravity, in q and u.
 fn power(model: &Model, quantities: &mut Quantities<'_>) -> Expr {
     let kinematics = &mut quantities.derivations.kinematics;
-    let forces = generalized_forces(model, kinematics);
+    let forces = kinematics.load_potential(model).rest;
     let arena = &mut kinematics.arena;
     let terms: Vec<Expr> = forces.iter().zip(model.q_dot()).map(|(force, rate)| arena.mul(*force, rate)).collect();
     let sum = arena.sum(&terms);

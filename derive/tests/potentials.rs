@@ -2,10 +2,10 @@
 //! and do no work.
 
 use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::parse::parse_free;
+use tripos_derive::algebra::parse::{parse_free, parse_primed};
 use tripos_derive::algebra::print::text;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::derive_all;
+use tripos_derive::mechanics::{derive_all, speeds_to_rates};
 use tripos_derive::model;
 use tripos_derive::prove::prove;
 
@@ -92,4 +92,82 @@ fn drag_keeps_no_energy_and_gives_its_momentum_to_the_place() {
     keeps(["-c*x'", "-k*y - c*y'"], &["m*u + c*x"]);
     // A field with curl.
     keeps(["-k*y", "k*x"], &[]);
+}
+
+/// V, and the power of what it leaves out, by every formulation, in the words of the file.
+fn energies(file: &str, potential: &str, power: &str) {
+    let model = model::load(&Source::from_text("model.toml", file)).unwrap_or_else(|e| panic!("{e}"));
+    let mut derivations = derive_all(&model).unwrap();
+    let found: Vec<_> = derivations.list.iter().filter_map(|(_, e)| e.as_ref().ok()).cloned().collect();
+    assert!(found.len() >= 2);
+    for equations in found {
+        let arena = &mut derivations.kinematics.arena;
+        let mut to_rates = speeds_to_rates(&model);
+        for (derived, stated) in [(equations.potential_energy, potential), (equations.power, power)] {
+            let stated = parse_primed(arena, stated, 1, &mut |arena, name| {
+                arena.find_symbol(name).ok_or_else(|| (format!("no {name}"), None))
+            })
+            .unwrap();
+            let derived = to_rates.apply(arena, derived);
+            let difference = arena.sub(derived, stated);
+            assert_eq!(zero_test(arena, difference), ZeroTest::Zero, "{:?}: {}", equations.by, text(arena, derived));
+        }
+    }
+}
+
+const TWO_IN_A_PLANE: &str = r#"
+name = "Two beads in a plane"
+[parameters]
+m = { unit = "kg", positive = true }
+k = { unit = "N/m", positive = true }
+l = { unit = "m", positive = true }
+c = { unit = "N*s/m", positive = true }
+g = { unit = "m/s^2", positive = true }
+F = { unit = "N" }
+[coordinates]
+x = { unit = "m" }
+y = { unit = "m" }
+[speeds]
+u = "x' + y'"
+v = "y'"
+[inertial]
+frame = "N"
+origin = "O"
+[points]
+P = { from = "O", frame = "N", position = ["x", 0, 0] }
+Q = { from = "P", frame = "N", position = [0, "y", 0] }
+[particles]
+a = { point = "P", mass = "m" }
+b = { point = "Q", mass = "m" }
+"#;
+
+/// The parts of a load are told apart: what is there at rest is potential energy, what moving adds is power; gravity's
+/// part stays with its own zero, and a load whose work depends on the way is all power.
+#[test]
+fn what_of_each_load_has_a_potential_is_in_v_and_the_rest_is_power() {
+    let loads =
+        |rest: &str| format!("{TWO_IN_A_PLANE}\n[gravity]\nframe = \"N\"\nacceleration = [0, \"-g\", 0]\n{rest}");
+    let spring =
+        "[forces.spring]\non = \"b\"\nagainst = \"a\"\nframe = \"N\"\nvector = [0, \"-k*(y - l) - c*y'\", 0]\n";
+    energies(&loads(spring), "m*g*y + k*(y - l)^2/2", "-c*y'^2");
+    let push = "[forces.push]\non = \"a\"\nframe = \"N\"\nvector = [\"F\", 0, 0]\n";
+    energies(&loads(&format!("{spring}{push}")), "m*g*y + k*(y - l)^2/2 - F*x", "-c*y'^2");
+    // The curl of this one leaves the spring and the push their potentials.
+    let stir = "[forces.stir]\non = \"b\"\nframe = \"N\"\nvector = [\"-k*y\", 0, 0]\n";
+    energies(&loads(&format!("{spring}{push}{stir}")), "m*g*y + k*(y - l)^2/2 - F*x", "-c*y'^2 - k*y*x'");
+    // A magnetic force works never.
+    let magnet = "[forces.magnet]\non = \"b\"\nframe = \"N\"\nvector = [\"c*y'\", \"-c*x'\", 0]\n";
+    energies(&loads(&format!("{push}{magnet}")), "m*g*y - F*x", "0");
+    // Dry friction has no value at rest.
+    let dry = "[forces.dry]\non = \"a\"\nframe = \"N\"\nvector = [\"-F*x'/abs(x')\", 0, 0]\n";
+    energies(&loads(&format!("{spring}{dry}")), "m*g*y + k*(y - l)^2/2", "-c*y'^2 - F*x'^2/abs(x')");
+}
+
+/// Both together have a potential that neither has alone.
+#[test]
+fn loads_that_have_a_potential_only_together_have_it() {
+    let both = "[forces.e]\non = \"a\"\nframe = \"N\"\nvector = [\"-k*y\", 0, 0]\n[forces.f]\non = \"b\"\nframe = \"N\"\nvector = [0, \"-k*x\", 0]\n";
+    energies(&format!("{TWO_IN_A_PLANE}{both}"), "k*x*y", "0");
+    let other = both.replace("-k*x", "k*x");
+    energies(&format!("{TWO_IN_A_PLANE}{other}"), "0", "k*(x*y' - y*x')");
 }

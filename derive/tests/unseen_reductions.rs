@@ -195,9 +195,9 @@ fn outputs_may_be_formulas_energies_rates_and_accelerations() {
         vturn' -> -2*vturn*vr/r
         vr' -> r*(vturn^2 - k/m)
         r' -> vr
-        total_energy -> m*(r^2*vturn^2 + vr^2)/2
+        total_energy -> k*r^2/2 + m*(r^2*vturn^2 + vr^2)/2
         kinetic_energy -> m*(r^2*vturn^2 + vr^2)/2
-        potential_energy -> 0
+        potential_energy -> k*r^2/2
         energy known; divided by: r
     "]]
     .assert_eq(&show(&r));

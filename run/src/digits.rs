@@ -11,12 +11,17 @@
 
 use crate::error::Error;
 use crate::problem::Problem;
+use crate::watched::{Balance, events};
+use rustc_hash::FxHashMap;
 use tripos_derive::scene::{QUADRATURE, Scene};
-use tripos_sim::{Options, Output, Second, Solution, Stop, seconds};
+use tripos_sim::{Effect, Event, EventRecord, Kind, Options, Output, Second, Solution, Stop, seconds};
 use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
 
 /// Instants at which the two runs are compared.
 const INSTANTS: usize = 400;
+/// The part of a run that lies just before an instant is one of so many, and no fewer instants than these.
+const NEAR: usize = 40;
+const NEAREST: usize = 2;
 /// Fewer digits than this are too few to be used without a word.
 pub const FEW: f64 = 3.0;
 /// No value is known better than to some roundings of what it is computed from.
@@ -37,6 +42,8 @@ pub struct Digits {
     pub digits: Vec<Vec<f64>>,
     /// The digits of each value at the last of these instants: −log₁₀ of its error by the value itself.
     last: Vec<f64>,
+    /// The estimated error of the instant of each event of the run, s; nothing of those that the second run does not have.
+    pub events: Vec<Option<f64>>,
     /// What the second run was, in words.
     pub by: String,
     /// The end of the run, s.
@@ -110,20 +117,24 @@ pub fn assess(
     y0: &[f64],
     options: &Options,
     solution: &Solution,
-    values: &Values<'_>,
+    (values, balance): (&Values<'_>, &Balance),
 ) -> Result<Option<Digits>, Error> {
     if solution.steps == 0 || solution.stop == Stop::Interrupted || y0.is_empty() {
         return Ok(None);
     }
-    let scene = beside(problem.scene);
+    let scene = beside(problem.scene, solution.t_end);
     let beside = problem.with_scene(&scene);
+    let mut watched: Vec<Event<'_>> = if solution.events.is_empty() { Vec::new() } else { events(&beside, balance) };
+    for event in &mut watched {
+        event.effect = Effect::Record;
+    }
     let start: Vec<f64> = y0.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
     let samples = samples(solution);
     let times: Vec<f64> = samples.iter().map(|(t, _)| *t).collect();
     let mut best: Option<(Solution, Second)> = None;
     for second in choices(problem, options, solution) {
         let how = Options { output: Output::At(times.clone()), ..second.options.clone() };
-        let run = beside.solve(&start, &how, &mut [])?;
+        let run = beside.solve(&start, &how, &mut watched, None)?;
         if run.stop == Stop::Interrupted {
             return Ok(None);
         }
@@ -140,15 +151,67 @@ pub fn assess(
         run.t.iter().zip(&run.y).map(|(t, y)| values(&beside, *t, y)).collect::<Result<_, _>>()?;
     let sizes = sizes(problem.scene, &first);
     let (mut errors, mut digits, mut last) = (Vec::new(), Vec::new(), Vec::new());
-    for (a, b) in first.iter().zip(&second) {
+    let apart: Vec<Vec<f64>> = first.iter().zip(&second).map(|(a, b)| differences(a, b)).collect();
+    for (instant, a) in first.iter().take(apart.len()).enumerate() {
+        let near = up_to(&apart, instant);
         let own = |at: usize| a[at].abs() + sizes[at].min(1.0);
-        let error = |at: usize| part * (a[at] - b[at]).abs() + ROUNDING * own(at);
+        let error = |at: usize| {
+            // What has no value nearby says nothing of this instant.
+            let others = near.iter().map(|apart| apart[at]).filter(|apart| !apart.is_nan());
+            let largest = others.fold(apart[instant][at], larger);
+            part * largest + ROUNDING * own(at)
+        };
         errors.push((0..a.len()).map(error).collect::<Vec<_>>());
         digits.push((0..a.len()).map(|at| told(error(at) / sizes[at])).collect::<Vec<_>>());
         last = (0..a.len()).map(|at| told(error(at) / own(at))).collect();
     }
+    let events = of_events(&solution.events, &run.events, part);
     let second = (run.t_end, run.stop, is_finer);
-    Ok(Some(Digits { t: run.t, errors, digits, last, by: words, t_end: solution.t_end, second }))
+    Ok(Some(Digits { t: run.t, errors, digits, last, events, by: words, t_end: solution.t_end, second }))
+}
+
+fn differences(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
+}
+
+/// What lies just before an instant, and it itself. Two motions that swing about each other meet now and then, and the
+/// errors of both are then as large as elsewhere: what they differ by shortly before belongs to that instant, too.
+fn up_to(apart: &[Vec<f64>], instant: usize) -> &[Vec<f64>] {
+    let near = (apart.len() / NEAR).max(NEAREST);
+    &apart[instant.saturating_sub(near)..=instant]
+}
+
+/// The errors of the instants of events, by what another run has for them: what happened as often before. Of an event
+/// that is met again and again it is the largest of some nearby, since two runs that swing about each other may meet at
+/// one of them.
+fn of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Option<f64>> {
+    let mut errors = vec![None; list.len()];
+    for (own, its) in by_event(list).iter().zip(by_event(others)) {
+        let same_kind = |kind: Kind| its.iter().map(move |at| &others[*at]).filter(move |other| other.kind == kind);
+        let mut met: FxHashMap<Kind, _> = FxHashMap::default();
+        let mut counterpart =
+            |event: &EventRecord| met.entry(event.kind).or_insert_with(|| same_kind(event.kind)).next();
+        let apart: Vec<Option<f64>> =
+            own.iter().map(|at| Some((list[*at].t - counterpart(&list[*at])?.t).abs())).collect();
+        for (place, at) in own.iter().enumerate() {
+            let near = &apart[place.saturating_sub(NEAREST)..(place + NEAREST + 1).min(apart.len())];
+            let largest = near.iter().flatten().copied().fold(0.0, larger);
+            errors[*at] = apart[place].map(|_| part * largest + ROUNDING * list[*at].t.abs());
+        }
+    }
+    errors
+}
+
+/// The places of the records of each event, in order.
+fn by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
+    let mut places = Vec::new();
+    for (at, record) in list.iter().enumerate() {
+        if places.len() <= record.event {
+            places.resize(record.event + 1, Vec::new());
+        }
+        places[record.event].push(at);
+    }
+    places
 }
 
 /// Digits that a relative error leaves: none where it is 1 or more, or no number.
@@ -175,8 +238,15 @@ fn samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
     list
 }
 
-/// A scene whose parameters are on the other side of the numbers that doubles do not have.
-fn beside(scene: &Scene) -> Scene {
+/// How far the second run goes on beyond the end of the first, in parts of it: an event of that end may be later there.
+const BEYOND: f64 = 0.02;
+
+/// A scene whose parameters are on the other side of the numbers that doubles do not have, up to the end of a run of it
+/// and a little further.
+fn beside(scene: &Scene, t_end: f64) -> Scene {
+    let (start, end) = scene.span;
+    let beyond = t_end + BEYOND * (t_end - start);
+    let is_inside = (end - beyond) * (end - start) > 0.0;
     let other = |(x, exact): (&f64, &DoubleDouble)| {
         let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();
         if rest > 0.0 {
@@ -188,7 +258,7 @@ fn beside(scene: &Scene) -> Scene {
         }
     };
     let parameters = scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect();
-    Scene { parameters, ..scene.clone() }
+    Scene { parameters, span: (start, if is_inside { beyond } else { end }), ..scene.clone() }
 }
 
 /// The largest size of each value, or what matters of it if that is more.

@@ -36,13 +36,15 @@ pub struct Series {
     /// For each measured point, from where to where x was found: drawn as a bar. Measurements carry a marker each, a
     /// curve only some.
     pub spread: Vec<(f64, f64)>,
+    /// (x, lowest, highest): between which values the true one lies, as far as is known; in the order of the points.
+    pub band: Vec<(f64, f64, f64)>,
 }
 
 impl Series {
     /// A curve.
     #[must_use]
     pub fn curve(label: String, style: usize, points: Vec<(f64, f64)>) -> Self {
-        Self { label, style, points, spread: Vec::new() }
+        Self { label, style, points, spread: Vec::new(), band: Vec::new() }
     }
 }
 

@@ -60,6 +60,7 @@ enum Part {
     Divisors,
     KineticEnergy,
     PotentialEnergy,
+    Power,
 }
 
 /// Working space that is kept between calls. Whoever comes while another thread has it makes room of its own, so that
@@ -88,7 +89,7 @@ pub struct Interpreted<S = f64> {
     state: Vec<Expr>,
     symmetric: bool,
     /// By [`Part`]. Printed equations are run as they stand, without accelerations; outputs are a scene's.
-    tapes: [Option<Tape<S>>; Part::PotentialEnergy as usize + 1],
+    tapes: [Option<Tape<S>>; Part::Power as usize + 1],
     /// The recurrences of the Taylor coefficients.
     series: Option<Series<S>>,
     /// What people call the divisors that are watched.
@@ -124,6 +125,9 @@ impl Interpreted {
         tape(Part::MotionVariables, &[p.clone(), q.clone(), model.u()].concat(), &e.motion_variables)?;
         tape(Part::KineticEnergy, &state, &[e.kinetic_energy])?;
         tape(Part::PotentialEnergy, &[p.clone(), q.clone()].concat(), &[e.potential_energy])?;
+        if e.power != Expr::ZERO {
+            tape(Part::Power, &state, &[e.power])?;
+        }
         let divisors = Divisors::of(arena, e, None);
         tape(Part::Divisors, &state, &divisors.values)?;
         Ok(Self {
@@ -338,6 +342,12 @@ impl<S: Numeric> System<S> for Interpreted<S> {
     }
     fn potential_energy(&self, p: &[S], q: &[S]) -> S {
         self.value(Part::PotentialEnergy, &[p, q])
+    }
+    fn has_power(&self) -> bool {
+        self.tapes[Part::Power as usize].is_some()
+    }
+    fn power(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        if self.has_power() { self.value(Part::Power, &[p, q, v]) } else { S::int(0) }
     }
 }
 

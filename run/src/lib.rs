@@ -33,6 +33,7 @@ mod invariants;
 mod mechanism;
 mod near;
 mod overrides;
+mod power;
 mod problem;
 mod reduced;
 mod reference;

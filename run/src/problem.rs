@@ -3,21 +3,26 @@
 //! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
 //! that people see hold the coordinate.
 
+mod extended;
+
 use crate::code::Code;
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use crate::near::near_divisors;
 use crate::reduced::Reduced;
-use crate::start::speeds;
 use tripos_derive::mechanics::{By, InertiaCheck};
-use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve, Stated};
+use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
 use tripos_sim::quadrature::{self, NoQuadrature};
 use tripos_sim::{
-    Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, integrate, integrate_projected,
+    Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, WithPower, integrate,
+    integrate_projected,
 };
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
+
+/// Power at an integrated state, W, as a function of t and y.
+pub type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
 /// A scene, the equations that run it, and how.
 pub struct Problem<'a> {
@@ -235,44 +240,6 @@ impl<'a> Problem<'a> {
         Ok(Some(format!("{what} has no value at the start{}", self.near_divisors(&y0)?)))
     }
 
-    /// Parameters and the integrated state at the start, to 32 digits.
-    ///
-    /// # Errors
-    /// [`Error::Request`] if a definition of a speed mentions what has no value at the start.
-    pub fn extended_start(&self) -> Result<ExtendedStart, Error> {
-        let (system, exact) = (self.code.extended(), &self.scene.exact);
-        let (p, mut q) = (exact.parameters.clone(), exact.q.clone());
-        if let Some(Origin { at, value }) = self.origin {
-            q[at] = q[at] - value;
-        }
-        let mut v = vec![DoubleDouble::int(0); system.lengths().variables];
-        match &exact.motion {
-            Stated::Rates(rates) if self.by.formulation().is_some_and(Formulation::is_in_rates) => v.clone_from(rates),
-            _ => system.motion_variables(&p, &q, &speeds(self.model, exact)?, &mut v),
-        }
-        Ok((p, [q, v].concat()))
-    }
-
-    /// What is shown of an integrated state, in twice the precision of a double.
-    #[must_use]
-    pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let system = self.code.extended();
-        let (q, v) = y.split_at(system.lengths().coordinates);
-        if self.by.is_reduced() {
-            let mut out = vec![DoubleDouble::int(0); system.output_count()];
-            let elapsed = DoubleDouble::from_f64(t) - DoubleDouble::from_f64(self.scene.span.0);
-            system.outputs(p, elapsed, q, v, &mut out);
-            return out;
-        }
-        let mut u = vec![DoubleDouble::int(0); system.lengths().speeds];
-        system.generalized_speeds(p, q, v, &mut u);
-        let mut q = q.to_vec();
-        if let Some(Origin { at, value }) = self.origin {
-            q[at] = q[at] + value;
-        }
-        [q, u].concat()
-    }
-
     /// Integrates from the integrated state `y0` over the span of the scene.
     ///
     /// # Errors
@@ -292,33 +259,29 @@ impl<'a> Problem<'a> {
         options: &Options,
         events: &mut [Event<'_>],
     ) -> Result<Solution, SimError> {
-        let (system, p) = (self.system(), self.scene.parameters.as_slice());
-        let mut rhs: Box<dyn RightHandSide<f64> + '_> = match Eliminated::new(system, p) {
-            Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
-            _ => Box::new(self.dynamics()?),
-        };
+        let mut rhs = self.right_hand_side()?;
         integrate(Lent(rhs.as_mut()), span, y0, &self.mechanism.follow.options(options), events)
     }
 
-    /// What is shown of an integrated state, without rounding a distance away.
-    #[must_use]
-    pub fn precise_state(&self, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
-        let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();
-        if self.by.is_reduced() {
-            return self.extended_state(&self.scene.exact.parameters, t, &wide(y.to_vec()));
-        }
-        let mut state = wide(self.state(t, y));
-        if let Some(Origin { at, value }) = self.origin {
-            state[at] = DoubleDouble::from_f64(y[at]) + value;
-        }
-        state
+    fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
+        Ok(match Eliminated::new(self.system(), &self.scene.parameters) {
+            Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
+            _ => Box::new(self.dynamics()?),
+        })
     }
 
-    /// The run that the scene asks for: by steps, by projected steps or by quadrature.
+    /// The run that the scene asks for: by steps, by projected steps or by quadrature; with the work of a power, if one is
+    /// given.
     ///
     /// # Errors
     /// [`Error::Request`] if the question makes no sense, or these equations cannot be run so.
-    pub fn solve(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, Error> {
+    pub fn solve(
+        &self,
+        y0: &[f64],
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<Power<'_>>,
+    ) -> Result<Solution, Error> {
         let (how, system, p) = (&self.scene.integration, self.system(), self.scene.parameters.as_slice());
         if how.method == QUADRATURE {
             if self.by.is_reduced() && system.lengths().variables == 0 {
@@ -334,7 +297,16 @@ impl<'a> Problem<'a> {
                 });
         }
         let Some(Project::Energy) = how.project else {
-            return self.integrate(y0, options, events).map_err(|error| refused(self.scene, &error));
+            let mut rhs = self.right_hand_side().map_err(|error| refused(self.scene, &error))?;
+            let (span, options) = (self.scene.span, self.mechanism.follow.options(options));
+            let run = match power {
+                Some(mut power) => {
+                    let mut with = WithPower { rhs: rhs.as_mut(), power: power.as_mut() };
+                    integrate(Lent(&mut with as &mut dyn RightHandSide<f64>), span, y0, &options, events)
+                }
+                None => integrate(Lent(rhs.as_mut()), span, y0, &options, events),
+            };
+            return run.map_err(|error| refused(self.scene, &error));
         };
         if !system.has_energy_gradient() {
             let what = format!("{} cannot be projected onto their energy", self.by.title());

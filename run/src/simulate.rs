@@ -6,6 +6,7 @@ use crate::error::{Error, refused};
 use crate::how::options;
 use crate::invariants::Watch;
 use crate::mechanism::Mechanism;
+use crate::power::power;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
 use crate::run::Run;
@@ -143,7 +144,7 @@ fn run_own(
 ) -> Result<Run, Error> {
     let problem = Problem::reduced(model, reduced, scene, code)?;
     let mut run = run_problem(&problem, watch)?;
-    whole_energies(model, scene, reduced, &mut run)?;
+    whole_energies(model, scene, &mut run)?;
     Ok(run)
 }
 
@@ -154,10 +155,9 @@ fn run_own(
 ///
 /// # Errors
 /// [`Error`] if Kane's equations cannot be had.
-pub fn whole_energies(model: &Mechanism, scene: &Scene, reduced: &Reduced, run: &mut Run) -> Result<(), Error> {
+pub fn whole_energies(model: &Mechanism, scene: &Scene, run: &mut Run) -> Result<(), Error> {
     if scene.states_outputs {
         run.energies.clear();
-        run.energy_drift = run.energy_drift.filter(|_| reduced.reduction.has_energy);
         return Ok(());
     }
     let code = code(model, &Formulation::Kane.into(), None, Ready::AsDerived)?;
@@ -169,7 +169,9 @@ pub fn whole_energies(model: &Mechanism, scene: &Scene, reduced: &Reduced, run: 
     run.energies = run.states.iter().map(energies).collect();
     let start = run.energies.first().map_or(f64::NAN, |(t, v)| t + v);
     let end = energies(&run.end);
-    let changes = run.energies.iter().chain([&end]).map(|(t, v)| (t + v - start).abs());
+    let Solution { work, work_end, .. } = &run.solution;
+    let work = work.iter().copied().chain(std::iter::repeat(0.0)).take(run.energies.len()).chain([*work_end]);
+    let changes = run.energies.iter().chain([&end]).zip(work).map(|((t, v), work)| (t + v - start - work).abs());
     run.energy_drift = Some(changes.fold(0.0, larger));
     Ok(())
 }
@@ -223,14 +225,14 @@ fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>
     let y0 = problem.start()?;
     let mut events = events(problem, &balance);
     let options = options(scene)?;
-    let solution = problem.solve(&y0, &options, &mut events)?;
+    let solution = problem.solve(&y0, &options, &mut events, power(problem)?)?;
     drop(events);
     let values = |problem: &Problem<'_>, t: f64, y: &[f64]| match shown {
         Some(shown) => shown.of(problem, t, y),
         None => Ok(problem.state(t, y)),
     };
     let names = shown.map_or_else(|| shown_names(problem), |shown| shown.names.clone());
-    let digits = assess(problem, &y0, &options, &solution, &values)?;
+    let digits = assess(problem, &y0, &options, &solution, (&values, &balance))?;
     finish(problem, solution, watch, names, digits, &values)
 }
 
@@ -250,7 +252,9 @@ fn finish(
         (system.kinetic_energy(p, q, v), system.potential_energy(p, q))
     };
     let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
-    let energy_drift = dynamics.energy_drift(&solution);
+    // Without an energy of their own, reduced equations state none.
+    let has_energy = !problem.by.is_reduced() || system.has_energy_gradient();
+    let energy_drift = has_energy.then(|| dynamics.energy_drift(&solution));
     let warnings = trust::objections(problem, &solution, watch, energy_drift, (digits.as_ref(), &names))?;
     let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
     let variables = problem.variables();
@@ -273,7 +277,7 @@ fn finish(
         energies,
         names,
         end: values(problem, solution.t_end, &solution.y_end)?,
-        energy_drift: Some(energy_drift),
+        energy_drift,
         notes: digits.as_ref().and_then(trust::unassessed).into_iter().collect(),
         digits,
         warnings,

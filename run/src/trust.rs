@@ -23,7 +23,7 @@ pub fn objections(
     problem: &Problem<'_>,
     solution: &Solution,
     watch: Option<&Watch>,
-    energy_drift: f64,
+    energy_drift: Option<f64>,
     (digits, names): (Option<&Digits>, &[String]),
 ) -> Result<Vec<String>, Error> {
     let mut list: Vec<String> = solution.warnings.iter().map(|w| w.described(&problem.variables())).collect();
@@ -33,12 +33,12 @@ pub fn objections(
     }
     list.extend(digits.and_then(|digits| few(digits, names)));
     list.extend(digits.and_then(|digits| contradicted(digits, &problem.variables())));
-    match watch.filter(|watch| !watch.integrals.is_empty()) {
-        Some(watch) => {
-            let worst = worst(problem, solution, watch);
-            list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(said));
-        }
-        None => list.extend(energy(problem, solution, energy_drift)),
+    if let Some(watch) = watch {
+        let worst = worst(problem, solution, watch);
+        list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(said));
+    }
+    if !watch.is_some_and(|watch| watch.integrals.iter().any(|integral| integral.kind.is_energy())) {
+        list.extend(energy_drift.and_then(|drift| energy(problem, solution, drift)));
     }
     list.extend(condition(problem, solution)?);
     // Quadrature has no steps that anything could keep short.
@@ -101,24 +101,22 @@ fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
     Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
 }
 
-/// The objection to a run of equations whose first integrals were not looked for: where nothing but gravity works,
-/// total energy is constant.
+/// The objection to a run whose energy is not among the first integrals that are watched, since something works, or
+/// since they were not looked for: T + V less the work done is constant.
 fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
-    let Problem { model, scene, .. } = *problem;
-    if !(model.forces.is_empty() && model.torques.is_empty()) {
-        return None;
-    }
-    let (system, p) = (problem.system(), scene.parameters.as_slice());
+    let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
     let n = system.lengths().coordinates;
     let potential = |y: &Vec<f64>| system.potential_energy(p, &y[..n]).abs();
     // What kinetic energy can honestly reach: a run that blows up must not raise its own allowance.
     let start = solution.y.first().unwrap_or(&solution.y_end);
     let first = (system.kinetic_energy(p, &start[..n], &start[n..]) + system.potential_energy(p, &start[..n])).abs();
     let scale = solution.y.iter().fold(first, |m, y| m.max(first + potential(y)));
+    let scale = solution.work.iter().fold(scale, |m, work| m.max(first + work.abs()));
+    let what = if solution.work.is_empty() { "total energy" } else { "total energy less the work done" };
     // A run that ended where energy has no value says so by its stop.
     (drift > THREE_DIGITS * scale).then(|| {
         format!(
-            "total energy, constant in this motion, changed by {drift:.3e} J of {scale:.3e} J: fewer than three digits are left"
+            "{what}, constant in this motion, changed by {drift:.3e} J of {scale:.3e} J: fewer than three digits are left"
         )
     })
 }

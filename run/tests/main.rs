@@ -1,5 +1,6 @@
 //! The library as a program uses it.
 
+mod energy;
 mod shared;
 mod watched;
 

@@ -125,8 +125,8 @@ impl<'a> Dynamics<'a> {
         self.system.kinetic_energy(&self.parameters, q, v) + self.system.potential_energy(&self.parameters, q)
     }
 
-    /// Largest |E(t) − E(t0)| over the samples of a solution and its end, in J, where E(t0) belongs
-    /// to the first sample; not a number if E is not a number anywhere.
+    /// Largest |E(t) − E(t0) − W(t)| over the samples of a solution and its end, in J, with the work W that it states:
+    /// E(t0) belongs to the first sample. Not a number if E is not a number anywhere.
     #[must_use]
     pub fn energy_drift(&self, solution: &Solution) -> f64 {
         let energy = |y: &Vec<f64>| {
@@ -134,8 +134,9 @@ impl<'a> Dynamics<'a> {
             self.energy(q, v)
         };
         let start = energy(solution.y.first().unwrap_or(&solution.y_end));
-        let drift = |y| (energy(y) - start).abs();
-        solution.y.iter().chain([&solution.y_end]).map(drift).fold(0.0, larger)
+        let worked = solution.work.iter().copied().chain(std::iter::repeat(0.0)).take(solution.y.len());
+        let states = solution.y.iter().zip(worked).chain([(&solution.y_end, solution.work_end)]);
+        states.map(|(y, work)| (energy(y) - start - work).abs()).fold(0.0, larger)
     }
 
     fn shape(&self) -> Shape {

@@ -213,4 +213,15 @@ mod tests {
             assert_eq!(run.stop == Stop::End, passes, "{:?}", run.stop);
         }
     }
+    /// The first step has none before it that it could go on like: its own ends must tell.
+    #[test]
+    fn a_first_step_that_leads_across_ends_the_run_inside_it() {
+        let rhs = |_t: f64, y: &[f64], out: &mut [f64]| {
+            (out[0], out[1]) = (-1.0, 1.0 / y[0]);
+            Ok(())
+        };
+        let options = Options { method: Method::Rk4, step: Some(1.5), ..Options::default() };
+        let run = integrate(Watched(rhs), (0.0, 3.0), &[1.0, 0.0], &options, &mut []).unwrap();
+        assert!(matches!(run.stop, Stop::Singular { .. }) && (run.t_end - 1.0).abs() < 1e-9, "{run:?}");
+    }
 }

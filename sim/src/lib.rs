@@ -79,6 +79,7 @@ mod tolerance;
 mod walk;
 mod warning;
 mod watch;
+mod work;
 pub mod work_precision;
 
 pub use dormand_prince::DORMAND_PRINCE_54;
@@ -89,7 +90,7 @@ pub use error::{Failure, SimError};
 pub use events::{Effect, Event, EventFunction, EventRecord, InRanges, Kind, RangeFunction};
 pub use integrate::{integrate, integrate_projected};
 pub use options::{Options, Output, Poll};
-pub use rhs::{Lent, RightHandSide, WithJacobian};
+pub use rhs::{Lent, RightHandSide, WithJacobian, WithPower};
 pub use second::{Second, seconds};
 pub use solution::{Solution, Stop};
 pub use tableau::{Fraction, Tableau};

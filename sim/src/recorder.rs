@@ -20,17 +20,23 @@ pub(crate) struct Recorder<'a, S> {
     passed: u64,
     pub(crate) t: Vec<f64>,
     pub(crate) y: Vec<Vec<S>>,
+    /// The work done up to each sample, if it is asked for.
+    pub(crate) work: Vec<f64>,
 }
+
+/// The work done up to a fraction of the step; nothing if it is not asked for.
+type WorkAt<'a> = dyn FnMut(f64) -> Option<f64> + 'a;
 
 impl<'a, S: Real> Recorder<'a, S> {
     /// Starts at (t0, y0). `Output::At` must have been checked to be in order.
-    pub(crate) fn new(output: &'a Output, t0: f64, y0: &[S]) -> Self {
-        let mut recorder = Self { output, next: 0, every: 1, passed: 0, t: Vec::new(), y: Vec::new() };
+    pub(crate) fn new(output: &'a Output, t0: f64, y0: &[S], work: Option<f64>) -> Self {
+        let mut recorder =
+            Self { output, next: 0, every: 1, passed: 0, t: Vec::new(), y: Vec::new(), work: Vec::new() };
         match output {
-            Output::Steps { .. } | Output::Ends => recorder.push(t0, y0.to_vec()),
+            Output::Steps { .. } | Output::Ends => recorder.push(t0, y0.to_vec(), work),
             Output::At(times) => {
                 while times.get(recorder.next).is_some_and(|t| same(*t, t0)) {
-                    recorder.push(t0, y0.to_vec());
+                    recorder.push(t0, y0.to_vec(), work);
                     recorder.next += 1;
                 }
             }
@@ -38,26 +44,28 @@ impl<'a, S: Real> Recorder<'a, S> {
         recorder
     }
 
-    fn push(&mut self, t: f64, y: Vec<S>) {
+    fn push(&mut self, t: f64, y: Vec<S>, work: Option<f64>) {
         self.t.push(t);
         self.y.push(y);
+        self.work.extend(work);
     }
 
-    fn sample(&mut self, step: &impl Interpolant<Real = S>, t: f64, theta: f64) {
-        self.push(t, step.sample(theta, t));
+    fn sample(&mut self, step: &impl Interpolant<Real = S>, t: f64, theta: f64, work: &mut WorkAt<'_>) {
+        self.push(t, step.sample(theta, t), work(theta));
     }
 
     /// Takes a point of a step, unless so many have come that it is left out.
-    fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64) {
+    fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, work: &mut WorkAt<'_>) {
         self.passed += 1;
         if self.passed < self.every {
             return;
         }
         self.passed = 0;
-        self.sample(step, step.time_at(theta), theta);
+        self.sample(step, step.time_at(theta), theta, work);
         if self.t.len() > MOST {
             halve(&mut self.t);
             halve(&mut self.y);
+            halve(&mut self.work);
             self.every *= 2;
         }
     }
@@ -73,7 +81,7 @@ impl<'a, S: Real> Recorder<'a, S> {
     }
 
     /// Records an accepted step up to its fraction `end` (1 unless an event ends the run inside the step).
-    pub(crate) fn step(&mut self, step: &impl Interpolant<Real = S>, end: f64) {
+    pub(crate) fn step(&mut self, step: &impl Interpolant<Real = S>, end: f64, work: &mut WorkAt<'_>) {
         if end == 0.0 {
             return; // the run ends where the step began
         }
@@ -81,9 +89,9 @@ impl<'a, S: Real> Recorder<'a, S> {
             Output::Ends => {}
             Output::Steps { refine } => {
                 for i in 1..*refine {
-                    self.point(step, end * (i as f64 / *refine as f64));
+                    self.point(step, end * (i as f64 / *refine as f64), work);
                 }
-                self.point(step, end);
+                self.point(step, end, work);
             }
             Output::At(times) => {
                 let (t_old, t_new) = step.times();
@@ -91,7 +99,7 @@ impl<'a, S: Real> Recorder<'a, S> {
                 let beyond = |t: f64| (t - t_stop) * h.signum() > 0.0;
                 while let Some(&t) = times.get(self.next).filter(|t| !beyond(**t)) {
                     let theta = if same(t, t_stop) { end } else { ((t - t_old) / h).clamp(0.0, end) };
-                    self.sample(step, t, theta);
+                    self.sample(step, t, theta, work);
                     self.next += 1;
                 }
             }
@@ -99,7 +107,7 @@ impl<'a, S: Real> Recorder<'a, S> {
     }
 
     /// Adds the end of the run where it was asked for and is not kept yet.
-    pub(crate) fn finish(&mut self, t_end: f64, y_end: &[S], steps: u64) {
+    pub(crate) fn finish(&mut self, (t_end, y_end, work): (f64, &[S], Option<f64>), steps: u64) {
         let is_kept = self.t.last().is_some_and(|t| same(*t, t_end));
         let is_asked = match self.output {
             Output::Ends => true,
@@ -107,7 +115,7 @@ impl<'a, S: Real> Recorder<'a, S> {
             Output::At(_) => false,
         };
         if is_asked && steps > 0 {
-            self.push(t_end, y_end.to_vec());
+            self.push(t_end, y_end.to_vec(), work);
         }
     }
 }

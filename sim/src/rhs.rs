@@ -44,6 +44,13 @@ pub trait RightHandSide<S = f64> {
     fn divisor_name(&self, at: usize) -> String {
         format!("divisor {at}")
     }
+
+    /// The power, W, whose integral is wanted beside the solution, as [`crate::Solution::work`]; `None`, at every state,
+    /// where none is. It changes no step.
+    fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
+        let _ = (t, y);
+        None
+    }
 }
 
 impl<S, F> RightHandSide<S> for F
@@ -79,6 +86,14 @@ where
     }
 }
 
+/// Equations with a power whose integral is wanted.
+pub struct WithPower<'a, S = f64> {
+    /// The equations.
+    pub rhs: &'a mut dyn RightHandSide<S>,
+    /// The power at (t, y), W.
+    pub power: &'a mut dyn FnMut(f64, &[S]) -> f64,
+}
+
 /// A right-hand side that is lent to a run and used again afterwards.
 ///
 /// As `Lent(&mut f as &mut dyn RightHandSide<S>)` its type is forgotten: all methods are then compiled once, not once
@@ -110,5 +125,41 @@ impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
 
     fn divisor_name(&self, at: usize) -> String {
         self.0.divisor_name(at)
+    }
+
+    fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
+        self.0.power(t, y)
+    }
+}
+
+impl<S: Real> RightHandSide<S> for WithPower<'_, S> {
+    #[inline]
+    fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
+        self.rhs.rhs(t, y, dydt)
+    }
+
+    fn jacobian(&mut self, t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
+        self.rhs.jacobian(t, y, out)
+    }
+
+    #[inline]
+    fn taylor(&mut self, t: f64, order: usize, x: &mut [S]) -> Option<Result<(), Failure>> {
+        self.rhs.taylor(t, order, x)
+    }
+
+    fn divisor_count(&self) -> usize {
+        self.rhs.divisor_count()
+    }
+
+    fn divisors(&mut self, t: f64, y: &[S], out: &mut [S]) {
+        self.rhs.divisors(t, y, out);
+    }
+
+    fn divisor_name(&self, at: usize) -> String {
+        self.rhs.divisor_name(at)
+    }
+
+    fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
+        Some((self.power)(t, y))
     }
 }

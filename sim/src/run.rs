@@ -15,9 +15,14 @@ use crate::solution::{Solution, Stop};
 use crate::stepper::{DenseStep, Stepper, Trouble};
 use crate::warning::Warning;
 use crate::watch::Watch;
+use crate::work::Work;
 
 /// Fractions of a step that are one place.
 const ONE_PLACE: f64 = 1e-9;
+
+/// What goes along with the steps of a run: what is kept of them, what moves their ends, the work that is done.
+type Beside<'a, 'o, 'i, 'j, S> =
+    (&'a mut Recorder<'o, S>, Option<&'a mut Projector<'i, 'j, S>>, Option<&'a mut Work<S>>);
 
 /// A run under way: the method, the sizes of its steps, and counts.
 struct Run<'o, M> {
@@ -48,20 +53,24 @@ where
     if projector.is_some() {
         run.stepper.expect_moves();
     }
-    let mut recorder = Recorder::new(&options.output, t0, y0);
+    let mut work = Work::new(rhs, t0, y0);
+    let mut recorder = Recorder::new(&options.output, t0, y0, work.as_ref().map(|work| work.done));
     let mut watch = Watch::new(events, y0.len());
     let mut y_end = y0.to_vec();
     let (stop, t_end) = match run.start(rhs, y0, &mut watch) {
         Some(stop) => (stop, t0),
-        None => run.walk(rhs, &mut watch, (&mut recorder, projector.as_mut()), &mut y_end),
+        None => run.walk(rhs, &mut watch, (&mut recorder, projector.as_mut(), work.as_mut()), &mut y_end),
     };
-    recorder.finish(t_end, &y_end, run.steps);
+    let work = work.map(|work| work.done);
+    recorder.finish((t_end, &y_end, work), run.steps);
     let undecided: Vec<Warning> = watch.warnings().collect();
     Solution {
         t: recorder.t,
         y: recorder.y,
+        work: recorder.work,
         t_end,
         y_end,
+        work_end: work.unwrap_or(0.0),
         steps: run.steps,
         rejected: run.rejected,
         evaluations: run.stepper.evaluations() + run.pace.evaluations,
@@ -95,7 +104,7 @@ impl<M: Stepper> Run<'_, M> {
         &mut self,
         rhs: &mut R,
         watch: &mut Watch<'_, '_>,
-        (recorder, mut projector): (&mut Recorder<'_, M::Real>, Option<&mut Projector<'_, '_, M::Real>>),
+        (recorder, mut projector, mut work): Beside<'_, '_, '_, '_, M::Real>,
         y_end: &mut [M::Real],
     ) -> (Stop, f64)
     where
@@ -107,11 +116,19 @@ impl<M: Stepper> Run<'_, M> {
                 Ok(last) => last,
                 Err(stop) => break stop,
             };
-            let end = match self.end_inside(rhs, watch, &mut guard, recorder.looks_inside(self.stepper.span())) {
+            let looks_inside = work.is_some() || recorder.looks_inside(self.stepper.span());
+            let end = match self.end_inside(rhs, watch, &mut guard, looks_inside) {
                 Ok(end) => end,
                 Err(stop) => break stop,
             };
-            recorder.step(&self.stepper, end.as_ref().map_or(1.0, |(theta, _)| *theta));
+            let theta = end.as_ref().map_or(1.0, |(theta, _)| *theta);
+            let mut work_at = |theta: f64| {
+                let work = work.as_deref_mut()?;
+                work.advance(rhs, &self.stepper, theta);
+                Some(work.done)
+            };
+            recorder.step(&self.stepper, theta, &mut work_at);
+            work_at(theta);
             if let Some((theta, stop)) = end {
                 let t_end = self.stepper.time_at(theta);
                 watch.forget_beyond(t_end, self.stepper.span());
@@ -120,6 +137,9 @@ impl<M: Stepper> Run<'_, M> {
             }
             let (t, t_new) = self.stepper.span();
             guard.accept(t_new - t);
+            if let Some(work) = &mut work {
+                work.accept();
+            }
             self.stepper.accept();
             if let Some(projector) = &mut projector {
                 let outcome = match projector.project(self.stepper.span().0, self.stepper.ends().0) {

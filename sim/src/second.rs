@@ -55,14 +55,15 @@ pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), has_ser
     let spent = solution.evaluations as f64 * weight(options);
     let first = First { options, spent, length: (span.1 - span.0).abs() };
     let is_cheap = tolerance(options) <= FINE || COARSE_COST * spent <= LEAST;
-    let finer_by = |other: Method, cost: f64| first.finer(other, cost);
+    let finer_by = |other: Method, cost: f64| first.finer(other, TIMES, cost);
     if options.step.is_some() {
         return vec![finer_by(Method::Dop853, 0.5), first.coarser()];
     }
     match method {
         Method::Taylor => vec![finer_by(Method::Taylor, MOST)],
-        // Most motions are not stiff, and the implicit method takes several times as long for them.
-        Method::Gauss6 => vec![finer_by(Method::Dop853, 0.5), first.coarser()],
+        // Most motions are not stiff, and the implicit method takes several times as long for them. Its errors are far
+        // below the tolerances: DOP853 has as small ones only at much finer tolerances.
+        Method::Gauss6 => vec![first.finer(Method::Dop853, TIMES * TIMES, 0.5), first.coarser()],
         Method::Dop853 if is_cheap && has_series => vec![finer_by(Method::Taylor, MOST)],
         Method::Ode45 | Method::Dopri5 if is_cheap => vec![finer_by(Method::Dop853, MOST)],
         Method::Dop853 if COARSE_COST * spent <= LEAST => vec![finer_by(Method::Dop853, MOST)],
@@ -80,20 +81,22 @@ struct First<'a> {
 }
 
 impl First<'_> {
-    /// By this method at a tenth of the tolerances; it may cost this part of the first run.
-    fn finer(&self, method: Method, cost: f64) -> Second {
+    /// By this method at tolerances this many times finer; it may cost this part of the first run.
+    fn finer(&self, method: Method, times: f64, cost: f64) -> Second {
         let first = self.options;
         let same = method == first.method;
         let mut options = match first.step {
             Some(_) => Options { method, step: None, order: None, ..Options::tolerances(EQUAL, EQUAL) },
-            None => Options { method, order: None, ..self.at(1.0 / TIMES) },
+            None => Options { method, order: None, ..self.at(1.0 / times) },
         };
-        options.max_step = if same { Some(self.longest(1.0 / TIMES)) } else { first.max_step };
+        options.max_step = if same { Some(self.longest(1.0 / times)) } else { first.max_step };
         if same && method == Method::Taylor {
             options.order = Some((order_for(first) + 3).min(crate::options::ORDERS.1));
         }
         let how = if first.step.is_some() {
             format!("at tolerances of {EQUAL:e}")
+        } else if times > TIMES {
+            "at a hundredth of the tolerances".to_owned()
         } else {
             "at a tenth of the tolerances".to_owned()
         };

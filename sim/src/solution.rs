@@ -135,10 +135,14 @@ pub struct Solution<S = f64> {
     pub t: Vec<f64>,
     /// States at those times.
     pub y: Vec<Vec<S>>,
+    /// Work done from the start to each sample, J; empty where the equations state no power.
+    pub work: Vec<f64>,
     /// Last time of the solution, in s.
     pub t_end: f64,
     /// State at `t_end`.
     pub y_end: Vec<S>,
+    /// Work done up to `t_end`, J; 0 where the equations state no power.
+    pub work_end: f64,
     /// Accepted steps.
     pub steps: u64,
     /// Rejected steps: too inaccurate, or without a finite result.
@@ -184,8 +188,10 @@ mod tests {
         Solution {
             t: vec![],
             y: vec![],
+            work: vec![],
             t_end: 3.181,
             y_end: vec![],
+            work_end: 0.0,
             steps: 412,
             rejected: 19,
             evaluations: 0,

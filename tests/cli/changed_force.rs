@@ -39,8 +39,9 @@ fn lines(folder: &Path) -> HashMap<String, i64> {
     counts
 }
 
-/// Goal: who edits a force reads what it does. Method: one component of a force at the contact; the lines that differ
-/// in the files of equations are counted, and what `--check` says of them stands here.
+/// Goal: who edits a force reads what it does. Method: one component of a force at the contact, which takes energy, so that
+/// two formulations get a power, too; the lines that differ in the files of equations are counted, and what `--check` says
+/// of them stands here.
 #[test]
 fn one_more_force_is_a_few_lines_in_the_equations_and_in_what_is_said_of_them() {
     let folder = workspace();
@@ -57,12 +58,14 @@ fn one_more_force_is_a_few_lines_in_the_equations_and_in_what_is_said_of_them() 
             accelerations, u4': new - old = -c*u4/M
             forcing, f3: new, -R*c*u4*cos(q1)
             accelerations, u3': new, -2*c*u4*cos(q1)/(M*R)
+            power, d(T + V)/dt: new, -c*u4*(R*cos(q1)*(u3 - u2*tan(q2)) + u4)
         changed  disk/lagrange.rs
             forcing, f3: new - old = -R*c*q4'*cos(q1)
             forcing, f4: new - old = -c*q4'
             accelerations, q2'': new - old = 4*c*q4'*cos(q2)*sin(q1)/(M*R*(4*cos(q2)^2 - 5))
             accelerations, q4'': new - old = -c*q4'/M
             accelerations, q3'': new - old = -2*c*q4'*cos(q1)/(M*R)
+            power, d(T + V)/dt: new, -c*q4'*(R*q3'*cos(q1) + q4')
         changed  disk/mod.rs
         changed  disk/newton_euler.rs
             forcing, f1: new - old = -c*u4*cos(q1)
@@ -87,5 +90,5 @@ fn one_more_force_is_a_few_lines_in_the_equations_and_in_what_is_said_of_them() 
     let times = |counts: &HashMap<String, i64>, line: &str| counts.get(line).copied().unwrap_or(0);
     let removed: i64 = before.iter().map(|(line, count)| (count - times(&after, line)).max(0)).sum();
     let added: i64 = after.iter().map(|(line, count)| (count - times(&before, line)).max(0)).sum();
-    assert!(added > 0 && removed + added <= 60, "{removed} lines removed, {added} added");
+    assert!(added > 0 && removed + added <= 75, "{removed} lines removed, {added} added");
 }

@@ -396,3 +396,26 @@ fn no_two_columns_have_one_name() {
         assert!(!out.exists());
     }
 }
+
+/// Goal: a row tells as many digits as a run of its scene. Method: at loose tolerances, where digits differ from point to
+/// point, each row beside `simulate`.
+#[test]
+fn the_digits_of_a_row_are_those_of_its_run() {
+    let text = |theta: &str| {
+        format!("span = [0, 20]\n[start]\ntheta = {theta}\nomega = 0\n[integration]\nmethod = \"ode45\"\nrtol = 1e-5\n")
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let path = scene(folder.path(), "models/pendulum", &text("1"));
+    let rows = table(&sweep(0, &path, &["--over", "theta=0.3,2,3.1", "--digits"]));
+    let mut seen = Vec::new();
+    for row in &rows {
+        let path = scene(folder.path(), "models/pendulum", &text(&row["over:theta"]));
+        let run = tripos(&["simulate", &path, "--by", "kane", "--json"]);
+        let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+        assert_eq!(row["digits"], format!("{:.1}", json["digits"].as_f64().unwrap()));
+        seen.push(row["digits"].clone());
+    }
+    seen.dedup();
+    assert_eq!(seen.len(), 3, "{seen:?}");
+    assert!(!table(&sweep(0, &path, &["--over", "theta=2"]))[0].contains_key("digits"));
+}

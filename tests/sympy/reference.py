@@ -188,7 +188,7 @@ def derive(path):
     quantities = kinematics(model, moving)
     quantities |= {f"F[{r + 1}]": e for r, e in enumerate(active)}
     quantities |= {f"Fstar[{r + 1}]": e for r, e in enumerate(inertial)}
-    quantities |= {"T": kinetic_energy(moving.inertial, *moving.parts), "V": potential_energy(*moving.parts)}
+    quantities |= {"T": kinetic_energy(moving.inertial, *moving.parts), "V_gravity": potential_energy(*moving.parts)}
     quantities |= {text(rate): value for rate, value in model.rates.items()}
     reference = {
         "model": path.resolve().parent.name if path.name == "model.toml" else path.stem,

@@ -94,7 +94,8 @@ fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) 
     let front: Vec<(f64, f64)> = pareto(&points).into_iter().map(|at| points[at]).collect();
     // Its points are measurements too: marked where they are, not along the line.
     let spread = front.iter().map(|(x, _)| (*x, *x)).collect();
-    let mut series = vec![Series { label: "Pareto front".to_owned(), style: FRONT, points: front, spread }];
+    let mut series =
+        vec![Series { label: "Pareto front".to_owned(), style: FRONT, points: front, spread, band: Vec::new() }];
     for (name, by) in curves {
         let own: Vec<&Measurement> = shown.iter().filter(|(n, m)| n == name && m.by == *by).map(|(_, m)| *m).collect();
         series.push(Series {
@@ -102,6 +103,7 @@ fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) 
             style: name.1,
             points: own.iter().map(|m| place(m)).collect(),
             spread: own.iter().map(|m| (m.seconds.least, m.seconds.most)).collect(),
+            band: Vec::new(),
         });
     }
     let note = format!("Bars: shortest to longest run. The reference is known to {uncertainty:.0e}.");

@@ -90,6 +90,9 @@ fn as_text(model: &Mechanism, moving: &[MovingPlace], derivations: &mut [Derivat
             }
         }
         let _ = writeln!(out, "\nT = {}\nV = {}", text(arena, e.kinetic_energy), text(arena, e.potential_energy));
+        if e.power != Expr::ZERO {
+            let _ = writeln!(out, "d(T + V)/dt = {}", text(arena, e.power));
+        }
         if !e.divisors.is_empty() {
             let list: Vec<String> = e.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
             let _ = writeln!(out, "The kinematic equations are singular where {}.", list.join(", "));
@@ -182,6 +185,7 @@ fn as_json(model: &Mechanism, derivation: &mut DerivationInSteps) -> Value {
         "coordinate_rates": texts(&e.coordinate_rates),
         "kinetic_energy": whole_text(arena, e.kinetic_energy),
         "potential_energy": whole_text(arena, e.potential_energy),
+        "power": whole_text(arena, e.power),
         "singular_where": texts(&e.divisors),
         "accelerations": solved.steps.iter().map(line).collect::<Vec<_>>(),
         "accelerations_divide_by": texts(&solved.divisors),

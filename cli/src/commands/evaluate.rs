@@ -9,8 +9,7 @@ use tripos::code::{Ready, by as equations, code_of, derivation, tape};
 use tripos::{Error, Mechanism, near_divisors};
 use tripos_derive::algebra::Expr;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::By;
-use tripos_derive::mechanics::{Derivation, rates_to_speeds};
+use tripos_derive::mechanics::{By, Derivation, Kinematics, rates_to_speeds};
 use tripos_derive::model::Reaction;
 use tripos_derive::scene::{State, load_state};
 use tripos_sim::Dynamics;
@@ -24,6 +23,10 @@ struct Values {
     reactions: Vec<(String, f64)>,
     kinetic_energy: f64,
     potential_energy: f64,
+    /// Gravity's part of it.
+    gravity_potential: f64,
+    /// d(T + V)/dt, W.
+    power: f64,
 }
 
 /// Evaluates a formulation at the state of a file.
@@ -48,6 +51,8 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
             "reactions": object(&values.reactions),
             "kinetic_energy": values.kinetic_energy,
             "potential_energy": values.potential_energy,
+            "gravity_potential": values.gravity_potential,
+            "power": values.power,
         });
         print_json(&value)?;
     } else {
@@ -87,9 +92,10 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
     if let Some(at) = u_dot.iter().position(|a| !a.is_finite()) {
         return Err(stopped(format!("{}' is not finite", model.speeds[at].name)));
     }
-    let energies = [system.kinetic_energy(p, q, &v), system.potential_energy(p, q)];
+    let gravity = gravity_potential(model, state)?;
+    let energies = [system.kinetic_energy(p, q, &v), system.potential_energy(p, q), gravity, system.power(p, q, &v)];
     if energies.iter().any(|e| !e.is_finite()) {
-        return Err(stopped("an energy is too large for a number".to_owned()));
+        return Err(stopped("an energy or its rate has no value that a number can hold".to_owned()));
     }
     warn_outside_domain(model, state, reactions)?;
     let unknowns = &derivation.equations.unknowns;
@@ -101,7 +107,17 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
         reactions: model.reactions.iter().zip(reactions).map(|(r, x)| (r.name.clone(), *x)).collect(),
         kinetic_energy: energies[0],
         potential_energy: energies[1],
+        gravity_potential: energies[2],
+        power: energies[3],
     })
+}
+
+/// The potential energy of gravity alone, J.
+fn gravity_potential(model: &Mechanism, state: &State) -> Result<f64, Failure> {
+    let mut kinematics = Kinematics::new(model).map_err(|error| model.diagnose(&error))?;
+    let gravity = kinematics.gravity_potential(model).map_err(|error| model.diagnose(&error))?;
+    let tape = tape(&kinematics.arena, &[model.p(), model.q()].concat(), &[gravity], "the potential of gravity")?;
+    Ok(tape.evaluate(&[state.parameters.as_slice(), &state.q].concat())[0])
 }
 
 /// Below this reciprocal condition number more than half of the digits are lost, and it is said.
@@ -147,5 +163,11 @@ fn as_text(model: &Mechanism, title: &str, values: &Values) -> String {
         }
     }
     let _ = writeln!(out, "\nT = {} J\nV = {} J", values.kinetic_energy, values.potential_energy);
+    if values.potential_energy.total_cmp(&values.gravity_potential).is_ne() {
+        let _ = writeln!(out, "  {} J of it by gravity", values.gravity_potential);
+    }
+    if values.power != 0.0 {
+        let _ = writeln!(out, "d(T + V)/dt = {} W", values.power);
+    }
     out
 }

@@ -88,15 +88,24 @@ fn summary(found: &Freshness, committed: &Path, asked: usize) -> String {
     let is_equations = |file: &str| !file.ends_with("mod.rs") && !file.ends_with("lib.rs");
     let of_models = read.iter().any(|difference| is_equations(difference.file()) && !is_scene(difference.file()));
     let mut out = String::new();
+    let mut with_same_equations = Vec::new();
     for difference in read {
-        let _ = writeln!(out, "{difference}");
+        let mut changes = String::new();
         if let Difference::Changed(file) = difference
             && is_equations(file)
         {
             let detail = if is_scene(file) && of_models { Detail::Counted } else { Detail::Listed };
             let old = std::fs::read_to_string(committed.join(file)).unwrap_or_default();
-            out.push_str(&equation_changes(&old, &found.generated.files[file], detail));
+            changes = equation_changes(&old, &found.generated.files[file], detail);
+            if changes.is_empty() {
+                with_same_equations.push(file.as_str());
+                continue;
+            }
         }
+        let _ = write!(out, "{difference}\n{changes}");
+    }
+    if !with_same_equations.is_empty() {
+        let _ = writeln!(out, "with the same equations in other text: {}", with_same_equations.join(", "));
     }
     if !code.is_empty() {
         let plural = if code.len() == 1 { "file" } else { "files" };

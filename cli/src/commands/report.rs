@@ -323,7 +323,7 @@ impl<'a> Work<'a> {
             bar.set_message(format!("{} of {}", kind.name(), path_in_line(&scene.source.path)));
             shown.extend(match kind {
                 FigureKind::Energy => {
-                    let curves = figures::merged(curves(&runs, |own| own.has_energy));
+                    let curves = figures::merged(curves(&runs, |own| !own.run.energies.is_empty()));
                     let caption = after(caption, &figures::said(&curves));
                     Some(drawn.figure(kind.name(), &caption, &[figures::energy(&curves)], 1)?)
                 }

@@ -13,7 +13,7 @@ use tripos::{Digits, Drift, Mechanism, Run, method_words, simulate as simulate_s
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load, model_path};
-use tripos_sim::Stop;
+use tripos_sim::{EventRecord, Stop};
 
 /// Runs the scene and prints how it ended.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
@@ -67,11 +67,12 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         list.map_or(Value::Null, |list| run.names.iter().cloned().zip(list.iter().map(|x| json!(x))).collect())
     };
     let digits = run.digits.as_ref();
-    let events: Vec<Value> = solution
-        .events
-        .iter()
-        .map(|e| json!({ "name": e.name, "t": e.t, "kind": format!("{:?}", e.kind).to_lowercase(), "terminal": e.terminal }))
-        .collect();
+    let event = |(at, e): (usize, &EventRecord)| {
+        let kind = format!("{:?}", e.kind).to_lowercase();
+        let uncertainty = digits.and_then(|digits| digits.events[at]);
+        json!({ "name": e.name, "t": e.t, "uncertainty": uncertainty, "kind": kind, "terminal": e.terminal })
+    };
+    let events: Vec<Value> = solution.events.iter().enumerate().map(event).collect();
     json!({
         "model": short_name(model),
         "formulation": run.by.name(),
@@ -92,6 +93,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "stop": solution.stop.code(),
         "failure": run.failure(),
         "drift": drift,
+        "work": run.solution.work_end,
         "projection": projection(run),
         "events": events,
         "notes": run.notes,
@@ -150,8 +152,10 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
         method_words(scene)
     );
     let _ = writeln!(out, "{}", run.ending);
-    for event in &run.solution.events {
-        let _ = writeln!(out, "  {} at t = {} s ({:?})", event.name, event.t, event.kind);
+    for (at, event) in run.solution.events.iter().enumerate() {
+        let error = run.digits.as_ref().and_then(|digits| digits.events[at]);
+        let error = error.map_or_else(String::new, |error| format!(" ± {error:.0e} s"));
+        let _ = writeln!(out, "  {} at t = {} s{error} ({:?})", event.name, event.t, event.kind);
     }
     let _ = writeln!(out, "\nstate at t = {} s", run.solution.t_end);
     let errors = run.digits.as_ref().and_then(Digits::errors_at_end);
@@ -162,7 +166,13 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     out += &digits_in_words(run);
     out.push('\n');
     if let Some(drift) = run.energy_drift {
-        let _ = writeln!(out, "largest change of total energy: {drift:e} J");
+        if run.solution.work.is_empty() {
+            let _ = writeln!(out, "largest change of total energy: {drift:e} J");
+        } else {
+            let work = run.solution.work_end;
+            let _ = writeln!(out, "work of what has no potential: {work} J");
+            let _ = writeln!(out, "largest change of total energy that it does not account for: {drift:e} J");
+        }
     }
     if let Some(report) = &run.solution.projection {
         let _ = writeln!(
@@ -183,10 +193,12 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
 fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
     // A scene that shows outputs of its own shows no energies beside them.
     let energies = ["kinetic_energy", "potential_energy"].into_iter().filter(|_| !run.energies.is_empty());
+    let energies = energies.chain(["work"].into_iter().filter(|_| !run.solution.work.is_empty()));
     let header: Vec<String> =
         ["t"].into_iter().chain(run.names.iter().map(String::as_str)).chain(energies).map(str::to_owned).collect();
     let rows = run.solution.t.iter().zip(&run.states).enumerate().map(|(at, (t, state))| {
         let energies = run.energies.get(at).into_iter().flat_map(|(kinetic, potential)| [*kinetic, *potential]);
+        let energies = energies.chain(run.solution.work.get(at).copied());
         [*t].into_iter().chain(state.iter().copied()).chain(energies).map(|x| x.to_string()).collect()
     });
     table(path, &header, rows)

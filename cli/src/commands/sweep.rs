@@ -33,7 +33,8 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let how_else = request.how.overrides();
     how_else.change(&mut scene)?;
     let by = by_or_first(&model, request.how.by.as_deref())?;
-    let sweep = Sweep::new(&model, &scene, &grid, &by, &how_else)?;
+    let mut sweep = Sweep::new(&model, &scene, &grid, &by, &how_else)?;
+    sweep.tells_digits = request.digits;
     for warning in &sweep.warnings {
         warn(warning);
     }

@@ -88,7 +88,7 @@ pub struct RunRow {
     pub stop: String,
     /// Whether its equations are right, and its numbers good.
     pub standing: Standing,
-    /// Largest change of total energy, J; none of equations that do not know it.
+    /// Largest change of total energy that no work accounts for, J; none of equations that do not know it.
     pub energy_drift: Option<f64>,
     /// Digits that every value has where the run ended, as its second run tells; nothing if that was not assessed, or the
     /// equations are not those of the motion.

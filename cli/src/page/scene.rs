@@ -10,17 +10,15 @@ use crate::plot::pretty;
 use std::fmt::Write;
 use tripos_derive::algebra::compare::Verdict;
 
-const HEAD: [&str; 10] = [
+const HEAD: [&str; 8] = [
     "Equations",
     "Result",
     "Ended at [s]",
     "Digits there",
-    "Energy change [J]",
-    "Steps",
-    "Rejected",
+    "Energy drift [J]",
+    "Steps (rejected)",
     "Evaluations",
-    "Method",
-    "Code",
+    "Method, code",
 ];
 
 /// The part of one scene. `figures` counts figures over the whole page.
@@ -104,7 +102,11 @@ fn fact(fact: &Fact) -> String {
 
 fn runs(page: &Page, scene: &SceneSection) -> String {
     let of = |printed: bool| scene.runs.iter().filter(move |row| row.printed.is_some() == printed);
-    let mut rows: String = of(false).map(run).collect();
+    let rows_of = |printed: bool| -> String {
+        let before = std::iter::once(None).chain(of(printed).map(Some));
+        before.zip(of(printed)).map(|(before, row)| run(row, before)).collect()
+    };
+    let mut rows = rows_of(false);
     let not_run = scene.not_run.iter().map(|(title, why)| {
         let (columns, why) = (HEAD.len() - 1, escape(why));
         format!(
@@ -112,7 +114,7 @@ fn runs(page: &Page, scene: &SceneSection) -> String {
             escape(title)
         )
     });
-    let printed: String = of(true).map(run).chain(not_run).collect();
+    let printed: String = std::iter::once(rows_of(true)).chain(not_run).collect();
     if let (false, Some(published)) = (printed.is_empty(), &page.study.published) {
         let (columns, title) = (HEAD.len(), escape(&published.report.title));
         let _ = writeln!(
@@ -187,13 +189,17 @@ fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
     rate.is_some_and(|rate| matches!(rate.verdict, Verdict::Different(_)))
 }
 
-/// One row of numbers; below it how its equations stand, how it ended early, and warnings.
-fn run(run: &RunRow) -> String {
-    let early = !run.arrived && (run.printed.is_some() || run.standing == Standing::Stopped);
-    let result = if early { "ended early".to_owned() } else { escape(&run.stop) };
+/// One row of numbers; below it how its equations stand, how it ended early unless the row before says so, and warnings.
+fn run(run: &RunRow, before: Option<&RunRow>) -> String {
+    let is_like_before = before.is_some_and(|before| !before.arrived && before.stop == run.stop);
+    let result = match run.arrived {
+        true => escape(&run.stop),
+        false if is_like_before => "ended early, likewise".to_owned(),
+        false => "ended early".to_owned(),
+    };
     let mut out = format!(
         "<tr{}><th scope=\"row\">{}</th><td class=\"result\">{result}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-         <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td><td>{}</td></tr>\n",
+         <td class=\"n\">{}</td><td class=\"n\">{} ({})</td><td class=\"n\">{}</td><td>{}, {}</td></tr>\n",
         class(run, ""),
         standing::name(run),
         number(&rounded(run.t_end, 6)),
@@ -207,7 +213,7 @@ fn run(run: &RunRow) -> String {
     );
     let word = run.standing.word().map_or(String::new(), |word| format!("{}{}:", word[..1].to_uppercase(), &word[1..]));
     let standing = run.standing.remark(run.t_end).map(|text| (word.as_str(), text));
-    let ending = early.then(|| ("How it ended:", run.stop.clone()));
+    let ending = (!run.arrived && !is_like_before).then(|| ("How it ended:", run.stop.clone()));
     let warnings = run.warnings.iter().map(|warning| ("Warning:", warning.clone()));
     for (label, text) in standing.into_iter().chain(ending).chain(warnings) {
         let (class, columns, text) = (class(run, "remark"), HEAD.len() - 1, words(text.trim()));

@@ -13,6 +13,8 @@ const FINE: f64 = 4.0;
 const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub const GRID: RGBColor = RGBColor(0xe3, 0xe3, 0xe3);
 pub const EDGE: RGBColor = RGBColor(0x88, 0x88, 0x88);
+/// How much of a curve's colour its band has.
+const SHADE: f64 = 0.25;
 /// Width of a marker's outline, unlike that of any curve.
 const OUTLINE: f64 = 1.5;
 
@@ -196,6 +198,12 @@ pub fn dashed(svg: String) -> String {
 
 pub fn curve(canvas: &Canvas, points: &[(f64, f64)], look: &Look) -> Result<(), PlotError> {
     line(canvas, points, look.1, look.0)
+}
+
+/// The area between two edges, in a pale shade of the curve that runs through it.
+pub fn band(canvas: &Canvas, low: &[(f64, f64)], high: &[(f64, f64)], look: &Look) -> Result<(), PlotError> {
+    let corners = low.iter().chain(high.iter().rev()).map(|(x, y)| (fine(*x), fine(*y))).collect::<Vec<_>>();
+    Ok(canvas.draw(&Polygon::new(corners, look.0.mix(SHADE)))?)
 }
 
 pub fn marker(canvas: &Canvas, (x, y): (f64, f64), look: &Look) -> Result<(), PlotError> {

@@ -55,3 +55,26 @@ fn a_figure_is_the_same_each_time() {
     assert_eq!(figure(), figure());
     assert!(figure().len() < 300_000, "a long curve is thinned: {}", figure().len());
 }
+
+#[test]
+fn a_band_is_drawn_where_it_is_wider_than_its_curve_and_stays_inside_its_panel() {
+    let points: Vec<_> = (0..50).map(|i| (f64::from(i), f64::from(i).sin())).collect();
+    let banded = |error: f64| {
+        let mut panel = panel(std::slice::from_ref(&points));
+        panel.series[0].band = points.iter().map(|(x, y)| (*x, y - error * x, y + error * x)).collect();
+        draw(&[panel], 1).unwrap()
+    };
+    let polygons = |svg: &str| svg.matches("<polygon").count();
+    assert_eq!((polygons(&banded(1e-6)), polygons(&banded(1e-2)), polygons(&banded(f64::NAN))), (0, 1, 0));
+    let wide = banded(1e3);
+    assert_eq!(polygons(&wide), 1);
+    let corners = wide.split("<polygon").nth(1).and_then(|rest| rest.split("points=\"").nth(1)).unwrap();
+    let heights: Vec<f64> = corners
+        .split('"')
+        .next()
+        .unwrap()
+        .split_whitespace()
+        .filter_map(|p| p.split(',').nth(1)?.parse().ok())
+        .collect();
+    assert!(heights.len() == 100 && heights.iter().all(|y| (0.0..2000.0).contains(y)), "{heights:?}");
+}

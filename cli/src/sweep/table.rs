@@ -9,11 +9,12 @@ pub struct Columns {
     names: Vec<String>,
     states: usize,
     changes: usize,
+    tells_digits: bool,
 }
 
 impl Columns {
     /// For a sweep: `index`, `over:NAME` for each name, `t_end`, `stop`, the state at the end, `steps`, `rejected`,
-    /// `evaluations`, the change of each first integral, `reason`.
+    /// `evaluations`, the change of each first integral, `digits` if they are told, `reason`.
     pub fn new(sweep: &Sweep<'_>) -> Self {
         let states = sweep.names.clone();
         let changes: Vec<String> = sweep.conserved().iter().map(|name| format!("change of {name}")).collect();
@@ -27,9 +28,10 @@ impl Columns {
             states,
             fixed(&["steps", "rejected", "evaluations"]),
             changes,
+            fixed(if sweep.tells_digits { &["digits"] } else { &[] }),
             fixed(&["reason"]),
         ];
-        Self { names: names.concat(), states: counts[0], changes: counts[1] }
+        Self { names: names.concat(), states: counts[0], changes: counts[1], tells_digits: sweep.tells_digits }
     }
 
     /// A name that two columns have: that of an output, which a scene may choose, and one of the table's own.
@@ -59,10 +61,13 @@ impl Columns {
                 fields.extend(numbers(&ended.shown));
                 fields.extend([ended.steps, ended.rejected, ended.evaluations].map(|n| n.to_string()));
                 fields.extend(numbers(&ended.changes));
+                if self.tells_digits {
+                    fields.push(ended.digits.map_or_else(String::new, |digits| format!("{digits:.1}")));
+                }
             }
             Err(_) => {
                 fields.extend([String::new(), NO_START.to_owned()]);
-                fields.extend(nothing(self.states + 3 + self.changes));
+                fields.extend(nothing(self.states + 3 + self.changes + usize::from(self.tells_digits)));
             }
         }
         fields.push(row.failure().unwrap_or_default().to_owned());

@@ -144,7 +144,7 @@ pub fn derivative(planner: &Planner<'_>, steps: &[Definition]) -> Function {
     )
 }
 
-/// `coordinate_rates`, `kinetic_energy` and `potential_energy`.
+/// `coordinate_rates`, `kinetic_energy`, `potential_energy`, and `power` where something works that V leaves out.
 pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
     let e = planner.equations;
     let rates = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
@@ -155,15 +155,20 @@ pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
         planner.stepwise(name, about, arguments, returns, &e.definitions, values)
     };
     let about_potential = if e.definitions.is_empty() {
-        "Potential energy V of gravity."
+        "Potential energy V: of gravity, and of the applied loads that have a potential."
     } else {
-        "Potential energy V of gravity, with the kinetic energy of what the momenta determine."
+        "Potential energy V, with the kinetic energy of what the momenta determine."
     };
-    vec![
+    let power = [("rate".to_owned(), "d(T + V)/dt".to_owned(), e.power)];
+    let about_power = "The power of the loads that have no potential: the rate of T + V.";
+    let power =
+        (e.power != Expr::ZERO).then(|| function("power", about_power, Arguments::State, Returns::Number, &power));
+    let energies = [
         function("coordinate_rates", about, Arguments::State, Returns::Vector, &rates),
         function("kinetic_energy", "Kinetic energy T.", Arguments::State, Returns::Number, &kinetic),
         function("potential_energy", about_potential, Arguments::Configuration, Returns::Number, &potential),
-    ]
+    ];
+    energies.into_iter().chain(power).collect()
 }
 
 /// Between q' and the generalized speeds, where q' is what is integrated.

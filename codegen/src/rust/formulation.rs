@@ -7,6 +7,7 @@ use super::text::{format, header, prose, stated};
 use super::written::{Written, reexport};
 use crate::plan::{FormulationPlan, module_name, type_name};
 use quote::{format_ident, quote};
+use tripos_derive::algebra::Expr;
 
 /// The files of one formulation.
 pub struct FormulationFiles {
@@ -30,6 +31,7 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
 
     let mut parts = vec![Part::LinearSystem, Part::WholeState(model.coordinates.len() + model.speeds.len())];
     parts.extend(plan.is_solved.then_some(Part::Eliminated));
+    parts.extend((plan.planner.equations.power != Expr::ZERO).then_some(Part::Power));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
     parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
     let system = system::system(model, equations, &parts);

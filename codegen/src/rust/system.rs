@@ -19,6 +19,8 @@ pub enum Part {
     Outputs(usize),
     /// The whole state as `outputs`, of this length.
     WholeState(usize),
+    /// `power`.
+    Power,
     /// `energy_gradient`.
     EnergyGradient,
     /// `potential_slope`.
@@ -76,6 +78,12 @@ impl Part {
                     }
                 }
             }
+            Self::Power => quote! {
+                fn has_power(&self) -> bool { true }
+                fn power(&self, p: &[S], q: &[S], v: &[S]) -> S {
+                    power(#state)
+                }
+            },
             Self::EnergyGradient => quote! {
                 fn has_energy_gradient(&self) -> bool { true }
                 fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {

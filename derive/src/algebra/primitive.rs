@@ -6,13 +6,14 @@
 
 use super::calculus::Differential;
 use super::modular::{ZeroTest, zero_test};
-use super::simplify::Simplifier;
+use super::simplify::{Simplifier, cost};
 use super::{Arena, Expr, Function, Node, Rational};
 
 /// Integrations by parts and expansions of products inside one another.
 const DEEPEST: usize = 8;
-/// Terms of a sum that are integrated one by one.
-const MOST_TERMS: usize = 400;
+/// Operations of all terms that are looked at for one primitive: rules lead to other rules, and the slope of a long
+/// product is longer by far.
+const MOST_WORK: usize = 200_000;
 
 /// F with ∂F/∂xᵢ = `slopes`ᵢ, up to a constant, if the rules find one.
 ///
@@ -21,13 +22,14 @@ const MOST_TERMS: usize = 400;
 /// what is linear in x; xⁿ g by parts; products of sums by terms.
 pub fn primitive(arena: &mut Arena, simplifier: &mut Simplifier, variables: &[Expr], slopes: &[Expr]) -> Option<Expr> {
     let mut rest = slopes.to_vec();
-    let mut parts = Vec::new();
+    let (mut parts, mut left) = (Vec::new(), MOST_WORK);
     for (at, x) in variables.iter().enumerate() {
-        let slope = simplifier.simplify(arena, rest[at]);
+        let mut integration = Integration { arena, simplifier, x: *x, left: &mut left };
+        let slope = integration.short(rest[at])?;
         if slope == Expr::ZERO {
             continue;
         }
-        let part = Integration { arena, simplifier, x: *x }.of(slope, 0)?;
+        let part = integration.of(slope, 0)?;
         for (rest, y) in rest.iter_mut().zip(variables) {
             let taken = Differential::partial(*y).apply(arena, part);
             *rest = arena.sub(*rest, taken);
@@ -41,16 +43,22 @@ pub fn primitive(arena: &mut Arena, simplifier: &mut Simplifier, variables: &[Ex
     })
 }
 
+/// Powers of a root that laws of forces have: of a spring, and of what falls with the distance or its square.
+const ROOTS: [i32; 3] = [-1, 1, -3];
+
 /// Integration along one variable.
 struct Integration<'a> {
     arena: &'a mut Arena,
     simplifier: &'a mut Simplifier,
     x: Expr,
+    /// Operations that may still be looked at.
+    left: &'a mut usize,
 }
 
 impl Integration<'_> {
     /// A primitive of a term along x; `depth` integrations are under way.
     fn of(&mut self, e: Expr, depth: usize) -> Option<Expr> {
+        *self.left = self.left.checked_sub(1)?;
         if depth > DEEPEST {
             return None;
         }
@@ -70,9 +78,15 @@ impl Integration<'_> {
         self.arena.mentions(e, self.x)
     }
 
-    fn slope(&mut self, e: Expr) -> Expr {
+    /// A term in its short form, unless that is too much work.
+    fn short(&mut self, e: Expr) -> Option<Expr> {
+        *self.left = self.left.checked_sub(cost(self.arena, e))?;
+        Some(self.simplifier.simplify(self.arena, e))
+    }
+
+    fn slope(&mut self, e: Expr) -> Option<Expr> {
         let slope = Differential::partial(self.x).apply(self.arena, e);
-        self.simplifier.simplify(self.arena, slope)
+        self.short(slope)
     }
 
     /// Whether a term does not change with x, whatever it mentions.
@@ -80,21 +94,17 @@ impl Integration<'_> {
         if !self.depends(e) {
             return true;
         }
-        let slope = self.slope(e);
-        zero_test(self.arena, slope) == ZeroTest::Zero
+        self.slope(e).is_some_and(|slope| zero_test(self.arena, slope) == ZeroTest::Zero)
     }
 
     /// a/b in its short form, if that does not change with x.
     fn constant_quotient(&mut self, a: Expr, b: Expr) -> Option<Expr> {
         let quotient = self.arena.div(a, b)?;
-        let quotient = self.simplifier.simplify(self.arena, quotient);
+        let quotient = self.short(quotient)?;
         self.is_constant(quotient).then_some(quotient)
     }
 
     fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], depth: usize) -> Option<Expr> {
-        if terms.len() > MOST_TERMS {
-            return None;
-        }
         let mut parts = vec![(self.x, constant.clone())];
         for (term, k) in terms {
             parts.push((self.of(*term, depth)?, k.clone()));
@@ -121,10 +131,13 @@ impl Integration<'_> {
                 _ => None,
             };
             let found = match under_root {
-                // What stands beside its root has one power with it, counted in halves.
+                // What stands beside its root has one power with it, counted in halves; it may stand there in
+                // another form, or with a number taken out.
                 Some(argument) => {
                     let beside = factors.iter().find(|(other, _)| *other == argument).map_or(0, |(_, n)| *n);
-                    self.power(e, *base, argument, n + 2 * beside, 2)
+                    let own = n + 2 * beside;
+                    let others = ROOTS.into_iter().filter(|n| *n != own);
+                    std::iter::once(own).chain(others).find_map(|n| self.power(e, *base, argument, n, 2))
                 }
                 None => self.power(e, *base, *base, *n, 1).or_else(|| self.function(e, *base, *n)),
             };
@@ -137,7 +150,7 @@ impl Integration<'_> {
 
     /// r wⁿ b′ with b = wᵈ: r d wⁿ⁺ᵈ/(n + d), and r log b.
     fn power(&mut self, e: Expr, w: Expr, b: Expr, n: i32, d: i32) -> Option<Expr> {
-        let slope = self.slope(b);
+        let slope = self.slope(b)?;
         if slope == Expr::ZERO {
             return None;
         }
@@ -159,7 +172,7 @@ impl Integration<'_> {
     /// r f(b) b′ with b = the argument of `call`.
     fn function(&mut self, e: Expr, call: Expr, n: i32) -> Option<Expr> {
         let Node::Apply(f, b) = *self.arena.node(call) else { return None };
-        let slope = self.slope(b);
+        let slope = self.slope(b)?;
         if n != 1 || slope == Expr::ZERO {
             return None;
         }
@@ -219,7 +232,7 @@ impl Integration<'_> {
                 && self.depends(base)
                 && (1..=4).contains(&n)
             {
-                let slope = self.slope(angle);
+                let slope = self.slope(angle)?;
                 if !self.is_constant(slope) {
                     return None;
                 }
@@ -239,7 +252,7 @@ impl Integration<'_> {
         };
         let mut parts = Vec::new();
         for (angle, sign) in [plus, minus].into_iter().zip(signs) {
-            let angle = self.simplifier.simplify(self.arena, angle);
+            let angle = self.short(angle)?;
             let wave = self.arena.apply(wave, angle);
             let product = self.arena.mul(rest, wave);
             let half = sign.mul(&Rational::fraction(1, 2)?);
@@ -248,15 +261,22 @@ impl Integration<'_> {
         Some(self.arena.linear_combination(&parts))
     }
 
-    /// A product with a sum, term by term.
+    /// A product with a sum, term by term: with the first of its sums of which that leads to an end. The slope of what
+    /// stands in a root must stay whole, so that one more sum may be the right one.
     fn by_terms(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         let factors = self.factors(e);
-        let (sum, _) = *factors
-            .iter()
-            .find(|(base, n)| *n > 0 && self.depends(*base) && matches!(self.arena.node(*base), Node::Sum(..)))?;
+        let sums = factors.iter().filter(|(base, n)| *n > 0 && self.depends(*base)).map(|(base, _)| *base);
+        let sums: Vec<Expr> = sums.filter(|base| matches!(self.arena.node(*base), Node::Sum(..))).collect();
+        sums.into_iter().find_map(|sum| self.by_terms_of(e, sum, depth))
+    }
+
+    fn by_terms_of(&mut self, e: Expr, sum: Expr, depth: usize) -> Option<Expr> {
         let Node::Sum(constant, terms) = self.arena.node(sum).clone() else { return None };
         let rest = self.arena.div(e, sum)?;
-        let mut parts = vec![(self.of(rest, depth + 1)?, constant)];
+        let mut parts = Vec::new();
+        if !constant.is_zero() {
+            parts.push((self.of(rest, depth + 1)?, constant));
+        }
         for (term, k) in &terms {
             let product = self.arena.mul(rest, *term);
             parts.push((self.of(product, depth + 1)?, k.clone()));
@@ -270,9 +290,9 @@ impl Integration<'_> {
         let power = self.arena.pow(self.x, n).ok()?;
         let g = self.arena.div(e, power)?;
         let whole = self.of(g, depth + 1)?;
-        let slope = self.slope(power);
+        let slope = self.slope(power)?;
         let product = self.arena.mul(slope, whole);
-        let product = self.simplifier.simplify(self.arena, product);
+        let product = self.short(product)?;
         let rest = self.of(product, depth + 1)?;
         let first = self.arena.mul(power, whole);
         Some(self.arena.sub(first, rest))
@@ -324,6 +344,8 @@ mod tests {
             &["a*x/sqrt(x^2 + y^2 + z^2)^3", "a*y/sqrt(x^2 + y^2 + z^2)^3", "a*z/sqrt(x^2 + y^2 + z^2)^3"],
             &["cos(x)*sin(y)", "sin(x)*cos(y)"],
             &["y*exp(x*y)", "x*exp(x*y)"],
+            // A spring between ends at one distance from its pivot.
+            &["sin(x)*(a*(1 + cos(x)) - b*sqrt(2 + 2*cos(x)))/(1 + cos(x))"],
         ] {
             assert!(found(slopes).is_some(), "{slopes:?}");
         }

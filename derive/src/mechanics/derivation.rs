@@ -93,7 +93,7 @@ pub fn derive_all(model: &Model) -> Result<Derivations, DeriveError> {
 
 fn derive_with(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Result<Equations, DeriveError> {
     let rows = (formulation.method().derive)(model, kinematics)?;
-    let equations = complete(model, kinematics, formulation, rows);
+    let equations = complete(model, kinematics, formulation, rows)?;
     match rank(&kinematics.arena, &equations.matrix).and_then(|rank| rank.dependent) {
         Some(row) => Err(singular(model, &equations.rows[row])),
         None => Ok(equations),

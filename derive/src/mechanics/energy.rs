@@ -109,11 +109,11 @@ impl Kinematics {
         }
     }
 
-    /// V = −Σ m g·p, zero where the model puts its zero.
+    /// V = −Σ m g·p, the potential energy of gravity alone, zero where the model puts its zero.
     ///
     /// # Errors
     /// [`DeriveError::NoZeroOfPotential`] if V has no value there.
-    pub fn potential_energy(&mut self, model: &Model) -> Result<Expr, DeriveError> {
+    pub fn gravity_potential(&mut self, model: &Model) -> Result<Expr, DeriveError> {
         let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
         let g = Vector::in_frame(gravity.frame, gravity.acceleration);
         let mut work = Dots::default();
@@ -125,12 +125,7 @@ impl Kinematics {
         if gravity.zero_at.is_empty() {
             return Ok(self.simplifier.simplify(&mut self.arena, energy));
         }
-        let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
-        for (symbol, value) in &gravity.zero_at {
-            values.retain(|(s, _)| s != symbol);
-            values.push((*symbol, *value));
-        }
-        let mut to_zero = Substitution::new(&values);
+        let mut to_zero = place_of_zero(model);
         let at_zero = to_zero.apply(&mut self.arena, energy);
         if let Some(term) = to_zero.undefined {
             return Err(DeriveError::NoZeroOfPotential { term: crate::algebra::print::text(&self.arena, term) });
@@ -138,4 +133,14 @@ impl Kinematics {
         let difference = self.arena.sub(energy, at_zero);
         Ok(self.simplifier.simplify(&mut self.arena, difference))
     }
+}
+
+/// Puts in the coordinates of the place where the model's potential energy is zero.
+pub(super) fn place_of_zero(model: &Model) -> Substitution {
+    let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
+    for (symbol, value) in model.gravity.iter().flat_map(|gravity| &gravity.zero_at) {
+        values.retain(|(s, _)| s != symbol);
+        values.push((*symbol, *value));
+    }
+    Substitution::new(&values)
 }

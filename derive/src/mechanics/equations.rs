@@ -1,6 +1,7 @@
 //! Equations of motion, whichever method gave them.
 
 use super::by::{By, Distance};
+use super::error::DeriveError;
 use super::formulation::{Formulation, MotionVariables};
 use super::kinematics::Kinematics;
 use super::rows::{RowName, Rows};
@@ -48,8 +49,11 @@ pub struct Equations {
     pub motion_variables: Vec<Expr>,
     /// T in q and v.
     pub kinetic_energy: Expr,
-    /// V in q.
+    /// V in q: of gravity, and of the applied loads that have a potential.
     pub potential_energy: Expr,
+    /// The power of what V leaves out, in q and v: d(T + V)/dt. 0 in printed equations and in a scene's own,
+    /// whose motions are those of the model.
+    pub power: Expr,
     /// Expressions in q that the kinematic equations divide by.
     pub divisors: Vec<Expr>,
 }
@@ -85,7 +89,7 @@ impl Equations {
             &mut self.divisors,
         ];
         let matrices = self.matrix.iter_mut().chain(&mut self.projection);
-        let scalars = [&mut self.kinetic_energy, &mut self.potential_energy];
+        let scalars = [&mut self.kinetic_energy, &mut self.potential_energy, &mut self.power];
         let definitions = self.definitions.iter_mut().map(|d| &mut d.value);
         for value in vectors.into_iter().chain(matrices).flatten().chain(scalars).chain(definitions) {
             change(value, arena);
@@ -94,8 +98,18 @@ impl Equations {
 }
 
 /// The equations whose rows a method gave: with q̇ and u in its motion variables, every entry simplified.
-pub(super) fn complete(model: &Model, kinematics: &mut Kinematics, formulation: Formulation, rows: Rows) -> Equations {
-    let Rows { names, matrix, forcing, projection, kinetic_energy, potential_energy } = rows;
+///
+/// # Errors
+/// [`DeriveError::NoZeroOfPotential`].
+pub(super) fn complete(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    formulation: Formulation,
+    rows: Rows,
+) -> Result<Equations, DeriveError> {
+    let Rows { names, matrix, forcing, projection, kinetic_energy } = rows;
+    let potential_energy = kinematics.potential_energy(model)?;
+    let power = kinematics.power(model, formulation.is_in_rates());
     let rates = &model.kinematic_equations.rates;
     let (generalized_speeds, generalized_speed_rates, coordinate_rates, motion_variables) = match formulation
         .method()
@@ -127,10 +141,11 @@ pub(super) fn complete(model: &Model, kinematics: &mut Kinematics, formulation: 
         motion_variables,
         kinetic_energy,
         potential_energy,
+        power,
         divisors: model.kinematic_equations.divisors.clone(),
     };
     simplify(kinematics, &mut equations);
-    equations
+    Ok(equations)
 }
 
 /// Time derivatives of terms in q and q̇, in q, q̇ and q̈.

@@ -16,7 +16,8 @@ use crate::model::Model;
 /// M(q) u̇ = f(q, u).
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`]; a speed that moves no mass is found by the rank of the matrix.
+/// None of its own: a speed that moves no mass is found by the rank of the matrix.
+#[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
     let active = active_forces(model, kinematics, &velocities);
@@ -30,7 +31,6 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         names: (0..model.speeds.len()).map(RowName::Speed).collect(),
         // M is the matrix of the kinetic energy, too.
         kinetic_energy: kinematics.energy_with_form(model, &velocities, &model.u(), &matrix),
-        potential_energy: kinematics.potential_energy(model)?,
         matrix,
         forcing,
         projection: Vec::new(),
@@ -55,7 +55,7 @@ fn active_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Veloci
     let mut gradient = Gradient::new(&model.u());
     let mut forces: Vec<Dots> = model.speeds.iter().map(|_| Dots::default()).collect();
     let mut loads = kinematics.weights(model, velocities);
-    loads.extend(kinematics.loads(model, velocities));
+    loads.extend(kinematics.loads(model, velocities).into_iter().flatten());
     for Load { velocity, scale, load } in loads {
         let load = load.substitute(&mut kinematics.arena, &mut to_speeds);
         for (r, partial) in velocity.slopes(&mut kinematics.arena, &mut gradient) {

@@ -27,6 +27,17 @@ pub struct Kinematics {
     pub forces: Vec<Vector>,
     /// The applied torques of the model, N m, likewise.
     pub torques: Vec<Vector>,
+    /// Their potential, once it was asked for.
+    pub(super) potential: Option<LoadPotential>,
+}
+
+/// The potential of the applied loads, and what of them has none.
+#[derive(Clone, Debug)]
+pub struct LoadPotential {
+    /// U in q, J; 0 if no load has a potential.
+    pub energy: Expr,
+    /// Q + ∂U/∂q, one entry a coordinate: generalized forces in q and q̇, simplified.
+    pub rest: Vec<Expr>,
 }
 
 /// Angular velocities of all frames and velocities of all points, in one choice of motion variables.
@@ -53,7 +64,7 @@ impl Kinematics {
         let (positions, linear) = points(&mut arena, &mut frames, model, &angular, &mut rates);
         let in_rates = Velocities { angular, linear };
         let (simplifier, forces, torques) = (Simplifier::default(), Vec::new(), Vec::new());
-        let mut kinematics = Self { arena, frames, simplifier, positions, in_rates, forces, torques };
+        let mut kinematics = Self { arena, frames, simplifier, positions, in_rates, forces, torques, potential: None };
         kinematics.apply_loads(model)?;
         kinematics.check_inertias(model)?;
         kinematics.check_reactions(model)?;

@@ -3,11 +3,10 @@
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §1.4.
 
 use super::error::DeriveError;
-use super::kinematics::{Kinematics, speeds_to_rates};
-use super::loads::Load;
+use super::kinematics::Kinematics;
+use super::loads::forces_of;
 use super::quantity::{Energy, QuantityKind};
 use super::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
-use super::vector::Dots;
 use crate::algebra::calculus::Gradient;
 use crate::algebra::{Expr, Rational};
 use crate::model::Model;
@@ -26,9 +25,10 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     // Velocities are homogeneous in q̇, so T = ½ Σ E_ij q̇_i q̇_j.
     let matrix = kinematics.kinetic_form(model, &velocities, &model.q_dot());
     let t = kinematics.energy_with_form(model, &velocities, &model.q_dot(), &matrix);
-    let v = kinematics.potential_energy(model)?;
+    let v = kinematics.gravity_potential(model)?;
     let mut sums = velocity_terms(model, kinematics, &matrix);
-    let q_forces = forces_as_they_come(model, kinematics);
+    let loads = kinematics.loads(model, &velocities);
+    let q_forces = forces_of(model, kinematics, loads.iter().flatten());
     let Kinematics { arena, .. } = kinematics;
     for (sum, force) in sums.iter_mut().zip(q_forces) {
         sum.push((force, Rational::ONE));
@@ -44,7 +44,6 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         forcing,
         projection: Vec::new(),
         kinetic_energy: t,
-        potential_energy: v,
     })
 }
 
@@ -85,7 +84,7 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
     let velocities = kinematics.in_rates.clone();
     let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());
     let v = kinematics.potential_energy(model)?;
-    let forces = generalized_forces(model, kinematics);
+    let forces = kinematics.load_potential(model).rest;
     let energies = [(Energy::Kinetic, t), (Energy::Potential, v)];
     let energies = energies.map(|(energy, e)| (LineName::Quantity(QuantityKind::Energy(energy)), e));
     let forces = forces.into_iter().enumerate().map(|(at, force)| (LineName::GeneralizedForce(at), force));
@@ -94,24 +93,4 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
         Step { stage: Stage::Energies, lines: energies.to_vec() },
         Step { stage: Stage::GeneralizedForces, lines: forces.collect() },
     ])
-}
-
-/// Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of everything but gravity, which is in V.
-pub fn generalized_forces(model: &Model, kinematics: &mut Kinematics) -> Vec<Expr> {
-    let forces = forces_as_they_come(model, kinematics);
-    forces.into_iter().map(|e| kinematics.simplifier.simplify(&mut kinematics.arena, e)).collect()
-}
-
-fn forces_as_they_come(model: &Model, kinematics: &mut Kinematics) -> Vec<Expr> {
-    let velocities = kinematics.in_rates.clone();
-    let mut to_rates = speeds_to_rates(model);
-    let mut gradient = Gradient::new(&model.q_dot());
-    let mut forces: Vec<Dots> = model.coordinates.iter().map(|_| Dots::default()).collect();
-    for Load { velocity, scale, load } in kinematics.loads(model, &velocities) {
-        let load = load.substitute(&mut kinematics.arena, &mut to_rates);
-        for (i, partial) in velocity.slopes(&mut kinematics.arena, &mut gradient) {
-            forces[i].add(scale, &partial, &load);
-        }
-    }
-    forces.iter().map(|dots| dots.sum(&mut kinematics.arena, &mut kinematics.frames)).collect()
 }

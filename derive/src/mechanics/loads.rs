@@ -6,9 +6,9 @@
 //! moving on it), 4.4 (generalized active forces).
 
 use super::error::DeriveError;
-use super::kinematics::{Kinematics, Velocities};
-use super::vector::Vector;
-use crate::algebra::calculus::Substitution;
+use super::kinematics::{Kinematics, Velocities, speeds_to_rates};
+use super::vector::{Dots, Vector};
+use crate::algebra::calculus::{Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_divisor, zero_test};
 use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr};
@@ -115,25 +115,28 @@ impl Kinematics {
         model.bodies.iter().map(|body| weight(body.centre, body.mass)).collect()
     }
 
-    /// The applied loads other than weights.
-    pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
-        let mut loads = Vec::new();
+    /// The applied loads other than weights: a list for each force and torque of the model, with its opposite.
+    pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Vec<Load>> {
+        let mut groups = Vec::new();
         for (at, force) in model.forces.iter().enumerate() {
             let vector = self.forces[at].clone();
-            loads.push((self.place_velocity(model, velocities, force.on), vector.clone()));
+            let mut loads = vec![(self.place_velocity(model, velocities, force.on), vector.clone())];
             if let Some(place) = force.against {
                 let back = vector.neg(&mut self.arena);
                 loads.push((self.place_velocity(model, velocities, place), back));
             }
+            groups.push(loads);
         }
         for (at, torque) in model.torques.iter().enumerate() {
             let vector = self.torques[at].clone();
-            loads.push((velocities.angular[torque.on.0].clone(), vector.clone()));
+            let mut loads = vec![(velocities.angular[torque.on.0].clone(), vector.clone())];
             if let Some((frame, _)) = torque.against {
                 loads.push((velocities.angular[frame].clone(), vector.neg(&mut self.arena)));
             }
+            groups.push(loads);
         }
-        loads.into_iter().map(|(velocity, load)| Load { velocity, scale: Expr::ONE, load }).collect()
+        let load = |(velocity, load)| Load { velocity, scale: Expr::ONE, load };
+        groups.into_iter().map(|loads| loads.into_iter().map(load).collect()).collect()
     }
 
     /// Writes the applied forces and torques with the velocities that they name put in.
@@ -167,6 +170,24 @@ impl Kinematics {
         let component = simplifier.simplify(arena, component);
         if zero_test(arena, component) == ZeroTest::Zero { Expr::ZERO } else { component }
     }
+}
+
+/// Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of these loads, in q and q̇, before they are simplified.
+pub(super) fn forces_of<'a>(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    loads: impl IntoIterator<Item = &'a Load>,
+) -> Vec<Expr> {
+    let mut to_rates = speeds_to_rates(model);
+    let mut gradient = Gradient::new(&model.q_dot());
+    let mut forces: Vec<Dots> = model.coordinates.iter().map(|_| Dots::default()).collect();
+    for Load { velocity, scale, load } in loads {
+        let load = load.substitute(&mut kinematics.arena, &mut to_rates);
+        for (i, partial) in velocity.slopes(&mut kinematics.arena, &mut gradient) {
+            forces[i].add(*scale, &partial, &load);
+        }
+    }
+    forces.iter().map(|dots| dots.sum(&mut kinematics.arena, &mut kinematics.frames)).collect()
 }
 
 /// The components of a load with velocities put in.

@@ -57,7 +57,6 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         forcing,
         projection: partial_velocities(model, kinematics, &velocities, &rows, &model.u()),
         kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),
-        potential_energy: kinematics.potential_energy(model)?,
     })
 }
 

@@ -240,6 +240,10 @@ impl<'a> Quantities<'a> {
             Energy::Translation => self.part_of_energy(VectorName::Velocity),
             Energy::Rotation => self.part_of_energy(VectorName::AngularVelocity),
             Energy::Potential => v,
+            Energy::Gravity => {
+                let (model, kinematics) = (self.model, &mut self.derivations.kinematics);
+                kinematics.gravity_potential(model).map_err(|error| error.to_string())?
+            }
             Energy::Lagrangian => self.derivations.kinematics.arena.sub(t, v),
             Energy::Total => self.derivations.kinematics.arena.add(t, v),
         })

@@ -139,8 +139,10 @@ pub enum Energy {
     Translation,
     /// Σ ½ ω·I·ω.
     Rotation,
-    /// V, zero where the model puts its zero.
+    /// V, of gravity and of the applied loads that have a potential.
     Potential,
+    /// Gravity's part of V, zero where the model puts its zero.
+    Gravity,
     /// L = T − V.
     Lagrangian,
     /// T + V.
@@ -151,15 +153,16 @@ impl Energy {
     /// Whether a constant may be added to it without a meaning.
     #[must_use]
     pub const fn has_a_zero(self) -> bool {
-        matches!(self, Self::Potential | Self::Lagrangian | Self::Total)
+        matches!(self, Self::Potential | Self::Gravity | Self::Lagrangian | Self::Total)
     }
 
     /// All of them, with their names.
-    pub(crate) const ALL: [(Self, &'static str); 6] = [
+    pub(crate) const ALL: [(Self, &'static str); 7] = [
         (Self::Kinetic, "T"),
         (Self::Translation, "T_translation"),
         (Self::Rotation, "T_rotation"),
         (Self::Potential, "V"),
+        (Self::Gravity, "V_gravity"),
         (Self::Lagrangian, "L"),
         (Self::Total, "energy"),
     ];

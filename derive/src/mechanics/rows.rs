@@ -19,8 +19,6 @@ pub struct Rows {
     pub projection: Vec<Vec<Expr>>,
     /// T in q and v.
     pub kinetic_energy: Expr,
-    /// V in q.
-    pub potential_energy: Expr,
 }
 
 /// What a row of equations of motion is of. Places are positions from 0.

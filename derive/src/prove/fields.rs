@@ -12,7 +12,7 @@ use crate::algebra::polynomial::monomial_expr;
 use crate::algebra::relations::relations;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Function, Node};
-use crate::mechanics::{Derivations, Kinematics, generalized_forces};
+use crate::mechanics::{Derivations, Kinematics};
 use crate::model::Model;
 use std::collections::BTreeSet;
 
@@ -34,24 +34,27 @@ pub struct Lagrangian {
     /// ∂T/∂q̇: the generalized momenta.
     pub momenta: Vec<Expr>,
     v_by_q: Vec<Expr>,
-    /// Q: generalized forces of everything but gravity.
+    /// Q: generalized forces of what V leaves out.
     pub forces: Vec<Expr>,
+    /// Whether V is more than gravity's.
+    pub loads_have_potential: bool,
 }
 
 impl Lagrangian {
     /// The fields of a model whose Lagrange equations were derived.
     pub fn new(model: &Model, derivations: &mut Derivations, t: Expr, v: Expr) -> Self {
-        let forces = generalized_forces(model, &mut derivations.kinematics);
+        let loads = derivations.kinematics.load_potential(model);
         let Kinematics { arena, .. } = &mut derivations.kinematics;
         let mut by = |e: Expr, symbols: &[Expr]| -> Vec<Expr> {
             symbols.iter().map(|s| Differential::partial(*s).apply(arena, e)).collect()
         };
         let (q, q_dot) = (model.q(), model.q_dot());
         let (t_by_q, momenta, v_by_q) = (by(t, &q), by(t, &q_dot), by(v, &q));
-        Self { q, q_dot, t_by_q, momenta, v_by_q, forces }
+        let (forces, loads_have_potential) = (loads.rest, loads.energy != Expr::ZERO);
+        Self { q, q_dot, t_by_q, momenta, v_by_q, forces, loads_have_potential }
     }
 
-    /// Whether anything but gravity acts along a coordinate.
+    /// Whether anything without a potential acts along a coordinate.
     pub fn has_forces(&self) -> bool {
         self.forces.iter().any(|force| *force != Expr::ZERO)
     }

@@ -13,6 +13,7 @@ use crate::algebra::elimination::divisors;
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::primitive::primitive;
+use crate::algebra::print::text;
 use crate::algebra::range::never_zero;
 use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
@@ -147,8 +148,9 @@ impl Basis {
             covered
         };
         let covered = if search.no_potential {
+            let power = text(search.arena, self.kane.power);
             format!(
-                "{covered}; no energy: applied forces work, and the rules of integration found no potential of them"
+                "{covered}; no energy: d(T + V)/dt = {power}, since the rules of integration found no potential of some applied loads"
             )
         } else {
             covered
@@ -177,7 +179,9 @@ impl Search<'_> {
     fn energy(&mut self) {
         let (model, Basis { lagrangian, rates, kane, .. }) = (self.model, self.basis);
         let arena = &mut *self.arena;
-        let (mut kind, mut potential) = (IntegralKind::Energy, kane.potential_energy);
+        let mut kind =
+            if lagrangian.loads_have_potential { IntegralKind::EnergyOfForces } else { IntegralKind::Energy };
+        let mut potential = kane.potential_energy;
         let power: Vec<Expr> = lagrangian.forces.iter().zip(rates).map(|(f, v)| arena.mul(*f, *v)).collect();
         let power = arena.sum(&power);
         if zero_test(arena, power) != ZeroTest::Zero {
@@ -328,7 +332,6 @@ fn rate_of(arena: &mut Arena, simplifier: &mut Simplifier, model: &Model, rate: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::print::text;
     use crate::mechanics::derive_all;
     use std::path::Path;
 

@@ -299,6 +299,7 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
         variables,
         kinetic_energy,
         potential_energy,
+        power: Expr::ZERO,
         divisors,
     }
 }

@@ -234,7 +234,7 @@ fn expected(model: &Model) -> Vec<Quantity> {
     for at in 0..model.speeds.len() {
         kinds.extend([QuantityKind::Row(Row::ActiveForce, at), QuantityKind::Row(Row::InertiaForce, at)]);
     }
-    kinds.extend([QuantityKind::Energy(Energy::Kinetic), QuantityKind::Energy(Energy::Potential)]);
+    kinds.extend([QuantityKind::Energy(Energy::Kinetic), QuantityKind::Energy(Energy::Gravity)]);
     kinds.extend((0..model.coordinates.len()).map(QuantityKind::Rate));
     kinds.into_iter().map(|kind| Quantity::new(kind, model)).collect()
 }

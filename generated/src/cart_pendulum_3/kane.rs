@@ -90,10 +90,10 @@ pub use super::code::kane::coordinate_rates;
 #[doc(inline)]
 pub use super::code::kane::kinetic_energy;
 
-/// Potential energy V of gravity.
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
 ///
 /// ```text
-/// V = g*(l0*cos(q1)*(m1 + m2 + m3) + l1*cos(q2)*(m2 + m3) + m3*l2*cos(q3))
+/// V = g*(l0*cos(q1)*(m1 + m2 + m3) + l1*cos(q2)*(m2 + m3) + m3*l2*cos(q3)) - F*q0
 /// ```
 #[doc(inline)]
 pub use super::code::kane::potential_energy;

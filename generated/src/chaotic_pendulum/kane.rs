@@ -51,7 +51,7 @@ pub use super::code::kane::coordinate_rates;
 #[doc(inline)]
 pub use super::code::kane::kinetic_energy;
 
-/// Potential energy V of gravity.
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
 ///
 /// ```text
 /// V = -g*cos(theta)*(mA*lA + mB*lB)

@@ -53,7 +53,7 @@ pub use super::code::kane::coordinate_rates;
 #[doc(inline)]
 pub use super::code::kane::kinetic_energy;
 
-/// Potential energy V of gravity.
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
 ///
 /// ```text
 /// V = m*l*g*cos(q1)*cos(q2)

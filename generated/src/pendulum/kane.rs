@@ -47,7 +47,7 @@ pub use super::code::kane::coordinate_rates;
 #[doc(inline)]
 pub use super::code::kane::kinetic_energy;
 
-/// Potential energy V of gravity.
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
 ///
 /// ```text
 /// V = m*l*g*(1 - cos(theta))

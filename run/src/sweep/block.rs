@@ -3,8 +3,9 @@
 use super::lanes::{self, Request};
 use super::row::{Ended, Row};
 use crate::code::{Code, Ready, code};
+use crate::digits::assess;
 use crate::error::{Error, refused};
-use crate::how::options_of_ends;
+use crate::how::{options, options_of_ends};
 use crate::invariants::Watch;
 use crate::mechanism::Mechanism;
 use crate::overrides::Overrides;
@@ -45,6 +46,8 @@ pub struct Sweep<'a> {
     pub code: Code,
     balance: Balance,
     shown: Shown,
+    /// Whether a second run of each point tells how many digits are right.
+    pub tells_digits: bool,
     /// Set when no more rows are wanted.
     pub stop: AtomicBool,
 }
@@ -92,13 +95,14 @@ impl<'a> Sweep<'a> {
             code,
             balance,
             shown,
+            tells_digits: false,
             stop: AtomicBool::new(false),
         })
     }
 
-    /// Where nothing but gravity works, total energy is constant.
+    /// Where nothing works that the potential energy leaves out, total energy is constant.
     fn conserves_energy(&self) -> bool {
-        self.model.forces.is_empty() && self.model.torques.is_empty()
+        !self.code.system().has_power()
     }
 
     /// What is constant in each motion: the names of the first integrals that were proved; of a large model energy
@@ -117,7 +121,10 @@ impl<'a> Sweep<'a> {
     /// [`Error`] if the scene's text cannot be read again.
     pub fn worker(&'a self) -> Result<Worker<'a>, Error> {
         let family = Family::new(self.scene, self.model, self.grid)?;
-        Ok(Worker { sweep: self, family, lanes: lanes::equations(self.model, self.scene, self.solve, &self.code) })
+        // What is compared is looked at on its way.
+        let lanes =
+            if self.tells_digits { None } else { lanes::equations(self.model, self.scene, self.solve, &self.code) };
+        Ok(Worker { sweep: self, family, lanes })
     }
 }
 
@@ -198,19 +205,21 @@ impl Worker<'_> {
     /// One run, of the scene at a point, unless it was run already.
     fn run(&self, scene: &Scene, solution: Option<Solution>) -> Result<Ended, Error> {
         let problem = self.problem(scene)?;
-        let solution = match solution {
-            Some(solution) => solution,
-            None => {
-                let y0 = problem.start()?;
-                let mut events = events(&problem, &self.sweep.balance);
-                let solution = problem.integrate(&y0, &options_of_ends(scene)?, &mut events);
-                solution.map_err(|error| refused(scene, &error))?
-            }
-        };
-        self.ended(&problem, &solution)
+        if let Some(solution) = solution {
+            return self.ended(&problem, &solution, None);
+        }
+        let y0 = problem.start()?;
+        let Sweep { balance, shown, tells_digits, .. } = self.sweep;
+        let options = if *tells_digits { options(scene)? } else { options_of_ends(scene)? };
+        let mut watched = events(&problem, balance);
+        let solution = problem.integrate(&y0, &options, &mut watched).map_err(|error| refused(scene, &error))?;
+        drop(watched);
+        let values = |problem: &Problem<'_>, t: f64, y: &[f64]| shown.of(problem, t, y);
+        let digits = if *tells_digits { assess(&problem, &y0, &options, &solution, (&values, balance))? } else { None };
+        self.ended(&problem, &solution, digits.and_then(|digits| digits.end()))
     }
 
-    fn ended(&self, problem: &Problem<'_>, solution: &Solution) -> Result<Ended, Error> {
+    fn ended(&self, problem: &Problem<'_>, solution: &Solution, digits: Option<f64>) -> Result<Ended, Error> {
         let changes = match &self.sweep.watch {
             Some(watch) => watch.changes(problem, solution),
             None if self.sweep.conserves_energy() => {
@@ -238,6 +247,7 @@ impl Worker<'_> {
             rejected: solution.rejected,
             evaluations: solution.evaluations,
             changes,
+            digits,
         })
     }
 }

@@ -70,8 +70,10 @@ fn solution(request: &Request, outcome: Outcome) -> Solution {
     Solution {
         t: vec![request.plan.span.0, t_end],
         y: vec![request.start.clone(), y_end.clone()],
+        work: Vec::new(),
         t_end,
         y_end,
+        work_end: 0.0,
         steps,
         rejected,
         evaluations,

@@ -28,6 +28,8 @@ pub struct Ended {
     pub evaluations: u64,
     /// By how much each first integral differs at the end from its start.
     pub changes: Vec<f64>,
+    /// The digits that every value has at the end, if they were asked for and the run was assessed to its end.
+    pub digits: Option<f64>,
 }
 
 /// What the column `stop` says of a point without a run.

@@ -38,7 +38,7 @@ pub fn solve(
     let mut motion = OneDegree::new(system, p, q, *v)?;
     let (t0, t1) = span;
     motion.cover(0.0, t1 - t0)?;
-    let mut recorder = Recorder::new(&options.output, t0, y0);
+    let mut recorder = Recorder::new(&options.output, t0, y0, None);
     let mut watch = Watch::new(events, y0.len());
     let mut run = Run { motion: &motion, t0, y_end: y0.to_vec(), t_end: t0, steps: 0 };
     let stop = match watch.start(t0, y0) {
@@ -46,12 +46,14 @@ pub fn solve(
         None => run.walk(span, options, &mut watch, &mut recorder),
     };
     let Run { y_end, t_end, steps, .. } = run;
-    recorder.finish(t_end, &y_end, steps);
+    recorder.finish((t_end, &y_end, None), steps);
     Ok(Solution {
         t: recorder.t,
         y: recorder.y,
+        work: Vec::new(),
         t_end,
         y_end,
+        work_end: 0.0,
         steps,
         rejected: motion.course.tracks().iter().map(|track| u64::from(track.rejected)).sum(),
         evaluations: motion.evaluations(),
@@ -98,9 +100,9 @@ impl Run<'_> {
             step.advance(to);
             self.steps += 1;
             match watch.look(&step) {
-                Ok(None) => recorder.step(&step, 1.0),
+                Ok(None) => recorder.step(&step, 1.0, &mut |_| None),
                 Ok(Some((theta, stop))) => {
-                    recorder.step(&step, theta);
+                    recorder.step(&step, theta, &mut |_| None);
                     self.t_end = step.time_at(theta);
                     self.y_end.copy_from_slice(&step.sample(theta, self.t_end));
                     return stop;

@@ -143,8 +143,16 @@ pub trait System<S: Scalar = f64> {
 
     /// Kinetic energy T, in joules for a model in SI units.
     fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S;
-    /// Potential energy V of gravity, zero where the model file puts its zero.
+    /// Potential energy V, in joules likewise: of gravity, and of the applied loads that have a potential.
     fn potential_energy(&self, p: &[S], q: &[S]) -> S;
+    /// Whether [`System::power`] is not zero everywhere.
+    fn has_power(&self) -> bool {
+        false
+    }
+    /// The power of the loads that have no potential, in watts likewise: d(T + V)/dt, zero where T + V is conserved.
+    fn power(&self, _p: &[S], _q: &[S], _v: &[S]) -> S {
+        S::from_f64(0.0)
+    }
 
     /// Whether [`System::potential_slope`] has values.
     fn has_potential_slope(&self) -> bool {

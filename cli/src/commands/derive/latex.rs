@@ -62,6 +62,9 @@ pub fn formulation(model: &Model, derivation: &DerivationInSteps, solved: Option
     out.push_str("\n\\subsection{Kinetic and potential energy}\n");
     equation(&mut out, "T", &latex(arena, e.kinetic_energy));
     equation(&mut out, "V", &latex(arena, e.potential_energy));
+    if e.power != Expr::ZERO {
+        equation(&mut out, "\\frac{\\mathrm{d}}{\\mathrm{d}t}(T + V)", &latex(arena, e.power));
+    }
     if !e.divisors.is_empty() {
         out.push_str("\n\\subsection{Where the kinematic equations are singular}\n");
         for divisor in &e.divisors {

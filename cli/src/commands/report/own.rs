@@ -16,8 +16,6 @@ pub struct Own {
     pub run: Run,
     /// What was watched along it, if it shows every state.
     pub course: Option<Course>,
-    /// Whether the energies of the run are those of the model.
-    pub has_energy: bool,
 }
 
 impl Own {
@@ -32,11 +30,10 @@ impl Own {
         let code = reduced.code(model)?;
         let watch = (!scene.states_outputs).then_some(watch);
         let mut run = run_problem(&Problem::reduced(model, &reduced, scene, &code)?, watch)?;
-        whole_energies(model, scene, &reduced, &mut run)?;
+        whole_energies(model, scene, &mut run)?;
         let course = watch.map(|watch| run.course(watch, scene, &code)).transpose()?;
         let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
-        let has_energy = reduced.reduction.has_energy;
-        Ok(Self { needs: Needs { reduced, costs }, run, course, has_energy })
+        Ok(Self { needs: Needs { reduced, costs }, run, course })
     }
 }
 

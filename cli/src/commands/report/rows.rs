@@ -69,8 +69,7 @@ pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> Run
 
 /// The row of the scene's own equations.
 pub fn own_row(scene: &Scene, own: &Own, standing: Standing) -> RunRow {
-    let row = row(scene, &own.run, own.course.as_ref().unwrap_or(&UNWATCHED), standing);
-    RunRow { energy_drift: row.energy_drift.filter(|_| own.has_energy), ..row }
+    row(scene, &own.run, own.course.as_ref().unwrap_or(&UNWATCHED), standing)
 }
 
 /// The least and the greatest of some values.

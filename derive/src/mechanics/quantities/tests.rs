@@ -187,7 +187,9 @@ fn a_model_with_loads_and_a_particle_agrees_with_hand_calculation() {
             ("weight(cart) @ N [2]", "-m*g"),
             ("T_translation", "m*u1^2/2 + m/2*((u1 + (l*w - u1)*cos(q))^2 + ((l*w - u1)*sin(q))^2)"),
             ("T_rotation", "I/2*(w - u1/l)^2"),
-            ("V", "-m*g*l*cos(q)"),
+            ("V_gravity", "-m*g*l*cos(q)"),
+            // The spring of the cart and the push, whose point moves with it.
+            ("V", "-m*g*l*cos(q) + k*(x - l)^2/2"),
             ("E[1,1]", "2*m"),
             ("E[q,q]", "m*l^2 + I"),
             ("E[x,q]", "m*l*cos(q)"),

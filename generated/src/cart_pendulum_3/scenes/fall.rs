@@ -99,7 +99,7 @@ pub use super::code::fall::coordinate_rates;
 #[doc(inline)]
 pub use super::code::fall::kinetic_energy;
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// ```text
 /// V = g*(l0*cos(q1)*(m1 + m2 + m3) + l1*cos(q2)*(m2 + m3) + m3*l2*cos(q3)) - 11*q0/4

@@ -74,7 +74,7 @@ pub use super::code::swing::coordinate_rates;
 #[doc(inline)]
 pub use super::code::swing::kinetic_energy;
 
-/// Potential energy V of gravity.
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
 ///
 /// ```text
 /// V = -g*cos(theta)*(2*mA*lA + 3*lB)/2

@@ -190,7 +190,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     energy
 }
 
-/// Potential energy V of gravity.
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
 ///
 /// 4 operations, 1 sine and cosine.
 #[must_use]

@@ -76,7 +76,7 @@ pub use super::code::flat_fall::coordinate_rates;
 #[doc(inline)]
 pub use super::code::flat_fall::kinetic_energy;
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// ```text
 /// u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)

@@ -61,7 +61,7 @@ pub use super::code::lean::coordinate_rates;
 #[doc(inline)]
 pub use super::code::lean::kinetic_energy;
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// ```text
 /// u2 = (H_a3_scaled - u3_times_2*sin(q2))/cos(q2)

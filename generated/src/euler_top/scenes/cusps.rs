@@ -71,7 +71,7 @@ pub use super::code::cusps::coordinate_rates;
 #[doc(inline)]
 pub use super::code::cusps::kinetic_energy;
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// ```text
 /// u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))

@@ -135,7 +135,7 @@ pub use super::code::folding::coordinate_rates;
 #[doc(inline)]
 pub use super::code::folding::kinetic_energy;
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// ```text
 /// V = (4*p_x^2 + 4*p_y^2 + H_n3_scaled^2/(l^2*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 +

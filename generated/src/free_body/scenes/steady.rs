@@ -82,7 +82,7 @@ pub use super::code::steady::coordinate_rates;
 #[doc(inline)]
 pub use super::code::steady::kinetic_energy;
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// ```text
 /// w2 = (w3*sin(theta/2)^2 + p_psi_there)/(I1*sin(theta))

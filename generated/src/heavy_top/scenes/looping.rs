@@ -67,7 +67,7 @@ pub use super::code::looping::coordinate_rates;
 #[doc(inline)]
 pub use super::code::looping::kinetic_energy;
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// ```text
 /// u3 = p_q3/I3

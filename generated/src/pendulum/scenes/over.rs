@@ -52,7 +52,7 @@ pub use super::code::over::coordinate_rates;
 #[doc(inline)]
 pub use super::code::over::kinetic_energy;
 
-/// Potential energy V of gravity.
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
 ///
 /// ```text
 /// V = g*(1 - cos(theta))

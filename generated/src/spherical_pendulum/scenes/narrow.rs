@@ -58,7 +58,7 @@ pub use super::code::narrow::coordinate_rates;
 #[doc(inline)]
 pub use super::code::narrow::kinetic_energy;
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// ```text
 /// u2 = p_phi/sin(theta)

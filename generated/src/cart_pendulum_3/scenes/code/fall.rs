@@ -332,7 +332,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> S
     energy
 }
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// 13 operations, 3 sines and cosines.
 #[must_use]

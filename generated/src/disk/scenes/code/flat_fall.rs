@@ -232,7 +232,7 @@ pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     energy
 }
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// 18 operations, 2 sines and cosines.
 #[must_use]

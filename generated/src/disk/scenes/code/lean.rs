@@ -147,7 +147,7 @@ pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> 
     energy
 }
 
-/// Potential energy V of gravity, with the kinetic energy of what the momenta determine.
+/// Potential energy V, with the kinetic energy of what the momenta determine.
 ///
 /// 11 operations, 1 sine and cosine.
 #[must_use]

@@ -110,7 +110,7 @@ pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 1], u: &[S; 1]) ->
     energy
 }
 
-/// Potential energy V of gravity.
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
 ///
 /// 2 operations, 1 sine and cosine.
 #[must_use]

@@ -1,0 +1,115 @@
+//! The potential energy of a model, and the power of what has none.
+//!
+//! Of the applied loads those count that are there at rest: where −∂U/∂q are their generalized forces, U is potential
+//! energy. What a load has beyond that works in motion alone, as a damper does, or not at all, as a magnetic field.
+//!
+//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7.
+
+use super::energy::place_of_zero;
+use super::error::DeriveError;
+use super::kinematics::{Kinematics, LoadPotential, rates_to_speeds};
+use super::loads::{Load, forces_of};
+use crate::algebra::Expr;
+use crate::algebra::calculus::{Gradient, Substitution};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::primitive::primitive;
+use crate::model::Model;
+
+impl Kinematics {
+    /// V = V_gravity + U: the potential energy of gravity, and of all applied loads that have one by the rules of
+    /// [`primitive`], in q. U is zero where gravity's part is stated to be zero, if it has a value there; else its
+    /// constant is as the rules give it.
+    ///
+    /// # Errors
+    /// [`DeriveError::NoZeroOfPotential`].
+    pub fn potential_energy(&mut self, model: &Model) -> Result<Expr, DeriveError> {
+        let gravity = self.gravity_potential(model)?;
+        let of_loads = self.load_potential(model).energy;
+        let sum = self.arena.add(gravity, of_loads);
+        Ok(self.simplifier.simplify(&mut self.arena, sum))
+    }
+
+    /// The potential of the applied loads: of all of them together, else of each that has one by itself.
+    pub fn load_potential(&mut self, model: &Model) -> LoadPotential {
+        if let Some(known) = &self.potential {
+            return known.clone();
+        }
+        let velocities = self.in_rates.clone();
+        let groups = self.loads(model, &velocities);
+        let found = self.found_potential(model, &groups);
+        self.potential = Some(found.clone());
+        found
+    }
+
+    /// The power of what V leaves out, W, in q and the rates, or in q and u: d(T + V)/dt in every motion.
+    pub(super) fn power(&mut self, model: &Model, in_rates: bool) -> Expr {
+        let rest = self.load_potential(model).rest;
+        let arena = &mut self.arena;
+        let terms: Vec<Expr> = rest.iter().zip(model.q_dot()).map(|(force, rate)| arena.mul(*force, rate)).collect();
+        let power = arena.sum(&terms);
+        if zero_test(arena, power) == ZeroTest::Zero {
+            return Expr::ZERO;
+        }
+        let power = if in_rates { power } else { rates_to_speeds(model).apply(arena, power) };
+        self.simplifier.simplify(arena, power)
+    }
+
+    fn found_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
+        let all = forces_of(model, self, groups.iter().flatten());
+        let all: Vec<Expr> = all.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect();
+        let found = match self.primitive_at_rest(model, &all) {
+            Some(energy) => vec![energy],
+            None if groups.len() > 1 => {
+                let one = |group: &Vec<Load>| {
+                    let forces = forces_of(model, self, group);
+                    self.primitive_at_rest(model, &forces)
+                };
+                groups.iter().filter_map(one).collect()
+            }
+            None => Vec::new(),
+        };
+        let energy = self.arena.sum(&found);
+        let energy = self.zeroed_where_it_can_be(model, energy);
+        let mut rest = all;
+        for (i, slope) in Gradient::new(&model.q()).apply(&mut self.arena, energy).iter() {
+            let sum = self.arena.add(rest[*i], *slope);
+            rest[*i] = self.simplifier.simplify(&mut self.arena, sum);
+        }
+        for force in &mut rest {
+            if zero_test(&self.arena, *force) == ZeroTest::Zero {
+                *force = Expr::ZERO;
+            }
+        }
+        LoadPotential { energy, rest }
+    }
+
+    /// U with −∂U/∂q the parts of generalized forces that are there at rest; nothing if there is none, or no rule finds
+    /// it.
+    fn primitive_at_rest(&mut self, model: &Model, forces: &[Expr]) -> Option<Expr> {
+        let Self { arena, simplifier, .. } = self;
+        let mut at_rest = Substitution::new(&model.q_dot().iter().map(|rate| (*rate, Expr::ZERO)).collect::<Vec<_>>());
+        let slopes: Vec<Expr> = forces
+            .iter()
+            .map(|force| {
+                let resting = at_rest.apply(arena, *force);
+                arena.neg(resting)
+            })
+            .collect();
+        // What divides by a speed, as dry friction does, has no value at rest.
+        if at_rest.undefined.is_some() {
+            return None;
+        }
+        primitive(arena, simplifier, &model.q(), &slopes)
+    }
+
+    fn zeroed_where_it_can_be(&mut self, model: &Model, energy: Expr) -> Expr {
+        let Self { arena, simplifier, .. } = self;
+        let at_zero = model.gravity.as_ref().filter(|gravity| !gravity.zero_at.is_empty()).and_then(|_| {
+            let mut to_zero = place_of_zero(model);
+            let value = to_zero.apply(arena, energy);
+            to_zero.undefined.is_none().then_some(value)
+        });
+        let energy = at_zero.map_or(energy, |value| arena.sub(energy, value));
+        simplifier.simplify(arena, energy)
+    }
+}

@@ -1,0 +1,35 @@
+//! The power of what the potential energy leaves out, along a run of any equations.
+
+use crate::code::{Ready, code};
+use crate::error::Error;
+use crate::problem::{Power, Problem};
+use tripos_derive::Formulation;
+use tripos_derive::mechanics::By;
+
+/// What changes T + V along a run, if anything does and the run shows energies.
+///
+/// A scene's own equations and printed ones are of the whole model: the power is that of Kane's equations at the state
+/// shown.
+///
+/// # Errors
+/// [`Error`] if Kane's equations cannot be had.
+pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
+    let system = problem.system();
+    if let By::Derived(_) = problem.by {
+        let n = system.lengths().coordinates;
+        let p = problem.scene.parameters.as_slice();
+        return Ok(system.has_power().then(|| Box::new(move |_, y: &[f64]| system.power(p, &y[..n], &y[n..])) as _));
+    }
+    // Of a motion that keeps its energy nothing works.
+    if problem.by.is_reduced() && (problem.shown.states_outputs || system.has_energy_gradient()) {
+        return Ok(None);
+    }
+    let whole = code(problem.mechanism, &Formulation::Kane.into(), None, Ready::AsDerived)?;
+    let (p, n) = (problem.shown.parameters.as_slice(), problem.shown.q.len());
+    Ok(whole.system().has_power().then(|| {
+        Box::new(move |t, y: &[f64]| {
+            let state = problem.state(t, y);
+            whole.system().power(p, &state[..n], &state[n..])
+        }) as _
+    }))
+}
