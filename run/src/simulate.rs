@@ -18,7 +18,6 @@ use tripos_derive::mechanics::By;
 use tripos_derive::reduce::Ground;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_sim::{Solution, Stop};
-use tripos_traits::larger;
 
 /// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced
 /// ones where these are a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
@@ -167,12 +166,8 @@ pub fn whole_energies(model: &Mechanism, scene: &Scene, run: &mut Run) -> Result
         (system.kinetic_energy(p, q, u), system.potential_energy(p, q))
     };
     run.energies = run.states.iter().map(energies).collect();
-    let start = run.energies.first().map_or(f64::NAN, |(t, v)| t + v);
-    let end = energies(&run.end);
-    let Solution { work, work_end, .. } = &run.solution;
-    let work = work.iter().copied().chain(std::iter::repeat(0.0)).take(run.energies.len()).chain([*work_end]);
-    let changes = run.energies.iter().chain([&end]).zip(work).map(|((t, v), work)| (t + v - start - work).abs());
-    run.energy_drift = Some(changes.fold(0.0, larger));
+    let (kinetic, potential) = energies(&run.end);
+    run.energy_drift = Some(run.solution.energy_drift(run.energies.iter().map(|(t, v)| t + v), kinetic + potential));
     Ok(())
 }
 

@@ -3,7 +3,7 @@
 //! The state is y = [q; v]: generalized coordinates, then motion variables. Buffers are made once:
 //! for up to 12 unknowns a call allocates nothing.
 
-use tripos_traits::{System, larger};
+use tripos_traits::System;
 
 use crate::error::{Failure, SimError};
 use crate::linear::{self, Shape, Unsolvable};
@@ -133,10 +133,7 @@ impl<'a> Dynamics<'a> {
             let (q, v) = self.split(y);
             self.energy(q, v)
         };
-        let start = energy(solution.y.first().unwrap_or(&solution.y_end));
-        let worked = solution.work.iter().copied().chain(std::iter::repeat(0.0)).take(solution.y.len());
-        let states = solution.y.iter().zip(worked).chain([(&solution.y_end, solution.work_end)]);
-        states.map(|(y, work)| (energy(y) - start - work).abs()).fold(0.0, larger)
+        solution.energy_drift(solution.y.iter().map(energy), energy(&solution.y_end))
     }
 
     fn shape(&self) -> Shape {

@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use tripos_traits::larger;
+
 use crate::error::Failure;
 use crate::events::EventRecord;
 use crate::projection::ProjectionReport;
@@ -162,6 +164,16 @@ pub struct Solution<S = f64> {
 }
 
 impl<S> Solution<S> {
+    /// The largest change of energy that the work does not account for, J: of E − W from its value at the first sample, over
+    /// all samples, whose energies E these are, and the end. Not a number if one of them is none.
+    pub fn energy_drift(&self, at_samples: impl IntoIterator<Item = f64>, at_end: f64) -> f64 {
+        let work = self.work.iter().copied().chain(std::iter::repeat(0.0));
+        let mut left = at_samples.into_iter().zip(work).map(|(energy, work)| energy - work).peekable();
+        let end = at_end - self.work_end;
+        let start = left.peek().copied().unwrap_or(end);
+        left.chain([end]).map(|left| (left - start).abs()).fold(0.0, larger)
+    }
+
     /// When, after how many steps, why, with these names for the components of the state.
     #[must_use]
     pub fn described(&self, names: &[String]) -> String {
