@@ -4,24 +4,22 @@ use crate::code::{Ready, code};
 use crate::error::Error;
 use crate::problem::{Power, Problem};
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
 
 /// What changes T + V along a run, if anything does and the run shows energies.
 ///
-/// A scene's own equations and printed ones are of the whole model: the power is that of Kane's equations at the state
-/// shown.
+/// A scene's own equations show the energies of the whole model: the power is that of Kane's equations at the state shown.
 ///
 /// # Errors
 /// [`Error`] if Kane's equations cannot be had.
 pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
     let system = problem.system();
-    if let By::Derived(_) = problem.by {
+    if !problem.by.is_reduced() {
         let n = system.lengths().coordinates;
         let p = problem.scene.parameters.as_slice();
         return Ok(system.has_power().then(|| Box::new(move |_, y: &[f64]| system.power(p, &y[..n], &y[n..])) as _));
     }
     // Of a motion that keeps its energy nothing works.
-    if problem.by.is_reduced() && (problem.shown.states_outputs || system.has_energy_gradient()) {
+    if problem.shown.states_outputs || system.has_energy_gradient() {
         return Ok(None);
     }
     let whole = code(problem.mechanism, &Formulation::Kane.into(), None, Ready::AsDerived)?;

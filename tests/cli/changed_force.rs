@@ -80,6 +80,7 @@ fn one_more_force_is_a_few_lines_in_the_equations_and_in_what_is_said_of_them() 
         changed  disk/scenes/near_flat.rs
             equations: 0 changed, 17 new, 0 gone
         missing  lib.rs
+        with the same equations in other text: disk/printed_kane_final.rs, disk/printed_lagrange_final.rs, disk/printed_listing_5_4.rs, disk/printed_listing_5_5.rs, disk/printed_listing_5_6.rs, disk/printed_newton_euler_final.rs
         and the code of these equations, 16 files under `code`
         missing  models/disk/reference.json
     "]]
@@ -90,5 +91,25 @@ fn one_more_force_is_a_few_lines_in_the_equations_and_in_what_is_said_of_them() 
     let times = |counts: &HashMap<String, i64>, line: &str| counts.get(line).copied().unwrap_or(0);
     let removed: i64 = before.iter().map(|(line, count)| (count - times(&after, line)).max(0)).sum();
     let added: i64 = after.iter().map(|(line, count)| (count - times(&before, line)).max(0)).sum();
-    assert!(added > 0 && removed + added <= 75, "{removed} lines removed, {added} added");
+    assert!(added > 0 && removed + added <= 90, "{removed} lines removed, {added} added");
+}
+
+/// The drag works in a motion by printed equations, too, though these do not have it.
+#[test]
+fn printed_equations_state_the_power_of_what_acts_on_the_model() {
+    let folder = workspace();
+    add_drag(folder.path());
+    let state = "[state]\nq1 = 0.1\nq2 = 0.2\nq3 = 0.3\nq4 = 0.4\nq5 = 0.5\nu1 = 1\nu2 = 2\nu3 = 3\nu4 = 4\nu5 = 5\n";
+    std::fs::write(folder.path().join("state.toml"), state).unwrap();
+    let power = |by: &str| {
+        let (status, out, err) =
+            tripos_in(folder.path(), &["evaluate", "models/disk", "--by", by, "--at", "state.toml", "--json"]);
+        assert_eq!(status, 0, "{by}: {err}");
+        serde_json::from_str::<serde_json::Value>(&out).unwrap()["power"].as_f64().unwrap()
+    };
+    // −c u4 (u4 + R cos q1 (u3 − u2 tan q2)), with c = 0.1 and R = 1.
+    let exact = -0.1 * 4.0 * (4.0 + 0.1_f64.cos() * (3.0 - 2.0 * 0.2_f64.tan()));
+    for by in ["kane", "lagrange", "newton-euler", "printed:kane-final", "printed:lagrange-final"] {
+        assert!((power(by) - exact).abs() < 1e-12, "{by}: {} for {exact}", power(by));
+    }
 }

@@ -1,7 +1,6 @@
 //! Printed systems and listings as equations of motion that can be emitted and run.
 
 use super::motions;
-use crate::algebra::Expr;
 use crate::mechanics::{By, Derivations, Equations, RowName};
 use crate::model::Model;
 use crate::report::{EntryKind, Report};
@@ -36,7 +35,6 @@ pub fn printed_equations(model: &Model, derivations: &mut Derivations, report: &
             symmetric: false,
             definitions: Vec::new(),
             projection: Vec::new(),
-            power: Expr::ZERO,
             coordinate_rates: motion.coordinate_rates,
             ..derived.clone()
         });

@@ -51,8 +51,8 @@ pub struct Equations {
     pub kinetic_energy: Expr,
     /// V in q: of gravity, and of the applied loads that have a potential.
     pub potential_energy: Expr,
-    /// The power of what V leaves out, in q and v: d(T + V)/dt. 0 in printed equations and in a scene's own,
-    /// whose motions are those of the model.
+    /// The power of what V leaves out, in q and v: d(T + V)/dt. 0 in equations of a scene's own, whose T
+    /// and V are others.
     pub power: Expr,
     /// Expressions in q that the kinematic equations divide by.
     pub divisors: Vec<Expr>,

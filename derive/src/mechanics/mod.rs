@@ -34,6 +34,7 @@ pub use inertia::{InertiaCheck, has_inertia_at};
 pub use kinematics::{Kinematics, LoadPotential, Velocities, motion_rates, rates_to_speeds, speeds_to_rates};
 pub use loads::{Load, MovingPlace, moving_places};
 pub use newton_euler::{Balance, balances, partial_velocities};
+pub use potential::potential_at_rest;
 pub use quantities::{Quantities, QuantityError};
 pub use quantity::{Energy, Owner, Quantity, QuantityKind, Row, VectorName};
 pub use rows::{BalanceName, LineName, RowName, Rows, Stage, Step};

@@ -9,10 +9,11 @@ use super::energy::place_of_zero;
 use super::error::DeriveError;
 use super::kinematics::{Kinematics, LoadPotential, rates_to_speeds};
 use super::loads::{Load, forces_of};
-use crate::algebra::Expr;
 use crate::algebra::calculus::{Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::primitive::primitive;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 
 impl Kinematics {
@@ -57,12 +58,12 @@ impl Kinematics {
     fn found_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
         let all = forces_of(model, self, groups.iter().flatten());
         let all: Vec<Expr> = all.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect();
-        let found = match self.primitive_at_rest(model, &all) {
+        let found = match potential_at_rest(&mut self.arena, &mut self.simplifier, model, &all) {
             Some(energy) => vec![energy],
             None if groups.len() > 1 => {
                 let one = |group: &Vec<Load>| {
                     let forces = forces_of(model, self, group);
-                    self.primitive_at_rest(model, &forces)
+                    potential_at_rest(&mut self.arena, &mut self.simplifier, model, &forces)
                 };
                 groups.iter().filter_map(one).collect()
             }
@@ -83,25 +84,6 @@ impl Kinematics {
         LoadPotential { energy, rest }
     }
 
-    /// U with −∂U/∂q the parts of generalized forces that are there at rest; nothing if there is none, or no rule finds
-    /// it.
-    fn primitive_at_rest(&mut self, model: &Model, forces: &[Expr]) -> Option<Expr> {
-        let Self { arena, simplifier, .. } = self;
-        let mut at_rest = Substitution::new(&model.q_dot().iter().map(|rate| (*rate, Expr::ZERO)).collect::<Vec<_>>());
-        let slopes: Vec<Expr> = forces
-            .iter()
-            .map(|force| {
-                let resting = at_rest.apply(arena, *force);
-                arena.neg(resting)
-            })
-            .collect();
-        // What divides by a speed, as dry friction does, has no value at rest.
-        if at_rest.undefined.is_some() {
-            return None;
-        }
-        primitive(arena, simplifier, &model.q(), &slopes)
-    }
-
     fn zeroed_where_it_can_be(&mut self, model: &Model, energy: Expr) -> Expr {
         let Self { arena, simplifier, .. } = self;
         let at_zero = model.gravity.as_ref().filter(|gravity| !gravity.zero_at.is_empty()).and_then(|_| {
@@ -112,4 +94,26 @@ impl Kinematics {
         let energy = at_zero.map_or(energy, |value| arena.sub(energy, value));
         simplifier.simplify(arena, energy)
     }
+}
+
+/// U with −∂U/∂q the parts of generalized forces that are there at rest; nothing if there is none, or no rule finds it.
+pub fn potential_at_rest(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    model: &Model,
+    forces: &[Expr],
+) -> Option<Expr> {
+    let mut at_rest = Substitution::new(&model.q_dot().iter().map(|rate| (*rate, Expr::ZERO)).collect::<Vec<_>>());
+    let slopes: Vec<Expr> = forces
+        .iter()
+        .map(|force| {
+            let resting = at_rest.apply(arena, *force);
+            arena.neg(resting)
+        })
+        .collect();
+    // What divides by a speed, as dry friction does, has no value at rest.
+    if at_rest.undefined.is_some() {
+        return None;
+    }
+    primitive(arena, simplifier, &model.q(), &slopes)
 }

@@ -18,7 +18,9 @@ use crate::algebra::range::never_zero;
 use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
-use crate::mechanics::{Derivations, Equations, Formulation, Kinematics, motion_rates, rates_to_speeds};
+use crate::mechanics::{
+    Derivations, Equations, Formulation, Kinematics, motion_rates, potential_at_rest, rates_to_speeds,
+};
 use crate::model::Model;
 
 /// A quantity that is constant along every motion.
@@ -304,20 +306,15 @@ fn potential_of(
     model: &Model,
     lagrangian: &Lagrangian,
 ) -> Option<Expr> {
-    let rates = model.q_dot();
-    let mut at_rest = Substitution::new(&rates.iter().map(|rate| (*rate, Expr::ZERO)).collect::<Vec<_>>());
-    let (mut slopes, mut power) = (Vec::new(), Vec::new());
-    for (force, rate) in lagrangian.forces.iter().zip(&rates) {
-        let resting = at_rest.apply(arena, *force);
-        let beyond = arena.sub(*force, resting);
-        power.push(arena.mul(beyond, *rate));
-        slopes.push(arena.neg(resting));
+    let energy = potential_at_rest(arena, simplifier, model, &lagrangian.forces)?;
+    let mut power = Vec::new();
+    for ((force, q), rate) in lagrangian.forces.iter().zip(model.q()).zip(model.q_dot()) {
+        let slope = Differential::partial(q).apply(arena, energy);
+        let beyond = arena.add(*force, slope);
+        power.push(arena.mul(beyond, rate));
     }
     let power = arena.sum(&power);
-    if at_rest.undefined.is_some() || zero_test(arena, power) != ZeroTest::Zero {
-        return None;
-    }
-    primitive(arena, simplifier, &model.q(), &slopes)
+    (zero_test(arena, power) == ZeroTest::Zero).then_some(energy)
 }
 
 /// F(q) with dF/dt = `rate` along every path, if that is linear in q̇ and the rules find F.
