@@ -1,6 +1,9 @@
 //! Whole-pipeline tests, as one program.
 
 mod agreement;
+#[path = "../derive/tests/common/arm.rs"]
+#[allow(dead_code, reason = "the arm alone is used")]
+mod arm;
 mod arrows;
 mod battery;
 mod circles;
@@ -12,6 +15,7 @@ mod lanes;
 #[allow(dead_code, reason = "the battery uses its part")]
 mod mechanism;
 mod mutations;
+mod named;
 mod operation_counts;
 mod peers;
 mod reductions;

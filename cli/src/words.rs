@@ -1,5 +1,8 @@
 //! Words that several parts of the command say.
 
+/// What the terms are called that stand by their names in everything that follows.
+pub const NAMED: &str = "Terms that stand by a name";
+
 /// How many entries, in words.
 pub fn entries(count: usize) -> String {
     if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }

@@ -173,6 +173,9 @@ pub(crate) fn module_files(
     Ok(ModuleFiles { files, left_out, broken_scenes })
 }
 
+/// Convolutions an order above which no recurrences are written: a step of another method then costs less.
+const MOST_CONVOLUTIONS: usize = 200;
+
 /// The text of a model's module while it is written.
 struct ModuleText<'a> {
     origin: &'a Origin,
@@ -189,8 +192,10 @@ impl<'a> ModuleText<'a> {
     /// Adds derived equations, solved for their accelerations; with a file for people, or their code alone.
     fn solved(&mut self, model: &Model, derivation: Derivation, shown: bool) -> Result<(), Singular> {
         let Derivation { mut arena, equations } = derivation;
+        let equations = equations.written(&mut arena);
         let solved = Solved::new(&mut arena, &equations)?;
         let recurrences = recurrences_of(&mut arena, &equations, &solved.accelerations);
+        let recurrences = recurrences.filter(|list| list.convolutions() <= MOST_CONVOLUTIONS);
         let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
         let plan = FormulationPlan::new(&planner, Some(&solved), recurrences.as_ref());
         self.add(&plan, &self.origin.of_model(), shown);

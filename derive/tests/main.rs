@@ -1,5 +1,7 @@
 //! All tests of the crate, as one program.
 
+#[path = "common/arm.rs"]
+mod arm;
 mod cases;
 #[path = "common/chain.rs"]
 mod chain;
@@ -16,6 +18,7 @@ mod figures;
 mod kinematic_equations;
 mod limits;
 mod material_points;
+mod named;
 mod potentials;
 mod proofs;
 mod properties;

@@ -92,6 +92,8 @@ pub struct Interpreted<S = f64> {
     tapes: [Option<Tape<S>>; Part::Power as usize + 1],
     /// The recurrences of the Taylor coefficients.
     series: Option<Series<S>>,
+    /// Whether the tape of the Jacobian gives its product with a direction.
+    is_product: bool,
     /// What people call the divisors that are watched.
     divisors: Vec<String>,
     /// Room for the inputs of a tape, and for its values.
@@ -143,6 +145,7 @@ impl Interpreted {
             symmetric: e.symmetric,
             tapes,
             series: None,
+            is_product: false,
             work: Room::default(),
             both: Room::default(),
         })
@@ -165,7 +168,10 @@ impl Interpreted {
         let tape = |steps: &[Definition], outputs: &[Expr]| Tape::stepwise(&arena, &self.state, steps, outputs);
         self.tapes[Part::Accelerations as usize] = Some(tape(&accelerations.steps, rates)?);
         self.tapes[Part::Derivative as usize] = Some(tape(&accelerations.steps, &both)?);
-        self.tapes[Part::Jacobian as usize] = Some(tape(&jacobian.steps, &jacobian.entries.concat())?);
+        let inputs = [self.state.clone(), jacobian.direction.clone()].concat();
+        let of_jacobian = Tape::stepwise(&arena, &inputs, &jacobian.steps, &jacobian.entries.concat())?;
+        self.is_product = !jacobian.direction.is_empty();
+        self.tapes[Part::Jacobian as usize] = Some(of_jacobian);
         self.tapes[Part::Divisors as usize] = Some(tape(&divisors.steps, &divisors.values)?);
         Ok(self)
     }
@@ -212,6 +218,7 @@ impl Interpreted {
             divisors: self.divisors.clone(),
             tapes: self.tapes.each_ref().map(|tape| tape.as_ref().map(Tape::to)),
             series: self.series.as_ref().map(Series::to),
+            is_product: self.is_product,
             work: Room::default(),
             both: Room::default(),
         }
@@ -308,7 +315,19 @@ impl<S: Numeric> System<S> for Interpreted<S> {
         });
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        self.run(Part::Jacobian, &[p, q, v], out);
+        if !self.is_product {
+            return self.run(Part::Jacobian, &[p, q, v], out);
+        }
+        let n = self.lengths.state();
+        let (mut direction, mut column) = (vec![S::int(0); n], vec![S::int(0); n]);
+        for at in 0..n {
+            direction[at] = S::int(1);
+            self.run(Part::Jacobian, &[p, q, v, &direction], &mut column);
+            direction[at] = S::int(0);
+            for (row, value) in column.iter().enumerate() {
+                out[row * n + at] = *value;
+            }
+        }
     }
     fn has_taylor(&self) -> bool {
         self.series.is_some()

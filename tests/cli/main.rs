@@ -1,5 +1,8 @@
 //! All tests of the command, as one program.
 
+#[path = "../../derive/tests/common/arm.rs"]
+#[allow(dead_code, reason = "its text alone is used")]
+mod arm;
 mod changed_force;
 mod charts;
 mod command_line;
@@ -8,6 +11,7 @@ mod edited_model;
 mod emit;
 mod files;
 mod hostile;
+mod large;
 mod latex;
 mod numbers;
 mod page;

@@ -44,6 +44,7 @@ pub fn largest_terms(arena: &Arena, inputs: &[Expr], values: &[f64], outputs: &[
         let (value, magnitude) = match arena.node(e) {
             Node::Number(k) => (k.to_f64(), k.to_f64().abs()),
             Node::Pi => (std::f64::consts::PI, std::f64::consts::PI),
+            Node::Named(_, term) => (plain[term], largest[term]),
             Node::Symbol(_) => {
                 let x = values[inputs.iter().position(|i| *i == e).expect("an input")];
                 (x, x.abs())

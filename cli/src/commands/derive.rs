@@ -4,6 +4,7 @@ mod latex;
 
 use crate::arguments::Format;
 use crate::failure::{Failure, print, say};
+use crate::words::NAMED;
 use crate::workspace::{read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -58,9 +59,12 @@ fn derivations(model: &Mechanism, by: Option<&str>) -> Result<Vec<DerivationInSt
     Ok(list)
 }
 
-/// The accelerations, solved for; nothing where they are not determined.
+/// The accelerations, solved for, without the terms that were named before; nothing where they are not determined.
 fn solved(derivation: &mut DerivationInSteps) -> Option<Elimination> {
-    accelerations(&mut derivation.arena, &mut Simplifier::default(), &derivation.equations).ok()
+    let DerivationInSteps { arena, equations, .. } = derivation;
+    let mut solved = accelerations(arena, &mut Simplifier::default(), equations).ok()?;
+    solved.steps.retain(|step| !equations.definitions.contains(step));
+    Some(solved)
 }
 
 fn as_text(model: &Mechanism, moving: &[MovingPlace], derivations: &mut [DerivationInSteps]) -> String {
@@ -72,6 +76,13 @@ fn as_text(model: &Mechanism, moving: &[MovingPlace], derivations: &mut [Derivat
         let solved = solved(derivation);
         let DerivationInSteps { arena, equations: e, steps } = &*derivation;
         let _ = writeln!(out, "\n{}\n{}", e.formulation.title(), "=".repeat(e.formulation.title().chars().count()));
+        if !e.definitions.is_empty() {
+            let _ = writeln!(out, "\n{NAMED}, each line by those before it");
+            for step in &e.definitions {
+                let name = arena.symbol_name(step.symbol).unwrap_or_default();
+                let _ = writeln!(out, "  {name} = {}", text(arena, step.value));
+            }
+        }
         for step in steps {
             let _ = writeln!(out, "\n{}", step.stage.title(model));
             for (name, value) in &step.lines {
@@ -141,6 +152,14 @@ fn as_latex(
 fn as_mathml(derivations: &[DerivationInSteps]) -> String {
     let mut out = String::new();
     for DerivationInSteps { arena, equations: e, .. } in derivations {
+        for step in &e.definitions {
+            let name = mathml_name(arena.symbol_name(step.symbol).unwrap_or_default());
+            let _ = writeln!(
+                out,
+                "<math display=\"block\"><mrow>{name}<mo>=</mo>{}</mrow></math>",
+                mathml(arena, step.value)
+            );
+        }
         for (row, right) in e.matrix.iter().zip(&e.forcing) {
             let mut terms = Vec::new();
             for (entry, unknown) in row.iter().zip(&e.unknowns) {
@@ -178,6 +197,7 @@ fn as_json(model: &Mechanism, derivation: &mut DerivationInSteps) -> Value {
         .collect();
     json!({
         "formulation": e.formulation.name(),
+        "named": e.definitions.iter().map(line).collect::<Vec<_>>(),
         "unknowns": texts(&e.unknowns),
         "rows": e.row_names(model),
         "mass_matrix": e.matrix.iter().map(|row| texts(row)).collect::<Vec<_>>(),

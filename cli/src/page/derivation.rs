@@ -2,8 +2,10 @@
 
 use super::html::{escape, folded, scroll};
 use super::math::{formula, inline, length, line_name, lines, matrix, row_name, stage_title};
+use crate::words::NAMED;
 use std::fmt::Write;
 use tripos_derive::algebra::print::{latex, mathml_terms, view_of};
+use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, Method, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
@@ -31,11 +33,26 @@ pub fn section(
         Ok(derivation) => {
             let steps: String =
                 derivation.steps.iter().map(|step| show_step(model, &derivation.arena, step, shown)).collect();
-            format!("<h3>Derivation</h3>\n{steps}<h3>Equations of motion</h3>\n{}", show_equations(model, derivation))
+            let named = named_terms(&derivation.arena, &derivation.equations);
+            format!(
+                "<h3>Derivation</h3>\n{named}{steps}<h3>Equations of motion</h3>\n{}",
+                show_equations(model, derivation)
+            )
         }
         Err(reason) => format!("<p class=\"missing\"><strong>Not derived.</strong> {}.</p>\n", escape(reason)),
     };
     format!("<section id=\"{name}\">\n<h2>{title}</h2>\n<p>{}</p>\n{content}</section>\n", principle(formulation))
+}
+
+/// The terms that stand by a name in everything below.
+fn named_terms(arena: &Arena, equations: &Equations) -> String {
+    if equations.definitions.is_empty() {
+        return String::new();
+    }
+    let line = |step: &Definition| (formula(arena, step.symbol), formula(arena, step.value));
+    let pairs: Vec<_> = equations.definitions.iter().map(line).collect();
+    let content = scroll(NAMED, &lines(&pairs));
+    folded(&format!("{NAMED} <span class=\"quiet\">({} lines)</span>", pairs.len()), &content)
 }
 
 /// The principle, in a sentence.

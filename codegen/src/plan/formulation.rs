@@ -7,7 +7,13 @@ use crate::taylor::Recurrences;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Divisors, Solved, bare};
+use tripos_derive::mechanics::{Divisors, Jacobian, Solved, bare};
+
+/// Steps of accelerations up to which q̇ and v̇ are also computed together, sharing what they can.
+const MOST_REPEATED: usize = 100;
+
+/// The function that stands for the Jacobian of a large system: its product with a direction.
+pub const JACOBIAN_PRODUCT: &str = "jacobian_product";
 
 /// One formulation of one model.
 pub struct FormulationPlan<'a> {
@@ -38,7 +44,10 @@ impl<'a> FormulationPlan<'a> {
             equations.extend(conversions(planner));
         }
         let mut machine = solved.map_or_else(Vec::new, |solved| {
-            vec![derivative(planner, &solved.accelerations.steps), jacobian(planner, solved)]
+            let steps = &solved.accelerations.steps;
+            // What is long is not written twice: q̇ and v̇ are then computed one after the other.
+            let together = (steps.len() <= MOST_REPEATED).then(|| derivative(planner, steps));
+            together.into_iter().chain([jacobian(planner, solved)]).collect()
         });
         let (divisors, names) = divisors(planner, solved);
         machine.extend(divisors);
@@ -71,8 +80,8 @@ fn linear_system(planner: &Planner<'_>) -> Vec<Function> {
         format!("Right-hand side of the linear system; unknowns {}.", vector_text(planner.arena, &e.unknowns));
     let returns = Returns::Matrix { symmetric: e.symmetric };
     vec![
-        planner.function("mass_matrix", &matrix_about, Arguments::State, returns, &entries),
-        planner.function("forcing", &forcing_about, Arguments::State, Returns::Vector, &forcing),
+        planner.stepwise("mass_matrix", &matrix_about, Arguments::State, returns, &e.definitions, &entries),
+        planner.stepwise("forcing", &forcing_about, Arguments::State, Returns::Vector, &e.definitions, &forcing),
     ]
 }
 
@@ -85,9 +94,12 @@ pub(super) fn accelerations(planner: &Planner<'_>, steps: &[Definition]) -> Func
     planner.stepwise("accelerations", &about, Arguments::State, Returns::Vector, steps, &values)
 }
 
-/// `jacobian`: ∂(q̇, v̇)/∂(q, v).
+/// `jacobian`: ∂(q̇, v̇)/∂(q, v), or `jacobian_product`, its product with a direction.
 pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Function {
     let e = planner.equations;
+    if !solved.jacobian.direction.is_empty() {
+        return jacobian_product(planner, &solved.jacobian);
+    }
     let state = names(planner.arena, &[e.coordinates.as_slice(), &e.variables].concat());
     let q_dot = planner.model.coordinates.iter().map(|c| format!("{}'", c.name));
     let slopes: Vec<Value> = q_dot
@@ -103,6 +115,19 @@ pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Function {
     let about = format!("Jacobian of the derivative by the state; columns {}.", state.join(", "));
     let returns = Returns::Matrix { symmetric: false };
     planner.stepwise("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes)
+}
+
+fn jacobian_product(planner: &Planner<'_>, product: &Jacobian) -> Function {
+    let rates = planner.model.coordinates.iter().map(|c| format!("{}'", c.name));
+    let rates = rates.chain(names(planner.arena, self::rates(planner)));
+    let values: Vec<Value> = rates
+        .zip(&product.entries)
+        .map(|(rate, row)| (format!("d_{}_value", spelled(&rate)), format!("d({rate})"), row[0]))
+        .collect();
+    let about =
+        "What a change of the state along a direction makes of its derivative: the Jacobian times the direction.";
+    let arguments = Arguments::StateAndDirection { direction: &product.direction };
+    planner.stepwise(JACOBIAN_PRODUCT, about, arguments, Returns::Vector, &product.steps, &values)
 }
 
 /// `divisors`: what is divided by on the way to q̇ and v̇ and might be zero somewhere; nothing if that is nothing.

@@ -10,6 +10,9 @@ use tripos_derive::algebra::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Model};
 
+/// Named terms above which a program is read in one way only.
+const MOST_READ: usize = 100;
+
 /// A planned function.
 #[derive(Clone, Debug)]
 pub struct Function {
@@ -27,6 +30,8 @@ pub struct Function {
     pub entries: Vec<Entry>,
     /// What a call costs.
     pub cost: Cost,
+    /// Whether each line is to have its formula above it: where most lines are named terms, their names say it.
+    pub explained: bool,
 }
 
 /// An argument of a function, with the variables that its body has for what it reads.
@@ -59,7 +64,7 @@ pub enum Entry {
 
 /// The kinds of arguments that functions have.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Arguments {
+pub enum Arguments<'a> {
     /// (p, q, v)
     State,
     /// (p, q, u)
@@ -68,6 +73,11 @@ pub enum Arguments {
     StateAndRates,
     /// (p, q)
     Configuration,
+    /// (p, q, v, direction of (q, v))
+    StateAndDirection {
+        /// The symbols of the direction.
+        direction: &'a [Expr],
+    },
     /// (p, t, q, v)
     Shown {
         /// The symbol of the time.
@@ -146,13 +156,19 @@ impl<'a> Planner<'a> {
         Self { model, arena, equations, variables, shares }
     }
 
+    /// Whether lines have their formulas above them: not where the equations are made of named terms.
+    #[must_use]
+    pub fn explains(&self) -> bool {
+        self.equations.definitions.len() <= MOST_READ
+    }
+
     /// A function without steps of its own before its values.
     #[must_use]
     pub fn function(
         &self,
         name: &'static str,
         about: &str,
-        arguments: Arguments,
+        arguments: Arguments<'_>,
         returns: Returns,
         values: &[Value],
     ) -> Function {
@@ -166,7 +182,7 @@ impl<'a> Planner<'a> {
         &self,
         name: &'static str,
         about: &str,
-        arguments: Arguments,
+        arguments: Arguments<'_>,
         returns: Returns,
         steps: &[Definition],
         values: &[Value],
@@ -194,7 +210,8 @@ impl<'a> Planner<'a> {
         let entries = places.iter().map(|at| entries[*at].clone()).collect();
         let arguments = self.arguments(arguments, &program.inputs);
         let cost = Cost::of(&program);
-        Function { name, about: about.to_owned(), arguments, returns, program, entries, cost }
+        let explained = self.explains();
+        Function { name, about: about.to_owned(), arguments, returns, program, entries, cost, explained }
     }
 
     /// The program for these outputs that costs least: as it stands, or with common sub-sums and sub-products
@@ -206,7 +223,9 @@ impl<'a> Planner<'a> {
             return best;
         }
         let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
-        for reading in Reading::ALL {
+        // Named terms are short, and read alike in every way.
+        let readings = if self.explains() { &Reading::ALL[..] } else { &Reading::SAMPLE[..1] };
+        for &reading in readings {
             let mut arena = self.arena.clone();
             let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, &values);
             let Some(shared) = shared else { continue };
@@ -221,7 +240,7 @@ impl<'a> Planner<'a> {
     }
 
     /// The arguments, with what is read of them.
-    fn arguments(&self, arguments: Arguments, inputs: &FxHashSet<Expr>) -> Vec<Argument> {
+    fn arguments(&self, arguments: Arguments<'_>, inputs: &FxHashSet<Expr>) -> Vec<Argument> {
         let e = self.equations;
         let array = |name: &'static str, symbols: &[Expr]| {
             let variable = |s: &Expr| inputs.contains(s).then(|| self.variables.of[s].clone());
@@ -236,9 +255,15 @@ impl<'a> Planner<'a> {
         match arguments {
             Arguments::Configuration => {}
             Arguments::Speeds => list.push(array("u", &self.model.u())),
-            Arguments::State | Arguments::StateAndRates | Arguments::Shown { .. } => {
+            Arguments::State
+            | Arguments::StateAndRates
+            | Arguments::StateAndDirection { .. }
+            | Arguments::Shown { .. } => {
                 list.push(array(own, &e.variables));
             }
+        }
+        if let Arguments::StateAndDirection { direction } = arguments {
+            list.push(array("direction", direction));
         }
         if arguments == Arguments::StateAndRates {
             list.push(array("v_dot", &e.unknowns));

@@ -16,7 +16,7 @@ mod taylor;
 
 pub use cost::Cost;
 pub use form::{constant_and_factors, is_flat, is_plain_product, led};
-pub use formulation::{FormulationPlan, derivative};
+pub use formulation::{FormulationPlan, JACOBIAN_PRODUCT, derivative};
 pub use function::{Argument, Arguments, Entry, Function, Planner, Returns, Value};
 pub use names::{Allocator, Language, Names, Variables, identifier, module_name, spelled, type_name};
 pub use program::{Line, Output, Program, Statement, program};

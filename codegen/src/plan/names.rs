@@ -273,7 +273,7 @@ impl Names {
             Node::Apply(Function::Cos, angle) => Some(self.circular(arena, *angle).1),
             Node::Apply(f, argument) => Some(format!("{}_{}", f.name(), self.atom(arena, variables, *argument)?)),
             Node::Pi => Some("pi".to_owned()),
-            Node::Number(_) | Node::Sum(..) | Node::Product(_) => None,
+            Node::Number(_) | Node::Sum(..) | Node::Product(_) | Node::Named(..) => None,
         }
     }
 }

@@ -35,6 +35,8 @@ pub struct TaylorPlan<'a> {
     pub parameters: Argument,
     /// What is constant in time.
     pub constants: Program,
+    /// Whether each line is to have its formula above it.
+    pub explained: bool,
 }
 
 impl<'a> TaylorPlan<'a> {
@@ -82,6 +84,7 @@ impl<'a> TaylorPlan<'a> {
             slots,
             parameters: planner.parameters(&inputs(arena, list)),
             constants: constants(arena, &variables, list, &weights),
+            explained: planner.explains(),
             weights,
             variables,
         }

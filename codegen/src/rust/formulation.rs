@@ -5,7 +5,7 @@ use super::system::{self, Part};
 use super::taylor;
 use super::text::{format, header, prose, stated};
 use super::written::{Written, reexport};
-use crate::plan::{FormulationPlan, module_name, type_name};
+use crate::plan::{FormulationPlan, JACOBIAN_PRODUCT, module_name, type_name};
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Expr;
 
@@ -30,10 +30,13 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
     let sorted = written.sort(&module, planned.chain(taylor));
 
     let mut parts = vec![Part::LinearSystem, Part::WholeState(model.coordinates.len() + model.speeds.len())];
-    parts.extend(plan.is_solved.then_some(Part::Eliminated));
+    let has = |name: &str| plan.machine.iter().any(|planned| planned.name == name);
+    let (product, together) = (has(JACOBIAN_PRODUCT), has("derivative"));
+    parts.extend(plan.is_solved.then_some(Part::Eliminated { product, together }));
     parts.extend((plan.planner.equations.power != Expr::ZERO).then_some(Part::Power));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
     parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
+    let by_columns = product.then(|| quote!(, by_columns));
     let system = system::system(model, equations, &parts);
     let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, sorted.has("taylor")));
     let (own, imports) = (&sorted.own, sorted.imports());
@@ -49,7 +52,7 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
             use super::super::Parameters;
             #(#imports)*
             #series
-            use tripos_traits::{Lengths, Scalar, System};
+            use tripos_traits::{Lengths, Scalar, System #by_columns};
             #(#own)*
             #system
         },

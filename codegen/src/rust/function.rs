@@ -40,7 +40,7 @@ pub fn function(planned: &Function, parameters: &Parameters) -> TokenStream {
     let arguments = planned.arguments.iter().map(|argument| signature(argument, parameters));
     let unpack = planned.arguments.iter().map(|argument| unpack(argument, parameters));
     let zero = planned.entries.contains(&Entry::Zero).then(|| quote!(let zero = S::int(0);));
-    let head = statements(&planned.program);
+    let head = statements(&planned.program, planned.explained);
     let body = section(planned.returns.heading(), &planned.program.outputs);
     let (kind, result) = result(planned.returns, &planned.entries);
     quote! {
@@ -126,10 +126,13 @@ fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
     }
 }
 
-/// The lines of a program, with comments carried as marked doc attributes; under one heading a kind.
-pub fn statements(program: &Program) -> TokenStream {
+/// The lines of a program, with comments carried as marked doc attributes; under one heading a kind. Each has its formula
+/// above it if they are `explained`.
+pub fn statements(program: &Program, explained: bool) -> TokenStream {
     let is_elimination = program.lines.iter().any(|line| matches!(line, Line::Step(_)));
-    let shared = if is_elimination {
+    let shared = if !explained {
+        "Step by step, each after the terms that it needs; formulas stand with the equations."
+    } else if is_elimination {
         "Elimination, step by step, each after the terms that it shares."
     } else {
         "Shared terms."
@@ -143,7 +146,7 @@ pub fn statements(program: &Program) -> TokenStream {
                 let (sine, cosine, angle) = (name(sine), name(cosine), receiver(angle));
                 ("Sines and cosines.", quote!(let (#sine, #cosine) = #angle.sin_cos();))
             }
-            Line::Let(step) | Line::Step(step) => (shared, statement(step)),
+            Line::Let(step) | Line::Step(step) => (shared, statement(step, explained)),
         };
         if !headings.contains(&wanted) {
             headings.push(wanted);
@@ -157,13 +160,13 @@ pub fn statements(program: &Program) -> TokenStream {
 /// `let` statements, the first one under a heading.
 pub fn section(heading: &str, list: &[Statement]) -> TokenStream {
     let heading = if list.is_empty() { TokenStream::new() } else { comment(heading) };
-    let statements = list.iter().map(statement);
+    let statements = list.iter().map(|one| statement(one, true));
     quote!(#heading #(#statements)*)
 }
 
-/// `let` with the equation that it stands for above.
-fn statement(statement: &Statement) -> TokenStream {
-    let equation = statement.comment.as_deref().map(comment);
+/// `let`, with the equation that it stands for above if it is `explained`.
+fn statement(statement: &Statement, explained: bool) -> TokenStream {
+    let equation = statement.comment.as_deref().filter(|_| explained).map(comment);
     let (name, value) = (ident(&statement.name), expression(&statement.value));
     quote!(#equation let #name = #value;)
 }

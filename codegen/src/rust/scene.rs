@@ -7,7 +7,7 @@ use super::system::{self, Part};
 use super::taylor;
 use super::text::{format, header, prose, stated};
 use super::written::reexport;
-use crate::plan::{SceneEquations, ScenePlan, module_name};
+use crate::plan::{JACOBIAN_PRODUCT, SceneEquations, ScenePlan, module_name};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 use tripos_derive::algebra::linear::Singular;
@@ -122,7 +122,9 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
     let from_start = plan.from_start.iter().map(|planned| function(planned, &of_whole));
     let own = Parameters::of(model);
     let functions = plan.equations.iter().chain(&plan.machine).map(|planned| function(planned, &own));
-    let mut parts = vec![Part::Outputs(reduction.outputs.len()), Part::Eliminated];
+    let product = plan.machine.iter().any(|planned| planned.name == JACOBIAN_PRODUCT);
+    let by_columns = product.then(|| quote!(, by_columns));
+    let mut parts = vec![Part::Outputs(reduction.outputs.len()), Part::Eliminated { product, together: true }];
     parts.extend(reduction.has_energy.then_some(Part::EnergyGradient));
     parts.extend(reduction.slope.as_ref().map(|_| Part::PotentialSlope));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
@@ -138,7 +140,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
         &header(first_line(reduction, named), named.origin, &[]),
         quote! {
             #series
-            use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+            use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System #by_columns};
 
             #structure
 

@@ -11,8 +11,13 @@ use tripos_derive::{Equations, Model};
 pub enum Part {
     /// `mass_matrix` and `forcing`.
     LinearSystem,
-    /// `accelerations`, `derivative` and `jacobian`.
-    Eliminated,
+    /// `accelerations`, `derivative` and the Jacobian.
+    Eliminated {
+        /// Whether there is `jacobian_product` in place of `jacobian`.
+        product: bool,
+        /// Whether there is `derivative`.
+        together: bool,
+    },
     /// Recurrences of Taylor coefficients, with room for this many convolutions.
     Taylor(usize),
     /// This many `outputs` of a scene.
@@ -42,22 +47,39 @@ impl Part {
                     out.copy_from_slice(&forcing(#state));
                 }
             },
-            Self::Eliminated => quote! {
+            Self::Eliminated { product, together } => {
+                let derivative = if *together {
+                    quote! {
+                        let (of_q, of_v) = derivative(#state);
+                        q_dot.copy_from_slice(&of_q);
+                        v_dot.copy_from_slice(&of_v);
+                    }
+                } else {
+                    quote! {
+                        q_dot.copy_from_slice(&coordinate_rates(#state));
+                        v_dot.copy_from_slice(&accelerations(#state));
+                    }
+                };
+                let jacobian = if *product {
+                    quote!(by_columns(out, |direction| jacobian_product(#state, direction)))
+                } else {
+                    quote!(out.copy_from_slice(jacobian(#state).as_flattened()))
+                };
+                quote! {
                 fn has_accelerations(&self) -> bool { true }
                 fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
                     S::dispatch(#[inline(always)] || out.copy_from_slice(&accelerations(#state)));
                 }
                 fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
                     S::dispatch(#[inline(always)] || {
-                        let (of_q, of_v) = derivative(#state);
-                        q_dot.copy_from_slice(&of_q);
-                        v_dot.copy_from_slice(&of_v);
+                        #derivative
                     });
                 }
                 fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                    out.copy_from_slice(jacobian(#state).as_flattened());
+                    #jacobian;
                 }
-            },
+                }
+            }
             Self::Taylor(width) => series(*width),
             Self::Outputs(count) => {
                 let count = Literal::usize_unsuffixed(*count);

@@ -160,6 +160,7 @@ impl Lowering<'_> {
                 }
             }
             Node::Product(factors) => self.product(e, &factors),
+            Node::Named(_, term) => self.known[&term],
             Node::Apply(f, argument) => {
                 let x = self.plain(argument);
                 Operand::Scaled(Expr::ONE, self.function(e, f, argument, x))

@@ -23,6 +23,8 @@ use tripos_derive::algebra::{Arena, Expr};
 
 /// Rounds of improvement. Each form of each expression is tried in each.
 const ROUNDS: usize = 3;
+/// Steps above which the recurrences are taken as they stand: what is long was made of short steps.
+const MOST_IMPROVED: usize = 100;
 /// Expressions times their forms above which forms are not tried one by one.
 const MOST_TRIALS: usize = 150;
 
@@ -43,6 +45,9 @@ pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[
     let mut rates = rates.to_vec();
     let mut best = lower::lower(arena, states, &rates, &steps)?;
     let varying = lower::varying(arena, states, &rates, &steps);
+    if steps.len() > MOST_IMPROVED {
+        return Some(best);
+    }
     let mut together = Vec::new();
     let count = steps.len() + rates.len();
     let of = |steps: &[Definition], rates: &[Expr], at: usize| match steps.get(at) {

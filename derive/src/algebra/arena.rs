@@ -107,6 +107,9 @@ pub enum Node {
     Product(Box<[(Expr, i32)]>),
     /// A function of its argument.
     Apply(Function, Expr),
+    /// A term that has a name: what mentions it shows the name, and no rewriting looks behind it; by meaning it is the
+    /// term. What it is to be called, and the term.
+    Named(u32, Expr),
 }
 
 /// A power that cannot be built: a negative power of zero, or an exponent or number too large.
@@ -118,6 +121,17 @@ pub enum PowerError {
     TooLarge,
 }
 
+/// What terms are called.
+#[derive(Clone, Default)]
+pub(super) struct Names {
+    pub(super) labels: Vec<String>,
+    pub(super) label_index: FxHashMap<String, u32>,
+    /// What stands for each term that has a name.
+    pub(super) stands: FxHashMap<Expr, Expr>,
+    /// The symbol of each such term that was written down.
+    pub(super) symbols: FxHashMap<Expr, Expr>,
+}
+
 /// The store of all terms of one model.
 #[derive(Clone)]
 pub struct Arena {
@@ -127,6 +141,7 @@ pub struct Arena {
     symbol_index: FxHashMap<String, Expr>,
     positive: FxHashSet<Expr>,
     restrictions: Vec<Expr>,
+    pub(super) names: Names,
 }
 
 impl Default for Arena {
@@ -158,6 +173,7 @@ impl Arena {
             symbol_index: FxHashMap::default(),
             positive: FxHashSet::default(),
             restrictions: Vec::new(),
+            names: Names::default(),
         };
         for n in [0, 1, -1] {
             arena.intern(Node::Number(Rational::integer(n)));
@@ -292,7 +308,7 @@ impl Arena {
         let (terms, factors, argument): (&[_], &[_], _) = match self.node(e) {
             Node::Sum(_, terms) => (terms, &[], None),
             Node::Product(factors) => (&[], factors, None),
-            Node::Apply(_, argument) => (&[], &[], Some(*argument)),
+            Node::Apply(_, argument) | Node::Named(_, argument) => (&[], &[], Some(*argument)),
             _ => (&[], &[], None),
         };
         terms.iter().map(|(e, _)| *e).chain(factors.iter().map(|(e, _)| *e)).chain(argument)
@@ -304,9 +320,20 @@ impl Arena {
         self.reachable_until(roots, |_| false)
     }
 
+    /// What these terms are built from as they are shown: nothing that stands behind a name.
+    #[must_use]
+    pub fn shown(&self, roots: &[Expr]) -> Vec<Expr> {
+        self.walk(roots, |_| false, |e| matches!(self.node(e), Node::Named(..)))
+    }
+
     /// What the roots are built from in order of handles, but nothing for which `known` holds, nor what only such terms
     /// are built from.
     pub(super) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
+        self.walk(roots, known, |_| false)
+    }
+
+    /// What the roots are built from in order of handles, without what is known, and without what is behind an end.
+    fn walk(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, is_end: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // A bit for each handle up to the largest root: operands have smaller ones.
         let words = roots.iter().map(|e| e.index() / 64 + 1).max().unwrap_or(0);
         let mut seen = vec![0_u64; words];
@@ -318,7 +345,9 @@ impl Arena {
                 seen[word] |= bit;
                 sorted &= all.last().is_none_or(|last| *last < e);
                 all.push(e);
-                stack.push(e);
+                if !is_end(e) {
+                    stack.push(e);
+                }
             }
         };
         for root in roots {

@@ -103,7 +103,7 @@ pub fn is_plain_product(arena: &Arena, e: Expr) -> bool {
             let sums = factors.iter().filter(|(base, _)| matches!(arena.node(*base), Node::Sum(..))).count();
             sums <= 1 && factors.iter().all(|(base, n)| *n > 0 && is_plain(*base))
         }
-        Node::Symbol(_) | Node::Apply(..) => is_plain(inner),
+        Node::Symbol(_) | Node::Apply(..) | Node::Named(..) => is_plain(inner),
         Node::Number(_) | Node::Pi => true,
         Node::Sum(..) => false,
     }

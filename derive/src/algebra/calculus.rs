@@ -32,6 +32,13 @@ fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Ex
                 arena.apply(f, map[&argument])
             }
         }
+        Node::Named(_, term) => {
+            if map[&term] == term {
+                e
+            } else {
+                arena.name_again(e, map[&term])
+            }
+        }
     })
 }
 
@@ -56,6 +63,12 @@ impl Substitution {
     /// Gives a symbol a value before the first expression that mentions it is rewritten.
     pub fn set(&mut self, symbol: Expr, value: Expr) {
         self.map.insert(symbol, value);
+    }
+
+    /// Whether it is known what becomes of a term.
+    #[must_use]
+    pub fn knows(&self, e: Expr) -> bool {
+        self.map.contains_key(&e)
     }
 
     /// `e` rewritten. A quotient whose divisor becomes the literal 0 is left as it was and noted in
@@ -147,6 +160,7 @@ impl Differential {
                 let outer = derivative_of(arena, f, argument, e);
                 arena.mul(outer, inner)
             }
+            Node::Named(_, term) => arena.name_again(e, self.map[&term]),
         }
     }
 }
@@ -212,6 +226,10 @@ impl Gradient {
                 for (at, inner) in self.map[&argument].iter() {
                     shares.push((*at, arena.mul(outer, *inner), Rational::ONE));
                 }
+            }
+            Node::Named(_, term) => {
+                let slopes = self.map[&term].clone();
+                return slopes.iter().map(|(at, slope)| (*at, arena.name_again(e, *slope))).collect();
             }
         }
         shares.sort_by_key(|(at, ..)| *at);

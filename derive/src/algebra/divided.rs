@@ -92,6 +92,7 @@ impl Rules {
         }
         match arena.node(e).clone() {
             Node::Number(_) | Node::Symbol(_) | Node::Pi => Some(Expr::ZERO),
+            Node::Named(_, term) => Some(self.map[&term]),
             Node::Sum(_, terms) => {
                 let terms: Vec<_> = terms.iter().map(|(term, k)| (self.map[term], k.clone())).collect();
                 Some(arena.linear_combination(&terms))

@@ -32,6 +32,8 @@ pub struct LinearSystem<'a> {
     pub unknowns: &'a [Expr],
     /// Whether A is symmetric, and positive definite wherever it is regular.
     pub symmetric: bool,
+    /// Whether entries are given names at once, and nothing is written out in the hope that it cancels.
+    pub is_large: bool,
 }
 
 /// The solution of a linear system, step by step.
@@ -52,6 +54,11 @@ pub fn eliminate(
     simplifier: &mut Simplifier,
     system: LinearSystem<'_>,
 ) -> Result<Elimination, Singular> {
+    if system.is_large {
+        let steps = solve(arena, simplifier, system, 0)?;
+        let divisors = divisors(arena, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
+        return Ok(Elimination { steps, divisors });
+    }
     let mut best: Option<(usize, Arena, Simplifier, Vec<Definition>)> = None;
     for longest in LONGEST {
         // In stores of their own, so that the names of an attempt that loses are not taken.

@@ -13,7 +13,7 @@ use std::ops::Index;
 /// a value then.
 pub trait Fold {
     /// What a term becomes.
-    type Value;
+    type Value: Clone;
     /// The value of a number.
     fn number(&mut self, value: &Rational) -> Option<Self::Value>;
     /// The value of π.
@@ -31,6 +31,10 @@ pub trait Fold {
     fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Self::Value>) -> Option<Self::Value>;
     /// The value of a function of its argument.
     fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Self::Value>) -> Option<Self::Value>;
+    /// The value of a term that has a name: that of the term.
+    fn named(&mut self, term: Expr, of: &Values<'_, Self::Value>) -> Option<Self::Value> {
+        Some(of[term].clone())
+    }
     /// A value that a term has already, whatever it is built from.
     fn known(&mut self, _term: Expr) -> Option<Self::Value> {
         None
@@ -87,6 +91,7 @@ impl Needed {
                     Node::Sum(constant, terms) => rules.sum(constant, terms, &values)?,
                     Node::Product(factors) => rules.product(factors, &values)?,
                     Node::Apply(f, argument) => rules.apply(*f, *argument, &values)?,
+                    Node::Named(_, term) => rules.named(*term, &values)?,
                 },
             };
             values.list.push(value);

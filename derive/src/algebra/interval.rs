@@ -155,7 +155,7 @@ pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
             Node::Symbol(_) => false,
             Node::Sum(_, terms) => terms.iter().all(|(term, _)| constant.contains(term)),
             Node::Product(factors) => factors.iter().all(|(base, _)| constant.contains(base)),
-            Node::Apply(_, argument) => constant.contains(argument),
+            Node::Apply(_, argument) | Node::Named(_, argument) => constant.contains(argument),
         };
         if !is_constant {
             continue;

@@ -1,5 +1,6 @@
 //! Exact computer algebra. It knows no mechanics.
 
+pub mod adjoint;
 pub mod arena;
 mod atoms;
 pub mod blocks;
@@ -18,6 +19,7 @@ mod fraction;
 pub(crate) mod interval;
 pub mod linear;
 pub mod modular;
+pub mod named;
 pub mod normal;
 pub mod parse;
 mod points;
@@ -33,6 +35,7 @@ pub mod sharing;
 pub mod simplify;
 pub mod steps;
 pub mod view;
+pub mod written;
 
 pub use arena::{Arena, Expr, Function, Node, PowerError};
 pub use rational::Rational;

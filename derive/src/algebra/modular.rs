@@ -44,6 +44,7 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
     match arena.node(e) {
         Node::Number(value) => return if value.is_zero() { ZeroTest::Zero } else { ZeroTest::NonZero },
         Node::Symbol(_) | Node::Pi => return ZeroTest::NonZero,
+        Node::Named(_, term) => return zero_test(arena, *term),
         _ => {}
     }
     let needed = Needed::new(arena, &[e]);

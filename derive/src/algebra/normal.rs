@@ -135,6 +135,7 @@ impl Normalizer {
         match arena.node(e).clone() {
             Node::Number(value) => Some(Fraction::whole(Poly::constant(&value))),
             Node::Symbol(_) | Node::Pi => self.free(e),
+            Node::Named(_, term) => self.forms[&term].as_deref().cloned(),
             Node::Sum(constant, terms) => {
                 let constant = Fraction::whole(Poly::constant(&constant));
                 let forms: Option<Vec<Rc<Fraction>>> = terms.iter().map(|(term, _)| self.forms[term].clone()).collect();

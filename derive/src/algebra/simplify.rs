@@ -75,7 +75,7 @@ impl Simplifier {
 
     /// `e` as a Laurent polynomial in symbols, function values and inverse sums; `None` beyond the limit.
     pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
-        let parts = arena.reachable(&[e]);
+        let parts = arena.shown(&[e]);
         if parts.len() > Self::PARTS {
             return None;
         }
@@ -84,7 +84,7 @@ impl Simplifier {
 
     /// The term multiplied out, but sums of symbols stay together where no term is lost by that.
     fn expanded(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
-        let parts = arena.reachable(&[e]);
+        let parts = arena.shown(&[e]);
         if parts.len() > Self::PARTS {
             return None;
         }
@@ -106,7 +106,7 @@ impl Simplifier {
             let form = match arena.node(part).clone() {
                 _ if sums.contains(part) => atom(part),
                 Node::Number(value) => Polynomial::constant(&value),
-                Node::Symbol(_) | Node::Pi => atom(part),
+                Node::Symbol(_) | Node::Pi | Node::Named(..) => atom(part),
                 Node::Sum(constant, terms) => {
                     let mut sum = Polynomial::constant(&constant);
                     for (term, k) in &terms {
@@ -316,7 +316,7 @@ fn most_shared(polynomial: &Polynomial) -> Option<(Expr, bool)> {
     counts.into_iter().find(|(_, count)| *count == most).map(|(key, _)| key)
 }
 
-/// Operations in an expression, each shared term counted once: what "shorter" means here.
+/// Operations in an expression, each shared term counted once, what has a name not at all: what "shorter" means here.
 #[must_use]
 pub fn cost(arena: &Arena, e: Expr) -> usize {
     cost_of_all(arena, &[e])
@@ -326,10 +326,10 @@ pub fn cost(arena: &Arena, e: Expr) -> usize {
 #[must_use]
 pub fn cost_of_all(arena: &Arena, list: &[Expr]) -> usize {
     arena
-        .reachable(list)
+        .shown(list)
         .into_iter()
         .map(|part| match arena.node(part) {
-            Node::Number(_) | Node::Symbol(_) | Node::Pi => 0,
+            Node::Number(_) | Node::Symbol(_) | Node::Pi | Node::Named(..) => 0,
             Node::Sum(constant, terms) => {
                 let plain = Rational::ONE;
                 let scaled = terms.iter().filter(|(_, k)| *k != plain && *k != Rational::MINUS_ONE).count();

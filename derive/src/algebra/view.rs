@@ -55,16 +55,17 @@ type Rank = (u32, u8, Expr);
 
 fn ranks(arena: &Arena, e: Expr) -> FxHashMap<Expr, Rank> {
     let mut ranks: FxHashMap<Expr, Rank> = FxHashMap::default();
-    for part in arena.reachable(&[e]) {
+    for part in arena.shown(&[e]) {
         let kind = match arena.node(part) {
             Node::Number(_) | Node::Pi => 0,
-            Node::Symbol(_) => 1,
+            Node::Symbol(_) | Node::Named(..) => 1,
             Node::Apply(f, _) => 2 + *f as u8,
             Node::Product(_) => 30,
             Node::Sum(..) => 40,
         };
         let latest = match arena.node(part) {
             Node::Symbol(id) => id + 1,
+            Node::Named(..) => u32::MAX,
             _ => arena.operands(part).map(|o| ranks[&o].0).max().unwrap_or(0),
         };
         ranks.insert(part, (latest, kind, part));
@@ -98,6 +99,7 @@ impl Viewer<'_> {
                 if negative { View::Sum(vec![(true, magnitude)]) } else { magnitude }
             }
             Node::Symbol(_) => View::Name(self.arena.symbol_name(e).unwrap_or_default().to_owned()),
+            Node::Named(..) => View::Name(self.arena.name_of(e).unwrap_or_default().to_owned()),
             Node::Pi => View::Pi,
             Node::Apply(Function::Sqrt, argument) => View::Root(Box::new(self.view(argument))),
             Node::Apply(f, argument) => View::Call(f.name(), Box::new(self.view(argument))),

@@ -42,6 +42,7 @@ impl<'a> Transfer<'a> {
                 arena.try_product(&list).expect("what could be built in one arena can be built in another")
             }
             Node::Apply(f, argument) => arena.apply(*f, self.done[argument]),
+            Node::Named(_, term) => arena.name(self.done[term], self.from.name_of(e).unwrap_or_default()),
         }
     }
 }

@@ -27,6 +27,7 @@ impl Solved {
     /// [`Singular`] if v̇ is not determined in any configuration.
     pub fn new(arena: &mut Arena, equations: &Equations) -> Result<Self, Singular> {
         let mut simplifier = Simplifier::default();
+        let equations = &equations.written(arena);
         let accelerations = accelerations(arena, &mut simplifier, equations)?;
         let jacobian = jacobian(arena, &mut simplifier, equations, &accelerations);
         Ok(Self { accelerations, jacobian })
@@ -54,6 +55,7 @@ pub fn accelerations(
             right: &equations.forcing,
             unknowns,
             symmetric: equations.symmetric,
+            is_large: equations.is_large(),
         };
         let mut solved = eliminate(arena, simplifier, system)?;
         solved.steps.splice(0..0, equations.definitions.iter().copied());
@@ -66,7 +68,11 @@ pub fn accelerations(
         matrix.push(row);
         right.push(combine(arena, simplifier, multipliers, equations.forcing.iter().copied()));
     }
-    eliminate(arena, simplifier, LinearSystem { matrix: &matrix, right: &right, unknowns, symmetric: true })
+    let is_large = equations.is_large();
+    let system = LinearSystem { matrix: &matrix, right: &right, unknowns, symmetric: true, is_large };
+    let mut solved = eliminate(arena, simplifier, system)?;
+    solved.steps.splice(0..0, equations.definitions.iter().copied());
+    Ok(solved)
 }
 
 /// Σ multiplier · entry, in its short form.
@@ -97,14 +103,20 @@ pub fn energy_gradient(arena: &mut Arena, simplifier: &mut Simplifier, equations
     variables.map(slope).collect()
 }
 
-/// The Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step.
+/// The Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step: whole, or its product with a direction.
 #[derive(Clone, Debug, Default)]
 pub struct Jacobian {
     /// In the order of computation: the accelerations and what they need, and slopes of these.
     pub steps: Vec<Definition>,
-    /// Row by row, first q̇, then v̇; a column for each coordinate, then for each motion variable.
+    /// Row by row, first q̇, then v̇; a column for each coordinate, then for each motion variable, or one column, the
+    /// product.
     pub entries: Vec<Vec<Expr>>,
+    /// The direction of the product, an entry for each coordinate and motion variable; empty for the whole Jacobian.
+    pub direction: Vec<Expr>,
 }
+
+/// Slopes of steps, each of each along all states, above which the product with a direction stands for the whole.
+const MOST_SLOPES: usize = 2000;
 
 /// Differentiates q̇ and v̇ exactly, by the chain rule over the steps of an elimination, so that nothing is expanded.
 pub fn jacobian(
@@ -117,8 +129,12 @@ pub fn jacobian(
     let of_state = [&equations.unknowns[..n], &equations.coordinate_rates].concat();
     let mut steps = needed(arena, &solved.steps, &of_state);
     let accelerations = steps.clone();
+    let states: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
+    if states.len() * steps.len() > MOST_SLOPES {
+        return product(arena, simplifier, equations, steps);
+    }
     let mut columns = Vec::new();
-    for &variable in equations.coordinates.iter().chain(&equations.variables) {
+    for &variable in &states {
         let mut slope_of = Differential::partial(variable);
         for step in &accelerations {
             let slope = slope_of.apply(arena, step.value);
@@ -138,5 +154,40 @@ pub fn jacobian(
         columns.push(slopes.into_iter().map(|e| simplifier.simplify(arena, e)).collect::<Vec<_>>());
     }
     let entries = (0..columns.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect();
-    Jacobian { steps, entries }
+    Jacobian { steps, entries, direction: Vec::new() }
+}
+
+/// The product of the Jacobian with a direction: one derivative of each step along it.
+fn product(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+    accelerations: Vec<Definition>,
+) -> Jacobian {
+    let name =
+        |arena: &Arena, e: Expr| arena.symbol_name(e).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot");
+    let states = equations.coordinates.iter().chain(&equations.variables);
+    let along: Vec<(Expr, Expr)> = states
+        .map(|state| {
+            let wanted = format!("d_{}", name(arena, *state));
+            (*state, fresh_symbol(arena, &wanted))
+        })
+        .collect();
+    let mut slope_of = Differential::along(&along);
+    let mut steps = Vec::with_capacity(2 * accelerations.len());
+    for step in accelerations {
+        steps.push(step);
+        let slope = slope_of.apply(arena, step.value);
+        let mut slope = simplifier.simplify(arena, slope);
+        if cost(arena, slope) > 0 {
+            let wanted = format!("d_{}", name(arena, step.symbol));
+            let symbol = fresh_symbol(arena, &wanted);
+            steps.push(Definition { symbol, value: slope });
+            slope = symbol;
+        }
+        slope_of.set_rate(step.symbol, slope);
+    }
+    let rates = equations.coordinate_rates.iter().chain(&equations.unknowns[..equations.variables.len()]);
+    let entries = rates.map(|e| vec![slope_of.apply(arena, *e)]).collect();
+    Jacobian { steps, entries, direction: along.into_iter().map(|(_, direction)| direction).collect() }
 }

@@ -5,8 +5,9 @@ use super::error::DeriveError;
 use super::formulation::Formulation;
 use super::kinematics::Kinematics;
 use super::rows::{RowName, Step};
-use crate::algebra::Arena;
 use crate::algebra::rank::rank;
+use crate::algebra::written::written;
+use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 
 /// One formulation of a model, with the store of its terms.
@@ -72,7 +73,25 @@ pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<Deriva
     let mut kinematics = Kinematics::new(model)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;
     let steps = (formulation.method().steps)(model, &mut kinematics)?;
-    Ok(DerivationInSteps { arena: kinematics.arena, equations, steps })
+    Ok(written_down(kinematics.arena, &equations, steps))
+}
+
+/// Equations and steps with a symbol for each name; what the symbols stand for is among the definitions.
+fn written_down(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -> DerivationInSteps {
+    let mut equations = equations.written(&mut arena);
+    let lines = || steps.iter().flat_map(|step| step.lines.iter());
+    let values: Vec<Expr> = lines().map(|(_, value)| *value).collect();
+    let (named, values) = written(&mut arena, &[], &values);
+    for definition in named {
+        if !equations.definitions.contains(&definition) {
+            equations.definitions.push(definition);
+        }
+    }
+    let places = steps.iter_mut().flat_map(|step| &mut step.lines);
+    for ((_, place), value) in places.zip(values) {
+        *place = value;
+    }
+    DerivationInSteps { arena, equations, steps }
 }
 
 /// Derives the equations of motion of a model by every method.
@@ -80,7 +99,14 @@ pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<Deriva
 /// # Errors
 /// [`DeriveError`] if the model is wrong; a formulation that this model does not support is listed with its reason.
 pub fn derive_all(model: &Model) -> Result<Derivations, DeriveError> {
-    let mut kinematics = Kinematics::new(model)?;
+    derive_all_with(model, Kinematics::new(model)?)
+}
+
+/// [`derive_all`] from kinematics in one form or the other: [`Kinematics::in_form`].
+///
+/// # Errors
+/// As [`derive_all`].
+pub fn derive_all_with(model: &Model, mut kinematics: Kinematics) -> Result<Derivations, DeriveError> {
     let mut list = Vec::new();
     for f in Formulation::ALL {
         match derive_with(model, &mut kinematics, f) {

@@ -45,6 +45,9 @@ impl Kinematics {
 
     /// The matrix of the quadratic form, ∂²T/∂x_i∂x_j, each entry in its short form. Symmetric.
     pub fn kinetic_form(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Vec<Vec<Expr>> {
+        if self.frames.carries && !self.frames.are_near() {
+            return self.form_of_momenta(model, velocities, variables);
+        }
         let n = variables.len();
         let mut gradient = Gradient::new(variables);
         let mut sums: Vec<Vec<Dots>> = (0..n).map(|i| (i..n).map(|_| Dots::default()).collect()).collect();
@@ -78,6 +81,10 @@ impl Kinematics {
         variables: &[Expr],
         form: &[Vec<Expr>],
     ) -> Expr {
+        if self.frames.carries {
+            let pairs = self.momentum_pairs(model, velocities);
+            return self.energy_of_pairs(&pairs);
+        }
         let half = Rational::fraction(1, 2).expect("not zero");
         let mut terms = Vec::new();
         for (i, row) in form.iter().enumerate() {
@@ -116,12 +123,21 @@ impl Kinematics {
     pub fn gravity_potential(&mut self, model: &Model) -> Result<Expr, DeriveError> {
         let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
         let g = Vector::in_frame(gravity.frame, gravity.acceleration);
+        if self.frames.carries {
+            return self.carried_potential(model, &g);
+        }
         let mut work = Dots::default();
         for body in &model.bodies {
             work.add(body.mass, &g, &self.positions[body.centre]);
         }
         let work = work.sum(&mut self.arena, &mut self.frames);
         let energy = self.arena.neg(work);
+        self.zeroed(model, energy)
+    }
+
+    /// A potential energy, zero where the model puts its zero.
+    pub(super) fn zeroed(&mut self, model: &Model, energy: Expr) -> Result<Expr, DeriveError> {
+        let Some(gravity) = &model.gravity else { return Ok(energy) };
         if gravity.zero_at.is_empty() {
             return Ok(self.simplifier.simplify(&mut self.arena, energy));
         }

@@ -7,8 +7,12 @@ use super::kinematics::Kinematics;
 use super::rows::{RowName, Rows};
 use crate::algebra::calculus::Differential;
 use crate::algebra::steps::Definition;
+use crate::algebra::written::written;
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
+
+/// Definitions up to which a system may be solved in closed form.
+const MOST_WRITTEN_OUT: usize = 40;
 
 /// Equations of motion  matrix · unknowns = forcing,  q̇ = `coordinate_rates`.
 #[derive(Clone, Debug)]
@@ -20,7 +24,7 @@ pub struct Equations {
     /// The formulation whose motion variables and unknowns these have.
     pub formulation: Formulation,
     /// Symbols that stand for terms in parameters, q and v in everything below, each after those that it mentions:
-    /// none but in reduced equations.
+    /// none but in reduced equations, and where names were written down ([`Self::written`]).
     pub definitions: Vec<Definition>,
     /// The generalized coordinates q, or the distance that stands for one ([`super::in_distance`]).
     pub coordinates: Vec<Expr>,
@@ -76,6 +80,26 @@ impl Equations {
     #[must_use]
     pub fn row_names(&self, model: &Model) -> Vec<String> {
         self.rows.iter().map(|row| row.text(model)).collect()
+    }
+
+    /// Whether so much is named that nothing is written out again.
+    pub(super) fn is_large(&self) -> bool {
+        self.definitions.len() > MOST_WRITTEN_OUT
+    }
+
+    /// As they are solved, differentiated and written as code: with a symbol for every term that has a name, and what
+    /// the symbols stand for among the definitions.
+    #[must_use]
+    pub fn written(&self, arena: &mut Arena) -> Self {
+        let mut result = self.clone();
+        let mut values: Vec<Expr> = Vec::new();
+        result.visit(&mut |e, _| values.push(*e), arena);
+        let (steps, values) = written(arena, &self.definitions, &values[..values.len() - self.definitions.len()]);
+        let mut values = values.into_iter();
+        result.definitions.clear();
+        result.visit(&mut |e, _| *e = values.next().expect("as many as were read"), arena);
+        result.definitions = steps;
+        result
     }
 
     /// Changes every expression.

@@ -20,6 +20,18 @@ use crate::model::Model;
 #[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
+    if kinematics.frames.carries {
+        let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
+        let (matrix, forcing) = kinematics.projected(model, &velocities, &loads, &Kinematics::fall(model));
+        let momenta = kinematics.momentum_pairs(model, &velocities);
+        return Ok(Rows {
+            names: (0..model.speeds.len()).map(RowName::Speed).collect(),
+            matrix,
+            forcing,
+            projection: Vec::new(),
+            kinetic_energy: kinematics.energy_of_pairs(&momenta),
+        });
+    }
     let active = active_forces(model, kinematics, &velocities);
     let inertia = Inertia::new(model, kinematics, &velocities);
     let Kinematics { arena, simplifier, .. } = kinematics;
@@ -52,6 +64,11 @@ pub(super) fn generalized_active_forces(
 /// The generalized active forces before they are simplified.
 fn active_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Expr> {
     let mut to_speeds = rates_to_speeds(model);
+    if kinematics.frames.carries {
+        let mut loads = kinematics.weights(model, velocities);
+        loads.extend(kinematics.loads(model, velocities).into_iter().flatten());
+        return kinematics.forces_along(&loads, &mut to_speeds, &model.u());
+    }
     let mut gradient = Gradient::new(&model.u());
     let mut forces: Vec<Dots> = model.speeds.iter().map(|_| Dots::default()).collect();
     let mut loads = kinematics.weights(model, velocities);
@@ -78,6 +95,10 @@ struct Inertia {
 impl Inertia {
     fn new(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Self {
         let n = model.speeds.len();
+        if kinematics.frames.carries {
+            let (matrix, forces) = kinematics.projected(model, velocities, &[], &Vector::default());
+            return Self { matrix, rest: forces.into_iter().map(|e| kinematics.arena.neg(e)).collect() };
+        }
         let mut gradient = Gradient::new(&model.u());
         let mut rates = motion_rates_without_acceleration(model);
         let mut products: Vec<Vec<Dots>> = (0..n).map(|r| (r..n).map(|_| Dots::default()).collect()).collect();

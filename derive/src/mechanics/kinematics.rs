@@ -3,6 +3,7 @@
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
 //! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
 
+use super::carry::is_large;
 use super::error::DeriveError;
 use super::vector::{Components, Frames, Vector, apply_tensor};
 use crate::algebra::calculus::{Differential, Gradient, Substitution};
@@ -47,6 +48,8 @@ pub struct Velocities {
     pub angular: Vec<Vector>,
     /// v of each point in the inertial frame.
     pub linear: Vec<Vector>,
+    /// q̇.
+    pub rates: Vec<Expr>,
 }
 
 impl Kinematics {
@@ -56,13 +59,23 @@ impl Kinematics {
     /// [`DeriveError`] if the stated inertia of a body is not constant in the body, a reaction works, or a load divides
     /// by a velocity that is zero.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
+        Self::in_form(model, is_large(model))
+    }
+
+    /// The kinematics of a model, with what grows named or everything written out.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn in_form(model: &Model, named: bool) -> Result<Self, DeriveError> {
         let mut arena = model.arena.clone();
         let mut frames = Frames::new(&model.frames);
+        frames.carries = named;
         let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut rates = Differential::along(&rates);
         let angular = angular_velocities(&mut arena, model, &mut rates);
+        name_in_own_frames(&mut arena, &mut frames, &angular);
         let (positions, linear) = points(&mut arena, &mut frames, model, &angular, &mut rates);
-        let in_rates = Velocities { angular, linear };
+        let in_rates = Velocities { angular, linear, rates: model.q_dot() };
         let (simplifier, forces, torques) = (Simplifier::default(), Vec::new(), Vec::new());
         let mut kinematics = Self { arena, frames, simplifier, positions, in_rates, forces, torques, potential: None };
         kinematics.apply_loads(model)?;
@@ -73,12 +86,20 @@ impl Kinematics {
 
     /// The velocities in terms of the generalized speeds.
     pub fn in_speeds(&mut self, model: &Model) -> Velocities {
+        if self.frames.carries {
+            let mut rates = motion_rates_without_acceleration(model);
+            let angular = angular_velocities(&mut self.arena, model, &mut rates);
+            name_in_own_frames(&mut self.arena, &mut self.frames, &angular);
+            let (_, linear) = points(&mut self.arena, &mut self.frames, model, &angular, &mut rates);
+            return Velocities { angular, linear, rates: model.kinematic_equations.rates.clone() };
+        }
         let mut to_speeds = rates_to_speeds(model);
         let Self { arena, simplifier, .. } = self;
         let mut convert = |v: &Vector| v.substitute(arena, &mut to_speeds).simplify(arena, simplifier);
         Velocities {
             angular: self.in_rates.angular.iter().map(&mut convert).collect(),
             linear: self.in_rates.linear.iter().map(&mut convert).collect(),
+            rates: model.kinematic_equations.rates.clone(),
         }
     }
 
@@ -229,6 +250,15 @@ fn angular_velocities(arena: &mut Arena, model: &Model, rates: &mut Differential
         angular.push(total);
     }
     angular
+}
+
+/// Gives angular velocities their names before anything else can: `w_A_1` of the frame A.
+fn name_in_own_frames(arena: &mut Arena, frames: &mut Frames, angular: &[Vector]) {
+    if frames.carries {
+        for (frame, omega) in angular.iter().enumerate() {
+            frames.carry(arena, omega, frame, ("w", frames.name(frame)));
+        }
+    }
 }
 
 fn points(

@@ -3,7 +3,7 @@
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §1.4.
 
 use super::error::DeriveError;
-use super::kinematics::Kinematics;
+use super::kinematics::{Kinematics, Velocities};
 use super::loads::forces_of;
 use super::quantity::{Energy, QuantityKind};
 use super::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
@@ -22,6 +22,9 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         return Err(DeriveError::MotionConstraint { constraint: constraint.name.clone() });
     }
     let velocities = kinematics.in_rates.clone();
+    if kinematics.frames.carries {
+        return named(model, kinematics, &velocities);
+    }
     // Velocities are homogeneous in q̇, so T = ½ Σ E_ij q̇_i q̇_j.
     let matrix = kinematics.kinetic_form(model, &velocities, &model.q_dot());
     let t = kinematics.energy_with_form(model, &velocities, &model.q_dot(), &matrix);
@@ -44,6 +47,23 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         forcing,
         projection: Vec::new(),
         kinetic_energy: t,
+    })
+}
+
+/// E and A of a model whose terms are named.
+fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Result<Rows, DeriveError> {
+    let v = kinematics.gravity_potential(model)?;
+    let (matrix, forcing) = kinematics.lagrange_system(model, velocities, v);
+    let loads = kinematics.loads(model, velocities);
+    let forces = forces_of(model, kinematics, loads.iter().flatten());
+    let pairs = kinematics.momentum_pairs(model, velocities);
+    let arena = &mut kinematics.arena;
+    Ok(Rows {
+        names: (0..model.coordinates.len()).map(RowName::Coordinate).collect(),
+        matrix,
+        forcing: forcing.into_iter().zip(forces).map(|(a, b)| arena.add(a, b)).collect(),
+        projection: Vec::new(),
+        kinetic_energy: kinematics.energy_of_pairs(&pairs),
     })
 }
 

@@ -179,6 +179,9 @@ pub(super) fn forces_of<'a>(
     loads: impl IntoIterator<Item = &'a Load>,
 ) -> Vec<Expr> {
     let mut to_rates = speeds_to_rates(model);
+    if kinematics.frames.carries {
+        return kinematics.forces_along(loads, &mut to_rates, &model.q_dot());
+    }
     let mut gradient = Gradient::new(&model.q_dot());
     let mut forces: Vec<Dots> = model.coordinates.iter().map(|_| Dots::default()).collect();
     for Load { velocity, scale, load } in loads {

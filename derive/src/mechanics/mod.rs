@@ -2,6 +2,8 @@
 
 mod accelerations;
 mod by;
+mod carry;
+mod composite;
 mod derivation;
 mod distance;
 mod divisors;
@@ -18,12 +20,16 @@ mod newton_euler;
 mod potential;
 mod quantities;
 mod quantity;
+mod recursion;
 mod rows;
 mod vector;
 
 pub use accelerations::{Jacobian, Solved, accelerations, energy_gradient, jacobian};
 pub use by::{By, Distance};
-pub use derivation::{Derivation, DerivationInSteps, Derivations, derive, derive_all, derive_in_steps};
+pub use carry::is_large;
+pub use derivation::{
+    Derivation, DerivationInSteps, Derivations, derive, derive_all, derive_all_with, derive_in_steps,
+};
 pub use distance::{distances, in_distance};
 pub use divisors::{Divisors, bare};
 pub use energy::Momentum;

@@ -92,9 +92,17 @@ pub fn balances(
     frame: Option<usize>,
 ) -> Vec<Balance> {
     let mut list = Vec::new();
+    let carried = kinematics.frames.carries.then(|| {
+        let mut rates = motion_rates(model);
+        kinematics.accelerations(model, velocities, &mut rates, &Kinematics::fall(model))
+    });
     for (at, body) in model.bodies.iter().enumerate() {
         let frame = frame.or(body.rigid.as_ref().map(|(_, inertia)| inertia.frame)).unwrap_or(0);
-        let (force, moment) = balance(model, kinematics, velocities, at, body);
+        let rates = match &carried {
+            Some(accelerations) => kinematics.carried_rates(model, velocities, accelerations, body),
+            None => momentum_rates(model, kinematics, velocities, body),
+        };
+        let (force, moment) = balance(model, kinematics, rates, at, body);
         for (moments, vector) in [Some((false, force)), moment.map(|m| (true, m))].into_iter().flatten() {
             let components = kinematics.frames.express(&mut kinematics.arena, &vector, frame);
             let entries = components.into_iter().enumerate();
@@ -123,6 +131,13 @@ pub fn partial_velocities(
             _ => &velocities.linear[body.centre],
         };
         let Kinematics { arena, frames, simplifier, .. } = kinematics;
+        if frames.carries {
+            let component = frames.component(arena, velocity, row.frame, row.axis);
+            for (at, slope) in gradient.apply(arena, component).iter() {
+                result[*at][place] = *slope;
+            }
+            continue;
+        }
         for (at, slope) in velocity.slopes(arena, &mut gradient) {
             let component = frames.component(arena, &slope, row.frame, row.axis);
             result[at][place] = simplifier.simplify(arena, component);
@@ -131,14 +146,13 @@ pub fn partial_velocities(
     result
 }
 
-/// m a − ΣF and, for a rigid body, dH/dt − ΣM.
-fn balance(
+/// m a, less the weight, and dH/dt.
+fn momentum_rates(
     model: &Model,
     kinematics: &mut Kinematics,
     velocities: &Velocities,
-    at: usize,
     body: &Body,
-) -> (Vector, Option<Vector>) {
+) -> (Vector, Vector) {
     let mut rates = motion_rates(model);
     let Kinematics { arena, frames, .. } = kinematics;
     let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
@@ -149,7 +163,18 @@ fn balance(
     }
     let h = kinematics.angular_momentum(body, velocities);
     let Kinematics { arena, frames, .. } = kinematics;
-    let mut moment = frames.time_derivative(arena, &h, &velocities.angular, &mut rates);
+    let moment = frames.time_derivative(arena, &h, &velocities.angular, &mut rates);
+    (force, moment)
+}
+
+/// m a − ΣF and, for a rigid body, dH/dt − ΣM, from m a less the weight, and dH/dt.
+fn balance(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    (mut force, mut moment): (Vector, Vector),
+    at: usize,
+    body: &Body,
+) -> (Vector, Option<Vector>) {
     for (point, load) in forces_on(model, kinematics, at) {
         let back = load.neg(&mut kinematics.arena);
         force = force.add(&mut kinematics.arena, &back);

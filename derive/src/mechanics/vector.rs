@@ -125,22 +125,51 @@ pub struct Frames {
     tree: Vec<Frame>,
     rotations: FxHashMap<(usize, usize), [[Expr; 3]; 3]>,
     dots: FxHashMap<(Part, Part), Expr>,
+    /// Whether vectors are carried from frame to frame, and what grows is named.
+    pub(super) carries: bool,
 }
 
 impl Frames {
     /// The frames of a model.
     #[must_use]
     pub fn new(frames: &[Frame]) -> Self {
-        Self { tree: frames.to_vec(), rotations: FxHashMap::default(), dots: FxHashMap::default() }
+        Self { tree: frames.to_vec(), rotations: FxHashMap::default(), dots: FxHashMap::default(), carries: false }
     }
 
     /// From `frame` up to the inertial frame, itself first.
-    fn ancestors(&self, frame: usize) -> Vec<usize> {
+    pub(super) fn ancestors(&self, frame: usize) -> Vec<usize> {
         let mut path = vec![frame];
         while let Some((parent, _, _)) = self.tree[path[path.len() - 1]].rotation {
             path.push(parent);
         }
         path
+    }
+
+    /// The name of a frame.
+    pub(super) fn name(&self, frame: usize) -> &str {
+        &self.tree[frame].name
+    }
+
+    /// (axis, angle, `back`) of the turn that leads into a frame from its parent, or `back` from it.
+    pub(super) fn turned_into(&self, frame: usize, back: bool) -> Option<(usize, Expr, bool)> {
+        self.tree[frame].rotation.map(|(_, axis, angle)| (axis, angle, back))
+    }
+
+    /// How many turns lie between two frames, those about one axis that follow one another taken for one.
+    pub(super) fn axes_between(&self, from: usize, to: usize) -> usize {
+        let (up, down) = (self.ancestors(from), self.ancestors(to));
+        let apart = |path: &[usize], other: &[usize]| -> Vec<usize> {
+            path.iter().copied().take_while(|frame| !other.contains(frame)).collect()
+        };
+        let way = apart(&up, &down).into_iter().chain(apart(&down, &up).into_iter().rev());
+        let mut axes: Vec<usize> = way.filter_map(|frame| Some(self.tree[frame].rotation?.1)).collect();
+        axes.dedup();
+        axes.len()
+    }
+
+    /// Whether every frame is turned from the inertial one, so that what they hold is short and so are its products.
+    pub(super) fn are_near(&self) -> bool {
+        self.tree.iter().all(|frame| frame.rotation.is_none_or(|(parent, ..)| parent == 0))
     }
 
     /// The simple turns (axis, angle) that lead from the axes of `from` to those of `to`, adjacent turns
@@ -189,6 +218,9 @@ impl Frames {
 
     /// All of a vector in one frame.
     pub fn express(&mut self, arena: &mut Arena, v: &Vector, frame: usize) -> Components {
+        if self.carries {
+            return self.carry(arena, v, frame, ("x", &self.tree[frame].name));
+        }
         let mut sums: [Vec<Expr>; 3] = Default::default();
         for (from, components) in &v.parts {
             let r = self.rotation(arena, *from, frame);
@@ -204,6 +236,9 @@ impl Frames {
 
     /// One component of a vector in one frame.
     pub fn component(&mut self, arena: &mut Arena, v: &Vector, frame: usize, axis: usize) -> Expr {
+        if self.carries {
+            return self.carry(arena, v, frame, ("x", &self.tree[frame].name))[axis];
+        }
         let mut products = Vec::new();
         for (from, components) in &v.parts {
             let row = self.rotation(arena, *from, frame)[axis];
@@ -214,6 +249,11 @@ impl Frames {
 
     /// a · b.
     pub fn dot(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Expr {
+        if self.carries {
+            let home = self.home([a, b]);
+            let [a, b] = [a, b].map(|v| self.carry(arena, v, home, ("x", &self.tree[home].name)));
+            return row_times(arena, &a, &b);
+        }
         let mut terms = Vec::new();
         for x in &a.parts {
             for y in &b.parts {
@@ -303,7 +343,10 @@ impl Dots {
         for ((a, b), weights) in &self.list {
             let product = frames.dot_of_parts(arena, *a, *b);
             if product != Expr::ZERO {
-                let weight = arena.sum(weights);
+                let mut weight = arena.sum(weights);
+                if frames.carries {
+                    weight = arena.name(weight, "mass");
+                }
                 terms.push(arena.mul(weight, product));
             }
         }
@@ -325,7 +368,7 @@ pub fn apply_tensor(arena: &mut Arena, tensor: &[[Expr; 3]; 3], v: &Components) 
 }
 
 /// Σ row_i v_i.
-fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
+pub(super) fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
     let products = [0, 1, 2].map(|i| arena.mul(row[i], v[i]));
     arena.sum(&products)
 }

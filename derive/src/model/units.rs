@@ -153,6 +153,7 @@ pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Resul
             Node::Number(value) if value.is_zero() => None,
             Node::Number(_) | Node::Pi | Node::Apply(Function::Sign, _) => Some(Unit::default()),
             Node::Symbol(_) => symbols.get(&part).cloned(),
+            Node::Named(_, term) => units[term].clone(),
             Node::Sum(constant, terms) => {
                 let mut known = terms.iter().filter_map(|(term, _)| Some((*term, units[term].as_ref()?)));
                 match known.next() {

@@ -35,6 +35,7 @@ impl Hoist {
                     arena.try_product(&factors).unwrap_or(part)
                 }
                 Node::Apply(f, argument) => arena.apply(f, map[&argument]),
+                Node::Named(_, term) => arena.name_again(part, map[&term]),
                 Node::Number(_) | Node::Symbol(_) | Node::Pi => part,
             };
             map.insert(part, new);

@@ -223,8 +223,13 @@ impl Ground {
             list.push(Variable { symbol: *symbol, rate: *rate, is_speed: false, place });
         }
         let unknowns: Vec<Expr> = level.kept.iter().map(|k| self.kane.unknowns[*k]).collect();
-        let system =
-            LinearSystem { matrix: &level.matrix, right: &level.forcing, unknowns: &unknowns, symmetric: true };
+        let system = LinearSystem {
+            matrix: &level.matrix,
+            right: &level.forcing,
+            unknowns: &unknowns,
+            symmetric: true,
+            is_large: false,
+        };
         let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
         let solved = eliminate(arena, simplifier, system).ok()?;
         let (mut written, mut definitions) = (Substitution::default(), level.definitions.clone());

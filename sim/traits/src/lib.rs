@@ -46,6 +46,8 @@ pub use lanes::Lanes;
 pub use maxima::{larger, larger_or_second, largest};
 pub use method::Method;
 pub use scalar::{Real, Scalar, series};
-pub use system::{CompiledModel, CompiledScene, CompiledSystem, Derivative, InLanes, Lengths, Rates, System};
+pub use system::{
+    CompiledModel, CompiledScene, CompiledSystem, Derivative, InLanes, Lengths, Rates, System, by_columns,
+};
 #[cfg(feature = "std")]
 pub use tolerance::{ATOL, AbsoluteTolerance, RTOL};

@@ -168,6 +168,17 @@ pub trait System<S: Scalar = f64> {
     }
 }
 
+/// The Jacobian, row by row, from its products with directions: a column for each.
+pub fn by_columns<S: Scalar, const N: usize>(out: &mut [S], mut product: impl FnMut(&[S; N]) -> [S; N]) {
+    for at in 0..N {
+        let mut direction = [S::int(0); N];
+        direction[at] = S::int(1);
+        for (row, value) in product(&direction).into_iter().enumerate() {
+            out[row * N + at] = value;
+        }
+    }
+}
+
 /// A model whose equations are compiled in: what a program needs to find and to trust them.
 pub struct CompiledModel {
     /// The folder's name under `models/`.

@@ -3,6 +3,7 @@
 //! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, formulas break
 //! over lines at their signs, and no matrix is wider than a page can hold: its entries are listed then.
 
+use crate::words::NAMED;
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::elimination::Elimination;
@@ -38,6 +39,12 @@ pub fn head(model: &Model, moving: &[MovingPlace]) -> String {
 pub fn formulation(model: &Model, derivation: &DerivationInSteps, solved: Option<&Elimination>) -> String {
     let DerivationInSteps { arena, equations: e, steps } = derivation;
     let mut out = format!("\n\\section{{{}}}\n", escape(e.formulation.title()));
+    if !e.definitions.is_empty() {
+        let _ = writeln!(out, "\n\\subsection{{{NAMED}}}\nEach by those before it.");
+        for step in &e.definitions {
+            definition(&mut out, arena, *step);
+        }
+    }
     for step in steps {
         self::step(&mut out, model, arena, step);
     }

@@ -332,7 +332,8 @@ impl Text<'_> {
                 if one { quote!(#x_k * #over) } else { quote!((#x_k - #sum * over_k) * #over) }
             }
         };
-        let equation = if one { TokenStream::new() } else { comment(&self.plan.equation(at)) };
+        let explained = !one && self.plan.explained;
+        let equation = if explained { comment(&self.plan.equation(at)) } else { TokenStream::new() };
         quote!(#equation let #z = #value;)
     }
 }

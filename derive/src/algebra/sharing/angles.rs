@@ -166,6 +166,7 @@ impl Rewriting {
                 let argument = of(&argument);
                 arena.apply(f, argument)
             }
+            Node::Named(_, term) => arena.name_again(e, of(&term)),
             Node::Number(_) | Node::Symbol(_) | Node::Pi => return,
         };
         self.of.insert(e, new);

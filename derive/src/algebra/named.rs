@@ -1,0 +1,76 @@
+//! Terms that have names: what grows is named, and what mentions it shows the name.
+//!
+//! A name is a wall for every rewriting, which takes the named term for an atom, and none for evaluation: values,
+//! residues, ranges, derivatives and bounds pass through it, so that nothing that asks for the meaning of a term need
+//! know of names. Kane's and Autolev's Z's are such names: T. R. Kane & D. A. Levinson, *Dynamics: Theory and
+//! Applications* (1985), § 4.9.
+//!
+//! Invariants: a term has one name; numbers, symbols and multiples of what has a name get none, and terms that are
+//! equal up to a factor that is a number share one. A name becomes a symbol, unlike all others, when steps are written
+//! down: what is never written takes no name from what is.
+
+use super::{Arena, Expr, Node, Rational};
+
+impl Arena {
+    /// `e` by a name, `wanted` or one like it; `e` itself where a name would save nothing.
+    pub fn name(&mut self, e: Expr, wanted: &str) -> Expr {
+        let (content, bare) = self.bare(e);
+        if !matches!(self.node(bare), Node::Sum(..) | Node::Product(_)) {
+            return e;
+        }
+        let stands = match self.names.stands.get(&bare) {
+            Some(known) => *known,
+            None => {
+                let label = self.label(wanted);
+                let stands = self.intern(Node::Named(label, bare));
+                self.names.stands.insert(bare, stands);
+                stands
+            }
+        };
+        self.scale(stands, &content)
+    }
+
+    fn label(&mut self, wanted: &str) -> u32 {
+        if let Some(known) = self.names.label_index.get(wanted) {
+            return *known;
+        }
+        let label = u32::try_from(self.names.labels.len()).expect("fewer labels than terms");
+        self.names.labels.push(wanted.to_owned());
+        self.names.label_index.insert(wanted.to_owned(), label);
+        label
+    }
+
+    /// What became of the term behind a name, by a name of the same kind.
+    pub fn name_again(&mut self, before: Expr, e: Expr) -> Expr {
+        let wanted = self.name_of(before).map(str::to_owned);
+        wanted.map_or(e, |wanted| self.name(e, &wanted))
+    }
+
+    /// A number and a term without such a factor, whose product is `e`.
+    fn bare(&mut self, e: Expr) -> (Rational, Expr) {
+        if let Node::Sum(constant, terms) = self.node(e)
+            && constant.is_zero()
+            && let [(term, k)] = &**terms
+        {
+            return (k.clone(), *term);
+        }
+        self.split_content(e)
+    }
+
+    /// The term behind a name; nothing for one that has none.
+    #[must_use]
+    pub fn behind(&self, e: Expr) -> Option<Expr> {
+        match self.node(e) {
+            Node::Named(_, term) => Some(*term),
+            _ => None,
+        }
+    }
+
+    /// What a named term is called.
+    #[must_use]
+    pub fn name_of(&self, e: Expr) -> Option<&str> {
+        let Node::Named(label, _) = self.node(e) else { return None };
+        let written = self.names.symbols.get(&e).and_then(|symbol| self.symbol_name(*symbol));
+        written.or_else(|| Some(&self.names.labels[*label as usize]))
+    }
+}

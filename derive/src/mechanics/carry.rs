@@ -1,0 +1,131 @@
+//! Vectors carried from frame to frame, one turn at a time, each component by a name.
+//!
+//! Where rotations over many frames would be multiplied out, terms grow with every frame that lies between two bodies.
+//! A vector that is carried instead takes what it meets on its way with it: the angular velocity of a frame is that of
+//! its parent, turned once, and its own, so that velocities become recursions along the tree without being written as
+//! such (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line computational scheme for mechanical manipulators", ASME J.
+//! Dyn. Sys. Meas. Control 102 (1980) 69–76). Which models are derived so is told by [`is_large`] alone.
+
+use super::vector::{Components, Frames, Vector};
+use crate::algebra::{Arena, Expr};
+use crate::model::Model;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Terms of the closed form of a mass matrix, about, above which what grows is named.
+const MOST_TERMS: usize = 50;
+
+/// Whether the closed form of the equations of a model would be too long to be read or computed with.
+///
+/// Counted are the products of two parts of velocities, with the speeds that each depends on and the terms of the
+/// rotation between them: what a mass matrix multiplied out is made of. The count is of the model's tree alone, so that
+/// it is the same for every formulation and on every machine.
+#[must_use]
+pub fn is_large(model: &Model) -> bool {
+    closed_terms(model) > MOST_TERMS
+}
+
+/// Terms of the closed form of the mass matrix, about.
+fn closed_terms(model: &Model) -> usize {
+    let frames = Frames::new(&model.frames);
+    // How many turns, and so about how many speeds, stand above a frame.
+    let depth = |frame: usize| frames.ancestors(frame).len() - 1;
+    let mut pairs: BTreeSet<(usize, usize)> = BTreeSet::new();
+    for body in &model.bodies {
+        let mut parts: BTreeSet<usize> = BTreeSet::new();
+        let mut point = body.centre;
+        while let Some((parent, frame, _)) = model.points[point].position {
+            parts.insert(frame);
+            point = parent;
+        }
+        pairs.extend(parts.iter().flat_map(|a| parts.range(a..).map(move |b| (*a, *b))));
+    }
+    let terms = |(a, b): &(usize, usize)| {
+        let speeds = depth(*a).max(1).saturating_mul(depth(*b).max(1));
+        let turns = u32::try_from(frames.axes_between(*a, *b)).unwrap_or(u32::MAX);
+        2_usize.checked_pow(turns).map_or(usize::MAX, |terms| terms.saturating_mul(speeds))
+    };
+    pairs.iter().map(terms).fold(0, usize::saturating_add)
+}
+
+impl Frames {
+    /// The frame in which a vector of parts in these frames is short: the deepest of them if the others lie above it,
+    /// else the one where their paths meet.
+    #[must_use]
+    pub fn home<'a>(&self, vectors: impl IntoIterator<Item = &'a Vector>) -> usize {
+        let frames: BTreeSet<usize> =
+            vectors.into_iter().flat_map(|v| v.parts.iter().map(|(frame, _)| *frame)).collect();
+        let deepest = frames.iter().copied().max_by_key(|frame| self.ancestors(*frame).len());
+        let mut meeting = self.ancestors(deepest.unwrap_or(0));
+        if frames.iter().all(|frame| meeting.contains(frame)) {
+            return deepest.unwrap_or(0);
+        }
+        for frame in frames {
+            let path = self.ancestors(frame);
+            meeting.retain(|above| path.contains(above));
+        }
+        meeting[0]
+    }
+
+    /// All of a vector in one frame: what is farthest is carried first, and takes the parts that it meets with it.
+    /// Components are named after its letter and what it is of, `w_B_1`, and on the way after the frame that they come
+    /// from, `w_A_in_B_1`.
+    pub fn carry(&self, arena: &mut Arena, v: &Vector, frame: usize, (letter, of): (&str, &str)) -> Components {
+        let path = self.ancestors(frame);
+        let what = &format!("{letter}_{of}");
+        let mut parts: BTreeMap<usize, Components> = v.parts.iter().copied().collect();
+        let distance = |from: usize| {
+            let above = self.ancestors(from);
+            let shared = above.iter().filter(|f| path.contains(f)).count();
+            above.len() + path.len() - 2 * shared
+        };
+        // Of those as far, the first declared goes first, so that sums over bodies share their beginnings.
+        let farthest = |parts: &BTreeMap<usize, Components>| {
+            let elsewhere = parts.keys().copied().filter(|from| *from != frame);
+            elsewhere.max_by_key(|from| (distance(*from), std::cmp::Reverse(*from)))
+        };
+        while let Some(from) = farthest(&parts) {
+            let Some(components) = parts.remove(&from) else { break };
+            // Down towards the frame if it lies below, else up.
+            let (next, way) = match path.iter().position(|f| *f == from) {
+                Some(at) => (path[at - 1], self.turned_into(path[at - 1], false)),
+                None => (self.ancestors(from)[1], self.turned_into(from, true)),
+            };
+            let carried = way.map_or(components, |(axis, angle, back)| {
+                let called = format!("{letter}_{}_in_{}", self.name(from), self.name(next));
+                turned(arena, axis, angle, back, &components, &called)
+            });
+            let sum = match parts.get(&next) {
+                Some(there) => {
+                    let sum = std::array::from_fn(|i| arena.add(there[i], carried[i]));
+                    named(arena, sum, what)
+                }
+                None => carried,
+            };
+            parts.insert(next, sum);
+        }
+        parts.remove(&frame).map_or([Expr::ZERO; 3], |components| named(arena, components, what))
+    }
+}
+
+/// Components by names after what they are of.
+pub fn named(arena: &mut Arena, components: Components, what: &str) -> Components {
+    let mut at = 0;
+    components.map(|e| {
+        at += 1;
+        arena.name(e, &format!("{what}_{at}"))
+    })
+}
+
+/// Components in a frame that is turned about one axis; `back` turns the other way.
+pub fn turned(arena: &mut Arena, axis: usize, angle: Expr, back: bool, v: &Components, what: &str) -> Components {
+    let (mut s, c) = (arena.sin(angle), arena.cos(angle));
+    if back {
+        s = arena.neg(s);
+    }
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (cj, sk, sj, ck) = (arena.mul(c, v[j]), arena.mul(s, v[k]), arena.mul(s, v[j]), arena.mul(c, v[k]));
+    let mut result = *v;
+    result[j] = arena.add(cj, sk);
+    result[k] = arena.sub(ck, sj);
+    named(arena, result, what)
+}

@@ -1,0 +1,358 @@
+//! The equations of models whose closed form would be too long: every vector is carried along the tree, what grows is
+//! named, and sums over bodies are taken backwards through the names.
+//!
+//! The formulations stay three. Kane's adds up what acts, weights and inertia forces, along partial velocities that are
+//! never written (backward sums of forces); Lagrange's differentiates the energies, backwards through their steps and
+//! then in time; Newton's and Euler's are stated body by body, as for every other model. They share the kinematics.
+//!
+//! Luh, Walker & Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76; R. Featherstone, *Rigid Body Dynamics
+//! Algorithms* (2008), §§ 5.3, 6.2.
+
+use super::error::DeriveError;
+use super::kinematics::{Kinematics, Velocities, motion_rates_without_acceleration, rates_to_speeds};
+use super::loads::Load;
+use super::vector::{Components, Vector, apply_tensor, cross_components};
+use crate::algebra::adjoint::transposed_product;
+use crate::algebra::calculus::{Differential, Gradient, Substitution};
+use crate::algebra::{Arena, Expr, Rational};
+use crate::model::{Body, Model};
+
+/// The letters of what acts along a velocity, and of the momentum along it, before the velocity's name.
+const FORCE: &str = "F";
+const MOMENTUM: &str = "p";
+
+/// A component of a velocity and of what acts along it.
+pub(super) type Pair = (Expr, Expr);
+
+/// Accelerations of all frames and points; those of points less that of free fall.
+pub(super) struct Accelerations {
+    pub angular: Vec<Vector>,
+    pub linear: Vec<Vector>,
+}
+
+impl Kinematics {
+    /// The accelerations along a motion: α of each frame, and a − g of each point, for a weight is an inertia force.
+    pub(super) fn accelerations(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        rates: &mut Differential,
+        fall: &Vector,
+    ) -> Accelerations {
+        let mut angular: Vec<Vector> = Vec::new();
+        let mut spins: Vec<Components> = Vec::new();
+        for (at, frame) in model.frames.iter().enumerate() {
+            let Some((parent, ..)) = frame.rotation else {
+                angular.push(Vector::default());
+                spins.push([Expr::ZERO; 3]);
+                continue;
+            };
+            let name = &frame.name;
+            let omega = self.frames.carry(&mut self.arena, &velocities.angular[at], at, ("w", name));
+            let own = velocities.angular[at].parts.iter().find(|(of, _)| *of == at);
+            let own = own.map_or([Expr::ZERO; 3], |(_, components)| *components);
+            let arena = &mut self.arena;
+            // ᴺd(σ' e)/dt = σ'' e + ω × σ' e.
+            let turning = cross_components(arena, &omega, &own);
+            let rate = std::array::from_fn(|i| {
+                let along = rates.apply(arena, own[i]);
+                arena.add(along, turning[i])
+            });
+            let step = Vector::in_frame(at, rate);
+            angular.push(angular[parent].add(arena, &step));
+            spins.push(omega);
+        }
+        let linear = self.linear_accelerations(model, (&angular, &spins), rates, fall);
+        Accelerations { angular, linear }
+    }
+
+    fn linear_accelerations(
+        &mut self,
+        model: &Model,
+        (angular, spins): (&[Vector], &[Components]),
+        rates: &mut Differential,
+        fall: &Vector,
+    ) -> Vec<Vector> {
+        let mut turns: Vec<Option<[Components; 3]>> = vec![None; model.frames.len()];
+        let mut linear: Vec<Vector> = Vec::new();
+        for point in &model.points {
+            let Some((parent, frame, components)) = point.position else {
+                linear.push(fall.neg(&mut self.arena));
+                continue;
+            };
+            let turn =
+                *turns[frame].get_or_insert_with(|| self.turn_of_rates(model, frame, &angular[frame], &spins[frame]));
+            let arena = &mut self.arena;
+            let moving = components.map(|e| rates.apply(arena, e));
+            // a + α × r + ω × (ω × r) + 2 ω × r' + r''.
+            let fixed = apply_tensor(arena, &turn, &components);
+            let coriolis = cross_components(arena, &spins[frame], &moving);
+            let two = Rational::integer(2);
+            let rate = std::array::from_fn(|i| {
+                let within = rates.apply(arena, moving[i]);
+                let twice = arena.scale(coriolis[i], &two);
+                arena.sum(&[fixed[i], twice, within])
+            });
+            let step = Vector::in_frame(frame, rate);
+            linear.push(linear[parent].add(arena, &step));
+        }
+        linear
+    }
+
+    /// α× + ω×ω×, by which the acceleration of what is fixed in a frame grows with its place.
+    fn turn_of_rates(&mut self, model: &Model, frame: usize, angular: &Vector, omega: &Components) -> [Components; 3] {
+        let name = &model.frames[frame].name;
+        let alpha = self.frames.carry(&mut self.arena, angular, frame, ("alpha", name));
+        let arena = &mut self.arena;
+        let mut product = |i: usize, j: usize| {
+            let (i, j) = (i.min(j), i.max(j));
+            let product = arena.mul(omega[i], omega[j]);
+            arena.name(product, &format!("w_{name}_{}{}", i + 1, j + 1))
+        };
+        let squares: [Components; 3] = std::array::from_fn(|i| std::array::from_fn(|j| product(i, j)));
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let entry = if i == j {
+                    let sum = arena.add(squares[(i + 1) % 3][(i + 1) % 3], squares[(i + 2) % 3][(i + 2) % 3]);
+                    arena.neg(sum)
+                } else {
+                    let other = alpha[3 - i - j];
+                    if (j + 3 - i) % 3 == 1 { arena.sub(squares[i][j], other) } else { arena.add(squares[i][j], other) }
+                };
+                arena.name(entry, &format!("turn_{name}_{}{}", i + 1, j + 1))
+            })
+        })
+    }
+
+    /// ω and H of a rigid body, in the frame of its inertia; nothing for a particle.
+    fn spin(&mut self, body: &Body, velocities: &Velocities) -> Option<(Components, Components)> {
+        let (own, inertia) = body.rigid.as_ref()?;
+        let called = ("w", self.frames.name(*own));
+        let omega = self.frames.carry(&mut self.arena, &velocities.angular[*own], inertia.frame, called);
+        let momentum = apply_tensor(&mut self.arena, &inertia.tensor, &omega);
+        Some((omega, super::carry::named(&mut self.arena, momentum, &format!("H_{}", body.name))))
+    }
+
+    /// dH/dt of a rigid body in the frame of its inertia: I ω' + ω_F × H, with ω' in that frame.
+    fn momentum_rate(
+        &mut self,
+        body: &Body,
+        velocities: &Velocities,
+        accelerations: &Accelerations,
+    ) -> Option<Components> {
+        let (omega, momentum) = self.spin(body, velocities)?;
+        let (own, inertia) = body.rigid.as_ref()?;
+        let called = ("alpha", self.frames.name(*own));
+        let alpha = self.frames.carry(&mut self.arena, &accelerations.angular[*own], inertia.frame, called);
+        let of_frame = if *own == inertia.frame {
+            omega
+        } else {
+            let called = ("w", self.frames.name(inertia.frame));
+            self.frames.carry(&mut self.arena, &velocities.angular[inertia.frame], inertia.frame, called)
+        };
+        let arena = &mut self.arena;
+        // The rate of the components is α less what the frame's own turning makes of ω.
+        let turning = cross_components(arena, &of_frame, &omega);
+        let within = std::array::from_fn(|i| arena.sub(alpha[i], turning[i]));
+        let rate = apply_tensor(arena, &inertia.tensor, &within);
+        let gyroscopic = cross_components(arena, &of_frame, &momentum);
+        Some(std::array::from_fn(|i| arena.add(rate[i], gyroscopic[i])))
+    }
+
+    /// Velocities and momenta of all bodies, component by component: T = ½ Σ velocity · momentum.
+    pub(super) fn momentum_pairs(&mut self, model: &Model, velocities: &Velocities) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        for body in &model.bodies {
+            let v = &velocities.linear[body.centre];
+            let home = self.frames.home([v]);
+            let v = self.frames.carry(&mut self.arena, v, home, ("v", &model.points[body.centre].name));
+            pairs.extend(v.map(|e| (e, self.arena.mul(body.mass, e))));
+            if let Some((omega, momentum)) = self.spin(body, velocities) {
+                pairs.extend(omega.into_iter().zip(momentum));
+            }
+        }
+        pairs
+    }
+
+    /// Velocities and the inertia forces and weights along them, for u̇ = 0.
+    fn inertia_pairs(&mut self, model: &Model, velocities: &Velocities, accelerations: &Accelerations) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        for body in &model.bodies {
+            let (v, a) = (&velocities.linear[body.centre], &accelerations.linear[body.centre]);
+            let home = self.frames.home([v, a]);
+            let point = &model.points[body.centre].name;
+            let v = self.frames.carry(&mut self.arena, v, home, ("v", point));
+            let a = self.frames.carry(&mut self.arena, a, home, ("a", point));
+            for (v, a) in v.into_iter().zip(a) {
+                let force = self.arena.product(&[body.mass, a, Expr::MINUS_ONE]);
+                pairs.push((v, force));
+            }
+            if let (Some((omega, _)), Some(rate)) =
+                (self.spin(body, velocities), self.momentum_rate(body, velocities, accelerations))
+            {
+                pairs.extend(omega.into_iter().zip(rate.map(|e| self.arena.neg(e))));
+            }
+        }
+        pairs
+    }
+
+    /// Velocities and the loads along them, a velocity named in a load put in as `put` has it.
+    pub(super) fn load_pairs<'a>(
+        &mut self,
+        loads: impl IntoIterator<Item = &'a Load>,
+        put: &mut Substitution,
+    ) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        for Load { velocity, scale, load } in loads {
+            let load = load.substitute(&mut self.arena, put);
+            let home = self.frames.home([velocity, &load]);
+            let velocity = self.frames.carry(&mut self.arena, velocity, home, ("v", "load"));
+            let load = self.frames.carry(&mut self.arena, &load, home, ("load", "on"));
+            pairs.extend(velocity.into_iter().zip(load.map(|e| self.arena.mul(*scale, e))));
+        }
+        pairs
+    }
+
+    /// The rates of a point's components in the frame in which it is placed.
+    pub(super) fn rates_within(&mut self, model: &Model, point: usize, velocities: &Velocities) -> Components {
+        let Some((.., components)) = model.points[point].position else { return [Expr::ZERO; 3] };
+        let mut rates =
+            Differential::along(&model.q().into_iter().zip(velocities.rates.iter().copied()).collect::<Vec<_>>());
+        components.map(|e| rates.apply(&mut self.arena, e))
+    }
+
+    /// The generalized forces of loads along these motion variables.
+    pub(super) fn forces_along<'a>(
+        &mut self,
+        loads: impl IntoIterator<Item = &'a Load>,
+        put: &mut Substitution,
+        variables: &[Expr],
+    ) -> Vec<Expr> {
+        let pairs = self.load_pairs(loads, put);
+        transposed_product(&mut self.arena, &pairs, variables, FORCE)
+    }
+
+    /// ∂²T/∂x_i∂x_j.
+    pub(super) fn form_of_momenta(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        variables: &[Expr],
+    ) -> Vec<Vec<Expr>> {
+        let pairs = self.momentum_pairs(model, velocities);
+        let momenta = transposed_product(&mut self.arena, &pairs, variables, MOMENTUM);
+        symmetric_slopes(&mut self.arena, &momenta, variables)
+    }
+
+    /// −g · Σ m p: moments of mass are added up before they are carried to where gravity is stated.
+    pub(super) fn carried_potential(&mut self, model: &Model, g: &Vector) -> Result<Expr, DeriveError> {
+        let mut moment = Vector::default();
+        for body in &model.bodies {
+            let own = self.positions[body.centre].scale(&mut self.arena, body.mass);
+            moment = moment.add(&mut self.arena, &own);
+        }
+        let mut named = moment.clone();
+        for (frame, components) in &mut named.parts {
+            let what = format!("mp_{}", self.frames.name(*frame).to_owned());
+            *components = super::carry::named(&mut self.arena, *components, &what);
+        }
+        let work = self.frames.dot(&mut self.arena, g, &named);
+        let energy = self.arena.neg(work);
+        self.zeroed(model, energy)
+    }
+
+    /// ½ Σ velocity · momentum.
+    pub(super) fn energy_of_pairs(&mut self, pairs: &[Pair]) -> Expr {
+        let arena = &mut self.arena;
+        let half = Rational::fraction(1, 2).expect("not zero");
+        let terms: Vec<(Expr, Rational)> = pairs.iter().map(|(v, p)| (arena.mul(*v, *p), half.clone())).collect();
+        arena.linear_combination(&terms)
+    }
+
+    /// Kane's equations M u̇ = f from the partial velocities, of which none is written: (M, f), with these loads and
+    /// the acceleration of free fall.
+    pub(super) fn projected(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        loads: &[Load],
+        fall: &Vector,
+    ) -> (Vec<Vec<Expr>>, Vec<Expr>) {
+        let mut rates = motion_rates_without_acceleration(model);
+        let accelerations = self.accelerations(model, velocities, &mut rates, fall);
+        let mut pairs = self.inertia_pairs(model, velocities, &accelerations);
+        pairs.extend(self.load_pairs(loads, &mut rates_to_speeds(model)));
+        let forcing = transposed_product(&mut self.arena, &pairs, &model.u(), FORCE);
+        let matrix = match self.composite_form(model, velocities, &model.u()) {
+            Some(form) => form,
+            None => self.kinetic_form(model, velocities, &model.u()),
+        };
+        (matrix, forcing)
+    }
+
+    /// m a, less the weight, and dH/dt.
+    pub(super) fn carried_rates(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        accelerations: &Accelerations,
+        body: &Body,
+    ) -> (Vector, Vector) {
+        let a = &accelerations.linear[body.centre];
+        let home = self.frames.home([&velocities.linear[body.centre], a]);
+        let a = self.frames.carry(&mut self.arena, a, home, ("a", &model.points[body.centre].name));
+        let force = Vector::in_frame(home, a.map(|e| self.arena.mul(body.mass, e)));
+        let moment = self.momentum_rate(body, velocities, accelerations);
+        let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+        (force, moment.map_or_else(Vector::default, |rate| Vector::in_frame(frame, rate)))
+    }
+
+    /// The acceleration of free fall.
+    pub(super) fn fall(model: &Model) -> Vector {
+        model.gravity.as_ref().map(|g| Vector::in_frame(g.frame, g.acceleration)).unwrap_or_default()
+    }
+
+    /// Lagrange's equations E q̈ = A from the energies: (E, A), with what loads beside gravity give left out.
+    pub(super) fn lagrange_system(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        potential: Expr,
+    ) -> (Vec<Vec<Expr>>, Vec<Expr>) {
+        let n = model.coordinates.len();
+        let variables = [model.q(), model.q_dot()].concat();
+        // T = ½ Σ v · p with p linear in v: its slopes are those of v, weighted by p.
+        let pairs = self.momentum_pairs(model, velocities);
+        let slopes = transposed_product(&mut self.arena, &pairs, &variables, MOMENTUM);
+        let (along_q, momenta) = slopes.split_at(n);
+        let falling = transposed_product(&mut self.arena, &[(potential, Expr::MINUS_ONE)], &model.q(), FORCE);
+        let mut d_dt = Differential::along(&model.q().into_iter().zip(model.q_dot()).collect::<Vec<_>>());
+        let arena = &mut self.arena;
+        let forcing = (0..n).map(|i| {
+            let rate = d_dt.apply(arena, momenta[i]);
+            let sum = arena.add(along_q[i], falling[i]);
+            arena.sub(sum, rate)
+        });
+        let forcing = forcing.collect();
+        let matrix = if self.frames.are_near() {
+            self.kinetic_form(model, velocities, &model.q_dot())
+        } else {
+            symmetric_slopes(arena, momenta, &model.q_dot())
+        };
+        (matrix, forcing)
+    }
+}
+
+/// ∂p_i/∂x_j, symmetric by meaning: the upper triangle, mirrored.
+fn symmetric_slopes(arena: &mut Arena, momenta: &[Expr], variables: &[Expr]) -> Vec<Vec<Expr>> {
+    let n = variables.len();
+    let mut gradient = Gradient::new(variables);
+    let mut matrix = vec![vec![Expr::ZERO; n]; n];
+    for (i, momentum) in momenta.iter().enumerate() {
+        for &(j, slope) in gradient.apply(arena, *momentum).iter().filter(|(j, _)| *j >= i) {
+            matrix[i][j] = slope;
+            matrix[j][i] = slope;
+        }
+    }
+    matrix
+}

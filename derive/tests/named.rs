@@ -1,0 +1,232 @@
+//! Large models: what grows is named, means the same, grows as it must, and is proved at its size.
+
+use crate::arm::{arm, tree};
+use crate::chain::chain;
+use std::collections::HashSet;
+use tripos_derive::algebra::adjoint::transposed_product;
+use tripos_derive::algebra::calculus::{Differential, Gradient, Substitution};
+use tripos_derive::algebra::compare::Verdict;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::parse::parse_free;
+use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::simplify::cost;
+use tripos_derive::algebra::steps::{Definition, needed};
+use tripos_derive::algebra::written::written;
+use tripos_derive::algebra::{Arena, Expr, Node};
+use tripos_derive::mechanics::{Derivation, Kinematics, Solved, derive_all, derive_all_with, is_large};
+use tripos_derive::prove::prove;
+use tripos_derive::{Equations, Formulation, Model, derive};
+
+fn entries(e: &Equations) -> Vec<Expr> {
+    e.matrix
+        .concat()
+        .into_iter()
+        .chain(e.forcing.iter().copied())
+        .chain([e.kinetic_energy, e.potential_energy])
+        .collect()
+}
+
+/// Goal: trees with branches and slides have their equations. Method: named and written out, every formulation, entry
+/// by entry, by meaning.
+#[test]
+fn trees_have_the_same_equations_with_names_and_without() {
+    let slide = |i: usize| i == 2;
+    for model in [arm(2, true), arm(3, true), tree(3, |i| i / 2, slide, true), tree(4, |i| i / 3, slide, false)] {
+        let named = derive_all_with(&model, Kinematics::in_form(&model, true).unwrap()).unwrap();
+        let again = Model { arena: named.kinematics.arena.clone(), ..model.clone() };
+        let plain = derive_all_with(&again, Kinematics::in_form(&again, false).unwrap()).unwrap();
+        let mut arena = plain.kinematics.arena.clone();
+        for f in Formulation::ALL.into_iter().filter(|f| !f.carries_reactions() || !model.reactions.is_empty()) {
+            let (a, b) = (named.result(f).unwrap(), plain.result(f).unwrap());
+            for (x, y) in entries(a).into_iter().zip(entries(b)) {
+                let difference = arena.sub(x, y);
+                assert_eq!(zero_test(&arena, difference), ZeroTest::Zero, "{} {f:?}", model.title);
+            }
+        }
+    }
+}
+
+/// Goal: what is short stays as a person writes it. Method: no term of the models that textbooks have gets a name.
+#[test]
+fn small_models_are_written_out() {
+    for model in [chain(1), chain(3), chain(6), arm(2, true)] {
+        assert!(!is_large(&model), "{}", model.title);
+        let Derivation { arena, equations } = derive(&model, Formulation::Kane).unwrap();
+        let parts = arena.reachable(&entries(&equations));
+        assert!(parts.iter().all(|e| arena.behind(*e).is_none()), "{}", model.title);
+    }
+    assert!(is_large(&arm(3, false)) && is_large(&chain(20)));
+}
+
+/// Operations of these values and of the steps that they need, one for each + − × ÷: (with what moves, of parameters
+/// alone). Sines and cosines are counted apart.
+fn operations(arena: &Arena, model: &Model, steps: &[Definition], values: &[Expr]) -> (usize, usize) {
+    let mut constant: HashSet<Expr> = model.parameters.iter().map(|p| p.symbol).collect();
+    let functions = |e: Expr| {
+        let parts = arena.reachable(&[e]).into_iter();
+        parts.filter(|e| matches!(arena.node(*e), Node::Apply(..))).count()
+    };
+    let (mut moving, mut fixed) = (0, 0);
+    for step in needed(arena, steps, values) {
+        let parts = arena.reachable(&[step.value]);
+        let own = cost(arena, step.value) - 4 * functions(step.value);
+        if parts.iter().all(|e| arena.symbol_name(*e).is_none() || constant.contains(e)) {
+            constant.insert(step.symbol);
+            fixed += own;
+        } else {
+            moving += own;
+        }
+    }
+    (moving + values.iter().map(|e| cost(arena, *e) - 4 * functions(*e)).sum::<usize>(), fixed)
+}
+
+/// Kane's equations, and the operations of M with f, of f, and of the accelerations.
+fn counts(model: &Model) -> [usize; 3] {
+    let Derivation { mut arena, equations } = derive(model, Formulation::Kane).unwrap();
+    let e = equations.written(&mut arena);
+    let upper: Vec<Expr> = e.matrix.iter().enumerate().flat_map(|(i, row)| row[i..].to_vec()).collect();
+    let both = operations(&arena, model, &e.definitions, &[upper, e.forcing.clone()].concat()).0;
+    let forcing = operations(&arena, model, &e.definitions, &e.forcing).0;
+    let solved = Solved::new(&mut arena, &equations).unwrap();
+    let rates = &e.unknowns[..e.variables.len()];
+    [both, forcing, operations(&arena, model, &solved.accelerations.steps, rates).0]
+}
+
+/// Goal: an arm of full inertias takes about what generators made for arms need. Method: counted operations of its M, f
+/// and accelerations, work of parameters alone apart.
+#[test]
+fn an_arm_of_six_joints_takes_few_operations() {
+    let [both, forcing, accelerations] = counts(&arm(6, false));
+    assert!(both <= 1400 && forcing <= 760 && accelerations <= 1650, "{both}, {forcing}, {accelerations}");
+}
+
+/// Goal: forces grow with the length of an arm, its matrix with the square. Method: exponents between two lengths.
+#[test]
+fn operations_grow_as_they_must() {
+    let [short, long] = [10, 20].map(|n| counts(&arm(n, false)));
+    let exponent = |at: usize| (long[at] as f64 / short[at] as f64).log2();
+    assert!(exponent(0) < 1.8 && exponent(1) < 1.2, "{} {}", exponent(0), exponent(1));
+}
+
+/// Goal: equivalence and conserved quantities are proved at any size, names and all. Method: a tree of thirty bodies with
+/// branches, hinges and slides.
+#[test]
+fn a_tree_of_thirty_bodies_is_proved() {
+    let model = tree(30, |i| i / 2, |i| i % 7 == 3, false);
+    let mut all = derive_all(&model).unwrap();
+    let proof = prove(&model, &mut all);
+    assert_eq!(proof.pairs.len(), 1);
+    assert!(proof.pairs.iter().all(|pair| pair.verdict.is_equal()), "{:?}", proof.pairs);
+    assert!(proof.integrals.iter().any(|integral| integral.verdict.is_equal()));
+}
+
+/// Goal: a wrong sign anywhere in a large system is seen. Method: each entry of the matrix of an arm, doubled, makes the
+/// formulations differ.
+#[test]
+fn a_wrong_entry_of_a_large_system_is_seen() {
+    let model = arm(5, false);
+    let mut all = derive_all(&model).unwrap();
+    let (_, kane) = all.list.iter_mut().find(|(f, _)| *f == Formulation::Kane).unwrap();
+    let entry = &mut kane.as_mut().unwrap().matrix[1][3];
+    *entry = all.kinematics.arena.add(*entry, *entry);
+    let proof = prove(&model, &mut all);
+    assert!(matches!(proof.pairs[0].verdict, Verdict::Different(_)), "{:?}", proof.pairs[0].verdict);
+}
+
+/// Goal: written down, every step stands after what it needs and has a symbol of its own. Method: an arm's equations.
+#[test]
+fn steps_stand_after_what_they_need() {
+    let model = arm(4, true);
+    for f in Formulation::ALL {
+        let Derivation { mut arena, equations } = derive(&model, f).unwrap();
+        let e = equations.written(&mut arena);
+        let steps: HashSet<Expr> = e.definitions.iter().map(|d| d.symbol).collect();
+        assert_eq!(steps.len(), e.definitions.len());
+        let mut known: HashSet<Expr> = HashSet::new();
+        let check = |known: &HashSet<Expr>, e: Expr| {
+            for part in arena.reachable(&[e]) {
+                assert!(arena.behind(part).is_none(), "no name is left");
+                assert!(!steps.contains(&part) || known.contains(&part), "{}", text(&arena, part));
+            }
+        };
+        for step in &e.definitions {
+            check(&known, step.value);
+            known.insert(step.symbol);
+        }
+        for entry in entries(&e) {
+            check(&known, entry);
+        }
+        // The same symbols whenever it is written.
+        assert_eq!(equations.written(&mut arena).definitions, e.definitions);
+    }
+}
+
+/// A store with three variables, and terms by names that go back to them.
+fn sample() -> (Arena, Vec<Expr>, Vec<Expr>) {
+    let mut arena = Arena::new();
+    let variables = ["x", "y", "z"].map(|name| arena.symbol(name)).to_vec();
+    let mut terms = Vec::new();
+    for (at, formula) in ["x*y + sin(z)", "x - 2*y*z", "cos(x*z) + y^2"].into_iter().enumerate() {
+        let e = parse_free(&mut arena, formula).unwrap();
+        terms.push(arena.name(e, &format!("a{at}")));
+    }
+    for at in 0..6 {
+        let (a, b, c) = (terms[at], terms[at + 1], terms[at + 2]);
+        let product = arena.mul(a, b);
+        let sum = arena.sub(product, c);
+        terms.push(arena.name(sum, &format!("b{at}")));
+    }
+    (arena, variables, terms)
+}
+
+/// Goal: names are transparent to meaning and walls to rewriting. Method: multiples share a name, what needs none gets
+/// none; values and derivatives are those of the terms written out.
+#[test]
+fn a_name_changes_no_value() {
+    let (mut arena, variables, terms) = sample();
+    let e = parse_free(&mut arena, "3*x - 3*y").unwrap();
+    let minus = arena.neg(e);
+    let (one, other) = (arena.name(e, "d"), arena.name(minus, "other"));
+    assert_eq!(other, arena.neg(one));
+    assert_eq!(text(&arena, one), "3*d");
+    assert_eq!(arena.name(variables[0], "x2"), variables[0]);
+    assert_eq!(arena.name(one, "again"), one);
+
+    let last = *terms.last().unwrap();
+    let (steps, values) = written(&mut arena, &[], &[last]);
+    let mut out = Substitution::default();
+    for step in &steps {
+        let value = out.apply(&mut arena, step.value);
+        out.set(step.symbol, value);
+    }
+    let plain = out.apply(&mut arena, values[0]);
+    assert!(arena.reachable(&[plain]).iter().all(|e| arena.behind(*e).is_none()));
+    let difference = arena.sub(plain, last);
+    assert_eq!(zero_test(&arena, difference), ZeroTest::Zero);
+    let slopes = [plain, last].map(|e| Differential::partial(variables[1]).apply(&mut arena, e));
+    let tape = Tape::new(&arena, &variables, &[plain, last, slopes[0], slopes[1]]).unwrap();
+    let found = tape.evaluate(&[0.3, -1.2, 0.7]);
+    assert!((found[0] - found[1]).abs() < 1e-9 && (found[2] - found[3]).abs() < 1e-9 * found[2].abs(), "{found:?}");
+}
+
+/// Goal: backward and forward derivatives are one. Method: weights times slopes, summed term by term along each variable,
+/// against the transposed product.
+#[test]
+fn a_transposed_product_is_the_sum_of_weighted_slopes() {
+    let (mut arena, variables, terms) = sample();
+    let pairs: Vec<(Expr, Expr)> = terms.iter().rev().take(4).enumerate().map(|(at, e)| (*e, terms[at])).collect();
+    let backward = transposed_product(&mut arena, &pairs, &variables, "to");
+    let mut gradient = Gradient::new(&variables);
+    let mut forward = vec![Expr::ZERO; variables.len()];
+    for (e, weight) in pairs {
+        for (at, slope) in gradient.apply(&mut arena, e).iter() {
+            let share = arena.mul(*slope, weight);
+            forward[*at] = arena.add(forward[*at], share);
+        }
+    }
+    for (a, b) in backward.into_iter().zip(forward) {
+        let difference = arena.sub(a, b);
+        assert_eq!(zero_test(&arena, difference), ZeroTest::Zero);
+    }
+}

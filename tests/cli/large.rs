@@ -1,0 +1,67 @@
+//! Large models on the command line: what is printed is complete, and small enough to be read.
+
+use crate::arm::tree_text;
+use crate::support::{root, tripos_in};
+use std::collections::HashSet;
+
+/// Goal: a printed derivation says what every name stands for, before the name is used. Method: every word of every line
+/// of a tree's derivations, in text and in JSON, is a word of the model file, a symbol of it, or a name defined above.
+#[test]
+fn every_name_of_a_large_derivation_is_defined_before_it_is_used() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.toml");
+    std::fs::write(&path, tree_text(5, |i| i / 2, |i| i == 3, true)).unwrap();
+    let model = path.to_str().unwrap();
+    for by in ["kane", "lagrange", "newton-euler"] {
+        let (status, out, err) = tripos_in(&root(), &["derive", model, "--by", by, "--format", "json"]);
+        assert_eq!(status, 0, "{err}");
+        let value: serde_json::Value = serde_json::from_str(&out).unwrap();
+        let found = &value["formulations"][0];
+        let mut known: HashSet<String> = words(&tree_text(5, |i| i / 2, |i| i == 3, true)).collect();
+        known.extend(["sin", "cos"].map(str::to_owned));
+        for i in 1..=5 {
+            known.extend([format!("q{i}'"), format!("q{i}''"), format!("u{i}'")]);
+        }
+        let lines = |list: &serde_json::Value| -> Vec<(String, String)> {
+            let one = |line: &serde_json::Value| {
+                (line["name"].as_str().unwrap().to_owned(), line["value"].as_str().unwrap().to_owned())
+            };
+            list.as_array().unwrap().iter().map(one).collect()
+        };
+        let named = lines(&found["named"]);
+        assert!(named.len() > 50, "{by}: {}", named.len());
+        for (name, formula) in named.iter().chain(&lines(&found["accelerations"])) {
+            let unknown: Vec<String> = words(formula).filter(|word| !known.contains(word)).collect();
+            assert!(unknown.is_empty(), "{by}: {name} = {formula} mentions {unknown:?}");
+            known.insert(name.clone());
+        }
+        for key in ["mass_matrix", "forcing", "kinetic_energy", "potential_energy", "steps"] {
+            for formula in strings(&found[key]) {
+                let unknown: Vec<String> = words(&formula).filter(|word| !known.contains(word)).collect();
+                assert!(unknown.is_empty(), "{by} {key}: {formula}: {unknown:?}");
+            }
+        }
+        let (_, text, _) = tripos_in(&root(), &["derive", model, "--by", by]);
+        assert!(text.contains("\nTerms that stand by a name, each line by those before it\n"), "{text}");
+        assert!(text.lines().map(str::len).max().unwrap() < 2000, "no line is longer than a person reads");
+    }
+}
+
+/// The names in a formula.
+fn words(text: &str) -> impl Iterator<Item = String> {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '\'';
+    let starts = |word: &&str| word.starts_with(|c: char| c.is_ascii_alphabetic());
+    text.split(move |c: char| !is_word(c)).filter(starts).map(str::to_owned)
+}
+
+/// All texts in a value.
+fn strings(value: &serde_json::Value) -> Vec<String> {
+    match value {
+        serde_json::Value::String(text) => vec![text.clone()],
+        serde_json::Value::Array(list) => list.iter().flat_map(strings).collect(),
+        serde_json::Value::Object(map) => {
+            map.get("value").into_iter().chain(map.get("lines")).flat_map(strings).collect()
+        }
+        _ => Vec::new(),
+    }
+}
