@@ -4,17 +4,23 @@ use crate::arm::arm;
 use crate::mechanism::Mechanism;
 use crate::spoilt::Random;
 use tripos::code::{Ready, code};
+use tripos_derive::algebra::calculus::Substitution;
+use tripos_derive::algebra::least::least;
 use tripos_derive::algebra::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::By;
 use tripos_derive::mechanics::{Kinematics, derive_all_with};
 use tripos_derive::{Equations, Formulation, Model, model};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
-/// Every entry, the energies and the power.
-fn entries(e: &Equations) -> Vec<tripos_derive::algebra::Expr> {
+/// Every entry, what is required for accelerations, the energies and the power.
+fn entries(arena: &mut Arena, e: &Equations) -> Vec<Expr> {
+    let e = e.clone().with_inverse_dynamics(arena);
     let scalars = [e.kinetic_energy, e.potential_energy, e.power];
-    e.matrix.concat().into_iter().chain(e.forcing.iter().copied()).chain(scalars).collect()
+    let lists = [&e.matrix.concat(), &e.forcing, &e.required];
+    lists.into_iter().flatten().copied().chain(scalars).collect()
 }
 
 /// The places where the two ways differ by meaning, with the formulations.
@@ -31,7 +37,8 @@ fn differences(model: &Model) -> Vec<(Formulation, usize)> {
             continue;
         };
         assert_eq!(a.rows, b.rows, "{f:?}");
-        for (at, (x, y)) in entries(a).into_iter().zip(entries(b)).enumerate() {
+        let (left, right) = (entries(&mut arena, a), entries(&mut arena, b));
+        for (at, (x, y)) in left.into_iter().zip(right).enumerate() {
             let difference = arena.sub(x, y);
             if zero_test(&arena, difference) != ZeroTest::Zero {
                 found.push((f, at));
@@ -41,9 +48,30 @@ fn differences(model: &Model) -> Vec<(Formulation, usize)> {
     found
 }
 
+/// Whether what makes Gauss's form least solves Kane's equations: M u' = f by meaning, with u' as it gives them.
+fn is_solved(arena: &mut Arena, kane: &Equations) -> bool {
+    let Some(gauss) = &kane.gauss else { return false };
+    let Some(recursion) = least(arena, &mut Simplifier::default(), gauss, &kane.unknowns) else { return false };
+    let mut put = Substitution::default();
+    for step in recursion {
+        let value = put.apply(arena, step.value);
+        put.set(step.symbol, value);
+    }
+    kane.matrix.iter().zip(&kane.forcing).all(|(row, right)| {
+        let mut terms: Vec<Expr> = vec![arena.neg(*right)];
+        for (entry, rate) in row.iter().zip(&kane.unknowns) {
+            let rate = put.apply(arena, *rate);
+            terms.push(arena.mul(*entry, rate));
+        }
+        let left = arena.sum(&terms);
+        zero_test(arena, left) == ZeroTest::Zero
+    })
+}
+
 /// Goal: names change nothing. Method: mechanisms with hinges and slides, mixed speeds, springs, dampers, drag at points
 /// that move in their links and all reactions, derived with names and without; every entry of every formulation, T, V
-/// and the power are equal by meaning. A defect that both ways share would escape.
+/// and the power are equal by meaning, and what the accelerations of the bodies give one after the other solves M u' = f. A
+/// defect that both ways share would escape.
 #[test]
 fn random_mechanisms_have_the_same_equations_with_names_and_without() {
     let count = std::env::var("TRIPOS_NAMED").ok().and_then(|n| n.parse().ok()).unwrap_or(60);
@@ -51,6 +79,9 @@ fn random_mechanisms_have_the_same_equations_with_names_and_without() {
         let text = Mechanism::new(&mut Random(seed)).text();
         let model = model::load(&Source::from_text("model.toml", &text)).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(differences(&model), [], "seed {seed}:\n{text}");
+        let mut named = derive_all_with(&model, Kinematics::in_form(&model, true).unwrap()).unwrap();
+        let kane = named.get(Formulation::Kane).unwrap().clone();
+        assert!(is_solved(&mut named.kinematics.arena, &kane), "seed {seed}:\n{text}");
     }
 }
 

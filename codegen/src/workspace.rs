@@ -15,7 +15,7 @@ use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::linear::Singular;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{Derivation, DeriveError, Solved, derive_all, distances, in_distance};
+use tripos_derive::mechanics::{Derivation, DeriveError, Solved, derive_all, distances, in_distance, is_reducible};
 use tripos_derive::model::text_hash;
 use tripos_derive::reduce::reduce;
 use tripos_derive::report::load_beside;
@@ -196,6 +196,7 @@ impl<'a> ModuleText<'a> {
         let solved = Solved::new(&mut arena, &equations)?;
         let recurrences = recurrences_of(&mut arena, &equations, &solved.accelerations);
         let recurrences = recurrences.filter(|list| list.convolutions() <= MOST_CONVOLUTIONS);
+        let equations = equations.with_inverse_dynamics(&mut arena);
         let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
         let plan = FormulationPlan::new(&planner, Some(&solved), recurrences.as_ref());
         self.add(&plan, &self.origin.of_model(), shown);
@@ -244,6 +245,9 @@ fn file_of_scene(
     let source = Source::read(path)?;
     let belongs = scene_model(&source)?;
     if !is_same(&belongs, &model.source.path) {
+        return Ok(None);
+    }
+    if !is_reducible(model) {
         return Ok(None);
     }
     // With a store of terms of its own, so that one scene's text does not hang on another's.

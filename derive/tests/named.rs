@@ -7,10 +7,11 @@ use tripos_derive::algebra::adjoint::transposed_product;
 use tripos_derive::algebra::calculus::{Differential, Gradient, Substitution};
 use tripos_derive::algebra::compare::Verdict;
 use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::least::least;
 use tripos_derive::algebra::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::parse::parse_free;
 use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::simplify::cost;
+use tripos_derive::algebra::simplify::{Simplifier, cost};
 use tripos_derive::algebra::steps::{Definition, needed};
 use tripos_derive::algebra::written::written;
 use tripos_derive::algebra::{Arena, Expr, Node};
@@ -19,12 +20,8 @@ use tripos_derive::prove::prove;
 use tripos_derive::{Equations, Formulation, Model, derive};
 
 fn entries(e: &Equations) -> Vec<Expr> {
-    e.matrix
-        .concat()
-        .into_iter()
-        .chain(e.forcing.iter().copied())
-        .chain([e.kinetic_energy, e.potential_energy])
-        .collect()
+    let lists = [&e.matrix.concat(), &e.forcing, &e.required];
+    lists.into_iter().flatten().copied().chain([e.kinetic_energy, e.potential_energy]).collect()
 }
 
 /// Goal: trees with branches and slides have their equations. Method: named and written out, every formulation, entry
@@ -38,8 +35,8 @@ fn trees_have_the_same_equations_with_names_and_without() {
         let plain = derive_all_with(&again, Kinematics::in_form(&again, false).unwrap()).unwrap();
         let mut arena = plain.kinematics.arena.clone();
         for f in Formulation::ALL.into_iter().filter(|f| !f.carries_reactions() || !model.reactions.is_empty()) {
-            let (a, b) = (named.result(f).unwrap(), plain.result(f).unwrap());
-            for (x, y) in entries(a).into_iter().zip(entries(b)) {
+            let [a, b] = [&named, &plain].map(|all| all.result(f).unwrap().clone().with_inverse_dynamics(&mut arena));
+            for (x, y) in entries(&a).into_iter().zip(entries(&b)) {
                 let difference = arena.sub(x, y);
                 assert_eq!(zero_test(&arena, difference), ZeroTest::Zero, "{} {f:?}", model.title);
             }
@@ -81,8 +78,8 @@ fn operations(arena: &Arena, model: &Model, steps: &[Definition], values: &[Expr
     (moving + values.iter().map(|e| cost(arena, *e) - 4 * functions(*e)).sum::<usize>(), fixed)
 }
 
-/// Kane's equations, and the operations of M with f, of f, and of the accelerations.
-fn counts(model: &Model) -> [usize; 3] {
+/// The operations by Kane's method of M with f, of f, of the accelerations and of inverse dynamics.
+fn counts(model: &Model) -> [usize; 4] {
     let Derivation { mut arena, equations } = derive(model, Formulation::Kane).unwrap();
     let e = equations.written(&mut arena);
     let upper: Vec<Expr> = e.matrix.iter().enumerate().flat_map(|(i, row)| row[i..].to_vec()).collect();
@@ -90,23 +87,61 @@ fn counts(model: &Model) -> [usize; 3] {
     let forcing = operations(&arena, model, &e.definitions, &e.forcing).0;
     let solved = Solved::new(&mut arena, &equations).unwrap();
     let rates = &e.unknowns[..e.variables.len()];
-    [both, forcing, operations(&arena, model, &solved.accelerations.steps, rates).0]
+    let inverse = operations(&arena, model, &e.definitions, &e.required).0;
+    [both, forcing, operations(&arena, model, &solved.accelerations.steps, rates).0, inverse]
 }
 
 /// Goal: an arm of full inertias takes about what generators made for arms need. Method: counted operations of its M, f
 /// and accelerations, work of parameters alone apart.
 #[test]
 fn an_arm_of_six_joints_takes_few_operations() {
-    let [both, forcing, accelerations] = counts(&arm(6, false));
+    let [both, forcing, accelerations, inverse] = counts(&arm(6, false));
     assert!(both <= 1400 && forcing <= 760 && accelerations <= 1650, "{both}, {forcing}, {accelerations}");
+    assert!(inverse <= 800, "{inverse}");
 }
 
-/// Goal: forces grow with the length of an arm, its matrix with the square. Method: exponents between two lengths.
+/// Goal: forces and the accelerations of long arms and chains grow with their length, matrices with its square. Method:
+/// exponents between two lengths, of arms whose frames follow one another and of chains whose angles are all from one
+/// frame.
 #[test]
 fn operations_grow_as_they_must() {
-    let [short, long] = [10, 20].map(|n| counts(&arm(n, false)));
-    let exponent = |at: usize| (long[at] as f64 / short[at] as f64).log2();
-    assert!(exponent(0) < 1.8 && exponent(1) < 1.2, "{} {}", exponent(0), exponent(1));
+    for (what, [short, long]) in
+        [("arms", [20, 40].map(|n| counts(&arm(n, false)))), ("chains", [20, 40].map(|n| counts(&chain(n))))]
+    {
+        let exponent = |at: usize| (long[at] as f64 / short[at] as f64).log2();
+        let found = [exponent(0), exponent(1), exponent(2), exponent(3)];
+        assert!(
+            found[0] < 2.05 && found[1..].iter().all(|grows| *grows < 1.1),
+            "{what}: {found:?}, {short:?}, {long:?}"
+        );
+    }
+}
+
+/// Goal: what the accelerations of bodies give one after the other solves the equations. Method: M u' = f by meaning, with
+/// every u' as the recursion has it, for arms, branches, slides and chains.
+#[test]
+fn recursions_solve_the_equations() {
+    let slide = |i: usize| i == 2;
+    for model in [arm(3, false), tree(4, |i| i / 2, slide, false), tree(5, |i| i / 3, slide, false), chain(8)] {
+        let Derivation { mut arena, equations } = derive(&model, Formulation::Kane).unwrap();
+        let gauss = equations.gauss.as_ref().unwrap();
+        let recursion = least(&mut arena, &mut Simplifier::default(), gauss, &equations.unknowns).unwrap();
+        assert_eq!(recursion.len(), equations.variables.len(), "{}", model.title);
+        let mut put = Substitution::default();
+        for step in recursion {
+            let value = put.apply(&mut arena, step.value);
+            put.set(step.symbol, value);
+        }
+        for (row, right) in equations.matrix.iter().zip(&equations.forcing) {
+            let mut left = arena.neg(*right);
+            for (entry, rate) in row.iter().zip(&equations.unknowns) {
+                let rate = put.apply(&mut arena, *rate);
+                let term = arena.mul(*entry, rate);
+                left = arena.add(left, term);
+            }
+            assert_eq!(zero_test(&arena, left), ZeroTest::Zero, "{}", model.title);
+        }
+    }
 }
 
 /// Goal: equivalence and conserved quantities are proved at any size, names and all. Method: a tree of thirty bodies with

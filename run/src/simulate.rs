@@ -14,7 +14,7 @@ use crate::shown::{Shown, state_names};
 use crate::trust;
 use crate::watched::{Balance, events};
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::{By, is_reducible};
 use tripos_derive::reduce::Ground;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_sim::{Solution, Stop};
@@ -33,6 +33,12 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
             let mut done = whole(None)?;
             let what = "accelerations are found numerically for whole equations only: every coordinate and speed is run \
                         and shown";
+            done.notes.insert(0, what.to_owned());
+            Ok(done)
+        }
+        None if by.is_none() && !is_reducible(mechanism) && scene.integration.method != QUADRATURE => {
+            let mut done = whole(None)?;
+            let what = "whole equations are run: those of this model are too large to be written out for a scene's own";
             done.notes.insert(0, what.to_owned());
             Ok(done)
         }

@@ -241,6 +241,16 @@ fn main() {
     for (a, b) in found[0].iter().zip(&found[1]) {
         assert!((a - b).abs() < 1e-10 * (1.0 + a.abs()), "{found:?}");
     }
+    // Inverse dynamics is M u' - f, by both.
+    let (standard, q, u, a) = (arm::Parameters::default(), [0.3, 1.1, -0.4, 0.8, 0.2], [0.5; N], [1.0, -2.0, 0.5, 3.0, -1.5]);
+    let (matrix, forcing) = (arm::kane::mass_matrix(&standard, &q, &u), arm::kane::forcing(&standard, &q, &u));
+    let by_kane = arm::kane::inverse_dynamics(&standard, &q, &u, &a);
+    let by_lagrange = arm::lagrange::inverse_dynamics(&standard, &q, &u, &a);
+    for i in 0..N {
+        let wanted: f64 = (0..N).map(|j| matrix[i][j] * a[j]).sum::<f64>() - forcing[i];
+        let off = (by_kane[i] - wanted).abs().max((by_lagrange[i] - wanted).abs());
+        assert!(off < 1e-11 * (1.0 + wanted.abs()), "{i}: {wanted}, {by_kane:?}, {by_lagrange:?}");
+    }
 }
 fn check(system: &dyn System, p: &[f64], q: &[f64], v: &[f64]) -> Vec<f64> {
     let derivative = |q: &[f64], v: &[f64]| {

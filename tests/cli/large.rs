@@ -65,3 +65,28 @@ fn strings(value: &serde_json::Value) -> Vec<String> {
         _ => Vec::new(),
     }
 }
+
+/// Goal: a scene of a large model runs at once by whole equations and says so; one that is small enough has its own.
+/// Method: arms of three and of six joints that fall from rest; the momentum about the first, upright axis is the longer
+/// arm's state and the shorter one's constant.
+#[test]
+fn scenes_of_large_models_run_by_whole_equations() {
+    let folder = tempfile::tempdir().unwrap();
+    for (n, whole) in [(3, false), (6, true)] {
+        let home = folder.path().join(format!("arm{n}"));
+        std::fs::create_dir_all(home.join("scenes")).unwrap();
+        std::fs::write(home.join("model.toml"), tree_text(n, |i| i - 1, |_| false, false)).unwrap();
+        let start: Vec<String> = (1..=n).map(|i| format!("q{i} = 0.{i}\nu{i} = 0\n")).collect();
+        let start = start.concat();
+        let scene = home.join("scenes/fall.toml");
+        let text = format!(
+            "title = \"Falls\"\nspan = [0, 0.3]\n\n[start]\n{start}\n[integration]\nrtol = 1e-9\natol = 1e-11\n"
+        );
+        std::fs::write(&scene, text).unwrap();
+        let (status, out, err) = tripos_in(&root(), &["simulate", scene.to_str().unwrap(), "--method", "dop853"]);
+        assert_eq!(status, 0, "{err}");
+        assert_eq!(err.contains("whole equations are run: those of this model are too large"), whole, "{n}: {err}");
+        assert_eq!(out.contains("Kane's method"), whole, "{n}: {out}");
+        assert!(out.contains("largest change of total energy") && !err.contains("warning"), "{n}: {out}{err}");
+    }
+}

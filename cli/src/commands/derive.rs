@@ -6,6 +6,7 @@ use crate::arguments::Format;
 use crate::failure::{Failure, print, say};
 use crate::words::NAMED;
 use crate::workspace::{read_model, short_name};
+use rustc_hash::FxHashSet;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -63,7 +64,8 @@ fn derivations(model: &Mechanism, by: Option<&str>) -> Result<Vec<DerivationInSt
 fn solved(derivation: &mut DerivationInSteps) -> Option<Elimination> {
     let DerivationInSteps { arena, equations, .. } = derivation;
     let mut solved = accelerations(arena, &mut Simplifier::default(), equations).ok()?;
-    solved.steps.retain(|step| !equations.definitions.contains(step));
+    let named: FxHashSet<Expr> = equations.definitions.iter().map(|step| step.symbol).collect();
+    solved.steps.retain(|step| !named.contains(&step.symbol));
     Some(solved)
 }
 

@@ -7,10 +7,13 @@ use crate::taylor::Recurrences;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Divisors, Jacobian, Solved, bare};
+use tripos_derive::mechanics::{By, Divisors, Jacobian, Solved, bare};
 
 /// Steps of accelerations up to which q̇ and v̇ are also computed together, sharing what they can.
 const MOST_REPEATED: usize = 100;
+
+/// Divisors up to which they are listed by their formulas.
+const MOST_LISTED: usize = 12;
 
 /// The function that stands for the Jacobian of a large system: its product with a direction.
 pub const JACOBIAN_PRODUCT: &str = "jacobian_product";
@@ -21,7 +24,8 @@ pub struct FormulationPlan<'a> {
     pub planner: &'a Planner<'a>,
     /// The equations, in the order in which they are read.
     pub equations: Vec<Function>,
-    /// What runs use beside the equations: `derivative` and `jacobian`, where accelerations were solved for.
+    /// What runs use beside the equations: `derivative` and `jacobian`, where accelerations were solved for, and
+    /// `inverse_dynamics`.
     pub machine: Vec<Function>,
     /// What people call the divisors that `divisors` gives; none where nothing is divided by that might be zero.
     pub divisors: Vec<String>,
@@ -51,6 +55,8 @@ impl<'a> FormulationPlan<'a> {
         });
         let (divisors, names) = divisors(planner, solved);
         machine.extend(divisors);
+        // What matrix and forcing say already is no equation of its own.
+        machine.extend(inverse_dynamics(planner));
         let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
         let (is_solved, facts) = (solved.is_some(), facts(planner, solved));
         Self { planner, equations, machine, divisors: names, taylor, is_solved, facts }
@@ -179,10 +185,10 @@ pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
     let function = |name, about, arguments, returns, values: &[Value]| {
         planner.stepwise(name, about, arguments, returns, &e.definitions, values)
     };
-    let about_potential = if e.definitions.is_empty() {
-        "Potential energy V: of gravity, and of the applied loads that have a potential."
-    } else {
+    let about_potential = if e.by == By::Reduced && !e.definitions.is_empty() {
         "Potential energy V, with the kinetic energy of what the momenta determine."
+    } else {
+        "Potential energy V: of gravity, and of the applied loads that have a potential."
     };
     let power = [("rate".to_owned(), "d(T + V)/dt".to_owned(), e.power)];
     let about_power = "The power of the loads that have no potential: the rate of T + V.";
@@ -194,6 +200,21 @@ pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
         function("potential_energy", about_potential, Arguments::Configuration, Returns::Number, &potential),
     ];
     energies.into_iter().chain(power).collect()
+}
+
+/// `inverse_dynamics`: the generalized forces that accelerations ask for.
+fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
+    let e = planner.equations;
+    let n = e.required.len();
+    let name = |i: usize| format!("tau{}", index(i, n));
+    let values: Vec<Value> = e.required.iter().enumerate().map(|(i, value)| (name(i), name(i), *value)).collect();
+    let about = format!(
+        "Inverse dynamics: the generalized forces along {} that must act beside the loads of the model for the accelerations to be {}.",
+        vector_text(planner.arena, &e.variables),
+        vector_text(planner.arena, rates(planner))
+    );
+    let arguments = Arguments::StateAndRates;
+    (n > 0).then(|| planner.stepwise("inverse_dynamics", &about, arguments, Returns::Vector, &e.definitions, &values))
 }
 
 /// Between q' and the generalized speeds, where q' is what is integrated.
@@ -247,7 +268,12 @@ fn divisors_text(arena: &Arena, divisors: &[Expr]) -> String {
     if divisors.is_empty() {
         return "The accelerations divide by nothing.".to_owned();
     }
-    let list: Vec<String> = distinct(arena, divisors).iter().map(|d| text(arena, *d)).collect();
+    let distinct = distinct(arena, divisors);
+    if distinct.len() > MOST_LISTED {
+        let count = distinct.len();
+        return format!("The accelerations divide by {count} pivots, which are positive where the mass matrix is.");
+    }
+    let list: Vec<String> = distinct.iter().map(|d| text(arena, *d)).collect();
     format!("The accelerations divide by {}.", list.join(", by "))
 }
 

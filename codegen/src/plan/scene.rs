@@ -184,6 +184,8 @@ fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
         coordinates: slope.ends.to_vec(),
         variables: symbols,
         definitions: Vec::new(),
+        required: Vec::new(),
+        gauss: None,
         ..planner.equations.clone()
     };
     let planner = Planner { equations: &equations, variables: planner.variables.clone(), shares: false, ..*planner };
@@ -224,6 +226,7 @@ pub struct Costs {
 pub fn costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError> {
     let of = |model: &Model, arena: &Arena, equations: &Equations| {
         let mut arena = arena.clone();
+        let equations = &equations.written(&mut arena);
         let solved = mechanics::accelerations(&mut arena, &mut Simplifier::default(), equations)
             .map_err(|_| DeriveError::NotLinear)?;
         Ok(derivative(&Planner::new(model, &arena, equations, &Language::NONE, true), &solved.steps).cost)

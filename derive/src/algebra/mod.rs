@@ -17,6 +17,7 @@ pub(crate) mod field;
 pub mod fold;
 mod fraction;
 pub(crate) mod interval;
+pub mod least;
 pub mod linear;
 pub mod modular;
 pub mod named;

@@ -34,6 +34,8 @@ pub fn printed_equations(model: &Model, derivations: &mut Derivations, report: &
             forcing: motion.right,
             symmetric: false,
             definitions: Vec::new(),
+            required: Vec::new(),
+            gauss: None,
             projection: Vec::new(),
             coordinate_rates: motion.coordinate_rates,
             ..derived.clone()

@@ -2,11 +2,14 @@
 
 use super::equations::Equations;
 use crate::algebra::calculus::Differential;
-use crate::algebra::elimination::{Elimination, LinearSystem, eliminate};
+use crate::algebra::elimination::{Elimination, LinearSystem, divisors, eliminate};
+use crate::algebra::least::least;
 use crate::algebra::linear::Singular;
 use crate::algebra::simplify::{Simplifier, cost};
 use crate::algebra::steps::{Definition, fresh_symbol, needed};
+use crate::algebra::written::written;
 use crate::algebra::{Arena, Expr};
+use rustc_hash::FxHashSet;
 
 /// Operations in a slope of an intermediate quantity above which it gets a name of its own.
 const LONGEST_SLOPE: usize = 6;
@@ -49,6 +52,51 @@ pub fn accelerations(
 ) -> Result<Elimination, Singular> {
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];
+    let Some(gauss) = &equations.gauss else { return eliminated(arena, simplifier, equations) };
+    // Both ways, each in a store of its own, so that the names of the one that loses are not taken.
+    let mut other = arena.clone();
+    let Some(recursion) = least(&mut other, &mut simplifier.clone(), gauss, unknowns) else {
+        return eliminated(arena, simplifier, equations);
+    };
+    let (recursion, _) = written(&mut other, &recursion, &[]);
+    let mut steps = needed(&other, &equations.definitions, &equations.coordinate_rates);
+    let known: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
+    steps.extend(recursion.into_iter().filter(|step| !known.contains(&step.symbol)));
+    let recursive = operations(&other, &steps, unknowns);
+    let (mut store, mut its_simplifier) = (arena.clone(), simplifier.clone());
+    let solved = eliminated(&mut store, &mut its_simplifier, equations)?;
+    if recursive >= operations(&store, &solved.steps, unknowns) {
+        (*arena, *simplifier) = (store, its_simplifier);
+        return Ok(solved);
+    }
+    *arena = other;
+    let divisors = divisors(arena, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
+    Ok(Elimination { steps, divisors })
+}
+
+/// The definitions that do not need v̇ itself, as those of inverse dynamics do.
+fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
+    let mut sought: FxHashSet<Expr> = equations.unknowns.iter().copied().collect();
+    let mut list = Vec::with_capacity(equations.definitions.len());
+    for definition in &equations.definitions {
+        if arena.reachable(&[definition.value]).iter().any(|part| sought.contains(part)) {
+            sought.insert(definition.symbol);
+        } else {
+            list.push(*definition);
+        }
+    }
+    list
+}
+
+/// Operations of the steps that these symbols need.
+fn operations(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
+    needed(arena, steps, symbols).iter().map(|step| cost(arena, step.value)).sum()
+}
+
+/// v̇ by elimination of the linear system.
+fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
+    let n = equations.variables.len();
+    let unknowns = &equations.unknowns[..n];
     if equations.projection.is_empty() {
         let system = LinearSystem {
             matrix: &equations.matrix,
@@ -58,7 +106,7 @@ pub fn accelerations(
             is_large: equations.is_large(),
         };
         let mut solved = eliminate(arena, simplifier, system)?;
-        solved.steps.splice(0..0, equations.definitions.iter().copied());
+        solved.steps.splice(0..0, given(arena, equations));
         return Ok(solved);
     }
     let (mut matrix, mut right) = (Vec::new(), Vec::new());
@@ -71,7 +119,7 @@ pub fn accelerations(
     let is_large = equations.is_large();
     let system = LinearSystem { matrix: &matrix, right: &right, unknowns, symmetric: true, is_large };
     let mut solved = eliminate(arena, simplifier, system)?;
-    solved.steps.splice(0..0, equations.definitions.iter().copied());
+    solved.steps.splice(0..0, given(arena, equations));
     Ok(solved)
 }
 

@@ -24,6 +24,16 @@ pub fn is_large(model: &Model) -> bool {
     closed_terms(model) > MOST_TERMS
 }
 
+/// Terms up to which a scene's own equations are made, which are written out.
+const MOST_REDUCED: usize = 400;
+
+/// Whether the equations of a model may be written out to make a scene's own of them, where a momentum stands for a speed
+/// and what is not asked for is left out. Larger models run by whole equations.
+#[must_use]
+pub fn is_reducible(model: &Model) -> bool {
+    closed_terms(model) <= MOST_REDUCED
+}
+
 /// Terms of the closed form of the mass matrix, about.
 fn closed_terms(model: &Model) -> usize {
     let frames = Frames::new(&model.frames);

@@ -9,6 +9,7 @@ use crate::algebra::rank::rank;
 use crate::algebra::written::written;
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
+use rustc_hash::FxHashSet;
 
 /// One formulation of a model, with the store of its terms.
 #[derive(Clone)]
@@ -78,15 +79,13 @@ pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<Deriva
 
 /// Equations and steps with a symbol for each name; what the symbols stand for is among the definitions.
 fn written_down(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -> DerivationInSteps {
-    let mut equations = equations.written(&mut arena);
+    // Inverse dynamics is code, and no part of what is shown.
+    let mut equations = Equations { required: Vec::new(), ..equations.clone() }.written(&mut arena);
     let lines = || steps.iter().flat_map(|step| step.lines.iter());
     let values: Vec<Expr> = lines().map(|(_, value)| *value).collect();
     let (named, values) = written(&mut arena, &[], &values);
-    for definition in named {
-        if !equations.definitions.contains(&definition) {
-            equations.definitions.push(definition);
-        }
-    }
+    let known: FxHashSet<Expr> = equations.definitions.iter().map(|definition| definition.symbol).collect();
+    equations.definitions.extend(named.into_iter().filter(|definition| !known.contains(&definition.symbol)));
     let places = steps.iter_mut().flat_map(|step| &mut step.lines);
     for ((_, place), value) in places.zip(values) {
         *place = value;

@@ -6,6 +6,7 @@ use super::formulation::{Formulation, MotionVariables};
 use super::kinematics::Kinematics;
 use super::rows::{RowName, Rows};
 use crate::algebra::calculus::Differential;
+use crate::algebra::least::Sum;
 use crate::algebra::steps::Definition;
 use crate::algebra::written::written;
 use crate::algebra::{Arena, Expr};
@@ -45,6 +46,11 @@ pub struct Equations {
     pub projection: Vec<Vec<Expr>>,
     /// q̇ in q and v.
     pub coordinate_rates: Vec<Expr>,
+    /// What must act along the motion variables beside the loads for v̇ to be as it is, M v̇ − f: inverse dynamics, in
+    /// parameters, q, v and v̇. Empty until it is asked for, and where reactions are among the unknowns.
+    pub required: Vec<Expr>,
+    /// What v̇ makes least, by the accelerations of the bodies (Gauss's principle): a second way to v̇, for large systems.
+    pub gauss: Option<Sum>,
     /// u in q and v.
     pub generalized_speeds: Vec<Expr>,
     /// u̇ in q, v and v̇.
@@ -99,11 +105,29 @@ impl Equations {
         result.definitions.clear();
         result.visit(&mut |e, _| *e = values.next().expect("as many as were read"), arena);
         result.definitions = steps;
+        result.gauss.clone_from(&self.gauss);
         result
     }
 
-    /// Changes every expression.
+    /// With inverse dynamics, M v̇ − f where the method has it not otherwise; as they are where reactions are among the
+    /// unknowns.
+    #[must_use]
+    pub fn with_inverse_dynamics(self, arena: &mut Arena) -> Self {
+        if !self.required.is_empty() || self.formulation.carries_reactions() {
+            return self;
+        }
+        let row = |(row, right): (&Vec<Expr>, &Expr)| {
+            let mut terms: Vec<Expr> = row.iter().zip(&self.unknowns).map(|(m, x)| arena.mul(*m, *x)).collect();
+            terms.push(arena.neg(*right));
+            arena.sum(&terms)
+        };
+        let required = self.matrix.iter().zip(&self.forcing).map(row).collect();
+        Self { required, ..self }
+    }
+
+    /// Changes every expression; what is made of other terms than these, Gauss's form, is left out.
     pub(crate) fn visit(&mut self, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
+        self.gauss = None;
         let vectors = [
             &mut self.forcing,
             &mut self.coordinate_rates,
@@ -111,6 +135,7 @@ impl Equations {
             &mut self.generalized_speed_rates,
             &mut self.motion_variables,
             &mut self.divisors,
+            &mut self.required,
         ];
         let matrices = self.matrix.iter_mut().chain(&mut self.projection);
         let scalars = [&mut self.kinetic_energy, &mut self.potential_energy, &mut self.power];
@@ -131,7 +156,8 @@ pub(super) fn complete(
     formulation: Formulation,
     rows: Rows,
 ) -> Result<Equations, DeriveError> {
-    let Rows { names, matrix, forcing, projection, kinetic_energy } = rows;
+    let Rows { names, matrix, forcing, projection, kinetic_energy, required, gauss } = rows;
+    let required = required.unwrap_or_default();
     let potential_energy = kinematics.potential_energy(model)?;
     let power = kinematics.power(model, formulation.is_in_rates());
     let rates = &model.kinematic_equations.rates;
@@ -158,6 +184,8 @@ pub(super) fn complete(
         matrix,
         forcing,
         symmetric: formulation.method().symmetric,
+        required,
+        gauss,
         projection,
         coordinate_rates,
         generalized_speeds,

@@ -4,7 +4,7 @@
 
 use super::energy::Momentum;
 use super::error::DeriveError;
-use super::kinematics::{Kinematics, Velocities, motion_rates_without_acceleration, rates_to_speeds};
+use super::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration, rates_to_speeds};
 use super::loads::Load;
 use super::quantity::{QuantityKind, VectorName};
 use super::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
@@ -22,13 +22,20 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     let velocities = kinematics.in_speeds(model);
     if kinematics.frames.carries {
         let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
-        let (matrix, forcing) = kinematics.projected(model, &velocities, &loads, &Kinematics::fall(model));
+        let fall = Kinematics::fall(model);
+        let (matrix, forcing) = kinematics.projected(model, &velocities, &loads, &fall);
+        let mut moving = motion_rates(model);
+        let along = kinematics.forces_of_motion(model, &velocities, &loads, &fall, &mut moving);
+        let required = along.into_iter().map(|e| kinematics.arena.neg(e)).collect();
+        let gauss = kinematics.gauss(model, &velocities, &loads);
         let momenta = kinematics.momentum_pairs(model, &velocities);
         return Ok(Rows {
             names: (0..model.speeds.len()).map(RowName::Speed).collect(),
             matrix,
             forcing,
             projection: Vec::new(),
+            required: Some(required),
+            gauss: Some(gauss),
             kinetic_energy: kinematics.energy_of_pairs(&momenta),
         });
     }
@@ -46,6 +53,8 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         matrix,
         forcing,
         projection: Vec::new(),
+        required: None,
+        gauss: None,
     })
 }
 

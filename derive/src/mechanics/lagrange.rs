@@ -46,6 +46,8 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         matrix,
         forcing,
         projection: Vec::new(),
+        required: None,
+        gauss: None,
         kinetic_energy: t,
     })
 }
@@ -53,16 +55,19 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
 /// E and A of a model whose terms are named.
 fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Result<Rows, DeriveError> {
     let v = kinematics.gravity_potential(model)?;
-    let (matrix, forcing) = kinematics.lagrange_system(model, velocities, v);
+    let (matrix, forcing, required) = kinematics.lagrange_system(model, velocities, v);
     let loads = kinematics.loads(model, velocities);
     let forces = forces_of(model, kinematics, loads.iter().flatten());
     let pairs = kinematics.momentum_pairs(model, velocities);
     let arena = &mut kinematics.arena;
+    let required = required.into_iter().zip(&forces).map(|(a, b)| arena.sub(a, *b)).collect();
     Ok(Rows {
         names: (0..model.coordinates.len()).map(RowName::Coordinate).collect(),
         matrix,
         forcing: forcing.into_iter().zip(forces).map(|(a, b)| arena.add(a, b)).collect(),
         projection: Vec::new(),
+        required: Some(required),
+        gauss: None,
         kinetic_energy: kinematics.energy_of_pairs(&pairs),
     })
 }

@@ -2,6 +2,7 @@
 
 mod accelerations;
 mod by;
+mod carried;
 mod carry;
 mod composite;
 mod derivation;
@@ -26,7 +27,7 @@ mod vector;
 
 pub use accelerations::{Jacobian, Solved, accelerations, energy_gradient, jacobian};
 pub use by::{By, Distance};
-pub use carry::is_large;
+pub use carry::{is_large, is_reducible};
 pub use derivation::{
     Derivation, DerivationInSteps, Derivations, derive, derive_all, derive_all_with, derive_in_steps,
 };

@@ -56,6 +56,8 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         matrix,
         forcing,
         projection: partial_velocities(model, kinematics, &velocities, &rows, &model.u()),
+        required: None,
+        gauss: None,
         kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),
     })
 }
@@ -94,7 +96,7 @@ pub fn balances(
     let mut list = Vec::new();
     let carried = kinematics.frames.carries.then(|| {
         let mut rates = motion_rates(model);
-        kinematics.accelerations(model, velocities, &mut rates, &Kinematics::fall(model))
+        kinematics.accelerations(model, velocities, &mut rates, (&Kinematics::fall(model), false))
     });
     for (at, body) in model.bodies.iter().enumerate() {
         let frame = frame.or(body.rigid.as_ref().map(|(_, inertia)| inertia.frame)).unwrap_or(0);

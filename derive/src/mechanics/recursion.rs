@@ -8,12 +8,14 @@
 //! Luh, Walker & Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76; R. Featherstone, *Rigid Body Dynamics
 //! Algorithms* (2008), §§ 5.3, 6.2.
 
+use super::carried::Accelerations;
 use super::error::DeriveError;
-use super::kinematics::{Kinematics, Velocities, motion_rates_without_acceleration, rates_to_speeds};
+use super::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration, rates_to_speeds};
 use super::loads::Load;
 use super::vector::{Components, Vector, apply_tensor, cross_components};
 use crate::algebra::adjoint::transposed_product;
 use crate::algebra::calculus::{Differential, Gradient, Substitution};
+use crate::algebra::least::{Block, Sum};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::model::{Body, Model};
 
@@ -24,106 +26,7 @@ const MOMENTUM: &str = "p";
 /// A component of a velocity and of what acts along it.
 pub(super) type Pair = (Expr, Expr);
 
-/// Accelerations of all frames and points; those of points less that of free fall.
-pub(super) struct Accelerations {
-    pub angular: Vec<Vector>,
-    pub linear: Vec<Vector>,
-}
-
 impl Kinematics {
-    /// The accelerations along a motion: α of each frame, and a − g of each point, for a weight is an inertia force.
-    pub(super) fn accelerations(
-        &mut self,
-        model: &Model,
-        velocities: &Velocities,
-        rates: &mut Differential,
-        fall: &Vector,
-    ) -> Accelerations {
-        let mut angular: Vec<Vector> = Vec::new();
-        let mut spins: Vec<Components> = Vec::new();
-        for (at, frame) in model.frames.iter().enumerate() {
-            let Some((parent, ..)) = frame.rotation else {
-                angular.push(Vector::default());
-                spins.push([Expr::ZERO; 3]);
-                continue;
-            };
-            let name = &frame.name;
-            let omega = self.frames.carry(&mut self.arena, &velocities.angular[at], at, ("w", name));
-            let own = velocities.angular[at].parts.iter().find(|(of, _)| *of == at);
-            let own = own.map_or([Expr::ZERO; 3], |(_, components)| *components);
-            let arena = &mut self.arena;
-            // ᴺd(σ' e)/dt = σ'' e + ω × σ' e.
-            let turning = cross_components(arena, &omega, &own);
-            let rate = std::array::from_fn(|i| {
-                let along = rates.apply(arena, own[i]);
-                arena.add(along, turning[i])
-            });
-            let step = Vector::in_frame(at, rate);
-            angular.push(angular[parent].add(arena, &step));
-            spins.push(omega);
-        }
-        let linear = self.linear_accelerations(model, (&angular, &spins), rates, fall);
-        Accelerations { angular, linear }
-    }
-
-    fn linear_accelerations(
-        &mut self,
-        model: &Model,
-        (angular, spins): (&[Vector], &[Components]),
-        rates: &mut Differential,
-        fall: &Vector,
-    ) -> Vec<Vector> {
-        let mut turns: Vec<Option<[Components; 3]>> = vec![None; model.frames.len()];
-        let mut linear: Vec<Vector> = Vec::new();
-        for point in &model.points {
-            let Some((parent, frame, components)) = point.position else {
-                linear.push(fall.neg(&mut self.arena));
-                continue;
-            };
-            let turn =
-                *turns[frame].get_or_insert_with(|| self.turn_of_rates(model, frame, &angular[frame], &spins[frame]));
-            let arena = &mut self.arena;
-            let moving = components.map(|e| rates.apply(arena, e));
-            // a + α × r + ω × (ω × r) + 2 ω × r' + r''.
-            let fixed = apply_tensor(arena, &turn, &components);
-            let coriolis = cross_components(arena, &spins[frame], &moving);
-            let two = Rational::integer(2);
-            let rate = std::array::from_fn(|i| {
-                let within = rates.apply(arena, moving[i]);
-                let twice = arena.scale(coriolis[i], &two);
-                arena.sum(&[fixed[i], twice, within])
-            });
-            let step = Vector::in_frame(frame, rate);
-            linear.push(linear[parent].add(arena, &step));
-        }
-        linear
-    }
-
-    /// α× + ω×ω×, by which the acceleration of what is fixed in a frame grows with its place.
-    fn turn_of_rates(&mut self, model: &Model, frame: usize, angular: &Vector, omega: &Components) -> [Components; 3] {
-        let name = &model.frames[frame].name;
-        let alpha = self.frames.carry(&mut self.arena, angular, frame, ("alpha", name));
-        let arena = &mut self.arena;
-        let mut product = |i: usize, j: usize| {
-            let (i, j) = (i.min(j), i.max(j));
-            let product = arena.mul(omega[i], omega[j]);
-            arena.name(product, &format!("w_{name}_{}{}", i + 1, j + 1))
-        };
-        let squares: [Components; 3] = std::array::from_fn(|i| std::array::from_fn(|j| product(i, j)));
-        std::array::from_fn(|i| {
-            std::array::from_fn(|j| {
-                let entry = if i == j {
-                    let sum = arena.add(squares[(i + 1) % 3][(i + 1) % 3], squares[(i + 2) % 3][(i + 2) % 3]);
-                    arena.neg(sum)
-                } else {
-                    let other = alpha[3 - i - j];
-                    if (j + 3 - i) % 3 == 1 { arena.sub(squares[i][j], other) } else { arena.add(squares[i][j], other) }
-                };
-                arena.name(entry, &format!("turn_{name}_{}{}", i + 1, j + 1))
-            })
-        })
-    }
-
     /// ω and H of a rigid body, in the frame of its inertia; nothing for a particle.
     fn spin(&mut self, body: &Body, velocities: &Velocities) -> Option<(Components, Components)> {
         let (own, inertia) = body.rigid.as_ref()?;
@@ -140,6 +43,19 @@ impl Kinematics {
         velocities: &Velocities,
         accelerations: &Accelerations,
     ) -> Option<Components> {
+        let (within, gyroscopic) = self.turning_within(body, velocities, accelerations)?;
+        let (_, inertia) = body.rigid.as_ref()?;
+        let rate = apply_tensor(&mut self.arena, &inertia.tensor, &within);
+        Some(std::array::from_fn(|i| self.arena.add(rate[i], gyroscopic[i])))
+    }
+
+    /// ω' of a rigid body, of its components in the frame F of its inertia, and ω_F × H.
+    fn turning_within(
+        &mut self,
+        body: &Body,
+        velocities: &Velocities,
+        accelerations: &Accelerations,
+    ) -> Option<(Components, Components)> {
         let (omega, momentum) = self.spin(body, velocities)?;
         let (own, inertia) = body.rigid.as_ref()?;
         let called = ("alpha", self.frames.name(*own));
@@ -154,9 +70,7 @@ impl Kinematics {
         // The rate of the components is α less what the frame's own turning makes of ω.
         let turning = cross_components(arena, &of_frame, &omega);
         let within = std::array::from_fn(|i| arena.sub(alpha[i], turning[i]));
-        let rate = apply_tensor(arena, &inertia.tensor, &within);
-        let gyroscopic = cross_components(arena, &of_frame, &momentum);
-        Some(std::array::from_fn(|i| arena.add(rate[i], gyroscopic[i])))
+        Some((within, cross_components(arena, &of_frame, &momentum)))
     }
 
     /// Velocities and momenta of all bodies, component by component: T = ½ Σ velocity · momentum.
@@ -278,16 +192,28 @@ impl Kinematics {
         loads: &[Load],
         fall: &Vector,
     ) -> (Vec<Vec<Expr>>, Vec<Expr>) {
-        let mut rates = motion_rates_without_acceleration(model);
-        let accelerations = self.accelerations(model, velocities, &mut rates, fall);
-        let mut pairs = self.inertia_pairs(model, velocities, &accelerations);
-        pairs.extend(self.load_pairs(loads, &mut rates_to_speeds(model)));
-        let forcing = transposed_product(&mut self.arena, &pairs, &model.u(), FORCE);
+        let mut resting = motion_rates_without_acceleration(model);
+        let forcing = self.forces_of_motion(model, velocities, loads, fall, &mut resting);
         let matrix = match self.composite_form(model, velocities, &model.u()) {
             Some(form) => form,
             None => self.kinetic_form(model, velocities, &model.u()),
         };
         (matrix, forcing)
+    }
+
+    /// F_r + F*_r: what acts along each speed, inertia forces among them, where the motion has these rates.
+    pub(super) fn forces_of_motion(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        loads: &[Load],
+        fall: &Vector,
+        rates: &mut Differential,
+    ) -> Vec<Expr> {
+        let accelerations = self.accelerations(model, velocities, rates, (fall, false));
+        let mut pairs = self.inertia_pairs(model, velocities, &accelerations);
+        pairs.extend(self.load_pairs(loads, &mut rates_to_speeds(model)));
+        transposed_product(&mut self.arena, &pairs, &model.u(), FORCE)
     }
 
     /// m a, less the weight, and dH/dt.
@@ -307,18 +233,41 @@ impl Kinematics {
         (force, moment.map_or_else(Vector::default, |rate| Vector::in_frame(frame, rate)))
     }
 
+    /// What u̇ makes least by Gauss's principle: ½ Σ m a² + ½ ω' · I ω' + ω' · (ω × H) less what loads do along u̇.
+    pub(super) fn gauss(&mut self, model: &Model, velocities: &Velocities, loads: &[Load]) -> Sum {
+        let accelerations = self.accelerations(model, velocities, &mut motion_rates(model), (&Self::fall(model), true));
+        let mut blocks = Vec::new();
+        let none = [Expr::ZERO; 3];
+        for body in &model.bodies {
+            let a = &accelerations.linear[body.centre];
+            let home = self.frames.home([&velocities.linear[body.centre], a]);
+            let components = self.frames.carry(&mut self.arena, a, home, ("a", &model.points[body.centre].name));
+            let mut tensor = [none; 3];
+            (0..3).for_each(|i| tensor[i][i] = body.mass);
+            blocks.push(Block { components, tensor, linear: none });
+            if let (Some((_, inertia)), Some((components, linear))) =
+                (&body.rigid, self.turning_within(body, velocities, &accelerations))
+            {
+                blocks.push(Block { components, tensor: inertia.tensor, linear });
+            }
+        }
+        let forces = self.forces_along(loads, &mut rates_to_speeds(model), &model.u());
+        let linear = forces.into_iter().map(|e| self.arena.neg(e)).collect();
+        Sum { blocks, linear }
+    }
+
     /// The acceleration of free fall.
     pub(super) fn fall(model: &Model) -> Vector {
         model.gravity.as_ref().map(|g| Vector::in_frame(g.frame, g.acceleration)).unwrap_or_default()
     }
 
-    /// Lagrange's equations E q̈ = A from the energies: (E, A), with what loads beside gravity give left out.
+    /// Lagrange's equations E q̈ = A from the energies: (E, A, E q̈ − A), with what loads beside gravity give left out.
     pub(super) fn lagrange_system(
         &mut self,
         model: &Model,
         velocities: &Velocities,
         potential: Expr,
-    ) -> (Vec<Vec<Expr>>, Vec<Expr>) {
+    ) -> (Vec<Vec<Expr>>, Vec<Expr>, Vec<Expr>) {
         let n = model.coordinates.len();
         let variables = [model.q(), model.q_dot()].concat();
         // T = ½ Σ v · p with p linear in v: its slopes are those of v, weighted by p.
@@ -326,20 +275,24 @@ impl Kinematics {
         let slopes = transposed_product(&mut self.arena, &pairs, &variables, MOMENTUM);
         let (along_q, momenta) = slopes.split_at(n);
         let falling = transposed_product(&mut self.arena, &[(potential, Expr::MINUS_ONE)], &model.q(), FORCE);
-        let mut d_dt = Differential::along(&model.q().into_iter().zip(model.q_dot()).collect::<Vec<_>>());
+        let mut along: Vec<(Expr, Expr)> = model.q().into_iter().zip(model.q_dot()).collect();
+        let mut coasting = Differential::along(&along);
+        along.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
+        let mut moving = Differential::along(&along);
         let arena = &mut self.arena;
-        let forcing = (0..n).map(|i| {
-            let rate = d_dt.apply(arena, momenta[i]);
-            let sum = arena.add(along_q[i], falling[i]);
-            arena.sub(sum, rate)
-        });
-        let forcing = forcing.collect();
+        let (mut forcing, mut required) = (Vec::with_capacity(n), Vec::with_capacity(n));
+        for i in 0..n {
+            let acting = arena.add(along_q[i], falling[i]);
+            let (coasting, moving) = (coasting.apply(arena, momenta[i]), moving.apply(arena, momenta[i]));
+            forcing.push(arena.sub(acting, coasting));
+            required.push(arena.sub(moving, acting));
+        }
         let matrix = if self.frames.are_near() {
             self.kinetic_form(model, velocities, &model.q_dot())
         } else {
             symmetric_slopes(arena, momenta, &model.q_dot())
         };
-        (matrix, forcing)
+        (matrix, forcing, required)
     }
 }
 

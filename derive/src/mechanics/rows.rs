@@ -3,6 +3,7 @@
 
 use super::quantity::{QuantityKind, VectorName};
 use crate::algebra::Expr;
+use crate::algebra::least::Sum;
 use crate::model::Model;
 
 /// The rows of a linear system, as a method of derivation states them: the rest of [`super::Equations`] follows from
@@ -19,6 +20,11 @@ pub struct Rows {
     pub projection: Vec<Vec<Expr>>,
     /// T in q and v.
     pub kinetic_energy: Expr,
+    /// What must act along the motion variables beside the loads for v̇ to be as it is: M v̇ − f, where a method has it
+    /// otherwise than so.
+    pub required: Option<Vec<Expr>>,
+    /// What v̇ makes least, by the accelerations of the bodies, where these are named.
+    pub gauss: Option<Sum>,
 }
 
 /// What a row of equations of motion is of. Places are positions from 0.

@@ -270,6 +270,12 @@ impl Frames {
         if let Some(known) = self.dots.get(&(a, b)) {
             return *known;
         }
+        if self.carries && a.0 != b.0 {
+            let [x, y] = [a, b].map(|(frame, components)| Vector::in_frame(frame, components));
+            let product = self.dot(arena, &x, &y);
+            self.dots.insert((a, b), product);
+            return product;
+        }
         let rotation = (a.0 != b.0).then(|| self.rotation(arena, b.0, a.0));
         let mut products = Vec::with_capacity(3);
         for (axis, x) in a.1.into_iter().enumerate().filter(|(_, x)| *x != Expr::ZERO) {

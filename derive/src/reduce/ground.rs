@@ -7,7 +7,10 @@ use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::mechanics::{Derivations, DeriveError, Equations, Formulation, derive_all, motion_rates, rates_to_speeds};
+use crate::mechanics::{
+    Derivations, DeriveError, Equations, Formulation, Kinematics, derive_all_with, is_reducible, motion_rates,
+    rates_to_speeds,
+};
 use crate::model::{Model, Unit};
 use crate::prove::{Basis, Integral, IntegralKind};
 use crate::scene::Scene;
@@ -104,14 +107,14 @@ impl Ground {
     /// # Errors
     /// [`DeriveError`] if Kane's equations cannot be derived.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
-        let mut derivations = derive_all(model)?;
+        let mut derivations = derive_all_with(model, Kinematics::in_form(model, !is_reducible(model))?)?;
         let kane = derivations.result(Formulation::Kane)?.clone();
         let balance = derivations.result(Formulation::NewtonEuler).cloned();
         let search = match model.coordinates.len() {
             0..=MOST_COORDINATES => Search::new(model, &mut derivations),
             _ => None,
         };
-        let crate::mechanics::Kinematics { arena, simplifier, .. } = derivations.kinematics;
+        let Kinematics { arena, simplifier, .. } = derivations.kinematics;
         let (q, q_start, u_start) = (model.q(), model.q(), model.u());
         let (relatives, folded, integrals, momenta, energy) = Default::default();
         let model = model.clone();

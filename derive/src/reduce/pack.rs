@@ -282,6 +282,8 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     divisors.dedup();
     Equations {
         definitions,
+        required: Vec::new(),
+        gauss: None,
         by: By::Reduced,
         distance: None,
         formulation: Formulation::Kane,

@@ -5,7 +5,9 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by d1, by s3, by s15, by s22.
 
-pub use super::code::lagrange::{Lagrange, derivative, jacobian, taylor};
+pub use super::code::lagrange::{
+    Lagrange, derivative, inverse_dynamics, jacobian, taylor,
+};
 
 pub use super::kane::potential_energy;
 

@@ -5,7 +5,9 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2, by IBzz.
 
-pub use super::code::lagrange::{Lagrange, derivative, jacobian, taylor};
+pub use super::code::lagrange::{
+    Lagrange, derivative, inverse_dynamics, jacobian, taylor,
+};
 
 pub use super::kane::potential_energy;
 

@@ -5,7 +5,9 @@
 //! The kinematic equations are singular where cos(q2) = 0.
 //! The accelerations divide by cos(q2), by R, by 4*cos(q2)^2 - 5.
 
-pub use super::code::kane::{Kane, derivative, divisors, jacobian, taylor};
+pub use super::code::kane::{
+    Kane, derivative, divisors, inverse_dynamics, jacobian, taylor,
+};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3, u4, u5. Entries that are not listed are 0.
 ///

@@ -5,7 +5,9 @@
 //! The kinematic equations are singular where sin(theta) = 0.
 //! The accelerations divide by sin(theta), by I1.
 
-pub use super::code::kane::{Kane, derivative, divisors, jacobian, taylor};
+pub use super::code::kane::{
+    Kane, derivative, divisors, inverse_dynamics, jacobian, taylor,
+};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows v1, v2, v3, w1, w2, w3. Entries that are not listed are 0.
 ///

@@ -5,7 +5,9 @@
 //! The kinematic equations are singular where sin(theta) = 0.
 //! The accelerations divide by I1, by sin(theta).
 
-pub use super::code::lagrange::{Lagrange, derivative, divisors, jacobian, taylor};
+pub use super::code::lagrange::{
+    Lagrange, derivative, divisors, inverse_dynamics, jacobian, taylor,
+};
 
 pub use super::kane::potential_energy;
 

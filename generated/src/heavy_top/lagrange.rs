@@ -5,7 +5,9 @@
 //! The kinematic equations are singular where cos(q2) = 0.
 //! The accelerations divide by I1, by cos(q2).
 
-pub use super::code::lagrange::{Lagrange, derivative, divisors, jacobian, taylor};
+pub use super::code::lagrange::{
+    Lagrange, derivative, divisors, inverse_dynamics, jacobian, taylor,
+};
 
 pub use super::kane::potential_energy;
 

@@ -898,6 +898,83 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     ]
 }
 
+/// Inverse dynamics: the generalized forces along (u0, u1, u2, u3) that must act beside the loads of the model for the accelerations to be (u0', u1', u2', u3').
+///
+/// 75 operations, 3 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 4],
+    u: &[S; 4],
+    v_dot: &[S; 4],
+) -> [S; 4] {
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
+    let [_, q1, q2, q3] = *q;
+    let [_, u1, u2, u3] = *u;
+    let [u0_dot, u1_dot, u2_dot, u3_dot] = *v_dot;
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // m2 + m3
+    let m2_plus_m3 = m2 + m3;
+    // m1 + m2_plus_m3
+    let m1_plus_m2_plus_m3 = m1 + m2_plus_m3;
+    let u1_sq = u1 * u1;
+    // u0' + l0*(u1_sq*sin(q1) - u1'*cos(q1))
+    let tau1_of_motion = u0_dot + l0 * (-u1_dot).mul_add(c1, u1_sq * s1);
+    let m3_l2 = m3 * l2;
+    let u3_sq = u3 * u3;
+    // u3_sq*sin(q3) - u3'*cos(q3)
+    let tau1_of_u3_u3_dot = (-u3_dot).mul_add(c3, u3_sq * s3_2);
+    let u2_sq = u2 * u2;
+    // u2_sq*sin(q2) - u2'*cos(q2)
+    let tau1_of_u2_u2_dot = (-u2_dot).mul_add(c2, u2_sq * s2);
+    let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // m3_l2*tau1_of_u3_u3_dot + tau1_of_u2_u2_dot*l1_m2_plus_m3
+    let tau1_of_motion_2 = tau1_of_u2_u2_dot
+        .mul_add(l1_m2_plus_m3, m3_l2 * tau1_of_u3_u3_dot);
+    // u2'*sin(q2) + u2_sq*cos(q2)
+    let u2_dot_s2_plus_c2_u2_sq = u2_sq.mul_add(c2, u2_dot * s2);
+    // u3'*sin(q3) + u3_sq*cos(q3)
+    let tau2_of_u3_u3_dot = u3_sq.mul_add(c3, u3_dot * s3_2);
+    // g*m1_plus_m2_plus_m3 - m3_l2*tau2_of_u3_u3_dot
+    let tau2_of_u3_u3_dot_2 = (-m3_l2)
+        .mul_add(tau2_of_u3_u3_dot, g * m1_plus_m2_plus_m3);
+    let l1_m3_l2 = l1 * m3_l2;
+    // l0*(u1'*sin(q1) + u1_sq*cos(q1)) - g
+    let tau3_of_u1_u1_dot = l0 * u1_sq.mul_add(c1, u1_dot * s1) - g;
+    // l1*u2' - tau1_of_motion*cos(q2)
+    let tau3_of_motion = (-tau1_of_motion).mul_add(c2, l1 * u2_dot);
+    // l2*u3' - tau1_of_motion*cos(q3)
+    let tau4_of_motion = (-tau1_of_motion).mul_add(c3, l2 * u3_dot);
+    // Values.
+    // tau1 = l0*u1^2*sin(q1)*(m1 + m2 + m3) - F + l1*u2^2*sin(q2)*(m2 + m3) + m3*l2*u3^2*sin(q3) + u0'*(m0
+    //   + m1 + m2 + m3) - l0*u1'*cos(q1)*(m1 + m2 + m3) - l1*u2'*cos(q2)*(m2 + m3) - m3*l2*u3'*cos(q3)
+    let tau1 = m0.mul_add(u0_dot, -F) + m1_plus_m2_plus_m3 * tau1_of_motion
+        + tau1_of_motion_2;
+    // tau2 = l0*(l1*u2^2*sin(q1 - q2)*(m2 + m3) - g*sin(q1)*(m1 + m2 + m3) + m3*l2*u3^2*sin(q1 - q3)) -
+    //   l0*u0'*cos(q1)*(m1 + m2 + m3) + l0^2*u1'*(m1 + m2 + m3) + l0*l1*u2'*cos(q1 - q2)*(m2 + m3) +
+    //   m3*l0*l2*u3'*cos(q1 - q3)
+    let tau2 = l0 * s1
+        * l1_m2_plus_m3.mul_add(u2_dot_s2_plus_c2_u2_sq, -tau2_of_u3_u3_dot_2)
+        - l0
+            * (m1_plus_m2_plus_m3 * (-l0).mul_add(u1_dot, u0_dot * c1)
+                + tau1_of_motion_2 * c1);
+    // tau3 = l1*(m3*l2*u3^2*sin(q2 - q3) - (m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2))) -
+    //   l1*u0'*cos(q2)*(m2 + m3) + l0*l1*u1'*cos(q1 - q2)*(m2 + m3) + l1^2*u2'*(m2 + m3) +
+    //   m3*l1*l2*u3'*cos(q2 - q3)
+    let tau3 = l1_m3_l2 * (-tau1_of_u3_u3_dot).mul_add(c2, tau2_of_u3_u3_dot * s2)
+        + l1_m2_plus_m3 * tau3_of_u1_u1_dot.mul_add(s2, tau3_of_motion);
+    // tau4 = m3*l0*l2*u1'*cos(q1 - q3) - m3*l2*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) -
+    //   m3*l2*u0'*cos(q3) + m3*l1*l2*u2'*cos(q2 - q3) + m3*l2^2*u3'
+    let tau4 = l1_m3_l2
+        * (-tau1_of_u2_u2_dot).mul_add(c3, u2_dot_s2_plus_c2_u2_sq * s3_2)
+        + m3_l2 * tau3_of_u1_u1_dot.mul_add(s3_2, tau4_of_motion);
+    [tau1, tau2, tau3, tau4]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 52 convolutions and 96 linear operations an order.

@@ -982,6 +982,81 @@ pub fn jacobian<S: Scalar>(
     ]
 }
 
+/// Inverse dynamics: the generalized forces along (q0', q1', q2', q3') that must act beside the loads of the model for the accelerations to be (q0'', q1'', q2'', q3'').
+///
+/// 75 operations, 3 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 4],
+    q_dot: &[S; 4],
+    v_dot: &[S; 4],
+) -> [S; 4] {
+    let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
+    let [_, q1, q2, q3] = *q;
+    let [_, q1_dot, q2_dot, q3_dot] = *q_dot;
+    let [q0_ddot, q1_ddot, q2_ddot, q3_ddot] = *v_dot;
+    // Sines and cosines.
+    let (s1, c1) = q1.sin_cos();
+    let (s3_2, c3) = q3.sin_cos();
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    // m2 + m3
+    let m2_plus_m3 = m2 + m3;
+    // m1 + m2_plus_m3
+    let m1_plus_m2_plus_m3 = m1 + m2_plus_m3;
+    let q1_dot_sq = q1_dot * q1_dot;
+    // q0'' + l0*(q1_dot_sq*sin(q1) - q1''*cos(q1))
+    let tau1_of_motion = q0_ddot + l0 * (-q1_ddot).mul_add(c1, q1_dot_sq * s1);
+    let m3_l2 = m3 * l2;
+    let q3_dot_sq = q3_dot * q3_dot;
+    // q3_dot_sq*sin(q3) - q3''*cos(q3)
+    let tau1_of_motion_2 = (-q3_ddot).mul_add(c3, q3_dot_sq * s3_2);
+    let q2_dot_sq = q2_dot * q2_dot;
+    // q2_dot_sq*sin(q2) - q2''*cos(q2)
+    let tau1_of_motion_3 = (-q2_ddot).mul_add(c2, q2_dot_sq * s2);
+    let l1_m2_plus_m3 = l1 * m2_plus_m3;
+    // m3_l2*tau1_of_motion_2 + tau1_of_motion_3*l1_m2_plus_m3
+    let tau1_of_motion_4 = tau1_of_motion_3
+        .mul_add(l1_m2_plus_m3, m3_l2 * tau1_of_motion_2);
+    // q2''*sin(q2) + q2_dot_sq*cos(q2)
+    let tau2_of_motion = q2_dot_sq.mul_add(c2, q2_ddot * s2);
+    // q3''*sin(q3) + q3_dot_sq*cos(q3)
+    let tau2_of_motion_2 = q3_dot_sq.mul_add(c3, q3_ddot * s3_2);
+    // g*m1_plus_m2_plus_m3 - m3_l2*tau2_of_motion_2
+    let tau2_of_motion_3 = (-m3_l2).mul_add(tau2_of_motion_2, g * m1_plus_m2_plus_m3);
+    let l1_m3_l2 = l1 * m3_l2;
+    // l0*(q1''*sin(q1) + q1_dot_sq*cos(q1)) - g
+    let tau3_of_motion = l0 * q1_dot_sq.mul_add(c1, q1_ddot * s1) - g;
+    // l1*q2'' - tau1_of_motion*cos(q2)
+    let tau3_of_motion_2 = (-tau1_of_motion).mul_add(c2, l1 * q2_ddot);
+    // l2*q3'' - tau1_of_motion*cos(q3)
+    let tau4_of_motion = (-tau1_of_motion).mul_add(c3, l2 * q3_ddot);
+    // Values.
+    // tau1 = l0*q1'^2*sin(q1)*(m1 + m2 + m3) - F + l1*q2'^2*sin(q2)*(m2 + m3) + m3*l2*q3'^2*sin(q3) +
+    //   q0''*(m0 + m1 + m2 + m3) - l0*q1''*cos(q1)*(m1 + m2 + m3) - l1*q2''*cos(q2)*(m2 + m3) -
+    //   m3*l2*q3''*cos(q3)
+    let tau1 = m0.mul_add(q0_ddot, -F) + m1_plus_m2_plus_m3 * tau1_of_motion
+        + tau1_of_motion_4;
+    // tau2 = l0*(l1*q2'^2*sin(q1 - q2)*(m2 + m3) - g*sin(q1)*(m1 + m2 + m3) + m3*l2*q3'^2*sin(q1 - q3)) -
+    //   l0*q0''*cos(q1)*(m1 + m2 + m3) + l0^2*q1''*(m1 + m2 + m3) + l0*l1*q2''*cos(q1 - q2)*(m2 + m3) +
+    //   m3*l0*l2*q3''*cos(q1 - q3)
+    let tau2 = l0 * s1 * l1_m2_plus_m3.mul_add(tau2_of_motion, -tau2_of_motion_3)
+        - l0
+            * (m1_plus_m2_plus_m3 * (-l0).mul_add(q1_ddot, q0_ddot * c1)
+                + tau1_of_motion_4 * c1);
+    // tau3 = l1*(m3*l2*q3'^2*sin(q2 - q3) - (m2 + m3)*(g*sin(q2) + l0*q1'^2*sin(q1 - q2))) -
+    //   l1*q0''*cos(q2)*(m2 + m3) + l0*l1*q1''*cos(q1 - q2)*(m2 + m3) + l1^2*q2''*(m2 + m3) +
+    //   m3*l1*l2*q3''*cos(q2 - q3)
+    let tau3 = l1_m3_l2 * (-tau1_of_motion_2).mul_add(c2, tau2_of_motion_2 * s2)
+        + l1_m2_plus_m3 * tau3_of_motion.mul_add(s2, tau3_of_motion_2);
+    // tau4 = m3*l0*l2*q1''*cos(q1 - q3) - m3*l2*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 -
+    //   q3)) - m3*l2*q0''*cos(q3) + m3*l1*l2*q2''*cos(q2 - q3) + m3*l2^2*q3''
+    let tau4 = l1_m3_l2 * (-tau1_of_motion_3).mul_add(c3, tau2_of_motion * s3_2)
+        + m3_l2 * tau3_of_motion.mul_add(s3_2, tau4_of_motion);
+    [tau1, tau2, tau3, tau4]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 52 convolutions and 96 linear operations an order.

@@ -310,6 +310,46 @@ pub fn jacobian<S: Scalar>(
     ]
 }
 
+/// Inverse dynamics: the generalized forces along (theta', phi') that must act beside the loads of the model for the accelerations to be (theta'', phi'').
+///
+/// 25 operations, 2 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    q_dot: &[S; 2],
+    v_dot: &[S; 2],
+) -> [S; 2] {
+    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
+    let [theta, phi] = *q;
+    let [theta_dot, phi_dot] = *q_dot;
+    let [theta_ddot, phi_ddot] = *v_dot;
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_theta, _) = theta.sin_cos();
+    // Shared terms.
+    let ma_la = mA * lA;
+    let mb_lb = mB * lB;
+    let theta_dot_sin_phi = theta_dot * sin_phi;
+    // cos(phi)*(IBxx - IByy)
+    let tau1_of_place = cos_phi * (IBxx - IByy);
+    // IAxx + IBxx
+    let iaxx_plus_ibxx = IAxx + IBxx;
+    // lA*ma_la + lB*mb_lb
+    let la_ma_la_plus_lb_mb_lb = lB.mul_add(mb_lb, lA * ma_la);
+    // Values.
+    // tau1 = g*sin(theta)*(mA*lA + mB*lB) + 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy) +
+    //   theta''*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
+    let tau1 = g * sin_theta * (ma_la + mb_lb)
+        + tau1_of_place
+            * (-theta_ddot).mul_add(cos_phi, S::int(2) * phi_dot * theta_dot_sin_phi)
+        + theta_ddot * (iaxx_plus_ibxx + la_ma_la_plus_lb_mb_lb);
+    // tau2 = theta'^2*sin(phi)*cos(phi)*(IByy - IBxx) + IBzz*phi''
+    let tau2 = (-(theta_dot * theta_dot_sin_phi))
+        .mul_add(tau1_of_place, IBzz * phi_ddot);
+    [tau1, tau2]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 11 convolutions and 8 linear operations an order.

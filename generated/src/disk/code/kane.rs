@@ -513,6 +513,63 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 5], _u: &[S; 5]) -> [S; 1
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (u1, u2, u3, u4, u5) that must act beside the loads of the model for the accelerations to be (u1', u2', u3', u4', u5').
+///
+/// 64 operations, 2 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+    v_dot: &[S; 5],
+) -> [S; 5] {
+    let Parameters { M, R, g } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [u1, u2, u3, _, _] = *u;
+    let [u1_dot, u2_dot, u3_dot, u4_dot, u5_dot] = *v_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    let m_r = M * R;
+    let r_m_r = R * m_r;
+    let s2_m_r = m_r * s2;
+    let c2_inv = S::int(1) / c2;
+    let u2_c2_inv = u2 * c2_inv;
+    // 2*u3 + 3*u2_c2_inv*sin(q2)
+    let tau1_of_u2_u3 = (u2_c2_inv * s2).mul_add(S::int(3), S::int(2) * u3);
+    let r_m_r_tau1_of_u2_u3_by_4 = S::ratio(1, 4) * r_m_r * tau1_of_u2_u3;
+    let u1_u2_c2_inv = u1 * u2_c2_inv;
+    // u1'*cos(q2) + sin(q2)*(u1^2 + u2_c2_inv^2)
+    let tau4_of_u1_u2_u1_dot = s2 * u2_c2_inv.mul_add(u2_c2_inv, u1 * u1) + u1_dot * c2;
+    let s1_m_r = m_r * s1;
+    // u1*u2 + c2_inv*(u1_u2_c2_inv - u2'*sin(q2))
+    let tau4_of_u1_u2_u2_dot = c2_inv * (-u2_dot).mul_add(s2, u1_u2_c2_inv) + u1 * u2;
+    let c1_m_r = m_r * c1;
+    // Values.
+    // tau1 = M*R*(4*g*sin(q2) + R*u2*(3*u2*tan(q2) + 2*u3))/4 + 5*M*R^2*u1'/4 + M*R*u4'*sin(q1)*cos(q2) -
+    //   M*R*u5'*cos(q1)*cos(q2)
+    let tau1 = m_r * c2 * (-u5_dot).mul_add(c1, u4_dot * s1)
+        + S::ratio(5, 4) * u1_dot * r_m_r + g * s2_m_r + u2 * r_m_r_tau1_of_u2_u3_by_4;
+    // tau2 = M*R^2*u2'*(1 + 4*tan(q2)^2)/4 - M*R^2*u1*(u2*tan(q2)*(7 + 4*tan(q2)^2) + 2*u3)/4 -
+    //   M*R*u4'*cos(q1)*tan(q2) - M*R*u5'*sin(q1)*tan(q2)
+    let tau2 = c2_inv
+        * (r_m_r * c2_inv * (-u1_u2_c2_inv).mul_add(s2, u2_dot)
+            - s2_m_r * u5_dot.mul_add(s1, u4_dot * c1)) - S::ratio(3, 4) * u2_dot * r_m_r
+        - u1 * r_m_r_tau1_of_u2_u3_by_4;
+    // tau3 = M*R^2*u3'/2
+    let tau3 = S::ratio(1, 2) * u3_dot * r_m_r;
+    // tau4 = M*R*(u2^2*sin(q1)*tan(q2)/cos(q2) + u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2))) +
+    //   M*R*u1'*sin(q1)*cos(q2) - M*R*u2'*cos(q1)*tan(q2) + M*u4'
+    let tau4 = tau4_of_u1_u2_u1_dot.mul_add(s1_m_r, M * u4_dot)
+        + tau4_of_u1_u2_u2_dot * c1_m_r;
+    // tau5 = M*R*(u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) - u2^2*cos(q1)*tan(q2)/cos(q2)) -
+    //   M*R*u1'*cos(q1)*cos(q2) - M*R*u2'*sin(q1)*tan(q2) + M*u5'
+    let tau5 = s1_m_r.mul_add(tau4_of_u1_u2_u2_dot, M * u5_dot)
+        - tau4_of_u1_u2_u1_dot * c1_m_r;
+    [tau1, tau2, tau3, tau4, tau5]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 24 convolutions and 38 linear operations an order.

@@ -558,6 +558,70 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 5], _u: &[S; 5]) -> [S; 1
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (u1, u2, u3, u4, u5) that must act beside the loads of the model for the accelerations to be (u1', u2', u3', u4', u5').
+///
+/// 64 operations, 2 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+    v_dot: &[S; 5],
+) -> [S; 5] {
+    let Parameters { M, R, g } = *p;
+    let [q1, q2_minus_90deg, _, _, _] = *q;
+    let [u1, u2, u3, _, _] = *u;
+    let [u1_dot, u2_dot, u3_dot, u4_dot, u5_dot] = *v_dot;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    let m_r = M * R;
+    let r_m_r = R * m_r;
+    let cos_q2_minus_90deg_m_r = m_r * cos_q2_minus_90deg;
+    let sin_q2_minus_90deg_inv = S::int(1) / sin_q2_minus_90deg;
+    let tau1_of_u2 = u2 * sin_q2_minus_90deg_inv;
+    // 3*tau1_of_u2*cos(q2_minus_90deg) - 2*u3
+    let tau1_of_u2_u3 = (-u3)
+        .mul_add(S::int(2), S::int(3) * tau1_of_u2 * cos_q2_minus_90deg);
+    let r_m_r_tau1_of_u2_u3_by_4 = S::ratio(1, 4) * r_m_r * tau1_of_u2_u3;
+    let u1_tau1_of_u2 = u1 * tau1_of_u2;
+    // u1'*sin(q2_minus_90deg) - cos(q2_minus_90deg)*(u1^2 + tau1_of_u2^2)
+    let tau4_of_u1_u2_u1_dot = -cos_q2_minus_90deg
+        * tau1_of_u2.mul_add(tau1_of_u2, u1 * u1) + u1_dot * sin_q2_minus_90deg;
+    let s1_m_r = m_r * s1;
+    // u1*u2 + sin_q2_minus_90deg_inv*(u2'*cos(q2_minus_90deg) + u1_tau1_of_u2)
+    let tau4_of_u1_u2_u2_dot = sin_q2_minus_90deg_inv
+        * u2_dot.mul_add(cos_q2_minus_90deg, u1_tau1_of_u2) + u1 * u2;
+    let c1_m_r = m_r * c1;
+    // Values.
+    // tau1 = 5*M*R^2*u1'/4 - M*R*u4'*sin(q1)*sin(q2_minus_90deg) + M*R*u5'*cos(q1)*sin(q2_minus_90deg) +
+    //   M*R*(4*g*cos(q2_minus_90deg) + R*u2*(2*u3 - 3*u2/tan(q2_minus_90deg)))/4
+    let tau1 = m_r * sin_q2_minus_90deg * (-u4_dot).mul_add(s1, u5_dot * c1)
+        + S::ratio(5, 4) * u1_dot * r_m_r + g * cos_q2_minus_90deg_m_r
+        - u2 * r_m_r_tau1_of_u2_u3_by_4;
+    // tau2 = M*R*u4'*cos(q1)/tan(q2_minus_90deg) + M*R*u5'*sin(q1)/tan(q2_minus_90deg) + M*R^2*u1*(u2*(7 +
+    //   4/tan(q2_minus_90deg)^2)/tan(q2_minus_90deg) - 2*u3)/4 + M*R^2*u2'*(1 + 4/tan(q2_minus_90deg)^2)/4
+    let tau2 = -S::ratio(3, 4) * u2_dot * r_m_r + u1 * r_m_r_tau1_of_u2_u3_by_4
+        + sin_q2_minus_90deg_inv
+            * (cos_q2_minus_90deg_m_r * u5_dot.mul_add(s1, u4_dot * c1)
+                + r_m_r * sin_q2_minus_90deg_inv
+                    * u1_tau1_of_u2.mul_add(cos_q2_minus_90deg, u2_dot));
+    // tau3 = M*R^2*u3'/2
+    let tau3 = S::ratio(1, 2) * u3_dot * r_m_r;
+    // tau4 = M*u4' - M*R*u1'*sin(q1)*sin(q2_minus_90deg) + M*R*u2'*cos(q1)/tan(q2_minus_90deg) +
+    //   M*R*(u2^2*sin(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) + u1*(u1*sin(q1)*cos(q2_minus_90deg) +
+    //   u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)))
+    let tau4 = (-tau4_of_u1_u2_u1_dot).mul_add(s1_m_r, M * u4_dot)
+        + tau4_of_u1_u2_u2_dot * c1_m_r;
+    // tau5 = M*u5' + M*R*u1'*cos(q1)*sin(q2_minus_90deg) + M*R*u2'*sin(q1)/tan(q2_minus_90deg) +
+    //   M*R*(u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) - u1*cos(q1)*cos(q2_minus_90deg)) -
+    //   u2^2*cos(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)))
+    let tau5 = s1_m_r.mul_add(tau4_of_u1_u2_u2_dot, M * u5_dot)
+        + tau4_of_u1_u2_u1_dot * c1_m_r;
+    [tau1, tau2, tau3, tau4, tau5]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 24 convolutions and 38 linear operations an order.

@@ -564,6 +564,64 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 5], _q_dot: &[S; 5]) -> [
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (q1', q2', q3', q4', q5') that must act beside the loads of the model for the accelerations to be (q1'', q2'', q3'', q4'', q5'').
+///
+/// 64 operations, 2 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    q_dot: &[S; 5],
+    v_dot: &[S; 5],
+) -> [S; 5] {
+    let Parameters { M, R, g } = *p;
+    let [q1, q2, _, _, _] = *q;
+    let [q1_dot, q2_dot, q3_dot, _, _] = *q_dot;
+    let [q1_ddot, q2_ddot, q3_ddot, q4_ddot, q5_ddot] = *v_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    let m_r = M * R;
+    let q1_dot_q2_dot = q1_dot * q2_dot;
+    // q1''*sin(q2) + 2*q1_dot_q2_dot*cos(q2)
+    let tau1_of_motion = (q1_dot_q2_dot * c2).mul_add(S::int(2), q1_ddot * s2);
+    let s2_m_r = m_r * s2;
+    let r_times_5_by_4 = S::ratio(5, 4) * R;
+    let s2_m_r_r_times_5_by_4 = s2_m_r * r_times_5_by_4;
+    let c2_m_r = m_r * c2;
+    let r_halved = S::ratio(1, 2) * R;
+    let c2_m_r_r_halved = c2_m_r * r_halved;
+    let q3_dot_c2_m_r_r_halved = q3_dot * c2_m_r_r_halved;
+    // q4''*cos(q1) + q5''*sin(q1)
+    let tau1_of_motion_2 = q5_ddot.mul_add(s1, q4_ddot * c1);
+    let q1_dot_sq = q1_dot * q1_dot;
+    // q2''*c2_m_r - s2_m_r*(q2'^2 + q1_dot_sq)
+    let tau4_of_motion = -s2_m_r * q2_dot.mul_add(q2_dot, q1_dot_sq) + q2_ddot * c2_m_r;
+    let m_r_tau1_of_motion = m_r * tau1_of_motion;
+    // Values.
+    // tau1 = M*R^2*q2'*cos(q2)*(5*q1'*sin(q2) + q3')/2 + M*R^2*q1''*(6 - 5*cos(q2)^2)/4 +
+    //   M*R^2*q3''*sin(q2)/2 - M*R*q4''*cos(q1)*sin(q2) - M*R*q5''*sin(q1)*sin(q2)
+    let tau1 = S::ratio(1, 4) * R * q1_ddot * m_r
+        + tau1_of_motion * s2_m_r_r_times_5_by_4 + q2_dot * q3_dot_c2_m_r_r_halved
+        + s2_m_r * q3_ddot.mul_add(r_halved, -tau1_of_motion_2);
+    // tau2 = 5*M*R^2*q2''/4 - M*R*(4*g*sin(q2) + R*q1'*cos(q2)*(5*q1'*sin(q2) + 2*q3'))/4 -
+    //   M*R*q4''*sin(q1)*cos(q2) + M*R*q5''*cos(q1)*cos(q2)
+    let tau2 = q2_ddot * m_r * r_times_5_by_4 - g * s2_m_r
+        + c2_m_r * (-q4_ddot).mul_add(s1, q5_ddot * c1) - q1_dot * q3_dot_c2_m_r_r_halved
+        - s2_m_r_r_times_5_by_4 * q1_dot_sq * c2;
+    // tau3 = M*R^2*q1'*q2'*cos(q2)/2 + M*R^2*q1''*sin(q2)/2 + M*R^2*q3''/2
+    let tau3 = r_halved * q1_ddot.mul_add(s2_m_r, q3_ddot * m_r)
+        + q1_dot_q2_dot * c2_m_r_r_halved;
+    // tau4 = M*R*(q2'^2*sin(q1)*sin(q2) + q1'*(q1'*sin(q1)*sin(q2) - 2*q2'*cos(q1)*cos(q2))) -
+    //   M*R*q1''*cos(q1)*sin(q2) - M*R*q2''*sin(q1)*cos(q2) + M*q4''
+    let tau4 = (-tau4_of_motion).mul_add(s1, M * q4_ddot) - m_r_tau1_of_motion * c1;
+    // tau5 = M*R*q2''*cos(q1)*cos(q2) - M*R*(q2'^2*cos(q1)*sin(q2) + q1'*(q1'*cos(q1)*sin(q2) +
+    //   2*q2'*sin(q1)*cos(q2))) - M*R*q1''*sin(q1)*sin(q2) + M*q5''
+    let tau5 = tau4_of_motion.mul_add(c1, M * q5_ddot) - m_r_tau1_of_motion * s1;
+    [tau1, tau2, tau3, tau4, tau5]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 22 convolutions and 36 linear operations an order.

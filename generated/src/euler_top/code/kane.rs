@@ -245,6 +245,36 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], _u: &[S; 3]) -> [S; 1
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (u1, u2, u3) that must act beside the loads of the model for the accelerations to be (u1', u2', u3').
+///
+/// 16 operations, 1 sine and cosine.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+    v_dot: &[S; 3],
+) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [_, theta, _] = *q;
+    let [u1, u2, u3] = *u;
+    let [u1_dot, u2_dot, u3_dot] = *v_dot;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    let tan_theta = sin_theta / cos_theta;
+    // I3*u3 - I1*u2/tan(theta)
+    let tau1_of_u2_u3 = I3.mul_add(u3, -I1 * u2 / tan_theta);
+    // Values.
+    // tau1 = u2*(I3*u3 - I1*u2/tan(theta)) - m*l*g*sin(theta) + I1*u1'
+    let tau1 = (-(m * l * g)).mul_add(sin_theta, u2 * tau1_of_u2_u3) + I1 * u1_dot;
+    // tau2 = u1*(I1*u2/tan(theta) - I3*u3) + I1*u2'
+    let tau2 = (-u1).mul_add(tau1_of_u2_u3, I1 * u2_dot);
+    // tau3 = I3*u3'
+    let tau3 = I3 * u3_dot;
+    [tau1, tau2, tau3]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 6 convolutions and 8 linear operations an order.

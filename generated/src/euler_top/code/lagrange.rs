@@ -373,6 +373,42 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], _q_dot: &[S; 3]) -> [
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (psi', theta', phi') that must act beside the loads of the model for the accelerations to be (psi'', theta'', phi'').
+///
+/// 30 operations, 1 sine and cosine.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+    v_dot: &[S; 3],
+) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [_, theta, _] = *q;
+    let [psi_dot, theta_dot, phi_dot] = *q_dot;
+    let [psi_ddot, theta_ddot, phi_ddot] = *v_dot;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // I3*(psi''*cos(theta) + phi'')
+    let tau1_of_motion = I3 * psi_ddot.mul_add(cos_theta, phi_ddot);
+    let i3_theta_dot = I3 * theta_dot;
+    let psi_dot_sin_theta = psi_dot * sin_theta;
+    // psi_dot_sin_theta*cos(theta)*(I3 - I1)
+    let tau1_of_psi_dot = psi_dot_sin_theta * cos_theta * (I3 - I1);
+    // Values.
+    // tau1 = theta'*sin(theta)*(2*I1*psi'*cos(theta) - I3*(2*psi'*cos(theta) + phi')) +
+    //   psi''*(I1*sin(theta)^2 + I3*cos(theta)^2) + I3*phi''*cos(theta)
+    let tau1 = sin_theta * (-phi_dot).mul_add(i3_theta_dot, I1 * psi_ddot * sin_theta)
+        + tau1_of_motion * cos_theta - S::int(2) * theta_dot * tau1_of_psi_dot;
+    // tau2 = sin(theta)*(psi'*(I3*(psi'*cos(theta) + phi') - I1*psi'*cos(theta)) - m*l*g) + I1*theta''
+    let tau2 = (-(m * l * g)).mul_add(sin_theta, I1 * theta_ddot)
+        + I3 * phi_dot * psi_dot_sin_theta + psi_dot * tau1_of_psi_dot;
+    // tau3 = I3*psi''*cos(theta) - I3*psi'*theta'*sin(theta) + I3*phi''
+    let tau3 = (-i3_theta_dot).mul_add(psi_dot_sin_theta, tau1_of_motion);
+    [tau1, tau2, tau3]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 10 convolutions and 14 linear operations an order.

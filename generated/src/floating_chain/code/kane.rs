@@ -1170,6 +1170,93 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     ]
 }
 
+/// Inverse dynamics: the generalized forces along (u1, u2, u3, u4, u5) that must act beside the loads of the model for the accelerations to be (u1', u2', u3', u4', u5').
+///
+/// 84 operations, 3 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 5],
+    v_dot: &[S; 5],
+) -> [S; 5] {
+    let Parameters { m, l } = *p;
+    let [_, _, theta1, theta2, theta3] = *q;
+    let [_, _, u3, u4, u5] = *u;
+    let [u1_dot, u2_dot, u3_dot, u4_dot, u5_dot] = *v_dot;
+    // Sines and cosines.
+    let (sin_theta1, cos_theta1) = theta1.sin_cos();
+    let (sin_theta2, cos_theta2) = theta2.sin_cos();
+    let (sin_theta3, cos_theta3) = theta3.sin_cos();
+    // Shared terms.
+    let m_l = m * l;
+    let u3_sq = u3 * u3;
+    // u3'*sin(theta1) + u3_sq*cos(theta1)
+    let tau1_of_u3_u3_dot = u3_sq.mul_add(cos_theta1, u3_dot * sin_theta1);
+    let m_times_3 = S::int(3) * m;
+    let u4_sq = u4 * u4;
+    // u4'*sin(theta2) + u4_sq*cos(theta2)
+    let tau1_of_u4_u4_dot = u4_sq.mul_add(cos_theta2, u4_dot * sin_theta2);
+    let u5_sq = u5 * u5;
+    // u5'*sin(theta3) + u5_sq*cos(theta3)
+    let tau1_of_u5_u5_dot = u5_sq.mul_add(cos_theta3, u5_dot * sin_theta3);
+    // 3*tau1_of_u4_u4_dot + tau1_of_u5_u5_dot
+    let tau1_of_motion = tau1_of_u4_u4_dot.mul_add(S::int(3), tau1_of_u5_u5_dot);
+    let m_l_halved = S::ratio(1, 2) * m_l;
+    // u3_sq*sin(theta1) - u3'*cos(theta1)
+    let tau2_of_u3_u3_dot = (-u3_dot).mul_add(cos_theta1, u3_sq * sin_theta1);
+    // u4_sq*sin(theta2) - u4'*cos(theta2)
+    let tau2_of_u4_u4_dot = (-u4_dot).mul_add(cos_theta2, u4_sq * sin_theta2);
+    // u5_sq*sin(theta3) - u5'*cos(theta3)
+    let tau2_of_u5_u5_dot = (-u5_dot).mul_add(cos_theta3, u5_sq * sin_theta3);
+    // 3*tau2_of_u4_u4_dot + tau2_of_u5_u5_dot
+    let tau2_of_motion = tau2_of_u4_u4_dot.mul_add(S::int(3), tau2_of_u5_u5_dot);
+    let l_m_l = l * m_l;
+    let l_m_l_halved = S::ratio(1, 2) * l_m_l;
+    let m_l_doubled = S::int(2) * m_l;
+    // u2'*m_l_doubled - tau2_of_u3_u3_dot*l_m_l
+    let tau4_of_motion = (-tau2_of_u3_u3_dot).mul_add(l_m_l, u2_dot * m_l_doubled);
+    // u1'*m_l_doubled - tau1_of_u3_u3_dot*l_m_l
+    let tau4_of_motion_2 = (-tau1_of_u3_u3_dot).mul_add(l_m_l, u1_dot * m_l_doubled);
+    // tau4_of_motion*cos(theta2) - tau4_of_motion_2*sin(theta2)
+    let tau4_of_motion_3 = (-tau4_of_motion_2)
+        .mul_add(sin_theta2, tau4_of_motion * cos_theta2);
+    // tau4_of_motion*cos(theta3) - tau4_of_motion_2*sin(theta3)
+    let tau5_of_motion = (-tau4_of_motion_2)
+        .mul_add(sin_theta3, tau4_of_motion * cos_theta3);
+    // Values.
+    // tau1 = 3*m*u1' - m*l*(2*u3^2*cos(theta1) + 3*u4^2*cos(theta2) + u5^2*cos(theta3))/2 -
+    //   m*l*u3'*sin(theta1) - 3*m*l*u4'*sin(theta2)/2 - m*l*u5'*sin(theta3)/2
+    let tau1 = (-m_l).mul_add(tau1_of_u3_u3_dot, u1_dot * m_times_3)
+        - tau1_of_motion * m_l_halved;
+    // tau2 = 3*m*u2' - m*l*(2*u3^2*sin(theta1) + 3*u4^2*sin(theta2) + u5^2*sin(theta3))/2 +
+    //   m*l*u3'*cos(theta1) + 3*m*l*u4'*cos(theta2)/2 + m*l*u5'*cos(theta3)/2
+    let tau2 = (-m_l).mul_add(tau2_of_u3_u3_dot, u2_dot * m_times_3)
+        - m_l_halved * tau2_of_motion;
+    // tau3 = m*l^2*(3*u4^2*sin(theta1 - theta2) + u5^2*sin(theta1 - theta3))/4 - m*l*u1'*sin(theta1) +
+    //   m*l*u2'*cos(theta1) + 7*m*l^2*u3'/12 + 3*m*l^2*u4'*cos(theta1 - theta2)/4 + m*l^2*u5'*cos(theta1 -
+    //   theta3)/4
+    let tau3 = m_l * (-u1_dot).mul_add(sin_theta1, u2_dot * cos_theta1)
+        + S::ratio(7, 12) * u3_dot * l_m_l
+        + S::ratio(1, 4) * l_m_l
+            * (-tau2_of_motion).mul_add(cos_theta1, tau1_of_motion * sin_theta1);
+    // tau4 = m*l^2*(2*u5^2*sin(theta2 - theta3) - 3*u3^2*sin(theta1 - theta2))/4 - 3*m*l*u1'*sin(theta2)/2
+    //   + 3*m*l*u2'*cos(theta2)/2 + 3*m*l^2*u3'*cos(theta1 - theta2)/4 + 4*m*l^2*u4'/3 +
+    //   m*l^2*u5'*cos(theta2 - theta3)/2
+    let tau4 = S::ratio(4, 3) * u4_dot * l_m_l
+        + l_m_l_halved
+            * (-tau2_of_u5_u5_dot).mul_add(cos_theta2, tau1_of_u5_u5_dot * sin_theta2)
+        + S::ratio(3, 4) * tau4_of_motion_3;
+    // tau5 = m*l*u2'*cos(theta3)/2 - m*l^2*(u3^2*sin(theta1 - theta3) + 2*u4^2*sin(theta2 - theta3))/4 -
+    //   m*l*u1'*sin(theta3)/2 + m*l^2*u3'*cos(theta1 - theta3)/4 + m*l^2*u4'*cos(theta2 - theta3)/2 +
+    //   m*l^2*u5'/3
+    let tau5 = S::ratio(1, 3) * u5_dot * l_m_l
+        + l_m_l_halved
+            * (-tau2_of_u4_u4_dot).mul_add(cos_theta3, tau1_of_u4_u4_dot * sin_theta3)
+        + S::ratio(1, 4) * tau5_of_motion;
+    [tau1, tau2, tau3, tau4, tau5]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 66 convolutions and 180 linear operations an order.

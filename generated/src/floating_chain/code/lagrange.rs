@@ -1379,6 +1379,95 @@ pub fn jacobian<S: Scalar>(
     ]
 }
 
+/// Inverse dynamics: the generalized forces along (x', y', theta1', theta2', theta3') that must act beside the loads of the model for the accelerations to be (x'', y'', theta1'', theta2'', theta3'').
+///
+/// 84 operations, 3 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    q_dot: &[S; 5],
+    v_dot: &[S; 5],
+) -> [S; 5] {
+    let Parameters { m, l } = *p;
+    let [_, _, theta1, theta2, theta3] = *q;
+    let [_, _, theta1_dot, theta2_dot, theta3_dot] = *q_dot;
+    let [x_ddot, y_ddot, theta1_ddot, theta2_ddot, theta3_ddot] = *v_dot;
+    // Sines and cosines.
+    let (sin_theta1, cos_theta1) = theta1.sin_cos();
+    let (sin_theta2, cos_theta2) = theta2.sin_cos();
+    let (sin_theta3, cos_theta3) = theta3.sin_cos();
+    // Shared terms.
+    let m_l = m * l;
+    let theta1_dot_sq = theta1_dot * theta1_dot;
+    // theta1''*sin(theta1) + theta1_dot_sq*cos(theta1)
+    let tau1_of_motion = theta1_dot_sq.mul_add(cos_theta1, theta1_ddot * sin_theta1);
+    let m_times_3 = S::int(3) * m;
+    let theta2_dot_sq = theta2_dot * theta2_dot;
+    // theta2''*sin(theta2) + theta2_dot_sq*cos(theta2)
+    let tau1_of_motion_2 = theta2_dot_sq.mul_add(cos_theta2, theta2_ddot * sin_theta2);
+    let theta3_dot_sq = theta3_dot * theta3_dot;
+    // theta3''*sin(theta3) + theta3_dot_sq*cos(theta3)
+    let tau1_of_motion_3 = theta3_dot_sq.mul_add(cos_theta3, theta3_ddot * sin_theta3);
+    // 3*tau1_of_motion_2 + tau1_of_motion_3
+    let tau1_of_motion_4 = tau1_of_motion_2.mul_add(S::int(3), tau1_of_motion_3);
+    let m_l_halved = S::ratio(1, 2) * m_l;
+    // theta1_dot_sq*sin(theta1) - theta1''*cos(theta1)
+    let tau2_of_motion = (-theta1_ddot).mul_add(cos_theta1, theta1_dot_sq * sin_theta1);
+    // theta2_dot_sq*sin(theta2) - theta2''*cos(theta2)
+    let tau2_of_motion_2 = (-theta2_ddot)
+        .mul_add(cos_theta2, theta2_dot_sq * sin_theta2);
+    // theta3_dot_sq*sin(theta3) - theta3''*cos(theta3)
+    let tau2_of_motion_3 = (-theta3_ddot)
+        .mul_add(cos_theta3, theta3_dot_sq * sin_theta3);
+    // 3*tau2_of_motion_2 + tau2_of_motion_3
+    let tau2_of_motion_4 = tau2_of_motion_2.mul_add(S::int(3), tau2_of_motion_3);
+    let l_m_l = l * m_l;
+    let l_m_l_halved = S::ratio(1, 2) * l_m_l;
+    let m_l_doubled = S::int(2) * m_l;
+    // y''*m_l_doubled - tau2_of_motion*l_m_l
+    let tau4_of_motion = (-tau2_of_motion).mul_add(l_m_l, y_ddot * m_l_doubled);
+    // x''*m_l_doubled - tau1_of_motion*l_m_l
+    let tau4_of_motion_2 = (-tau1_of_motion).mul_add(l_m_l, x_ddot * m_l_doubled);
+    // tau4_of_motion*cos(theta2) - tau4_of_motion_2*sin(theta2)
+    let tau4_of_motion_3 = (-tau4_of_motion_2)
+        .mul_add(sin_theta2, tau4_of_motion * cos_theta2);
+    // tau4_of_motion*cos(theta3) - tau4_of_motion_2*sin(theta3)
+    let tau5_of_motion = (-tau4_of_motion_2)
+        .mul_add(sin_theta3, tau4_of_motion * cos_theta3);
+    // Values.
+    // tau1 = 3*m*x'' - m*l*(2*theta1'^2*cos(theta1) + 3*theta2'^2*cos(theta2) + theta3'^2*cos(theta3))/2 -
+    //   m*l*theta1''*sin(theta1) - 3*m*l*theta2''*sin(theta2)/2 - m*l*theta3''*sin(theta3)/2
+    let tau1 = (-m_l).mul_add(tau1_of_motion, x_ddot * m_times_3)
+        - tau1_of_motion_4 * m_l_halved;
+    // tau2 = 3*m*y'' - m*l*(2*theta1'^2*sin(theta1) + 3*theta2'^2*sin(theta2) + theta3'^2*sin(theta3))/2 +
+    //   m*l*theta1''*cos(theta1) + 3*m*l*theta2''*cos(theta2)/2 + m*l*theta3''*cos(theta3)/2
+    let tau2 = (-m_l).mul_add(tau2_of_motion, y_ddot * m_times_3)
+        - m_l_halved * tau2_of_motion_4;
+    // tau3 = m*l^2*(3*theta2'^2*sin(theta1 - theta2) + theta3'^2*sin(theta1 - theta3))/4 -
+    //   m*l*x''*sin(theta1) + m*l*y''*cos(theta1) + 7*m*l^2*theta1''/12 + 3*m*l^2*theta2''*cos(theta1 -
+    //   theta2)/4 + m*l^2*theta3''*cos(theta1 - theta3)/4
+    let tau3 = m_l * (-x_ddot).mul_add(sin_theta1, y_ddot * cos_theta1)
+        + S::ratio(7, 12) * theta1_ddot * l_m_l
+        + S::ratio(1, 4) * l_m_l
+            * (-tau2_of_motion_4).mul_add(cos_theta1, tau1_of_motion_4 * sin_theta1);
+    // tau4 = m*l^2*(2*theta3'^2*sin(theta2 - theta3) - 3*theta1'^2*sin(theta1 - theta2))/4 -
+    //   3*m*l*x''*sin(theta2)/2 + 3*m*l*y''*cos(theta2)/2 + 3*m*l^2*theta1''*cos(theta1 - theta2)/4 +
+    //   4*m*l^2*theta2''/3 + m*l^2*theta3''*cos(theta2 - theta3)/2
+    let tau4 = S::ratio(4, 3) * theta2_ddot * l_m_l
+        + l_m_l_halved
+            * (-tau2_of_motion_3).mul_add(cos_theta2, tau1_of_motion_3 * sin_theta2)
+        + S::ratio(3, 4) * tau4_of_motion_3;
+    // tau5 = m*l*y''*cos(theta3)/2 - m*l^2*(theta1'^2*sin(theta1 - theta3) + 2*theta2'^2*sin(theta2 -
+    //   theta3))/4 - m*l*x''*sin(theta3)/2 + m*l^2*theta1''*cos(theta1 - theta3)/4 +
+    //   m*l^2*theta2''*cos(theta2 - theta3)/2 + m*l^2*theta3''/3
+    let tau5 = S::ratio(1, 3) * theta3_ddot * l_m_l
+        + l_m_l_halved
+            * (-tau2_of_motion_2).mul_add(cos_theta3, tau1_of_motion_2 * sin_theta3)
+        + S::ratio(1, 4) * tau5_of_motion;
+    [tau1, tau2, tau3, tau4, tau5]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 66 convolutions and 180 linear operations an order.

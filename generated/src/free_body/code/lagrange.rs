@@ -546,6 +546,48 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 6], _q_dot: &[S; 6]) -> [
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (x', y', z', psi', theta', phi') that must act beside the loads of the model for the accelerations to be (x'', y'', z'', psi'', theta'', phi'').
+///
+/// 29 operations, 1 sine and cosine.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 6],
+    q_dot: &[S; 6],
+    v_dot: &[S; 6],
+) -> [S; 6] {
+    let Parameters { m, I1, I3 } = *p;
+    let [_, _, _, _, theta, _] = *q;
+    let [_, _, _, psi_dot, theta_dot, phi_dot] = *q_dot;
+    let [x_ddot, y_ddot, z_ddot, psi_ddot, theta_ddot, phi_ddot] = *v_dot;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // I3*(psi''*cos(theta) + phi'')
+    let tau4_of_motion = I3 * psi_ddot.mul_add(cos_theta, phi_ddot);
+    let i3_theta_dot = I3 * theta_dot;
+    let psi_dot_sin_theta = psi_dot * sin_theta;
+    // psi_dot_sin_theta*cos(theta)*(I3 - I1)
+    let tau4_of_psi_dot = psi_dot_sin_theta * cos_theta * (I3 - I1);
+    // Values.
+    // tau1 = m*x''
+    let tau1 = m * x_ddot;
+    // tau2 = m*y''
+    let tau2 = m * y_ddot;
+    // tau3 = m*z''
+    let tau3 = m * z_ddot;
+    // tau4 = theta'*sin(theta)*(2*I1*psi'*cos(theta) - I3*(2*psi'*cos(theta) + phi')) +
+    //   psi''*(I1*sin(theta)^2 + I3*cos(theta)^2) + I3*phi''*cos(theta)
+    let tau4 = sin_theta * (-phi_dot).mul_add(i3_theta_dot, I1 * psi_ddot * sin_theta)
+        + tau4_of_motion * cos_theta - S::int(2) * theta_dot * tau4_of_psi_dot;
+    // tau5 = psi'*sin(theta)*(I3*(psi'*cos(theta) + phi') - I1*psi'*cos(theta)) + I1*theta''
+    let tau5 = (I3 * phi_dot).mul_add(psi_dot_sin_theta, I1 * theta_ddot)
+        + psi_dot * tau4_of_psi_dot;
+    // tau6 = I3*psi''*cos(theta) - I3*psi'*theta'*sin(theta) + I3*phi''
+    let tau6 = (-i3_theta_dot).mul_add(psi_dot_sin_theta, tau4_of_motion);
+    [tau1, tau2, tau3, tau4, tau5, tau6]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 9 convolutions and 12 linear operations an order.

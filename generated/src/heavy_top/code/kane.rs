@@ -257,6 +257,38 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], _u: &[S; 3]) -> [S; 1
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (u1, u2, u3) that must act beside the loads of the model for the accelerations to be (u1', u2', u3').
+///
+/// 19 operations, 2 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    u: &[S; 3],
+    v_dot: &[S; 3],
+) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [u1, u2, u3] = *u;
+    let [u1_dot, u2_dot, u3_dot] = *v_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    let t2 = s2 / c2;
+    // I3*u3 - I1*u1*tan(q2)
+    let tau1_of_u1_u3 = (-(I1 * u1)).mul_add(t2, I3 * u3);
+    let m_l_g = m * l * g;
+    // Values.
+    // tau1 = u2*(I3*u3 - I1*u1*tan(q2)) - m*l*g*sin(q1) + I1*u1'
+    let tau1 = u2.mul_add(tau1_of_u1_u3, I1 * u1_dot) - m_l_g * s1;
+    // tau2 = u1*(I1*u1*tan(q2) - I3*u3) - m*l*g*cos(q1)*sin(q2) + I1*u2'
+    let tau2 = (-u1).mul_add(tau1_of_u1_u3, I1 * u2_dot) - m_l_g * c1 * s2;
+    // tau3 = I3*u3'
+    let tau3 = I3 * u3_dot;
+    [tau1, tau2, tau3]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 9 convolutions and 12 linear operations an order.

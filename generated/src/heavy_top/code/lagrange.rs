@@ -382,6 +382,46 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], _q_dot: &[S; 3]) -> [
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (q1', q2', q3') that must act beside the loads of the model for the accelerations to be (q1'', q2'', q3'').
+///
+/// 33 operations, 2 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+    v_dot: &[S; 3],
+) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    let [q1_ddot, q2_ddot, q3_ddot] = *v_dot;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // I3*(q1''*sin(q2) + q3'')
+    let tau1_of_motion = I3 * q1_ddot.mul_add(s2, q3_ddot);
+    let q1_dot_c2 = q1_dot * c2;
+    // q1_dot_c2*sin(q2)*(I3 - I1)
+    let tau1_of_q1_dot = q1_dot_c2 * s2 * (I3 - I1);
+    let m_l_g = m * l * g;
+    let i3_q2_dot = I3 * q2_dot;
+    // I1*q1''*cos(q2) + q3'*i3_q2_dot
+    let tau1_of_motion_2 = q3_dot.mul_add(i3_q2_dot, I1 * q1_ddot * c2);
+    // Values.
+    // tau1 = cos(q2)*(q2'*(I3*(2*q1'*sin(q2) + q3') - 2*I1*q1'*sin(q2)) - m*l*g*sin(q1)) +
+    //   q1''*(I3*sin(q2)^2 + I1*cos(q2)^2) + I3*q3''*sin(q2)
+    let tau1 = tau1_of_motion * s2 + S::int(2) * q2_dot * tau1_of_q1_dot
+        + c2 * (-m_l_g).mul_add(s1, tau1_of_motion_2);
+    // tau2 = q1'*cos(q2)*(I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')) - m*l*g*cos(q1)*sin(q2) + I1*q2''
+    let tau2 = (-(I3 * q3_dot)).mul_add(q1_dot_c2, I1 * q2_ddot)
+        - q1_dot * tau1_of_q1_dot - m_l_g * c1 * s2;
+    // tau3 = I3*q1'*q2'*cos(q2) + I3*q1''*sin(q2) + I3*q3''
+    let tau3 = q1_dot_c2.mul_add(i3_q2_dot, tau1_of_motion);
+    [tau1, tau2, tau3]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 12 convolutions and 20 linear operations an order.

@@ -397,6 +397,50 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], _q_dot: &[S; 3]) -> [
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (q1', q2', q3') that must act beside the loads of the model for the accelerations to be (q1'', q2'', q3'').
+///
+/// 33 operations, 2 sines and cosines.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 3],
+    q_dot: &[S; 3],
+    v_dot: &[S; 3],
+) -> [S; 3] {
+    let Parameters { m, l, I1, I3, g } = *p;
+    let [q1, q2_minus_90deg, _] = *q;
+    let [q1_dot, q2_dot, q3_dot] = *q_dot;
+    let [q1_ddot, q2_ddot, q3_ddot] = *v_dot;
+    // Sines and cosines.
+    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    // I3*(q3'' + q1''*cos(q2_minus_90deg))
+    let tau1_of_motion = I3 * q1_ddot.mul_add(cos_q2_minus_90deg, q3_ddot);
+    let tau1_of_q1_dot = q1_dot * sin_q2_minus_90deg;
+    // tau1_of_q1_dot*cos(q2_minus_90deg)*(I3 - I1)
+    let tau1_of_q1_dot_2 = tau1_of_q1_dot * cos_q2_minus_90deg * (I3 - I1);
+    let m_l_g = m * l * g;
+    let i3_q2_dot = I3 * q2_dot;
+    // I1*q1''*sin(q2_minus_90deg) - q3'*i3_q2_dot
+    let tau1_of_motion_2 = (-q3_dot)
+        .mul_add(i3_q2_dot, I1 * q1_ddot * sin_q2_minus_90deg);
+    // Values.
+    // tau1 = I3*q3''*cos(q2_minus_90deg) + sin(q2_minus_90deg)*(m*l*g*sin(q1) +
+    //   q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' + 2*q1'*cos(q2_minus_90deg)))) +
+    //   q1''*(I1*sin(q2_minus_90deg)^2 + I3*cos(q2_minus_90deg)^2)
+    let tau1 = tau1_of_motion * cos_q2_minus_90deg
+        - S::int(2) * q2_dot * tau1_of_q1_dot_2
+        + sin_q2_minus_90deg * m_l_g.mul_add(s1, tau1_of_motion_2);
+    // tau2 = I1*q2'' - m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I3*(q3' +
+    //   q1'*cos(q2_minus_90deg)) - I1*q1'*cos(q2_minus_90deg))
+    let tau2 = (I3 * q3_dot).mul_add(tau1_of_q1_dot, I1 * q2_ddot)
+        + q1_dot * tau1_of_q1_dot_2 - m_l_g * c1 * cos_q2_minus_90deg;
+    // tau3 = I3*q3'' - I3*q1'*q2'*sin(q2_minus_90deg) + I3*q1''*cos(q2_minus_90deg)
+    let tau3 = (-tau1_of_q1_dot).mul_add(i3_q2_dot, tau1_of_motion);
+    [tau1, tau2, tau3]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 12 convolutions and 20 linear operations an order.

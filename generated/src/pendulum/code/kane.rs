@@ -142,6 +142,27 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 2
     [[zero, theta_dot_by_omega_value], [omega_dot_by_theta, zero]]
 }
 
+/// Inverse dynamics: the generalized forces along (omega) that must act beside the loads of the model for the accelerations to be (omega').
+///
+/// 5 operations, 1 sine and cosine.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    _u: &[S; 1],
+    v_dot: &[S; 1],
+) -> [S; 1] {
+    let Parameters { m, l, g } = *p;
+    let [theta] = *q;
+    let [omega_dot] = *v_dot;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Values.
+    // tau1 = m*l*g*sin(theta) + m*l^2*omega'
+    let tau1 = m * l * l.mul_add(omega_dot, g * sin_theta);
+    [tau1]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 2 convolutions and 0 linear operations an order.

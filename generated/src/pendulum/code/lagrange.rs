@@ -187,6 +187,27 @@ pub fn jacobian<S: Scalar>(
     [[zero, theta_dot_by_theta_dot_value], [theta_ddot_by_theta, zero]]
 }
 
+/// Inverse dynamics: the generalized forces along (theta') that must act beside the loads of the model for the accelerations to be (theta'').
+///
+/// 5 operations, 1 sine and cosine.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    _q_dot: &[S; 1],
+    v_dot: &[S; 1],
+) -> [S; 1] {
+    let Parameters { m, l, g } = *p;
+    let [theta] = *q;
+    let [theta_ddot] = *v_dot;
+    // Sines and cosines.
+    let (sin_theta, _) = theta.sin_cos();
+    // Values.
+    // tau1 = m*l*g*sin(theta) + m*l^2*theta''
+    let tau1 = m * l * l.mul_add(theta_ddot, g * sin_theta);
+    [tau1]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 2 convolutions and 0 linear operations an order.

@@ -205,6 +205,36 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], _u: &[S; 2]) -> [S; 1
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (u1, u2) that must act beside the loads of the model for the accelerations to be (u1', u2').
+///
+/// 14 operations, 1 sine and cosine.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    u: &[S; 2],
+    v_dot: &[S; 2],
+) -> [S; 2] {
+    let Parameters { m, l, g } = *p;
+    let [theta, _] = *q;
+    let [u1, u2] = *u;
+    let [u1_dot, u2_dot] = *v_dot;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    let m_l = m * l;
+    let tan_theta = sin_theta / cos_theta;
+    let tau1_of_u2 = u2 / tan_theta;
+    // l*u2*tau1_of_u2 - g*sin(theta)
+    let tau1_of_u2_2 = (-g).mul_add(sin_theta, l * u2 * tau1_of_u2);
+    // Values.
+    // tau1 = m*l*(g*sin(theta) - l*u2^2/tan(theta)) + m*l^2*u1'
+    let tau1 = m_l * l.mul_add(u1_dot, -tau1_of_u2_2);
+    // tau2 = m*l^2*u1*u2/tan(theta) + m*l^2*u2'
+    let tau2 = l * m_l * u1.mul_add(tau1_of_u2, u2_dot);
+    [tau1, tau2]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 6 convolutions and 4 linear operations an order.

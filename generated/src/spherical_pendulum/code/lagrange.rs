@@ -268,6 +268,35 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], _q_dot: &[S; 2]) -> [
     [divisor1]
 }
 
+/// Inverse dynamics: the generalized forces along (theta', phi') that must act beside the loads of the model for the accelerations to be (theta'', phi'').
+///
+/// 16 operations, 1 sine and cosine.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    q_dot: &[S; 2],
+    v_dot: &[S; 2],
+) -> [S; 2] {
+    let Parameters { m, l, g } = *p;
+    let [theta, _] = *q;
+    let [theta_dot, phi_dot] = *q_dot;
+    let [theta_ddot, phi_ddot] = *v_dot;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    let m_l = m * l;
+    let phi_dot_cos_theta = phi_dot * cos_theta;
+    // Values.
+    // tau1 = m*l*sin(theta)*(g - l*phi'^2*cos(theta)) + m*l^2*theta''
+    let tau1 = m_l
+        * (sin_theta * (-(l * phi_dot)).mul_add(phi_dot_cos_theta, g) + l * theta_ddot);
+    // tau2 = 2*m*l^2*theta'*phi'*sin(theta)*cos(theta) + m*l^2*phi''*sin(theta)^2
+    let tau2 = l * m_l * sin_theta
+        * (theta_dot * phi_dot_cos_theta).mul_add(S::int(2), phi_ddot * sin_theta);
+    [tau1, tau2]
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 7 convolutions and 2 linear operations an order.

@@ -1,0 +1,398 @@
+//! The unknowns at which a quadratic form in named terms is least, in time that follows the names and not their number
+//! squared.
+//!
+//! The terms are linear in the unknowns by way of other named terms, as the accelerations of bodies are in those of
+//! joints, each body's by way of the one before it. The form is carried back through the names, the last first: a term
+//! gives its place to what it is made of. An unknown that nothing left is made of is eliminated at once, while few
+//! terms stand beside it. On a chain that is the recursion of articulated bodies (A. F. Vereshchagin, 1974;
+//! R. Featherstone, Int. J. Robotics Research 2 (1983) 13–30), found as an elimination in the order of the names: the
+//! least value is Gauss's principle.
+//!
+//! Invariant: pivots are values of the form along one unknown with the best of all others, positive where the form is
+//! positive definite.
+
+use super::calculus::{Gradient, Substitution};
+use super::simplify::{Simplifier, cost};
+use super::steps::Definition;
+use super::{Arena, Expr, Node, Rational};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
+/// ½ Σ K_ij e_i e_j + Σ b_i e_i, with K symmetric.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// e, linear in the unknowns by way of names.
+    pub components: [Expr; 3],
+    /// K.
+    pub tensor: [[Expr; 3]; 3],
+    /// b.
+    pub linear: [Expr; 3],
+}
+
+/// A sum of blocks and of a linear form in the unknowns.
+#[derive(Clone, Debug)]
+pub struct Sum {
+    /// The blocks.
+    pub blocks: Vec<Block>,
+    /// The factor of each unknown.
+    pub linear: Vec<Expr>,
+}
+
+/// What is taken out of the form first.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Order {
+    /// What most names lie between and the unknowns: on an arm all of its last body, then all of the one before it.
+    Farthest,
+    /// What has fewest terms beside it: on a chain whose angles all are from one frame.
+    Fewest,
+}
+
+/// The unknowns that make a sum least, in the order in which they are to be
+/// computed, in terms of names and of unknowns before them: by the order of elimination that costs less. `None` if a
+/// component is not linear in them, or if they are not determined.
+pub fn least(arena: &mut Arena, simplifier: &mut Simplifier, sum: &Sum, unknowns: &[Expr]) -> Option<Vec<Definition>> {
+    let mut both = Vec::new();
+    let mut most = usize::MAX;
+    for order in [Order::Farthest, Order::Fewest] {
+        let before = arena.len();
+        if let Some(solved) = least_in(arena, simplifier, sum, unknowns, (order, most)) {
+            let values: Vec<Expr> = solved.iter().map(|step| step.value).collect();
+            both.push((cost_with_names(arena, &values), solved));
+        }
+        // An order that makes more terms than another is not followed to its end.
+        most = arena.len() - before;
+    }
+    both.into_iter().min_by_key(|(cost, _)| *cost).map(|(_, solved)| solved)
+}
+
+/// Operations of terms, and of all that stands behind names in them.
+fn cost_with_names(arena: &Arena, values: &[Expr]) -> usize {
+    let names = arena.reachable(values).into_iter().filter_map(|e| arena.behind(e));
+    names.chain(values.iter().copied()).map(|e| cost(arena, e)).sum()
+}
+
+fn least_in(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    Sum { blocks, linear }: &Sum,
+    unknowns: &[Expr],
+    (order, most): (Order, usize),
+) -> Option<Vec<Definition>> {
+    let before = arena.len();
+    let components: Vec<Expr> = blocks.iter().flat_map(|block| block.components).collect();
+    let named = depending(arena, &components, unknowns);
+    let ends: Vec<Expr> = named.iter().chain(unknowns).copied().collect();
+    let zeros: Vec<(Expr, Expr)> = ends.iter().map(|e| (*e, Expr::ZERO)).collect();
+    let mut form = Form {
+        arena,
+        simplifier,
+        gradient: Gradient::new(&ends),
+        at_zero: Substitution::new(&zeros),
+        varying: ends.iter().copied().collect(),
+        ends,
+        rows: BTreeMap::new(),
+        linear: FxHashMap::default(),
+    };
+    for (unknown, k) in unknowns.iter().zip(linear) {
+        form.add_linear(*unknown, *k);
+    }
+    for block in blocks {
+        form.add_block(block)?;
+    }
+    // How many names each end is left in: what is left in none can be taken out.
+    let mut left: FxHashMap<Expr, usize> = FxHashMap::default();
+    let mut parts: FxHashMap<Expr, Part> = FxHashMap::default();
+    // How many names lie between each and the unknowns.
+    let mut depth: FxHashMap<Expr, usize> = FxHashMap::default();
+    for e in &named {
+        let part = form.part(form.arena.behind(*e)?)?;
+        let below = part.terms.iter().filter_map(|(of, _)| depth.get(of)).max();
+        if order == Order::Farthest {
+            depth.insert(*e, below.map_or(0, |below| below + 1));
+        } else {
+            depth.insert(*e, 0);
+        }
+        for (of, _) in &part.terms {
+            *left.entry(*of).or_default() += 1;
+        }
+        parts.insert(*e, part);
+    }
+    let mut solved = Vec::new();
+    let mut ready: Vec<Expr> = form.ends.iter().copied().filter(|e| !left.contains_key(e)).collect();
+    while let Some(next) = form.next(&ready, &depth) {
+        if form.arena.len() - before > most {
+            return None;
+        }
+        let e = ready.swap_remove(next);
+        let Some(part) = parts.get(&e) else {
+            solved.push(form.eliminate(e)?);
+            continue;
+        };
+        for other in &ready {
+            if let Some(turned) = parts.get(other).and_then(|other| turn(form.arena, part, other)) {
+                form.turn_block(e, *other, &turned);
+            } else if let Some(turned) = parts.get(other).and_then(|other| turn(form.arena, other, part)) {
+                form.turn_block(*other, e, &turned);
+            }
+        }
+        form.substitute(e, part);
+        for (of, _) in &part.terms {
+            let count = left.get_mut(of)?;
+            *count -= 1;
+            if *count == 0 {
+                ready.push(*of);
+            }
+        }
+    }
+    solved.reverse();
+    (solved.len() == unknowns.len()).then_some(solved)
+}
+
+/// The names behind these terms that depend on the unknowns, operands first.
+fn depending(arena: &Arena, terms: &[Expr], unknowns: &[Expr]) -> Vec<Expr> {
+    let mut varying: FxHashSet<Expr> = unknowns.iter().copied().collect();
+    let mut named = Vec::new();
+    for e in arena.reachable(terms) {
+        if arena.operands(e).any(|operand| varying.contains(&operand)) {
+            varying.insert(e);
+            if arena.behind(e).is_some() {
+                named.push(e);
+            }
+        }
+    }
+    named
+}
+
+/// Σ coefficient · end + rest.
+struct Part {
+    terms: Vec<(Expr, Expr)>,
+    rest: Expr,
+}
+
+/// Two terms that are two others turned by an angle: z₁ = c x + s y and z₂ = c y − s x, up to what is known.
+struct Turn {
+    x: Expr,
+    y: Expr,
+    sine: Expr,
+    cosine: Expr,
+}
+
+/// Whether these are a turn, with the sine and the cosine of one angle.
+fn turn(arena: &mut Arena, one: &Part, other: &Part) -> Option<Turn> {
+    let ([(x, c), (y, s)], [(x2, minus_s), (y2, c2)]) = (one.terms.as_slice(), other.terms.as_slice()) else {
+        return None;
+    };
+    let negative = arena.neg(*s);
+    (x == x2 && y == y2 && c == c2 && *minus_s == negative && is_circular(arena, *c) && is_circular(arena, *s))
+        .then_some(Turn { x: *x, y: *y, sine: *s, cosine: *c })
+}
+
+/// Whether a term is the sine or cosine of something, or its negative.
+fn is_circular(arena: &Arena, e: Expr) -> bool {
+    let inner = match arena.node(e) {
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+        _ => e,
+    };
+    matches!(arena.node(inner), Node::Apply(..))
+}
+
+/// The form while it is carried back: entries as terms that are added up when they are read.
+struct Form<'a> {
+    arena: &'a mut Arena,
+    simplifier: &'a mut Simplifier,
+    gradient: Gradient,
+    at_zero: Substitution,
+    varying: FxHashSet<Expr>,
+    ends: Vec<Expr>,
+    /// Symmetric: each entry stands in the rows of both.
+    rows: BTreeMap<Expr, BTreeMap<Expr, Vec<Expr>>>,
+    linear: FxHashMap<Expr, Vec<Expr>>,
+}
+
+impl Form<'_> {
+    /// A term as a linear form; `None` if it is none.
+    fn part(&mut self, e: Expr) -> Option<Part> {
+        let slopes = self.gradient.apply(self.arena, e);
+        let terms: Vec<(Expr, Expr)> = slopes.iter().map(|(at, slope)| (self.ends[*at], *slope)).collect();
+        let is_known = |e: &Expr| self.arena.reachable(&[*e]).iter().all(|part| !self.varying.contains(part));
+        if !terms.iter().all(|(_, slope)| is_known(slope)) {
+            return None;
+        }
+        Some(Part { terms, rest: self.at_zero.apply(self.arena, e) })
+    }
+
+    fn add(&mut self, a: Expr, b: Expr, term: Expr) {
+        if term == Expr::ZERO {
+            return;
+        }
+        self.rows.entry(a).or_default().entry(b).or_default().push(term);
+        if a != b {
+            self.rows.entry(b).or_default().entry(a).or_default().push(term);
+        }
+    }
+
+    fn add_linear(&mut self, a: Expr, term: Expr) {
+        if term != Expr::ZERO {
+            self.linear.entry(a).or_default().push(term);
+        }
+    }
+
+    fn add_block(&mut self, block: &Block) -> Option<()> {
+        let parts: Option<Vec<Part>> = block.components.iter().map(|e| self.part(*e)).collect();
+        let parts = parts?;
+        for (i, part) in parts.iter().enumerate() {
+            for (j, other) in parts.iter().enumerate() {
+                let k = block.tensor[i][j];
+                for (a, by_a) in &part.terms {
+                    let to_rest = self.arena.product(&[k, *by_a, other.rest]);
+                    self.add_linear(*a, to_rest);
+                    for (b, by_b) in other.terms.iter().filter(|(b, _)| a <= b) {
+                        // Of two ends both orders come by.
+                        let entry = self.arena.product(&[k, *by_a, *by_b]);
+                        self.add(*a, *b, entry);
+                    }
+                }
+            }
+            for (a, by_a) in &part.terms {
+                let share = self.arena.mul(*by_a, block.linear[i]);
+                self.add_linear(*a, share);
+            }
+        }
+        Some(())
+    }
+
+    /// The place of what is to be taken out next: an unknown, else what is farthest from the unknowns, with the fewest
+    /// terms beside it.
+    fn next(&self, ready: &[Expr], depth: &FxHashMap<Expr, usize>) -> Option<usize> {
+        let key = |e: &Expr| {
+            (depth.get(e).map(|depth| Reverse(*depth)), self.rows.get(e).map_or(0, BTreeMap::len), Reverse(*e))
+        };
+        (0..ready.len()).min_by_key(|at| key(&ready[*at]))
+    }
+
+    /// The sum of terms, short, by a name where it has several.
+    fn read(&mut self, terms: &[Expr], wanted: &str) -> Expr {
+        let sum = self.arena.sum(terms);
+        let sum = self.simplifier.simplify(self.arena, sum);
+        if matches!(self.arena.node(sum), Node::Sum(..)) { self.arena.name(sum, wanted) } else { sum }
+    }
+
+    fn called(&self, e: Expr) -> String {
+        let name = self.arena.name_of(e).or_else(|| self.arena.symbol_name(e)).unwrap_or_default();
+        name.replace("''", "_ddot").replace('\'', "_dot")
+    }
+
+    /// Takes a row out of the form: (its own entry, its entries with others, its linear entry).
+    fn take(&mut self, z: Expr) -> (Expr, Vec<(Expr, Expr)>, Expr) {
+        let row = self.rows.remove(&z).unwrap_or_default();
+        let linear = self.linear.remove(&z).unwrap_or_default();
+        let name = self.called(z);
+        let linear = self.read(&linear, &format!("b_{name}"));
+        let (mut own, mut others) = (Expr::ZERO, Vec::new());
+        for (y, terms) in row {
+            let entry = self.read(&terms, &format!("K_{name}"));
+            if y == z {
+                own = entry;
+                continue;
+            }
+            if let Some(row) = self.rows.get_mut(&y) {
+                row.remove(&z);
+            }
+            if entry != Expr::ZERO {
+                others.push((y, entry));
+            }
+        }
+        (own, others, linear)
+    }
+
+    /// Puts what a term is made of in its place.
+    fn substitute(&mut self, z: Expr, part: &Part) {
+        let (own, others, linear) = self.take(z);
+        for (y, entry) in &others {
+            let share = self.arena.mul(*entry, part.rest);
+            self.add_linear(*y, share);
+        }
+        let along = self.arena.mul(own, part.rest);
+        let along = self.read(&[linear, along], "b");
+        for (at, (x, c)) in part.terms.iter().enumerate() {
+            let share = self.arena.mul(*c, along);
+            self.add_linear(*x, share);
+            for (y, entry) in &others {
+                let share = self.arena.mul(*c, *entry);
+                let twice = if x == y { self.arena.scale(share, &Rational::integer(2)) } else { share };
+                self.add(*x, *y, twice);
+            }
+            for (x2, c2) in &part.terms[at..] {
+                let entry = self.arena.product(&[*c, *c2, own]);
+                self.add(*x, *x2, entry);
+            }
+        }
+    }
+
+    /// Turns the entries of two terms with one another, which are then taken for done: with
+    /// t = s (K₂₂ − K₁₁) + 2 c K₁₂ the block is K₁₁ + s t, K₂₂ − s t and c t − K₁₂.
+    fn turn_block(&mut self, one: Expr, other: Expr, turn: &Turn) {
+        let entry = |form: &mut Self, a: Expr, b: Expr| {
+            let terms = form.rows.get(&a).and_then(|row| row.get(&b)).cloned().unwrap_or_default();
+            let name = form.called(a);
+            form.read(&terms, &format!("K_{name}"))
+        };
+        let (k11, k22, k12) = (entry(self, one, one), entry(self, other, other), entry(self, one, other));
+        for (a, b) in [(one, one), (other, other), (one, other), (other, one)] {
+            if let Some(row) = self.rows.get_mut(&a) {
+                row.remove(&b);
+            }
+        }
+        let Turn { x, y, sine, cosine } = *turn;
+        let name = self.called(one);
+        let difference = self.arena.sub(k22, k11);
+        let difference = self.arena.name(difference, &format!("K_{name}"));
+        let (a, b) = (self.arena.mul(sine, difference), self.arena.mul(cosine, k12));
+        let twice = self.arena.scale(b, &Rational::integer(2));
+        // z₁ = c x + s y, z₂ = c y − s x: K_xx = c² K₁₁ + s² K₂₂ − 2 s c K₁₂.
+        let t = self.arena.sub(a, twice);
+        let t = self.read(&[t], &format!("K_{name}"));
+        let (st, ct) = (self.arena.mul(sine, t), self.arena.mul(cosine, t));
+        let st = self.arena.name(st, &format!("K_{name}"));
+        let minus = self.arena.neg(st);
+        self.add(x, x, k11);
+        self.add(x, x, st);
+        self.add(y, y, k22);
+        self.add(y, y, minus);
+        let across = self.arena.add(ct, k12);
+        let across = self.arena.neg(across);
+        self.add(x, y, across);
+        // Both keep a row, so that they are substituted for what else stands beside them.
+        self.rows.entry(one).or_default();
+        self.rows.entry(other).or_default();
+    }
+
+    /// The unknown at which the form is least, with all others as they are.
+    fn eliminate(&mut self, unknown: Expr) -> Option<Definition> {
+        let (own, others, linear) = self.take(unknown);
+        let name = self.called(unknown);
+        let own = self.arena.name(own, &format!("D_{name}"));
+        let inverse = self.arena.div(Expr::ONE, own)?;
+        let inverse = self.arena.name(inverse, &format!("over_D_{name}"));
+        let mut terms = Vec::with_capacity(others.len() + 1);
+        let gain = |form: &mut Self, e: Expr| {
+            let quotient = form.arena.mul(e, inverse);
+            form.arena.name(quotient, &format!("G_{name}"))
+        };
+        let start = gain(self, linear);
+        terms.push(start);
+        let gains: Vec<Expr> = others.iter().map(|(_, entry)| gain(self, *entry)).collect();
+        for (at, (y, _)) in others.iter().enumerate() {
+            terms.push(self.arena.mul(gains[at], *y));
+            let share = self.arena.product(&[gains[at], linear, Expr::MINUS_ONE]);
+            self.add_linear(*y, share);
+            for (y2, entry) in &others[at..] {
+                let share = self.arena.product(&[gains[at], *entry, Expr::MINUS_ONE]);
+                self.add(*y, *y2, share);
+            }
+        }
+        let sum = self.arena.sum(&terms);
+        Some(Definition { symbol: unknown, value: self.arena.neg(sum) })
+    }
+}
