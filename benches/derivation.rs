@@ -4,9 +4,12 @@
 
 #![allow(missing_docs, reason = "`criterion_group!` makes a public function")]
 
+#[path = "../derive/tests/common/arm.rs"]
+mod arm;
 #[path = "../derive/tests/common/chain.rs"]
 mod chain;
 
+use arm::arm;
 use chain::chain;
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -14,7 +17,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::diff;
-use tripos_derive::mechanics::{Derivations, derive_all};
+use tripos_derive::mechanics::{Derivations, Solved, derive_all};
 use tripos_derive::prove::{Proof, prove};
 use tripos_derive::report::{Report, load};
 use tripos_derive::{Formulation, Model, derive};
@@ -48,6 +51,23 @@ fn chains(c: &mut Criterion) {
             group.bench_function(format!("{links} links, {}", formulation.name()), |b| {
                 b.iter(|| derive(black_box(&model), formulation).unwrap_or_else(|e| panic!("{e}")));
             });
+        }
+    }
+}
+
+/// Shows how derivation, elimination and proof grow with the length of an arm of full inertias: Kane's M and f, then
+/// accelerations with their Jacobian, then all formulations proved. For 40 joints the aim is 2 s.
+fn arms(c: &mut Criterion) {
+    let mut group = c.benchmark_group("an arm");
+    for joints in [6, 10, 20, 40] {
+        let model = arm(joints, false);
+        let kane = || derive(&model, Formulation::Kane).unwrap_or_else(|e| panic!("{e}"));
+        group.bench_function(format!("{joints} joints, M and f"), |b| b.iter(|| black_box(kane())));
+        group.bench_function(format!("{joints} joints, solved"), |b| {
+            b.iter_batched(kane, |mut d| Solved::new(&mut d.arena, &d.equations).ok(), BatchSize::LargeInput);
+        });
+        if joints <= 20 {
+            group.bench_function(format!("{joints} joints, proved"), |b| b.iter(|| derived_and_proved(&model)));
         }
     }
 }
@@ -94,6 +114,6 @@ criterion_group! {
         .sample_size(20)
         .warm_up_time(Duration::from_secs(1))
         .measurement_time(Duration::from_secs(5));
-    targets = formulations, chains, proofs, course_report_judged
+    targets = formulations, chains, arms, proofs, course_report_judged
 }
 criterion_main!(benches);

@@ -3,6 +3,7 @@
 use crate::arm::{arm, tree};
 use crate::chain::chain;
 use std::collections::HashSet;
+use std::path::Path;
 use tripos_derive::algebra::adjoint::transposed_product;
 use tripos_derive::algebra::calculus::{Differential, Gradient, Substitution};
 use tripos_derive::algebra::compare::Verdict;
@@ -154,6 +155,19 @@ fn a_tree_of_thirty_bodies_is_proved() {
     assert_eq!(proof.pairs.len(), 1);
     assert!(proof.pairs.iter().all(|pair| pair.verdict.is_equal()), "{:?}", proof.pairs);
     assert!(proof.integrals.iter().any(|integral| integral.verdict.is_equal()));
+}
+
+/// Goal: the arm that large models are measured with is derived by all methods, which say the same. Method: its file.
+#[test]
+fn the_arm_of_the_benchmarks_is_proved() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../benches/models/arm6.toml");
+    let model = Model::read(&path).unwrap_or_else(|e| panic!("{e}"));
+    let mut all = derive_all(&model).unwrap();
+    assert!(all.list.iter().all(|(_, result)| result.is_ok()));
+    let proof = prove(&model, &mut all);
+    assert!(proof.is_equivalent() && proof.pairs.len() == 3);
+    // T + V, and the momentum about the upright first axis.
+    assert_eq!(proof.integrals.iter().filter(|integral| integral.verdict.is_equal()).count(), 2);
 }
 
 /// Goal: a wrong sign anywhere in a large system is seen. Method: each entry of the matrix of an arm, doubled, makes the

@@ -130,6 +130,8 @@ pub(super) struct Names {
     pub(super) stands: FxHashMap<Expr, Expr>,
     /// The symbol of each such term that was written down.
     pub(super) symbols: FxHashMap<Expr, Expr>,
+    /// How many were written by each label.
+    pub(super) written: FxHashMap<String, usize>,
 }
 
 /// The store of all terms of one model.

@@ -44,6 +44,10 @@ fn symbol_of(arena: &mut Arena, named: Expr) -> Expr {
         return *known;
     }
     let wanted = arena.name_of(named).unwrap_or_default().to_owned();
+    // Many may be called alike: each further one has a number.
+    let count = arena.names.written.entry(wanted.clone()).or_insert(0);
+    *count += 1;
+    let wanted = if *count == 1 { wanted } else { format!("{wanted}_{count}") };
     let symbol = fresh_symbol(arena, &wanted);
     arena.names.symbols.insert(named, symbol);
     symbol

@@ -9,6 +9,7 @@
 use super::vector::{Components, Frames, Vector};
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
+use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Terms of the closed form of a mass matrix, about, above which what grows is named.
@@ -83,11 +84,20 @@ impl Frames {
         let path = self.ancestors(frame);
         let what = &format!("{letter}_{of}");
         let mut parts: BTreeMap<usize, Components> = v.parts.iter().copied().collect();
-        let distance = |from: usize| {
-            let above = self.ancestors(from);
-            let shared = above.iter().filter(|f| path.contains(f)).count();
-            above.len() + path.len() - 2 * shared
+        let place: FxHashMap<usize, usize> = path.iter().enumerate().map(|(at, frame)| (*frame, at)).collect();
+        // Up to the path, then down it.
+        let distance = |mut from: usize| {
+            let mut steps = 0;
+            loop {
+                match (place.get(&from), self.parent(from)) {
+                    (Some(at), _) => return steps + at,
+                    (None, Some(parent)) => (from, steps) = (parent, steps + 1),
+                    (None, None) => return steps,
+                }
+            }
         };
+        let way_from: FxHashMap<usize, usize> = parts.keys().map(|from| (*from, distance(*from))).collect();
+        let distance = |from: usize| way_from.get(&from).copied().unwrap_or_else(|| distance(from));
         // Of those as far, the first declared goes first, so that sums over bodies share their beginnings.
         let farthest = |parts: &BTreeMap<usize, Components>| {
             let elsewhere = parts.keys().copied().filter(|from| *from != frame);
@@ -96,9 +106,12 @@ impl Frames {
         while let Some(from) = farthest(&parts) {
             let Some(components) = parts.remove(&from) else { break };
             // Down towards the frame if it lies below, else up.
-            let (next, way) = match path.iter().position(|f| *f == from) {
-                Some(at) => (path[at - 1], self.turned_into(path[at - 1], false)),
-                None => (self.ancestors(from)[1], self.turned_into(from, true)),
+            let (next, way) = match (place.get(&from), self.parent(from)) {
+                (None, Some(parent)) => (parent, self.turned_into(from, true)),
+                (at, _) => {
+                    let next = path[at.map_or(0, |at| at - 1)];
+                    (next, self.turned_into(next, false))
+                }
             };
             let carried = way.map_or(components, |(axis, angle, back)| {
                 let called = format!("{letter}_{}_in_{}", self.name(from), self.name(next));

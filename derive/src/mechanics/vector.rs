@@ -150,6 +150,11 @@ impl Frames {
         &self.tree[frame].name
     }
 
+    /// The frame that a frame is turned from.
+    pub(super) fn parent(&self, frame: usize) -> Option<usize> {
+        self.tree[frame].rotation.map(|(parent, ..)| parent)
+    }
+
     /// (axis, angle, `back`) of the turn that leads into a frame from its parent, or `back` from it.
     pub(super) fn turned_into(&self, frame: usize, back: bool) -> Option<(usize, Expr, bool)> {
         self.tree[frame].rotation.map(|(_, axis, angle)| (axis, angle, back))
