@@ -16,7 +16,7 @@ use tripos_derive::algebra::simplify::{Simplifier, cost};
 use tripos_derive::algebra::steps::{Definition, needed};
 use tripos_derive::algebra::written::written;
 use tripos_derive::algebra::{Arena, Expr, Node};
-use tripos_derive::mechanics::{Derivation, Kinematics, Solved, derive_all, derive_all_with, is_large};
+use tripos_derive::mechanics::{Derivation, Divisors, Kinematics, Solved, derive_all, derive_all_with, is_large};
 use tripos_derive::prove::prove;
 use tripos_derive::{Equations, Formulation, Model, derive};
 
@@ -99,6 +99,19 @@ fn an_arm_of_six_joints_takes_few_operations() {
     let [both, forcing, accelerations, inverse] = counts(&arm(6, false));
     assert!(both <= 1400 && forcing <= 760 && accelerations <= 1650, "{both}, {forcing}, {accelerations}");
     assert!(inverse <= 800, "{inverse}");
+}
+
+/// Goal: no run of an arm or a chain watches for zeros of pivots, which a positive definite form has not. Method: what
+/// the accelerations of long ones divide by, and Newton's and Euler's of a short one.
+#[test]
+fn arms_and_chains_divide_by_nothing_that_vanishes() {
+    let list = [(arm(6, false), Formulation::Kane), (chain(10), Formulation::Kane), (chain(10), Formulation::Lagrange)];
+    for (model, formulation) in list.into_iter().chain([(arm(3, true), Formulation::NewtonEuler)]) {
+        let Derivation { mut arena, equations } = derive(&model, formulation).unwrap();
+        let solved = Solved::new(&mut arena, &equations).unwrap();
+        let found = Divisors::of(&arena, &equations.written(&mut arena.clone()), Some(&solved.accelerations));
+        assert!(found.values.is_empty(), "{} {formulation:?}: {:?}", model.title, found.names(&arena));
+    }
 }
 
 /// Goal: forces and the accelerations of long arms and chains grow with their length, matrices with its square. Method:

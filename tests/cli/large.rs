@@ -90,3 +90,23 @@ fn scenes_of_large_models_run_by_whole_equations() {
         assert!(out.contains("largest change of total energy") && !err.contains("warning"), "{n}: {out}{err}");
     }
 }
+
+/// Goal: a difference of large models tells the old terms from the new. Method: an arm with a link moved; no difference
+/// that is printed is that of a name and itself.
+#[test]
+fn terms_of_the_old_model_are_told_from_those_of_the_new() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = tree_text(3, |i| i - 1, |_| false, false);
+    for (side, text) in [("old", text.clone()), ("new", text.replace("\"lx3\"", "\"2*lx3\""))] {
+        std::fs::create_dir(folder.path().join(side)).unwrap();
+        std::fs::write(folder.path().join(side).join("model.toml"), text).unwrap();
+    }
+    let (status, out, err) = tripos_in(folder.path(), &["diff", "old", "new"]);
+    assert_eq!(status, 1, "{err}");
+    assert!(out.contains("M[u1, u1']: new - old = "), "{out}");
+    for line in out.lines() {
+        if let Some((minuend, subtrahend)) = line.rsplit_once(" = ").and_then(|(_, value)| value.split_once(" - ")) {
+            assert_ne!(minuend, subtrahend, "{line}");
+        }
+    }
+}

@@ -42,7 +42,11 @@ impl<'a> Transfer<'a> {
                 arena.try_product(&list).expect("what could be built in one arena can be built in another")
             }
             Node::Apply(f, argument) => arena.apply(*f, self.done[argument]),
-            Node::Named(_, term) => arena.name(self.done[term], self.from.name_of(e).unwrap_or_default()),
+            // A term that both have keeps its name there; another is told apart from what is called alike.
+            Node::Named(_, term) => {
+                let wanted = format!("{}_old", self.from.name_of(e).unwrap_or_default());
+                arena.name(self.done[term], &wanted)
+            }
         }
     }
 }

@@ -188,9 +188,7 @@ pub fn jacobian(
             let slope = slope_of.apply(arena, step.value);
             let mut slope = simplifier.simplify(arena, slope);
             if cost(arena, slope) > LONGEST_SLOPE {
-                let name =
-                    |e: Expr| arena.symbol_name(e).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot");
-                let wanted = format!("{}_by_{}", name(step.symbol), name(variable));
+                let wanted = format!("{}_by_{}", spelled(arena, step.symbol), spelled(arena, variable));
                 let symbol = fresh_symbol(arena, &wanted);
                 steps.push(Definition { symbol, value: slope });
                 slope = symbol;
@@ -205,6 +203,11 @@ pub fn jacobian(
     Jacobian { steps, entries, direction: Vec::new() }
 }
 
+/// A symbol's name as part of another.
+fn spelled(arena: &Arena, symbol: Expr) -> String {
+    arena.symbol_name(symbol).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot")
+}
+
 /// The product of the Jacobian with a direction: one derivative of each step along it.
 fn product(
     arena: &mut Arena,
@@ -212,12 +215,10 @@ fn product(
     equations: &Equations,
     accelerations: Vec<Definition>,
 ) -> Jacobian {
-    let name =
-        |arena: &Arena, e: Expr| arena.symbol_name(e).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot");
     let states = equations.coordinates.iter().chain(&equations.variables);
     let along: Vec<(Expr, Expr)> = states
         .map(|state| {
-            let wanted = format!("d_{}", name(arena, *state));
+            let wanted = format!("d_{}", spelled(arena, *state));
             (*state, fresh_symbol(arena, &wanted))
         })
         .collect();
@@ -228,7 +229,7 @@ fn product(
         let slope = slope_of.apply(arena, step.value);
         let mut slope = simplifier.simplify(arena, slope);
         if cost(arena, slope) > 0 {
-            let wanted = format!("d_{}", name(arena, step.symbol));
+            let wanted = format!("d_{}", spelled(arena, step.symbol));
             let symbol = fresh_symbol(arena, &wanted);
             steps.push(Definition { symbol, value: slope });
             slope = symbol;

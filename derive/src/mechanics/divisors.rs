@@ -39,7 +39,7 @@ impl Divisors {
         let moving = moving(arena, e, &steps);
         let moves = |divisor: &Expr| arena.reachable(&[*divisor]).iter().any(|part| moving.contains(part));
         let mut values: Vec<Expr> = Vec::new();
-        let pivots = Pivots::new(arena, e, &steps);
+        let pivots = Pivots::new(arena, e, &steps, &moving);
         for divisor in divisors(arena, &all).into_iter().filter(|d| moves(d) && !pivots.contains(arena, *d)) {
             let bare = bare(arena, divisor);
             if !values.contains(&bare) && !never_zero(arena, bare) {
@@ -71,19 +71,29 @@ struct Pivots<'a> {
     /// What the equations divide by as they were derived.
     before: Vec<Expr>,
     steps: &'a [Definition],
+    /// The variables of the state, and the steps that depend on them.
+    moving: &'a [Expr],
 }
 
 impl<'a> Pivots<'a> {
-    fn new(arena: &Arena, e: &Equations, steps: &'a [Definition]) -> Self {
+    fn new(arena: &Arena, e: &Equations, steps: &'a [Definition], moving: &'a [Expr]) -> Self {
         let entries = e.matrix.iter().flatten().chain(&e.forcing).chain(&e.coordinate_rates);
         let values: Vec<Expr> = entries.copied().chain(e.definitions.iter().map(|d| d.value)).collect();
         let is_definite = e.symmetric || !e.projection.is_empty();
-        Self { is_definite, before: divisors(arena, &values), steps }
+        Self { is_definite, before: divisors(arena, &values), steps, moving }
     }
 
-    /// Whether a divisor is a pivot: a sum that only the elimination divides by, or the name of one.
+    /// Whether a divisor is a pivot: a sum that only the elimination divides by, times what is constant, or the name of
+    /// one.
     fn contains(&self, arena: &Arena, divisor: Expr) -> bool {
-        let is_sum = |e: Expr| matches!(arena.node(bare(arena, e)), Node::Sum(..));
+        let is_constant = |e: Expr| !arena.reachable(&[e]).iter().any(|part| self.moving.contains(part));
+        let is_sum = |e: Expr| match arena.node(bare(arena, e)) {
+            Node::Sum(..) => true,
+            Node::Product(factors) => factors
+                .iter()
+                .all(|(base, n)| is_constant(*base) || *n > 0 && matches!(arena.node(*base), Node::Sum(..))),
+            _ => false,
+        };
         match self.steps.iter().find(|step| step.symbol == divisor) {
             Some(step) => self.is_definite && is_sum(step.value),
             None => self.is_definite && is_sum(divisor) && !self.before.contains(&divisor),
