@@ -44,13 +44,7 @@ pub mod spherical_pendulum;
 /// Every compiled model, by name.
 #[rustfmt::skip]
 pub static MODELS: &[tripos_traits::CompiledModel] = &[
-    cart_pendulum_3::MODEL,
-    chaotic_pendulum::MODEL,
-    disk::MODEL,
-    euler_top::MODEL,
-    floating_chain::MODEL,
-    free_body::MODEL,
-    heavy_top::MODEL,
-    pendulum::MODEL,
+    cart_pendulum_3::MODEL, chaotic_pendulum::MODEL, disk::MODEL, euler_top::MODEL,
+    floating_chain::MODEL, free_body::MODEL, heavy_top::MODEL, pendulum::MODEL,
     spherical_pendulum::MODEL,
 ];

@@ -2,6 +2,7 @@
 
 mod batch;
 mod convergence;
+mod dual;
 mod events;
 mod events_everywhere;
 mod events_in_ranges;

@@ -7,7 +7,7 @@ use crate::taylor::Recurrences;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{By, Divisors, Jacobian, Solved, bare};
+use tripos_derive::mechanics::{By, Divisors, Solved, bare};
 
 /// Steps of accelerations up to which q̇ and v̇ are also computed together, sharing what they can.
 const MOST_REPEATED: usize = 100;
@@ -15,24 +15,19 @@ const MOST_REPEATED: usize = 100;
 /// Divisors up to which they are listed by their formulas.
 const MOST_LISTED: usize = 12;
 
-/// The function that stands for the Jacobian of a large system: its product with a direction.
-pub const JACOBIAN_PRODUCT: &str = "jacobian_product";
-
 /// One formulation of one model.
 pub struct FormulationPlan<'a> {
     /// The names and the store of its terms.
     pub planner: &'a Planner<'a>,
     /// The equations, in the order in which they are read.
     pub equations: Vec<Function>,
-    /// What runs use beside the equations: `derivative` and `jacobian`, where accelerations were solved for, and
-    /// `inverse_dynamics`.
+    /// What runs use beside the equations: `derivative` and `jacobian`, where accelerations were solved for and are not
+    /// too long, and `inverse_dynamics`.
     pub machine: Vec<Function>,
     /// What people call the divisors that `divisors` gives; none where nothing is divided by that might be zero.
     pub divisors: Vec<String>,
     /// The recurrences of its Taylor coefficients.
     pub taylor: Option<TaylorPlan<'a>>,
-    /// Whether the accelerations were solved for.
-    pub is_solved: bool,
     /// What its header says of it, line by line.
     pub facts: Vec<String>,
 }
@@ -51,15 +46,23 @@ impl<'a> FormulationPlan<'a> {
             let steps = &solved.accelerations.steps;
             // What is long is not written twice: q̇ and v̇ are then computed one after the other.
             let together = (steps.len() <= MOST_REPEATED).then(|| derivative(planner, steps));
-            together.into_iter().chain([jacobian(planner, solved)]).collect()
+            together.into_iter().chain(jacobian(planner, solved)).collect()
         });
         let (divisors, names) = divisors(planner, solved);
         machine.extend(divisors);
         // What matrix and forcing say already is no equation of its own.
         machine.extend(inverse_dynamics(planner));
         let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
-        let (is_solved, facts) = (solved.is_some(), facts(planner, solved));
-        Self { planner, equations, machine, divisors: names, taylor, is_solved, facts }
+        Self { planner, equations, machine, divisors: names, taylor, facts: facts(planner, solved) }
+    }
+}
+
+impl FormulationPlan<'_> {
+    /// Operations of the accelerations, if they were solved for.
+    #[must_use]
+    pub fn solved_cost(&self) -> Option<usize> {
+        let accelerations = self.equations.iter().find(|planned| planned.name == "accelerations");
+        accelerations.map(|planned| planned.cost.operations)
     }
 }
 
@@ -100,11 +103,11 @@ pub(super) fn accelerations(planner: &Planner<'_>, steps: &[Definition]) -> Func
     planner.stepwise("accelerations", &about, Arguments::State, Returns::Vector, steps, &values)
 }
 
-/// `jacobian`: ∂(q̇, v̇)/∂(q, v), or `jacobian_product`, its product with a direction.
-pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Function {
+/// `jacobian`: ∂(q̇, v̇)/∂(q, v); none of large systems, whose code is differentiated as it runs.
+pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Option<Function> {
     let e = planner.equations;
     if !solved.jacobian.direction.is_empty() {
-        return jacobian_product(planner, &solved.jacobian);
+        return None;
     }
     let state = names(planner.arena, &[e.coordinates.as_slice(), &e.variables].concat());
     let q_dot = planner.model.coordinates.iter().map(|c| format!("{}'", c.name));
@@ -120,20 +123,7 @@ pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Function {
         .collect();
     let about = format!("Jacobian of the derivative by the state; columns {}.", state.join(", "));
     let returns = Returns::Matrix { symmetric: false };
-    planner.stepwise("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes)
-}
-
-fn jacobian_product(planner: &Planner<'_>, product: &Jacobian) -> Function {
-    let rates = planner.model.coordinates.iter().map(|c| format!("{}'", c.name));
-    let rates = rates.chain(names(planner.arena, self::rates(planner)));
-    let values: Vec<Value> = rates
-        .zip(&product.entries)
-        .map(|(rate, row)| (format!("d_{}_value", spelled(&rate)), format!("d({rate})"), row[0]))
-        .collect();
-    let about =
-        "What a change of the state along a direction makes of its derivative: the Jacobian times the direction.";
-    let arguments = Arguments::StateAndDirection { direction: &product.direction };
-    planner.stepwise(JACOBIAN_PRODUCT, about, arguments, Returns::Vector, &product.steps, &values)
+    Some(planner.stepwise("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes))
 }
 
 /// `divisors`: what is divided by on the way to q̇ and v̇ and might be zero somewhere; nothing if that is nothing.
@@ -259,21 +249,22 @@ fn facts(planner: &Planner<'_>, solved: Option<&Solved>) -> Vec<String> {
         format!("Unknowns: {}.", vector_text(planner.arena, &e.unknowns)),
         singular_text(planner.arena, "The kinematic equations are singular", &e.divisors),
     ];
-    lines.extend(solved.map(|solved| divisors_text(planner.arena, &solved.accelerations.divisors)));
+    lines.extend(solved.map(|solved| divisors_text(planner, &solved.accelerations.divisors)));
     lines
 }
 
 /// What the eliminated accelerations divide by.
-fn divisors_text(arena: &Arena, divisors: &[Expr]) -> String {
+fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
     if divisors.is_empty() {
         return "The accelerations divide by nothing.".to_owned();
     }
-    let distinct = distinct(arena, divisors);
-    if distinct.len() > MOST_LISTED {
+    let distinct = distinct(planner.arena, divisors);
+    // Long formulations divide by named terms, whose names say nothing here.
+    if distinct.len() > MOST_LISTED || !planner.explains() {
         let count = distinct.len();
         return format!("The accelerations divide by {count} pivots, which are positive where the mass matrix is.");
     }
-    let list: Vec<String> = distinct.iter().map(|d| text(arena, *d)).collect();
+    let list: Vec<String> = distinct.iter().map(|d| text(planner.arena, *d)).collect();
     format!("The accelerations divide by {}.", list.join(", by "))
 }
 

@@ -2,6 +2,7 @@
 
 use super::cost::Cost;
 use super::names::{Language, Variables, type_name};
+use super::parts::Parts;
 use super::program::{Output, Program, program};
 use rustc_hash::FxHashSet;
 use tripos_derive::algebra::sharing::{Reading, share};
@@ -12,6 +13,9 @@ use tripos_derive::{Equations, Model};
 
 /// Named terms above which a program is read in one way only.
 const MOST_READ: usize = 100;
+
+/// Lines of a program that have their formulas above them in any case.
+const MOST_LINES: usize = 20;
 
 /// A planned function.
 #[derive(Clone, Debug)]
@@ -28,6 +32,8 @@ pub struct Function {
     pub program: Program,
     /// What is returned, entry by entry.
     pub entries: Vec<Entry>,
+    /// The program in parts, if it is long.
+    pub parts: Option<Parts>,
     /// What a call costs.
     pub cost: Cost,
     /// Whether each line is to have its formula above it: where most lines are named terms, their names say it.
@@ -53,6 +59,28 @@ pub enum Argument {
     Number(Option<String>),
 }
 
+impl Argument {
+    /// What it is called.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Parameters { .. } => "p",
+            Self::Array { name, .. } => name,
+            Self::Number(variable) => variable.as_deref().unwrap_or("t"),
+        }
+    }
+
+    /// Whether anything of it is read.
+    #[must_use]
+    pub fn is_read(&self) -> bool {
+        match self {
+            Self::Parameters { read } => !read.is_empty(),
+            Self::Array { entries, .. } => entries.iter().any(Option::is_some),
+            Self::Number(variable) => variable.is_some(),
+        }
+    }
+}
+
 /// An entry of what a function returns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Entry {
@@ -64,7 +92,7 @@ pub enum Entry {
 
 /// The kinds of arguments that functions have.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Arguments<'a> {
+pub enum Arguments {
     /// (p, q, v)
     State,
     /// (p, q, u)
@@ -73,11 +101,6 @@ pub enum Arguments<'a> {
     StateAndRates,
     /// (p, q)
     Configuration,
-    /// (p, q, v, direction of (q, v))
-    StateAndDirection {
-        /// The symbols of the direction.
-        direction: &'a [Expr],
-    },
     /// (p, t, q, v)
     Shown {
         /// The symbol of the time.
@@ -168,7 +191,7 @@ impl<'a> Planner<'a> {
         &self,
         name: &'static str,
         about: &str,
-        arguments: Arguments<'_>,
+        arguments: Arguments,
         returns: Returns,
         values: &[Value],
     ) -> Function {
@@ -182,7 +205,7 @@ impl<'a> Planner<'a> {
         &self,
         name: &'static str,
         about: &str,
-        arguments: Arguments<'_>,
+        arguments: Arguments,
         returns: Returns,
         steps: &[Definition],
         values: &[Value],
@@ -207,11 +230,12 @@ impl<'a> Planner<'a> {
                 _ => Entry::Zero,
             })
             .collect();
-        let entries = places.iter().map(|at| entries[*at].clone()).collect();
+        let entries: Vec<Entry> = places.iter().map(|at| entries[*at].clone()).collect();
         let arguments = self.arguments(arguments, &program.inputs);
         let cost = Cost::of(&program);
-        let explained = self.explains();
-        Function { name, about: about.to_owned(), arguments, returns, program, entries, cost, explained }
+        let parts = Parts::of(&program, &arguments, &entries);
+        let explained = self.explains() || program.equations().count() <= MOST_LINES;
+        Function { name, about: about.to_owned(), arguments, returns, program, entries, parts, cost, explained }
     }
 
     /// The program for these outputs that costs least: as it stands, or with common sub-sums and sub-products
@@ -240,7 +264,7 @@ impl<'a> Planner<'a> {
     }
 
     /// The arguments, with what is read of them.
-    fn arguments(&self, arguments: Arguments<'_>, inputs: &FxHashSet<Expr>) -> Vec<Argument> {
+    fn arguments(&self, arguments: Arguments, inputs: &FxHashSet<Expr>) -> Vec<Argument> {
         let e = self.equations;
         let array = |name: &'static str, symbols: &[Expr]| {
             let variable = |s: &Expr| inputs.contains(s).then(|| self.variables.of[s].clone());
@@ -255,15 +279,9 @@ impl<'a> Planner<'a> {
         match arguments {
             Arguments::Configuration => {}
             Arguments::Speeds => list.push(array("u", &self.model.u())),
-            Arguments::State
-            | Arguments::StateAndRates
-            | Arguments::StateAndDirection { .. }
-            | Arguments::Shown { .. } => {
+            Arguments::State | Arguments::StateAndRates | Arguments::Shown { .. } => {
                 list.push(array(own, &e.variables));
             }
-        }
-        if let Arguments::StateAndDirection { direction } = arguments {
-            list.push(array("direction", direction));
         }
         if arguments == Arguments::StateAndRates {
             list.push(array("v_dot", &e.unknowns));

@@ -10,15 +10,17 @@ mod form;
 mod formulation;
 mod function;
 mod names;
+mod parts;
 mod program;
 mod scene;
 mod taylor;
 
 pub use cost::Cost;
 pub use form::{constant_and_factors, is_flat, is_plain_product, led};
-pub use formulation::{FormulationPlan, JACOBIAN_PRODUCT, derivative};
+pub use formulation::{FormulationPlan, derivative};
 pub use function::{Argument, Arguments, Entry, Function, Planner, Returns, Value};
 pub use names::{Allocator, Language, Names, Variables, identifier, module_name, spelled, type_name};
+pub use parts::{Part, Parts};
 pub use program::{Line, Output, Program, Statement, program};
 pub use scene::{Costs, SceneEquations, ScenePlan, costs};
 pub use taylor::TaylorPlan;

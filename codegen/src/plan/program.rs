@@ -4,6 +4,7 @@
 use super::form::is_flat;
 use super::names::{Names, Variables, identifier};
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::ops::Range;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::sharing::is_shared_symbol;
 use tripos_derive::algebra::steps::Definition;
@@ -53,6 +54,16 @@ impl Line {
     }
 }
 
+impl Line {
+    /// The variables that it sets.
+    fn names_set(&self) -> Vec<&str> {
+        match self {
+            Self::Circular { sine, cosine, .. } => vec![sine, cosine],
+            Self::Let(statement) | Self::Step(statement) => vec![&statement.name],
+        }
+    }
+}
+
 /// The body of one generated function.
 #[derive(Clone, Debug, Default)]
 pub struct Program {
@@ -74,21 +85,37 @@ impl Program {
         steps.chain(&self.outputs).filter_map(|statement| statement.comment.as_deref())
     }
 
-    /// Whether a variable is read by a line or an output.
+    /// The variables that these lines and outputs read, counted one after the other.
     #[must_use]
-    pub fn reads(&self, name: &str) -> bool {
-        self.lines.iter().any(|line| occurs(line.value(), name)) || self.outputs.iter().any(|s| occurs(&s.value, name))
+    pub fn names_read(&self, range: Range<usize>) -> FxHashSet<&str> {
+        let mut names = FxHashSet::default();
+        let values = self.lines.iter().map(Line::value).chain(self.outputs.iter().map(|output| &output.value));
+        values.skip(range.start).take(range.len()).for_each(|value| collect(value, &mut names));
+        names
+    }
+
+    /// The variables that these lines and outputs set, in their order.
+    #[must_use]
+    pub fn names_set(&self, range: Range<usize>) -> Vec<&str> {
+        let of_outputs = self.outputs.iter().map(|output| vec![output.name.as_str()]);
+        self.lines.iter().map(Line::names_set).chain(of_outputs).skip(range.start).take(range.len()).flatten().collect()
     }
 }
 
-fn occurs(view: &View, name: &str) -> bool {
+/// The variables in a value.
+fn collect<'v>(view: &'v View, names: &mut FxHashSet<&'v str>) {
     match view {
-        View::Shared(n) => n == name,
-        View::Sum(terms) => terms.iter().any(|(_, t)| occurs(t, name)),
-        View::Product(factors) => factors.iter().any(|f| occurs(f, name)),
-        View::Fraction(a, b) => occurs(a, name) || occurs(b, name),
-        View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => occurs(inner, name),
-        View::Number(_) | View::Name(_) | View::Pi | View::Cut => false,
+        View::Shared(name) => {
+            names.insert(name);
+        }
+        View::Sum(terms) => terms.iter().for_each(|(_, term)| collect(term, names)),
+        View::Product(factors) => factors.iter().for_each(|factor| collect(factor, names)),
+        View::Fraction(above, below) => {
+            collect(above, names);
+            collect(below, names);
+        }
+        View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => collect(inner, names),
+        View::Number(_) | View::Name(_) | View::Pi | View::Cut => {}
     }
 }
 

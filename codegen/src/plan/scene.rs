@@ -74,7 +74,8 @@ impl<'a> ScenePlan<'a> {
         let mut own = vec![accelerations(planner, steps)];
         own.extend(kinematics_and_energies(planner));
         own.push(outputs(planner, reduction));
-        let mut machine = vec![derivative(planner, steps), jacobian(planner, &equations.solved)];
+        let mut machine = vec![derivative(planner, steps)];
+        machine.extend(jacobian(planner, &equations.solved));
         let (watched, divisors) = divisors(planner, Some(&equations.solved));
         machine.extend(watched);
         if reduction.has_energy {

@@ -1,11 +1,12 @@
 //! One formulation of one model as Rust: the equations in a file for people, and the code in one for machines.
 
 use super::function::{Parameters, function};
+use super::slopes::{JACOBIAN_PRODUCT, jacobian_product};
 use super::system::{self, Part};
 use super::taylor;
 use super::text::{format, header, prose, stated};
 use super::written::{Written, reexport};
-use crate::plan::{FormulationPlan, JACOBIAN_PRODUCT, module_name, type_name};
+use crate::plan::{FormulationPlan, module_name, type_name};
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Expr;
 
@@ -31,12 +32,15 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
 
     let mut parts = vec![Part::LinearSystem, Part::WholeState(model.coordinates.len() + model.speeds.len())];
     let has = |name: &str| plan.machine.iter().any(|planned| planned.name == name);
-    let (product, together) = (has(JACOBIAN_PRODUCT), has("derivative"));
-    parts.extend(plan.is_solved.then_some(Part::Eliminated { product, together }));
+    let is_solved = plan.solved_cost().is_some();
+    let (product, together) = (is_solved && !has("jacobian"), has("derivative"));
+    parts.extend(is_solved.then_some(Part::Eliminated { product, together }));
     parts.extend((plan.planner.equations.power != Expr::ZERO).then_some(Part::Power));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
     parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
-    let by_columns = product.then(|| quote!(, by_columns));
+    // Equal texts of it call different functions: it is no one else's.
+    let differentiated = product.then(|| jacobian_product(equations, together));
+    let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
     let system = system::system(model, equations, &parts);
     let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, sorted.has("taylor")));
     let (own, imports) = (&sorted.own, sorted.imports());
@@ -52,8 +56,9 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
             use super::super::Parameters;
             #(#imports)*
             #series
-            use tripos_traits::{Lengths, Scalar, System #by_columns};
+            use tripos_traits::{#dual Lengths, Scalar, System #by_columns};
             #(#own)*
+            #differentiated
             #system
         },
     );
@@ -70,6 +75,7 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
     let shared = shared.map(|(module, names)| reexport(&quote!(super), module, names));
     let unit = type_name(&equations.name(model));
     let machine = plan.machine.iter().map(|planned| planned.name).chain(plan.taylor.as_ref().map(|_| "taylor"));
+    let machine = machine.chain(product.then_some(JACOBIAN_PRODUCT));
     let rest = reexport(&quote!(super::code), &module, machine.chain([unit.as_str()]));
     let equations = format(&header(title, origin, &plan.facts), quote!(#rest #(#shared)* #(#shown)*));
     FormulationFiles { equations, code }

@@ -3,10 +3,13 @@
 use super::expression::{expression, ident, receiver};
 use super::names::LANGUAGE;
 use super::text::comment;
-use crate::plan::{Allocator, Argument, Entry, Function, Language, Line, Program, Returns, Statement};
+use crate::plan::{Allocator, Argument, Entry, Function, Language, Line, Parts, Program, Returns, Statement};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
+
+/// Entries of an array that a pattern passes over before those that are read are taken one by one.
+const MOST_SKIPPED: usize = 20;
 
 /// The functions that runs spend their time in: `System` calls them through `Scalar::dispatch`.
 const DISPATCHED: [&str; 2] = ["accelerations", "derivative"];
@@ -38,10 +41,11 @@ pub fn function(planned: &Function, parameters: &Parameters) -> TokenStream {
     // What `System` dispatches is compiled again for the instructions of the processor, which reach only inlined code.
     let inline = DISPATCHED.contains(&planned.name).then(|| quote!(#[inline(always)]));
     let arguments = planned.arguments.iter().map(|argument| signature(argument, parameters));
-    let unpack = planned.arguments.iter().map(|argument| unpack(argument, parameters));
+    let body = match &planned.parts {
+        Some(parts) => in_parts(planned, parts, parameters),
+        None => whole(planned, parameters),
+    };
     let zero = planned.entries.contains(&Entry::Zero).then(|| quote!(let zero = S::int(0);));
-    let head = statements(&planned.program, planned.explained);
-    let body = section(planned.returns.heading(), &planned.program.outputs);
     let (kind, result) = result(planned.returns, &planned.entries);
     quote! {
         #[doc = #about]
@@ -50,32 +54,98 @@ pub fn function(planned: &Function, parameters: &Parameters) -> TokenStream {
         #[must_use]
         #inline
         pub fn #name<S: Scalar>(#(#arguments),*) -> #kind {
-            #(#unpack)*
-            #zero
-            #head
             #body
+            #zero
             #result
         }
     }
 }
 
+/// What stands before a function's result: its whole program.
+fn whole(planned: &Function, parameters: &Parameters) -> TokenStream {
+    let unpack = planned.arguments.iter().map(|argument| unpack(argument, parameters));
+    let body = lines(planned, &planned.program, &[]);
+    quote!(#(#unpack)* #body)
+}
+
+/// What stands before a function's result: a call of each part of its program, in a function of its own.
+fn in_parts(planned: &Function, parts: &Parts, parameters: &Parameters) -> TokenStream {
+    let length = Literal::usize_unsuffixed(parts.places);
+    let given: Vec<usize> = (0..planned.arguments.len()).filter(|at| planned.arguments[*at].is_read()).collect();
+    let names = given.iter().map(|at| ident(planned.arguments[*at].name())).collect::<Vec<_>>();
+    let functions = parts.list.iter().enumerate().map(|(at, part)| {
+        let name = format_ident!("part_{}", at + 1);
+        let arguments = given.iter().map(|at| signature(&part.arguments[*at], parameters));
+        let unpack = part.arguments.iter().map(|argument| unpack(argument, parameters));
+        let body = lines(planned, &part.program, &part.writes);
+        let (takes, hands_on) = (taken("values", &part.reads), handed_on(&part.writes));
+        let work = quote!(#(#unpack)* #takes #body #hands_on);
+        // Instructions reach only what is inlined, which a part is not.
+        let work = if DISPATCHED.contains(&planned.name) {
+            quote!(S::dispatch(#[inline(always)] || { #work });)
+        } else {
+            work
+        };
+        quote! {
+            #[inline(never)]
+            fn #name<S: Scalar>(#(#arguments,)* values: &mut [S; #length]) { #work }
+        }
+    });
+    let calls = (1..=parts.list.len()).map(|at| {
+        let name = format_ident!("part_{at}");
+        quote!(#name(#(#names,)* &mut values);)
+    });
+    let unpack = parts.arguments.iter().map(|argument| unpack(argument, parameters));
+    let takes = taken("values", &parts.results);
+    quote! {
+        #(#functions)*
+        let mut values = [S::int(0); #length];
+        #(#calls)*
+        #(#unpack)*
+        #takes
+    }
+}
+
+/// The lines of a program and its outputs; `more` variables are read behind it.
+fn lines(planned: &Function, program: &Program, more: &[(usize, String)]) -> TokenStream {
+    let mut read = program.names_read(0..usize::MAX);
+    read.extend(more.iter().map(|(_, name)| name.as_str()));
+    let head = statements(&program.lines, &|name| read.contains(name), planned.explained);
+    let body = section(planned.returns.heading(), &program.outputs, planned.explained);
+    quote!(#head #body)
+}
+
+/// The statement that takes variables from their places in an array.
+fn taken(array: &str, list: &[(usize, String)]) -> TokenStream {
+    let (places, names) = sides(array, list);
+    if list.is_empty() { TokenStream::new() } else { quote!(let [#(#names),*] = [#(#places),*];) }
+}
+
+/// The statement that puts variables at their places.
+fn handed_on(list: &[(usize, String)]) -> TokenStream {
+    let (places, names) = sides("values", list);
+    if list.is_empty() { TokenStream::new() } else { quote!([#(#places),*] = [#(#names),*];) }
+}
+
+fn sides(array: &str, list: &[(usize, String)]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+    let array = ident(array);
+    let place = |place: usize| Literal::usize_unsuffixed(place);
+    list.iter().map(|(at, name)| (place(*at), ident(name))).map(|(at, name)| (quote!(#array[#at]), name)).unzip()
+}
+
 /// An argument as it stands in a signature; with an underscore before its name if nothing is read of it.
 pub fn signature(argument: &Argument, parameters: &Parameters) -> TokenStream {
-    let named = |name: &str, is_read: bool| format_ident!("{}{name}", if is_read { "" } else { "_" });
+    let name = ident(&format!("{}{}", if argument.is_read() { "" } else { "_" }, argument.name()));
     match argument {
-        Argument::Parameters { read, .. } => {
-            let (name, path) = (named("p", !read.is_empty()), &parameters.path);
+        Argument::Parameters { .. } => {
+            let path = &parameters.path;
             quote!(#name: &#path<S>)
         }
-        Argument::Array { name, entries } => {
-            let (name, count) =
-                (named(name, entries.iter().any(Option::is_some)), Literal::usize_unsuffixed(entries.len()));
+        Argument::Array { entries, .. } => {
+            let count = Literal::usize_unsuffixed(entries.len());
             quote!(#name: &[S; #count])
         }
-        Argument::Number(variable) => {
-            let name = ident(variable.as_deref().unwrap_or("_t"));
-            quote!(#name: S)
-        }
+        Argument::Number(_) => quote!(#name: S),
     }
 }
 
@@ -90,6 +160,10 @@ pub fn unpack(argument: &Argument, parameters: &Parameters) -> TokenStream {
             });
             let rest = (read.len() < fields.len()).then(|| quote!(, ..));
             quote!(let #path { #(#patterns),* #rest } = *p;)
+        }
+        Argument::Array { name, entries } if entries.iter().flatten().count() + MOST_SKIPPED < entries.len() => {
+            let read = entries.iter().enumerate().filter_map(|(at, entry)| Some((at, entry.clone()?)));
+            taken(name, &read.collect::<Vec<_>>())
         }
         Argument::Array { name, entries } if entries.iter().any(Option::is_some) => {
             let (name, patterns) = (ident(name), entries.iter().map(|entry| ident(entry.as_deref().unwrap_or("_"))));
@@ -128,10 +202,10 @@ fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
 
 /// The lines of a program, with comments carried as marked doc attributes; under one heading a kind. Each has its formula
 /// above it if they are `explained`.
-pub fn statements(program: &Program, explained: bool) -> TokenStream {
-    let is_elimination = program.lines.iter().any(|line| matches!(line, Line::Step(_)));
+pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explained: bool) -> TokenStream {
+    let is_elimination = lines.iter().any(|line| matches!(line, Line::Step(_)));
     let shared = if !explained {
-        "Step by step, each after the terms that it needs; formulas stand with the equations."
+        "Step by step, each after the terms that it needs."
     } else if is_elimination {
         "Elimination, step by step, each after the terms that it shares."
     } else {
@@ -139,10 +213,10 @@ pub fn statements(program: &Program, explained: bool) -> TokenStream {
     };
     let mut tokens = TokenStream::new();
     let mut headings = Vec::new();
-    for line in &program.lines {
+    for line in lines {
         let (wanted, written) = match line {
             Line::Circular { sine, cosine, angle } => {
-                let name = |name: &str| if program.reads(name) { ident(name) } else { quote!(_) };
+                let name = |name: &str| if is_read(name) { ident(name) } else { quote!(_) };
                 let (sine, cosine, angle) = (name(sine), name(cosine), receiver(angle));
                 ("Sines and cosines.", quote!(let (#sine, #cosine) = #angle.sin_cos();))
             }
@@ -157,10 +231,10 @@ pub fn statements(program: &Program, explained: bool) -> TokenStream {
     tokens
 }
 
-/// `let` statements, the first one under a heading.
-pub fn section(heading: &str, list: &[Statement]) -> TokenStream {
+/// `let` statements, the first one under a heading, with their formulas if they are `explained`.
+pub fn section(heading: &str, list: &[Statement], explained: bool) -> TokenStream {
     let heading = if list.is_empty() { TokenStream::new() } else { comment(heading) };
-    let statements = list.iter().map(|one| statement(one, true));
+    let statements = list.iter().map(|one| statement(one, explained));
     quote!(#heading #(#statements)*)
 }
 

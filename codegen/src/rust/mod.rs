@@ -8,6 +8,7 @@ mod library;
 mod module;
 mod names;
 mod scene;
+mod slopes;
 mod system;
 mod taylor;
 mod text;

@@ -8,14 +8,17 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 
+/// Operations of accelerations above which they are not compiled in eight lanes.
+const MOST_IN_EIGHT: usize = 500;
+
 /// Equations that a model's module lists.
 pub struct Entry {
     /// Their name, such as `kane` or `printed:ID`.
     pub name: String,
     /// What they are called in a heading.
     pub title: String,
-    /// Whether their accelerations were solved for.
-    pub solved: bool,
+    /// Operations of their accelerations, if these were solved for.
+    pub solved: Option<usize>,
     /// Whether people have a file of the equations, beside the code.
     pub shown: bool,
 }
@@ -31,7 +34,11 @@ impl Entry {
     fn system(&self) -> TokenStream {
         let (module, unit) = (format_ident!("{}", module_name(&self.name)), format_ident!("{}", type_name(&self.name)));
         let (name, system) = (&self.name, quote!(code::#module::#unit));
-        let lanes = if self.solved { quote!(Some(InLanes::of(&Derivative(#system)))) } else { quote!(None) };
+        let lanes = match self.solved {
+            None => quote!(None),
+            Some(operations) if operations <= MOST_IN_EIGHT => quote!(Some(InLanes::of(&Derivative(#system)))),
+            Some(_) => quote!(Some(InLanes::of_four(&Derivative(#system)))),
+        };
         quote!(CompiledSystem { name: #name, double: &#system, extended: &#system, lanes: #lanes })
     }
 }
@@ -63,7 +70,7 @@ fn module_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String 
     let (parameter_type, parameters) = names(model.parameters.iter().map(|p| p.name.as_str()));
     let (coordinate_type, coordinates) = names(model.coordinates.iter().map(|c| c.name.as_str()));
     let (speed_type, speeds) = names(model.speeds.iter().map(|s| s.name.as_str()));
-    let in_lanes = equations.iter().any(|entry| entry.solved).then(|| quote!(Derivative, InLanes,));
+    let in_lanes = equations.iter().any(|entry| entry.solved.is_some()).then(|| quote!(Derivative, InLanes,));
     let systems = equations.iter().map(Entry::system);
     let code = code_module();
     let scene_module = about.has_scenes.then(|| {
@@ -161,6 +168,8 @@ pub fn parameters(model: &Model) -> TokenStream {
         let (name, at) = (format_ident!("{name}"), Literal::usize_unsuffixed(at));
         quote!(#name: p[#at])
     });
+    let list: Vec<_> = names.iter().map(|name| format_ident!("{name}")).collect();
+    let length = Literal::usize_unsuffixed(count);
     let unused = if count == 0 { quote!(_p) } else { quote!(p) };
     let phantom = if count == 0 {
         quote!(#[doc = " A model without parameters."] pub none: core::marker::PhantomData<S>)
@@ -186,6 +195,14 @@ pub fn parameters(model: &Model) -> TokenStream {
             #[inline(always)]
             pub fn from_slice(#unused: &[S]) -> Self {
                 Self { #(#from,)* #phantom_value }
+            }
+
+            #[doc = " The values, in the order of [`PARAMETERS`]."]
+            #[must_use]
+            #[inline]
+            pub fn to_array(self) -> [S; #length] {
+                let Self { #(#list,)* .. } = self;
+                [#(#list),*]
             }
         }
     }

@@ -6,7 +6,7 @@ use crate::plan::Language;
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE };
 
 /// Names in scope of the bodies of generated functions, and those that a pattern takes for something else.
-const IN_SCOPE: [&str; 29] = [
+const IN_SCOPE: [&str; 30] = [
     "p",
     "q",
     "u",
@@ -14,6 +14,8 @@ const IN_SCOPE: [&str; 29] = [
     "v_dot",
     "out",
     "zero",
+    // What parts of a long function hand on.
+    "values",
     "S",
     "Parameters",
     "Scalar",

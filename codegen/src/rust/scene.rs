@@ -3,11 +3,12 @@
 use super::function::{Parameters, fields, function};
 use super::module::{code_module, names, parameters};
 use super::names::{LANGUAGE, is_name};
+use super::slopes::{JACOBIAN_PRODUCT, jacobian_product};
 use super::system::{self, Part};
 use super::taylor;
 use super::text::{format, header, prose, stated};
 use super::written::reexport;
-use crate::plan::{JACOBIAN_PRODUCT, SceneEquations, ScenePlan, module_name};
+use crate::plan::{SceneEquations, ScenePlan, module_name};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 use tripos_derive::algebra::linear::Singular;
@@ -111,9 +112,15 @@ fn equations_file(plan: &ScenePlan<'_>, named: &Named<'_>, module: &str) -> Stri
         quote!(#docs #[doc(inline)] pub use super::code::#module::#name;)
     });
     let machine = plan.machine.iter().map(|planned| planned.name).chain(plan.taylor.as_ref().map(|_| "taylor"));
+    let machine = machine.chain(is_long(plan).then_some(JACOBIAN_PRODUCT));
     let names = machine.chain(["OUTPUTS", "PARAMETERS", "Parameters", "Reduced", "SCENE"]);
     let rest = reexport(&quote!(super::code), module, names);
     format(&header(first_line(plan.reduction, named), named.origin, &plan.facts), quote!(#rest #(#shown)*))
+}
+
+/// Whether the Jacobian is the code, differentiated as it runs.
+fn is_long(plan: &ScenePlan<'_>) -> bool {
+    !plan.machine.iter().any(|planned| planned.name == "jacobian")
 }
 
 fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) -> String {
@@ -122,8 +129,9 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
     let from_start = plan.from_start.iter().map(|planned| function(planned, &of_whole));
     let own = Parameters::of(model);
     let functions = plan.equations.iter().chain(&plan.machine).map(|planned| function(planned, &own));
-    let product = plan.machine.iter().any(|planned| planned.name == JACOBIAN_PRODUCT);
-    let by_columns = product.then(|| quote!(, by_columns));
+    let product = is_long(plan);
+    let differentiated = product.then(|| jacobian_product(&reduction.derivation.equations, true));
+    let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
     let mut parts = vec![Part::Outputs(reduction.outputs.len()), Part::Eliminated { product, together: true }];
     parts.extend(reduction.has_energy.then_some(Part::EnergyGradient));
     parts.extend(reduction.slope.as_ref().map(|_| Part::PotentialSlope));
@@ -140,7 +148,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
         &header(first_line(reduction, named), named.origin, &[]),
         quote! {
             #series
-            use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System #by_columns};
+            use tripos_traits::{CompiledScene, CompiledSystem, #dual Lengths, Scalar, System #by_columns};
 
             #structure
 
@@ -152,6 +160,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
             #(#from_start)*
             #(#functions)*
             #taylor
+            #differentiated
             #system
 
             #[doc = " What a program needs to find these equations and to trust them."]

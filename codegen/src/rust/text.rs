@@ -41,6 +41,10 @@ pub fn stated(planned: &Function) -> TokenStream {
     if planned.entries.contains(&Entry::Zero) {
         lines[0].push_str(" Entries that are not listed are 0.");
     }
+    if !planned.explained {
+        lines.push(format!(" {}, step by step: the code names every term.", planned.cost));
+        return quote!(#(#[doc = #lines])*);
+    }
     lines.push(" ```text".to_owned());
     for equation in planned.program.equations() {
         let wrapped = wrap(&visible(equation), EQUATION).into_iter().enumerate();
@@ -82,7 +86,7 @@ pub fn format_to_include(header: &[String], items: TokenStream) -> String {
 
 fn under(sign: &str, header: &[String], items: TokenStream) -> String {
     let file: syn::File = syn::parse2(items).expect("generated tokens are a Rust file");
-    let body = prettyplease::unparse(&file);
+    let body = side_by_side(&prettyplease::unparse(&file));
     // A line break in a line would end its comment: what follows would be code.
     let lines = header.iter().map(|line| one_line(&visible(line)));
     let mut out: String =
@@ -113,6 +117,45 @@ fn under(sign: &str, header: &[String], items: TokenStream) -> String {
             }
         }
     }
+    out
+}
+
+/// The width of code.
+const WIDTH: usize = 100;
+
+/// Names and numbers of a list and fields that have a line each, as many on a line as it holds; and what
+/// follows an operator on the line before it, where both fit.
+fn side_by_side(body: &str) -> String {
+    let is_short = |item: &str| {
+        // Of fields, those that take an entry of an array.
+        let item = if item.ends_with("],") { item.replacen(": ", "", 1) } else { item.to_owned() };
+        item.len() > 1 && item.ends_with(',') && !item.contains([' ', '(', ')', '{', '}', '|'])
+    };
+    let goes_on = |item: &str| ["+ ", "- ", "* ", "/ "].iter().any(|operator| item.starts_with(operator));
+    let mut out = String::with_capacity(body.len());
+    // Where the list stands whose last line is open, and how long the last line is.
+    let (mut open, mut length): (Option<usize>, usize) = (None, 0);
+    let indent_of = |line: &str| line.len() - line.trim_start().len();
+    let mut lines = body.lines().peekable();
+    while let Some(line) = lines.next() {
+        let (item, indent) = (line.trim_start(), indent_of(line));
+        // What has parts of its own below it keeps its line.
+        let is_whole = lines.peek().is_none_or(|next| indent_of(next) <= indent);
+        let fits = length + 1 + item.len() <= WIDTH;
+        if fits && (open == Some(indent) && is_short(item) || is_whole && goes_on(item)) {
+            out.push(' ');
+            out.push_str(item);
+            length += 1 + item.len();
+        } else {
+            if !out.is_empty() {
+                out.push('\n');
+            }
+            out.push_str(line);
+            length = line.len();
+            open = is_short(item).then_some(indent);
+        }
+    }
+    out.push('\n');
     out
 }
 

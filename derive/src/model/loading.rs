@@ -12,7 +12,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Entries that one section may have: no mechanism derived by symbols comes near.
-const MAX_ENTRIES: usize = 1000;
+const MAX_ENTRIES: usize = 5000;
 
 /// The state of reading one file.
 pub struct Loading<'a> {

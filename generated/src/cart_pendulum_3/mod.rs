@@ -59,16 +59,15 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            m0: p[0],
-            m1: p[1],
-            m2: p[2],
-            m3: p[3],
-            l0: p[4],
-            l1: p[5],
-            l2: p[6],
-            g: p[7],
-            F: p[8],
+            m0: p[0], m1: p[1], m2: p[2], m3: p[3], l0: p[4], l1: p[5], l2: p[6], g: p[7], F: p[8],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 9] {
+        let Self { m0, m1, m2, m3, l0, l1, l2, g, F, .. } = self;
+        [m0, m1, m2, m3, l0, l1, l2, g, F]
     }
 }
 

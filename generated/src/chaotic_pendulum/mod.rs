@@ -59,16 +59,16 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            mA: p[0],
-            mB: p[1],
-            lA: p[2],
-            lB: p[3],
-            IAxx: p[4],
-            IBxx: p[5],
-            IByy: p[6],
-            IBzz: p[7],
+            mA: p[0], mB: p[1], lA: p[2], lB: p[3], IAxx: p[4], IBxx: p[5], IByy: p[6], IBzz: p[7],
             g: p[8],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 9] {
+        let Self { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g, .. } = self;
+        [mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g]
     }
 }
 
@@ -91,15 +91,7 @@ impl<S: Scalar> Default for Parameters<S> {
 
 /// Names of the parameters.
 pub const PARAMETERS: [&str; 9] = [
-    "mA",
-    "mB",
-    "lA",
-    "lB",
-    "IAxx",
-    "IBxx",
-    "IByy",
-    "IBzz",
-    "g",
+    "mA", "mB", "lA", "lB", "IAxx", "IBxx", "IByy", "IBzz", "g",
 ];
 
 /// Names of the generalized coordinates.

@@ -72,6 +72,13 @@ impl<S: Scalar> Parameters<S> {
     pub fn from_slice(p: &[S]) -> Self {
         Self { M: p[0], R: p[1], g: p[2] }
     }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 3] {
+        let Self { M, R, g, .. } = self;
+        [M, R, g]
+    }
 }
 
 /// The values that the model file states.

@@ -46,6 +46,13 @@ impl<S: Scalar> Parameters<S> {
     pub fn from_slice(p: &[S]) -> Self {
         Self { m: p[0], l: p[1] }
     }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 2] {
+        let Self { m, l, .. } = self;
+        [m, l]
+    }
 }
 
 /// The values that the model file states.

@@ -47,10 +47,15 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            m: p[0],
-            I1: p[1],
-            I3: p[2],
+            m: p[0], I1: p[1], I3: p[2],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 3] {
+        let Self { m, I1, I3, .. } = self;
+        [m, I1, I3]
     }
 }
 

@@ -51,12 +51,15 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            m: p[0],
-            l: p[1],
-            I1: p[2],
-            I3: p[3],
-            g: p[4],
+            m: p[0], l: p[1], I1: p[2], I3: p[3], g: p[4],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 5] {
+        let Self { m, l, I1, I3, g, .. } = self;
+        [m, l, I1, I3, g]
     }
 }
 

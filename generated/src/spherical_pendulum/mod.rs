@@ -48,6 +48,13 @@ impl<S: Scalar> Parameters<S> {
     pub fn from_slice(p: &[S]) -> Self {
         Self { m: p[0], l: p[1], g: p[2] }
     }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 3] {
+        let Self { m, l, g, .. } = self;
+        [m, l, g]
+    }
 }
 
 /// The values that the model file states.

@@ -16,7 +16,7 @@ mod threads;
 #[cfg(feature = "threads")]
 pub use threads::integrate_on_all_cores;
 
-use tripos_traits::{AbsoluteTolerance, InLanes, Lanes, Method, Rates, lane_width};
+use tripos_traits::{AbsoluteTolerance, InLanes, Lanes, Method, Rates};
 
 use crate::error::SimError;
 use crate::options::{self, Options, Output};
@@ -92,10 +92,9 @@ pub fn integrate(
     plan: &Plan,
     trajectories: &[Trajectory<'_>],
 ) -> Result<Vec<Outcome>, SimError> {
-    if lane_width() == 8 {
-        integrate_in(equations.eight, plan, trajectories)
-    } else {
-        integrate_in(equations.four, plan, trajectories)
+    match equations.widest() {
+        Some(eight) => integrate_in(eight, plan, trajectories),
+        None => integrate_in(equations.four, plan, trajectories),
     }
 }
 

@@ -4,7 +4,7 @@ use super::{Outcome, Outcomes, Plan, Trajectory, check, queue};
 use crate::error::SimError;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tripos_traits::{InLanes, Lanes, Rates, lane_width};
+use tripos_traits::{InLanes, Lanes, Rates};
 
 /// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes are those of
 /// [`super::integrate`], to the bit, for any number of threads. `progress` is told how many trajectories are done, by
@@ -19,10 +19,9 @@ pub fn integrate_on_all_cores(
     trajectories: &[Trajectory<'_>],
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<Outcome>, SimError> {
-    if lane_width() == 8 {
-        on_all_cores(equations.eight, plan, trajectories, progress)
-    } else {
-        on_all_cores(equations.four, plan, trajectories, progress)
+    match equations.widest() {
+        Some(eight) => on_all_cores(eight, plan, trajectories, progress),
+        None => on_all_cores(equations.four, plan, trajectories, progress),
     }
 }
 

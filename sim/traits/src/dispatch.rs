@@ -21,7 +21,8 @@ pub(crate) enum Level {
     Avx512,
 }
 
-/// `work`, compiled for the best instructions that this processor has for `N` lanes.
+/// `work`, compiled for the instructions whose registers hold `N` lanes, where this processor has them, or as the rest of
+/// the program is: eight lanes in registers of four are slower than four, and take compilers three times as long.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[inline(always)]
 #[allow(unsafe_code, reason = "the calls are safe where the instructions exist, which the level says")]
@@ -30,8 +31,8 @@ pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
         // SAFETY: `level` has found the features of `avx512`.
         Level::Avx512 if N > 4 => unsafe { avx512(work) },
         // SAFETY: `level` has found the features of `avx2`; they are among those of `avx512`.
-        Level::Avx2 | Level::Avx512 => unsafe { avx2(work) },
-        Level::Baseline => work(),
+        Level::Avx2 | Level::Avx512 if N <= 4 => unsafe { avx2(work) },
+        _ => work(),
     }
 }
 

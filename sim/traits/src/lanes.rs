@@ -53,15 +53,27 @@ fn sqrt(x: f64) -> f64 {
     return libm::sqrt(x);
 }
 
-/// Does something in each lane. Counting by hand gives the compiler half as much to simplify as an iterator, and
-/// generated code has thousands of these loops.
+/// Does something in each lane. Generated code has thousands of these: written out, a compiler is through with them in
+/// half the time that it needs to unroll as many loops.
 macro_rules! each_lane {
     ($l:ident, $n:expr, $do:expr) => {
-        let mut $l = 0;
-        while $l < $n {
-            $do;
-            $l += 1;
+        if $n == 4 {
+            each_lane!($l, $do, 0 1 2 3);
+        } else if $n == 8 {
+            each_lane!($l, $do, 0 1 2 3 4 5 6 7);
+        } else {
+            let mut $l = 0;
+            while $l < $n {
+                $do;
+                $l += 1;
+            }
         }
+    };
+    ($l:ident, $do:expr, $($at:literal)+) => {
+        $({
+            let $l = $at;
+            $do;
+        })+
     };
 }
 

@@ -2,8 +2,9 @@
 //!
 //! Two traits: [`Scalar`], the arithmetic a generated function body needs, so that one text serves
 //! `f64`, `f32` and every wider or narrower type; and [`System`], one formulation of one model as
-//! mass matrix, forcing and kinematic equations. And three more scalars: [`DoubleDouble`], a number of 32 digits,
-//! [`Lanes`], several doubles side by side, and [`Enclosure`], the ranges of a function's values and slopes.
+//! mass matrix, forcing and kinematic equations. And four more scalars: [`DoubleDouble`], a number of 32 digits,
+//! [`Lanes`], several doubles side by side, [`Dual`], a number with its slope, and [`Enclosure`], the ranges of a
+//! function's values and slopes.
 //!
 //! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have, and
 //! brings [`AbsoluteTolerance`], which scene files and the simulator have in common; without it the crate needs no
@@ -26,6 +27,7 @@ mod circular;
 mod direction;
 mod dispatch;
 mod double_double;
+mod dual;
 mod enclosure;
 mod interval;
 mod lanes;
@@ -40,6 +42,7 @@ mod tolerance;
 pub use direction::Direction;
 pub use dispatch::lane_width;
 pub use double_double::DoubleDouble;
+pub use dual::Dual;
 pub use enclosure::Enclosure;
 pub use interval::Interval;
 pub use lanes::Lanes;

@@ -1,6 +1,6 @@
 //! One formulation of one model, as numbers.
 
-use crate::{DoubleDouble, Lanes, Scalar};
+use crate::{DoubleDouble, Lanes, Scalar, lane_width};
 
 /// How long the arguments and results of a [`System`] are: nothing else knows how many of anything there are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -244,19 +244,31 @@ impl<S: Scalar, E: System<S>> Rates<S> for Derivative<E> {
     }
 }
 
-/// Equations in both widths of lanes: [`crate::lane_width`] says which one a processor computes best in.
+/// Equations in one or both widths of lanes.
 #[derive(Clone, Copy)]
 pub struct InLanes<'a> {
     /// Four states at once.
     pub four: &'a (dyn Rates<Lanes<4>> + Sync),
-    /// Eight states at once.
-    pub eight: &'a (dyn Rates<Lanes<8>> + Sync),
+    /// Eight states at once; none of long equations, which leave no register for them.
+    pub eight: Option<&'a (dyn Rates<Lanes<8>> + Sync)>,
 }
 
 impl<'a> InLanes<'a> {
     /// Equations that are written for every scalar.
     #[must_use]
     pub const fn of<E: Rates<Lanes<4>> + Rates<Lanes<8>> + Sync>(equations: &'a E) -> Self {
-        Self { four: equations, eight: equations }
+        Self { four: equations, eight: Some(equations) }
+    }
+
+    /// Long equations, in four lanes alone: eight would take compilers several times as long and run no faster.
+    #[must_use]
+    pub const fn of_four<E: Rates<Lanes<4>> + Sync>(equations: &'a E) -> Self {
+        Self { four: equations, eight: None }
+    }
+
+    /// Those in eight lanes, if this processor computes best in them.
+    #[must_use]
+    pub fn widest(self) -> Option<&'a (dyn Rates<Lanes<8>> + Sync)> {
+        self.eight.filter(|_| lane_width() == 8)
     }
 }

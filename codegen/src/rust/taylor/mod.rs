@@ -34,8 +34,9 @@ pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
     let (list, text) = (plan.list, Text { plan });
     let (p, unpack_p) = (signature(&plan.parameters, parameters), unpack(&plan.parameters, parameters));
     let first = (0..list.states.len()).map(|place| ident(plan.start(place).as_deref().unwrap_or("_")));
-    let shared = statements(&plan.constants, plan.explained);
-    let constants = section("Constant in time.", &plan.constants.outputs);
+    let read = plan.constants.names_read(0..usize::MAX);
+    let shared = statements(&plan.constants.lines, &|name| read.contains(name), plan.explained);
+    let constants = section("Constant in time.", &plan.constants.outputs, true);
     let [start, orders] = [text.start(), text.orders()];
     let [states, width] = [list.states.len(), plan.width()].map(Literal::usize_unsuffixed);
     let work = ident(if list.convolutions() > 0 { "history" } else { "_history" });

@@ -102,11 +102,9 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S; 4] {
             - sin_q1_minus_q2 * m2_plus_m3_l1_u2_sq);
     // f3 = l1*((m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2)) - m3*l2*u3^2*sin(q2 - q3))
     let f3 = l1
-        * (m2_plus_m3 * sin_q1_minus_q2.mul_add(l0_u1_sq, g * s2)
-            - sin_q2_minus_q3 * u3_sq_m3_l2);
+        * (m2_plus_m3 * sin_q1_minus_q2.mul_add(l0_u1_sq, g * s2) - sin_q2_minus_q3 * u3_sq_m3_l2);
     // f4 = m3*l2*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3))
-    let f4 = m3_l2
-        * (sin_q1_minus_q3.mul_add(l0_u1_sq, g * s3_2) + sin_q2_minus_q3 * l1_u2_sq);
+    let f4 = m3_l2 * (sin_q1_minus_q3.mul_add(l0_u1_sq, g * s3_2) + sin_q2_minus_q3 * l1_u2_sq);
     [f1, f2, f3, f4]
 }
 
@@ -312,8 +310,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4]) -> S {
     let m2_plus_m3 = m2 + m3;
     // Values.
     // V = g*(l0*cos(q1)*(m1 + m2 + m3) + l1*cos(q2)*(m2 + m3) + m3*l2*cos(q3)) - F*q0
-    let energy = g * (m3 * l2 * c3 + l1 * m2_plus_m3 * c2 + l0 * c1 * (m1 + m2_plus_m3))
-        - F * q0;
+    let energy = g * (m3 * l2 * c3 + l1 * m2_plus_m3 * c2 + l0 * c1 * (m1 + m2_plus_m3)) - F * q0;
     energy
 }
 
@@ -460,7 +457,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
     let [_, q1, q2, q3] = *q;
     let [_, u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -603,8 +599,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   m3*l2*(l7_by_q1*(g*sin(q3) + l1*u2^2*sin(q2 - q3)) + l0*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) +
     //   l7_by_q1*sin(q1 - q3))))
     let r10_by_q1 = (-u2_sq).mul_add(s9_of_place, g * c1_l0_m1_plus_m2_plus_m3)
-        - l7_by_q1 * r10_by_q1_of_u1_u2 - l7_m3_l2 * l0_cos_q1_minus_q3_u1_sq
-        - r10_by_q1_of_u3;
+        - l7_by_q1 * r10_by_q1_of_u1_u2 - l7_m3_l2 * l0_cos_q1_minus_q3_u1_sq - r10_by_q1_of_u3;
     let u1_sq_s9_of_place = u1_sq * s9_of_place;
     // r13_by_q1 = l0*u1^2*(l1*cos(q1 - q2)*(m2 + m3) - m3*l2*l11*cos(q1 - q3))
     let r13_by_q1 = (-l11_m3_l2).mul_add(l0_cos_q1_minus_q3_u1_sq, u1_sq_s9_of_place);
@@ -740,8 +735,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s22_by_q3 = s16*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*s16_by_q3 + s19_by_q3
     let s22_by_q3 = s19_by_q3 + l21 * (-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3);
     // r23_by_q3 = r17*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*r17_by_q3 + r20_by_q3
-    let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3
-        + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
+    let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3 + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
     // u2'*s22_by_q3 - r23_by_q3
     let u1_dot_by_q3_of_u2_dot = u2_dot.mul_add(s22_by_q3, -r23_by_q3);
     // u1_dot_by_q3 = s15_by_q3*(u2'*s16 - r17)/s15^2 + (r17_by_q3 - u2'*s16_by_q3 + s16*(r23*s22_by_q3/s22
@@ -850,49 +844,26 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let u2_dot_by_q2_value = -s22_inv * u1_dot_by_q2_of_u2_dot;
     // d(u2')/d(q3) = (r23_by_q3 - r23*s22_by_q3/s22)/s22
     let u2_dot_by_q3_value = -s22_inv * u1_dot_by_q3_of_u2_dot;
+    let zero = S::int(0);
     [
         [zero, zero, zero, zero, q0_dot_by_u0_value, zero, zero, zero],
         [zero, zero, zero, zero, zero, q1_dot_by_u1_value, zero, zero],
         [zero, zero, zero, zero, zero, zero, q2_dot_by_u2_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, q3_dot_by_u3_value],
         [
-            zero,
-            u0_dot_by_q1,
-            u0_dot_by_q2,
-            u0_dot_by_q3,
-            zero,
-            u0_dot_by_u1,
-            u0_dot_by_u2,
+            zero, u0_dot_by_q1, u0_dot_by_q2, u0_dot_by_q3, zero, u0_dot_by_u1, u0_dot_by_u2,
             u0_dot_by_u3,
         ],
         [
-            zero,
-            u1_dot_by_q1,
-            u1_dot_by_q2,
-            u1_dot_by_q3,
-            zero,
-            u1_dot_by_u1_value,
-            u1_dot_by_u2_value,
-            u1_dot_by_u3_value,
+            zero, u1_dot_by_q1, u1_dot_by_q2, u1_dot_by_q3, zero, u1_dot_by_u1_value,
+            u1_dot_by_u2_value, u1_dot_by_u3_value,
         ],
         [
-            zero,
-            u2_dot_by_q1_value,
-            u2_dot_by_q2_value,
-            u2_dot_by_q3_value,
-            zero,
-            u2_dot_by_u1,
-            u2_dot_by_u2,
-            u2_dot_by_u3,
+            zero, u2_dot_by_q1_value, u2_dot_by_q2_value, u2_dot_by_q3_value, zero, u2_dot_by_u1,
+            u2_dot_by_u2, u2_dot_by_u3,
         ],
         [
-            zero,
-            u3_dot_by_q1,
-            u3_dot_by_q2,
-            u3_dot_by_q3,
-            zero,
-            u3_dot_by_u1,
-            u3_dot_by_u2,
+            zero, u3_dot_by_q1, u3_dot_by_q2, u3_dot_by_q3, zero, u3_dot_by_u1, u3_dot_by_u2,
             u3_dot_by_u3,
         ],
     ]
@@ -952,16 +923,13 @@ pub fn inverse_dynamics<S: Scalar>(
     // Values.
     // tau1 = l0*u1^2*sin(q1)*(m1 + m2 + m3) - F + l1*u2^2*sin(q2)*(m2 + m3) + m3*l2*u3^2*sin(q3) + u0'*(m0
     //   + m1 + m2 + m3) - l0*u1'*cos(q1)*(m1 + m2 + m3) - l1*u2'*cos(q2)*(m2 + m3) - m3*l2*u3'*cos(q3)
-    let tau1 = m0.mul_add(u0_dot, -F) + m1_plus_m2_plus_m3 * tau1_of_motion
-        + tau1_of_motion_2;
+    let tau1 = m0.mul_add(u0_dot, -F) + m1_plus_m2_plus_m3 * tau1_of_motion + tau1_of_motion_2;
     // tau2 = l0*(l1*u2^2*sin(q1 - q2)*(m2 + m3) - g*sin(q1)*(m1 + m2 + m3) + m3*l2*u3^2*sin(q1 - q3)) -
     //   l0*u0'*cos(q1)*(m1 + m2 + m3) + l0^2*u1'*(m1 + m2 + m3) + l0*l1*u2'*cos(q1 - q2)*(m2 + m3) +
     //   m3*l0*l2*u3'*cos(q1 - q3)
-    let tau2 = l0 * s1
-        * l1_m2_plus_m3.mul_add(u2_dot_s2_plus_c2_u2_sq, -tau2_of_u3_u3_dot_2)
+    let tau2 = l0 * s1 * l1_m2_plus_m3.mul_add(u2_dot_s2_plus_c2_u2_sq, -tau2_of_u3_u3_dot_2)
         - l0
-            * (m1_plus_m2_plus_m3 * (-l0).mul_add(u1_dot, u0_dot * c1)
-                + tau1_of_motion_2 * c1);
+            * (m1_plus_m2_plus_m3 * (-l0).mul_add(u1_dot, u0_dot * c1) + tau1_of_motion_2 * c1);
     // tau3 = l1*(m3*l2*u3^2*sin(q2 - q3) - (m2 + m3)*(g*sin(q2) + l0*u1^2*sin(q1 - q2))) -
     //   l1*u0'*cos(q2)*(m2 + m3) + l0*l1*u1'*cos(q1 - q2)*(m2 + m3) + l1^2*u2'*(m2 + m3) +
     //   m3*l1*l2*u3'*cos(q2 - q3)
@@ -969,8 +937,7 @@ pub fn inverse_dynamics<S: Scalar>(
         + l1_m2_plus_m3 * tau3_of_u1_u1_dot.mul_add(s2, tau3_of_motion);
     // tau4 = m3*l0*l2*u1'*cos(q1 - q3) - m3*l2*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)) -
     //   m3*l2*u0'*cos(q3) + m3*l1*l2*u2'*cos(q2 - q3) + m3*l2^2*u3'
-    let tau4 = l1_m3_l2
-        * (-tau1_of_u2_u2_dot).mul_add(c3, u2_dot_s2_plus_c2_u2_sq * s3_2)
+    let tau4 = l1_m3_l2 * (-tau1_of_u2_u2_dot).mul_add(c3, u2_dot_s2_plus_c2_u2_sq * s3_2)
         + m3_l2 * tau3_of_u1_u1_dot.mul_add(s3_2, tau4_of_motion);
     [tau1, tau2, tau3, tau4]
 }
@@ -1223,8 +1190,7 @@ pub fn taylor<S: Scalar>(
                     u2_sq_s2_1.mul_add(minus_l1_m2_plus_m3, weight_2 * u1_sq_s1_1),
                 ),
         );
-    let cos_q1_minus_q3_sq_1 = cos_q1_minus_q3_1
-        * (cos_q1_minus_q3_0 + cos_q1_minus_q3_0);
+    let cos_q1_minus_q3_sq_1 = cos_q1_minus_q3_1 * (cos_q1_minus_q3_0 + cos_q1_minus_q3_0);
     let q1_minus_q2_1 = q1_1 - q2_1;
     let sin_q1_minus_q2_1 = q1_minus_q2_1 * cos_q1_minus_q2_0;
     let cos_q1_minus_q2_1 = -q1_minus_q2_1 * sin_q1_minus_q2_0;
@@ -1236,8 +1202,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(cos_q1_minus_q3_0, cos_q1_minus_q3_1 * r6_of_u1_u2_0);
     let u3_sq_sin_q1_minus_q3_1 = sin_q1_minus_q3_1
         .mul_add(u3_sq_0, u3_sq_1 * sin_q1_minus_q3_0);
-    let cos_q2_minus_q3_sq_1 = cos_q2_minus_q3_1
-        * (cos_q2_minus_q3_0 + cos_q2_minus_q3_0);
+    let cos_q2_minus_q3_sq_1 = cos_q2_minus_q3_1 * (cos_q2_minus_q3_0 + cos_q2_minus_q3_0);
     let u1_sq_sin_q1_minus_q2_1 = sin_q1_minus_q2_1
         .mul_add(u1_sq_0, u1_sq_1 * sin_q1_minus_q2_0);
     let r13_of_u1_u2_1 = r6_of_u1_u2_1
@@ -1348,112 +1313,27 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q3_1,
-                q3_1,
-                c3_1,
-                q1_1,
-                q1_1,
-                q1_minus_q3_1,
-                q1_minus_q3_1,
-                cos_q1_minus_q3_1,
-                q2_1,
-                q2_1,
-                q2_minus_q3_1,
-                q2_minus_q3_1,
-                cos_q2_minus_q3_1,
-                u1_1,
-                s1_1,
-                u2_1,
-                s2_1,
-                sin_q1_minus_q3_1,
-                sin_q2_minus_q3_1,
-                r6_of_u1_u2_1,
-                u3_1,
-                s3_2_1,
-                cos_q1_minus_q3_1,
-                q1_minus_q2_1,
-                q1_minus_q2_1,
-                cos_q2_minus_q3_1,
-                sin_q1_minus_q2_1,
-                r6_of_u1_u2_1,
-                sin_q1_minus_q3_1,
-                cos_q2_minus_q3_1,
-                sin_q1_minus_q2_1,
-                r6_of_u1_u2_1,
-                sin_q2_minus_q3_1,
-                s3_of_place_1,
-                s4_of_place_1,
-                s5_of_place_1,
-                r6_of_u1_u2_u3_1,
-                s3_of_place_1,
-                s5_of_place_1,
-                r6_of_u1_u2_u3_1,
-                s8_minus_s4_l14_1,
-                s9_minus_s5_l14_1,
-                r10_minus_r6_l14_1,
-                s19_minus_s16_l21_1,
-                u2_dot_2_1,
-                s8_minus_s4_l14_1,
-                u1_dot_2_1,
-                u2_dot_2_1,
-                s3_of_place_1,
-                u1_dot_2_1,
-                u2_dot_2_1,
-                u0_dot_2_1,
+                q3_1, q3_1, c3_1, q1_1, q1_1, q1_minus_q3_1, q1_minus_q3_1, cos_q1_minus_q3_1, q2_1,
+                q2_1, q2_minus_q3_1, q2_minus_q3_1, cos_q2_minus_q3_1, u1_1, s1_1, u2_1, s2_1,
+                sin_q1_minus_q3_1, sin_q2_minus_q3_1, r6_of_u1_u2_1, u3_1, s3_2_1,
+                cos_q1_minus_q3_1, q1_minus_q2_1, q1_minus_q2_1, cos_q2_minus_q3_1,
+                sin_q1_minus_q2_1, r6_of_u1_u2_1, sin_q1_minus_q3_1, cos_q2_minus_q3_1,
+                sin_q1_minus_q2_1, r6_of_u1_u2_1, sin_q2_minus_q3_1, s3_of_place_1, s4_of_place_1,
+                s5_of_place_1, r6_of_u1_u2_u3_1, s3_of_place_1, s5_of_place_1, r6_of_u1_u2_u3_1,
+                s8_minus_s4_l14_1, s9_minus_s5_l14_1, r10_minus_r6_l14_1, s19_minus_s16_l21_1,
+                u2_dot_2_1, s8_minus_s4_l14_1, u1_dot_2_1, u2_dot_2_1, s3_of_place_1, u1_dot_2_1,
+                u2_dot_2_1, u0_dot_2_1,
             ]),
             padded([
-                c3_1,
-                s3_2_1,
-                c3_1,
-                c1_1,
-                s1_1,
-                cos_q1_minus_q3_1,
-                sin_q1_minus_q3_1,
-                c3_1,
-                c2_1,
-                s2_1,
-                cos_q2_minus_q3_1,
-                sin_q2_minus_q3_1,
-                c3_1,
-                u1_1,
-                u1_sq_1,
-                u2_1,
-                u2_sq_1,
-                u1_sq_1,
-                u2_sq_1,
-                c3_1,
-                u3_1,
-                u3_sq_1,
-                cos_q1_minus_q3_1,
-                cos_q1_minus_q2_1,
-                sin_q1_minus_q2_1,
-                cos_q1_minus_q3_1,
-                u2_sq_1,
-                cos_q1_minus_q3_1,
-                u3_sq_1,
-                cos_q2_minus_q3_1,
-                u1_sq_1,
-                cos_q2_minus_q3_1,
-                u3_sq_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l18_of_place_1,
-                l18_of_place_1,
-                l18_of_place_1,
-                l21_of_place_1,
-                l21_of_place_1,
-                l21_of_place_1,
-                u2_dot_2_1,
-                s9_minus_s5_l14_1,
-                u1_dot_2_1,
-                s4_of_place_1,
-                s5_of_place_1,
-                u0_dot_2_1,
-                cos_q1_minus_q3_1,
-                cos_q2_minus_q3_1,
-                c3_1,
+                c3_1, s3_2_1, c3_1, c1_1, s1_1, cos_q1_minus_q3_1, sin_q1_minus_q3_1, c3_1, c2_1,
+                s2_1, cos_q2_minus_q3_1, sin_q2_minus_q3_1, c3_1, u1_1, u1_sq_1, u2_1, u2_sq_1,
+                u1_sq_1, u2_sq_1, c3_1, u3_1, u3_sq_1, cos_q1_minus_q3_1, cos_q1_minus_q2_1,
+                sin_q1_minus_q2_1, cos_q1_minus_q3_1, u2_sq_1, cos_q1_minus_q3_1, u3_sq_1,
+                cos_q2_minus_q3_1, u1_sq_1, cos_q2_minus_q3_1, u3_sq_1, l14_of_place_1,
+                l14_of_place_1, l14_of_place_1, l14_of_place_1, l18_of_place_1, l18_of_place_1,
+                l18_of_place_1, l21_of_place_1, l21_of_place_1, l21_of_place_1, u2_dot_2_1,
+                s9_minus_s5_l14_1, u1_dot_2_1, s4_of_place_1, s5_of_place_1, u0_dot_2_1,
+                cos_q1_minus_q3_1, cos_q2_minus_q3_1, c3_1,
             ]),
         ];
     }
@@ -2011,100 +1891,24 @@ pub fn taylor<S: Scalar>(
                 count * q2,
                 count * q2_minus_q3,
                 count * q2_minus_q3,
-                cos_q2_minus_q3,
-                u1,
-                s1,
-                u2,
-                s2,
-                sin_q1_minus_q3,
-                sin_q2_minus_q3,
-                r6_of_u1_u2,
-                u3,
-                s3_2,
-                cos_q1_minus_q3,
+                cos_q2_minus_q3, u1, s1, u2, s2, sin_q1_minus_q3, sin_q2_minus_q3, r6_of_u1_u2, u3,
+                s3_2, cos_q1_minus_q3,
                 count * q1_minus_q2,
                 count * q1_minus_q2,
-                cos_q2_minus_q3,
-                sin_q1_minus_q2,
-                r6_of_u1_u2,
-                sin_q1_minus_q3,
-                cos_q2_minus_q3,
-                sin_q1_minus_q2,
-                r6_of_u1_u2,
-                sin_q2_minus_q3,
-                s3_of_place,
-                s4_of_place,
-                s5_of_place,
-                r6_of_u1_u2_u3,
-                s3_of_place,
-                s5_of_place,
-                r6_of_u1_u2_u3,
-                s8_minus_s4_l14,
-                s9_minus_s5_l14,
-                r10_minus_r6_l14,
-                s19_minus_s16_l21,
-                u2_dot_2,
-                s8_minus_s4_l14,
-                u1_dot_2,
-                u2_dot_2,
-                s3_of_place,
-                u1_dot_2,
-                u2_dot_2,
-                u0_dot_2,
+                cos_q2_minus_q3, sin_q1_minus_q2, r6_of_u1_u2, sin_q1_minus_q3, cos_q2_minus_q3,
+                sin_q1_minus_q2, r6_of_u1_u2, sin_q2_minus_q3, s3_of_place, s4_of_place,
+                s5_of_place, r6_of_u1_u2_u3, s3_of_place, s5_of_place, r6_of_u1_u2_u3,
+                s8_minus_s4_l14, s9_minus_s5_l14, r10_minus_r6_l14, s19_minus_s16_l21, u2_dot_2,
+                s8_minus_s4_l14, u1_dot_2, u2_dot_2, s3_of_place, u1_dot_2, u2_dot_2, u0_dot_2,
             ]),
             padded([
-                c3,
-                s3_2,
-                c3,
-                c1,
-                s1,
-                cos_q1_minus_q3,
-                sin_q1_minus_q3,
-                c3,
-                c2,
-                s2,
-                cos_q2_minus_q3,
-                sin_q2_minus_q3,
-                c3,
-                u1,
-                u1_sq,
-                u2,
-                u2_sq,
-                u1_sq,
-                u2_sq,
-                c3,
-                u3,
-                u3_sq,
-                cos_q1_minus_q3,
-                cos_q1_minus_q2,
-                sin_q1_minus_q2,
-                cos_q1_minus_q3,
-                u2_sq,
-                cos_q1_minus_q3,
-                u3_sq,
-                cos_q2_minus_q3,
-                u1_sq,
-                cos_q2_minus_q3,
-                u3_sq,
-                l14_of_place,
-                l14_of_place,
-                l14_of_place,
-                l14_of_place,
-                l18_of_place,
-                l18_of_place,
-                l18_of_place,
-                l21_of_place,
-                l21_of_place,
-                l21_of_place,
-                u2_dot_2,
-                s9_minus_s5_l14,
-                u1_dot_2,
-                s4_of_place,
-                s5_of_place,
-                u0_dot_2,
-                cos_q1_minus_q3,
-                cos_q2_minus_q3,
-                c3,
+                c3, s3_2, c3, c1, s1, cos_q1_minus_q3, sin_q1_minus_q3, c3, c2, s2, cos_q2_minus_q3,
+                sin_q2_minus_q3, c3, u1, u1_sq, u2, u2_sq, u1_sq, u2_sq, c3, u3, u3_sq,
+                cos_q1_minus_q3, cos_q1_minus_q2, sin_q1_minus_q2, cos_q1_minus_q3, u2_sq,
+                cos_q1_minus_q3, u3_sq, cos_q2_minus_q3, u1_sq, cos_q2_minus_q3, u3_sq,
+                l14_of_place, l14_of_place, l14_of_place, l14_of_place, l18_of_place, l18_of_place,
+                l18_of_place, l21_of_place, l21_of_place, l21_of_place, u2_dot_2, s9_minus_s5_l14,
+                u1_dot_2, s4_of_place, s5_of_place, u0_dot_2, cos_q1_minus_q3, cos_q2_minus_q3, c3,
             ]),
         ];
         count_last = count;
@@ -2233,11 +2037,7 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

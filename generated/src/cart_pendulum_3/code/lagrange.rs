@@ -109,8 +109,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) -> [S; 
             - sin_q2_minus_q3 * q3_dot_sq_m3_l2);
     // f4 = m3*l2*(g*sin(q3) + l0*q1'^2*sin(q1 - q3) + l1*q2'^2*sin(q2 - q3))
     let f4 = m3_l2
-        * (sin_q1_minus_q3.mul_add(l0_q1_dot_sq, g * s3_2)
-            + sin_q2_minus_q3 * l1_q2_dot_sq);
+        * (sin_q1_minus_q3.mul_add(l0_q1_dot_sq, g * s3_2) + sin_q2_minus_q3 * l1_q2_dot_sq);
     [f1, f2, f3, f4]
 }
 
@@ -288,8 +287,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) 
     let l2_q3_dot = l2 * q3_dot;
     let m3_l2_q3_dot = m3 * l2_q3_dot;
     // energy_of_motion*cos(q3) - l1_q2_dot*(sin(q2)*sin(q3) + cos(q2)*cos(q3))
-    let energy_of_motion_2 = -l1_q2_dot * c2.mul_add(c3, s2 * s3_2)
-        + energy_of_motion * c3;
+    let energy_of_motion_2 = -l1_q2_dot * c2.mul_add(c3, s2 * s3_2) + energy_of_motion * c3;
     // m1_plus_m2_plus_m3*l0_q1_dot^2 + l2_q3_dot*m3_l2_q3_dot
     let energy_of_motion_3 = l2_q3_dot
         .mul_add(m3_l2_q3_dot, m1_plus_m2_plus_m3 * l0_q1_dot * l0_q1_dot);
@@ -303,8 +301,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 4], q_dot: &[S; 4]) 
     //   l1^2*q2'^2*(m2 + m3)/2 - l1*q0'*q2'*cos(q2)*(m2 + m3) + l0*l1*q1'*q2'*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2^2*q3'^2/2 - m3*l2*q0'*q3'*cos(q3) + m3*l0*l2*q1'*q3'*cos(q1 - q3) + m3*l1*l2*q2'*q3'*cos(q2 -
     //   q3)
-    let energy = m2_plus_m3_l1_q2_dot
-        * (-energy_of_motion).mul_add(c2, s1_l0_q1_dot * s2)
+    let energy = m2_plus_m3_l1_q2_dot * (-energy_of_motion).mul_add(c2, s1_l0_q1_dot * s2)
         - q0_dot * m1_plus_m2_plus_m3 * c1_l0_q1_dot
         + m3_l2_q3_dot * s1_l0_q1_dot.mul_add(s3_2, -energy_of_motion_2)
         + S::ratio(1, 2) * energy_of_motion_5;
@@ -527,7 +524,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
     let [_, q1, q2, q3] = *q;
     let [_, q1_dot, q2_dot, q3_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -673,8 +669,7 @@ pub fn jacobian<S: Scalar>(
     //   m3*l2*(l7_by_q1*(g*sin(q3) + l1*q2'^2*sin(q2 - q3)) + l0*(q3'^2*cos(q1 - q3) + q1'^2*(l7*cos(q1 -
     //   q3) + l7_by_q1*sin(q1 - q3))))
     let r10_by_q1 = (-q2_dot_sq).mul_add(s9_of_place, g * c1_l0_m1_plus_m2_plus_m3)
-        - l7_by_q1 * r10_by_q1_of_motion - l7_m3_l2 * r10_by_q1_of_q1_dot
-        - r10_by_q1_of_q3_dot;
+        - l7_by_q1 * r10_by_q1_of_motion - l7_m3_l2 * r10_by_q1_of_q1_dot - r10_by_q1_of_q3_dot;
     let q1_dot_sq_s9_of_place = q1_dot_sq * s9_of_place;
     // r13_by_q1 = l0*q1'^2*(l1*cos(q1 - q2)*(m2 + m3) - m3*l2*l11*cos(q1 - q3))
     let r13_by_q1 = (-l11_m3_l2).mul_add(r10_by_q1_of_q1_dot, q1_dot_sq_s9_of_place);
@@ -812,8 +807,7 @@ pub fn jacobian<S: Scalar>(
     // s22_by_q3 = s16*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*s16_by_q3 + s19_by_q3
     let s22_by_q3 = s19_by_q3 + l21 * (-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3);
     // r23_by_q3 = r17*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*r17_by_q3 + r20_by_q3
-    let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3
-        + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
+    let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3 + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
     // q2''*s22_by_q3 - r23_by_q3
     let q1_ddot_by_q3_of_q2_ddot = q2_ddot.mul_add(s22_by_q3, -r23_by_q3);
     // q1_ddot_by_q3 = s15_by_q3*(q2''*s16 - r17)/s15^2 + (r17_by_q3 - q2''*s16_by_q3 +
@@ -837,13 +831,11 @@ pub fn jacobian<S: Scalar>(
     // r10_by_q1_dot = -2*m3*l0*l2*q1'*l7*sin(q1 - q3)
     let r10_by_q1_dot = -s8_by_q1_of_place * q1_dot_doubled;
     // r13_by_q1_dot = 2*l0*q1'*(l1*sin(q1 - q2)*(m2 + m3) - m3*l2*l11*sin(q1 - q3))
-    let r13_by_q1_dot = q1_dot_doubled
-        * (-l0_sin_q1_minus_q3).mul_add(l11_m3_l2, r10_of_place);
+    let r13_by_q1_dot = q1_dot_doubled * (-l0_sin_q1_minus_q3).mul_add(l11_m3_l2, r10_of_place);
     let q2_ddot_by_q1_dot_of_place = s22_inv * minus_l18_plus_l14_l21;
     // q2_ddot_by_q1_dot = (l21*(l14*r6_by_q1_dot - r10_by_q1_dot) - l18*r6_by_q1_dot + r13_by_q1_dot)/s22
     let q2_ddot_by_q1_dot = (-r10_by_q1_dot)
-        .mul_add(l21_s22_inv, r13_by_q1_dot * s22_inv)
-        + r6_by_q1_dot * q2_ddot_by_q1_dot_of_place;
+        .mul_add(l21_s22_inv, r13_by_q1_dot * s22_inv) + r6_by_q1_dot * q2_ddot_by_q1_dot_of_place;
     // s3_inv + l14*l14_s15_inv
     let q0_ddot_by_q1_dot_of_s3_l14_s15 = l14.mul_add(l14_s15_inv, s3_inv);
     // q0_ddot_by_q1_dot = (r6_by_q1_dot - s5*q2_ddot_by_q1_dot + s4*(l14*r6_by_q1_dot - r10_by_q1_dot +
@@ -870,8 +862,7 @@ pub fn jacobian<S: Scalar>(
     let r13_by_q2_dot = -s12_by_q2_of_place * q2_dot_doubled;
     // q2_ddot_by_q2_dot = (l21*(l14*r6_by_q2_dot - r10_by_q2_dot) - l18*r6_by_q2_dot + r13_by_q2_dot)/s22
     let q2_ddot_by_q2_dot = (-r10_by_q2_dot)
-        .mul_add(l21_s22_inv, r13_by_q2_dot * s22_inv)
-        + r6_by_q2_dot * q2_ddot_by_q1_dot_of_place;
+        .mul_add(l21_s22_inv, r13_by_q2_dot * s22_inv) + r6_by_q2_dot * q2_ddot_by_q1_dot_of_place;
     // q0_ddot_by_q2_dot = (r6_by_q2_dot - s5*q2_ddot_by_q2_dot + s4*(l14*r6_by_q2_dot - r10_by_q2_dot +
     //   s16*q2_ddot_by_q2_dot)/s15)/s3
     let q0_ddot_by_q2_dot = (-r10_by_q2_dot)
@@ -895,8 +886,7 @@ pub fn jacobian<S: Scalar>(
     let r13_by_q3_dot = -l1_sin_q2_minus_q3 * q3_dot_m3_l2_doubled;
     // q2_ddot_by_q3_dot = (l21*(l14*r6_by_q3_dot - r10_by_q3_dot) - l18*r6_by_q3_dot + r13_by_q3_dot)/s22
     let q2_ddot_by_q3_dot = (-r10_by_q3_dot)
-        .mul_add(l21_s22_inv, r13_by_q3_dot * s22_inv)
-        + r6_by_q3_dot * q2_ddot_by_q1_dot_of_place;
+        .mul_add(l21_s22_inv, r13_by_q3_dot * s22_inv) + r6_by_q3_dot * q2_ddot_by_q1_dot_of_place;
     // q0_ddot_by_q3_dot = (r6_by_q3_dot - s5*q2_ddot_by_q3_dot + s4*(l14*r6_by_q3_dot - r10_by_q3_dot +
     //   s16*q2_ddot_by_q3_dot)/s15)/s3
     let q0_ddot_by_q3_dot = (-r10_by_q3_dot)
@@ -934,50 +924,27 @@ pub fn jacobian<S: Scalar>(
     let q2_ddot_by_q2_value = -s22_inv * q1_ddot_by_q2_of_q2_ddot;
     // d(q2'')/d(q3) = (r23_by_q3 - r23*s22_by_q3/s22)/s22
     let q2_ddot_by_q3_value = -s22_inv * q1_ddot_by_q3_of_q2_ddot;
+    let zero = S::int(0);
     [
         [zero, zero, zero, zero, q0_dot_by_q0_dot_value, zero, zero, zero],
         [zero, zero, zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero],
         [zero, zero, zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, q3_dot_by_q3_dot_value],
         [
-            zero,
-            q0_ddot_by_q1,
-            q0_ddot_by_q2,
-            q0_ddot_by_q3,
-            zero,
-            q0_ddot_by_q1_dot,
-            q0_ddot_by_q2_dot,
-            q0_ddot_by_q3_dot,
+            zero, q0_ddot_by_q1, q0_ddot_by_q2, q0_ddot_by_q3, zero, q0_ddot_by_q1_dot,
+            q0_ddot_by_q2_dot, q0_ddot_by_q3_dot,
         ],
         [
-            zero,
-            q1_ddot_by_q1,
-            q1_ddot_by_q2,
-            q1_ddot_by_q3,
-            zero,
-            q1_ddot_by_q1_dot_value,
-            q1_ddot_by_q2_dot_value,
-            q1_ddot_by_q3_dot_value,
+            zero, q1_ddot_by_q1, q1_ddot_by_q2, q1_ddot_by_q3, zero, q1_ddot_by_q1_dot_value,
+            q1_ddot_by_q2_dot_value, q1_ddot_by_q3_dot_value,
         ],
         [
-            zero,
-            q2_ddot_by_q1_value,
-            q2_ddot_by_q2_value,
-            q2_ddot_by_q3_value,
-            zero,
-            q2_ddot_by_q1_dot,
-            q2_ddot_by_q2_dot,
-            q2_ddot_by_q3_dot,
+            zero, q2_ddot_by_q1_value, q2_ddot_by_q2_value, q2_ddot_by_q3_value, zero,
+            q2_ddot_by_q1_dot, q2_ddot_by_q2_dot, q2_ddot_by_q3_dot,
         ],
         [
-            zero,
-            q3_ddot_by_q1,
-            q3_ddot_by_q2,
-            q3_ddot_by_q3,
-            zero,
-            q3_ddot_by_q1_dot,
-            q3_ddot_by_q2_dot,
-            q3_ddot_by_q3_dot,
+            zero, q3_ddot_by_q1, q3_ddot_by_q2, q3_ddot_by_q3, zero, q3_ddot_by_q1_dot,
+            q3_ddot_by_q2_dot, q3_ddot_by_q3_dot,
         ],
     ]
 }
@@ -1036,15 +1003,13 @@ pub fn inverse_dynamics<S: Scalar>(
     // tau1 = l0*q1'^2*sin(q1)*(m1 + m2 + m3) - F + l1*q2'^2*sin(q2)*(m2 + m3) + m3*l2*q3'^2*sin(q3) +
     //   q0''*(m0 + m1 + m2 + m3) - l0*q1''*cos(q1)*(m1 + m2 + m3) - l1*q2''*cos(q2)*(m2 + m3) -
     //   m3*l2*q3''*cos(q3)
-    let tau1 = m0.mul_add(q0_ddot, -F) + m1_plus_m2_plus_m3 * tau1_of_motion
-        + tau1_of_motion_4;
+    let tau1 = m0.mul_add(q0_ddot, -F) + m1_plus_m2_plus_m3 * tau1_of_motion + tau1_of_motion_4;
     // tau2 = l0*(l1*q2'^2*sin(q1 - q2)*(m2 + m3) - g*sin(q1)*(m1 + m2 + m3) + m3*l2*q3'^2*sin(q1 - q3)) -
     //   l0*q0''*cos(q1)*(m1 + m2 + m3) + l0^2*q1''*(m1 + m2 + m3) + l0*l1*q2''*cos(q1 - q2)*(m2 + m3) +
     //   m3*l0*l2*q3''*cos(q1 - q3)
     let tau2 = l0 * s1 * l1_m2_plus_m3.mul_add(tau2_of_motion, -tau2_of_motion_3)
         - l0
-            * (m1_plus_m2_plus_m3 * (-l0).mul_add(q1_ddot, q0_ddot * c1)
-                + tau1_of_motion_4 * c1);
+            * (m1_plus_m2_plus_m3 * (-l0).mul_add(q1_ddot, q0_ddot * c1) + tau1_of_motion_4 * c1);
     // tau3 = l1*(m3*l2*q3'^2*sin(q2 - q3) - (m2 + m3)*(g*sin(q2) + l0*q1'^2*sin(q1 - q2))) -
     //   l1*q0''*cos(q2)*(m2 + m3) + l0*l1*q1''*cos(q1 - q2)*(m2 + m3) + l1^2*q2''*(m2 + m3) +
     //   m3*l1*l2*q3''*cos(q2 - q3)
@@ -1308,8 +1273,7 @@ pub fn taylor<S: Scalar>(
                         .mul_add(minus_l1_m2_plus_m3, weight_2 * q1_dot_sq_s1_1),
                 ),
         );
-    let cos_q1_minus_q3_sq_1 = cos_q1_minus_q3_1
-        * (cos_q1_minus_q3_0 + cos_q1_minus_q3_0);
+    let cos_q1_minus_q3_sq_1 = cos_q1_minus_q3_1 * (cos_q1_minus_q3_0 + cos_q1_minus_q3_0);
     let q1_minus_q2_1 = q1_1 - q2_1;
     let sin_q1_minus_q2_1 = q1_minus_q2_1 * cos_q1_minus_q2_0;
     let cos_q1_minus_q2_1 = -q1_minus_q2_1 * sin_q1_minus_q2_0;
@@ -1321,8 +1285,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(cos_q1_minus_q3_0, cos_q1_minus_q3_1 * r6_of_motion_0);
     let r10_of_q3_dot_1 = sin_q1_minus_q3_1
         .mul_add(q3_dot_sq_0, q3_dot_sq_1 * sin_q1_minus_q3_0);
-    let cos_q2_minus_q3_sq_1 = cos_q2_minus_q3_1
-        * (cos_q2_minus_q3_0 + cos_q2_minus_q3_0);
+    let cos_q2_minus_q3_sq_1 = cos_q2_minus_q3_1 * (cos_q2_minus_q3_0 + cos_q2_minus_q3_0);
     let r13_of_q1_dot_1 = sin_q1_minus_q2_1
         .mul_add(q1_dot_sq_0, q1_dot_sq_1 * sin_q1_minus_q2_0);
     let r13_of_motion_1 = r6_of_motion_1
@@ -1432,111 +1395,27 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q3_1,
-                q3_1,
-                c3_1,
-                q1_1,
-                q1_1,
-                q1_minus_q3_1,
-                q1_minus_q3_1,
-                cos_q1_minus_q3_1,
-                q2_1,
-                q2_1,
-                q2_minus_q3_1,
-                q2_minus_q3_1,
-                cos_q2_minus_q3_1,
-                q1_dot_1,
-                s1_1,
-                q2_dot_1,
-                s2_1,
-                sin_q1_minus_q3_1,
-                sin_q2_minus_q3_1,
-                r6_of_motion_1,
-                q3_dot_1,
-                s3_2_1,
-                cos_q1_minus_q3_1,
-                q1_minus_q2_1,
-                q1_minus_q2_1,
-                cos_q2_minus_q3_1,
-                sin_q1_minus_q2_1,
-                r6_of_motion_1,
-                sin_q1_minus_q3_1,
-                cos_q2_minus_q3_1,
-                sin_q1_minus_q2_1,
-                r6_of_motion_1,
-                sin_q2_minus_q3_1,
-                s3_of_place_1,
-                s4_of_place_1,
-                s5_of_place_1,
-                r6_of_motion_3_1,
-                s3_of_place_1,
-                s5_of_place_1,
-                r6_of_motion_3_1,
-                s8_minus_s4_l14_1,
-                s9_minus_s5_l14_1,
-                r10_minus_r6_l14_1,
-                s19_minus_s16_l21_1,
-                q2_dot_dot_1,
-                s8_minus_s4_l14_1,
-                q1_dot_dot_1,
-                q2_dot_dot_1,
-                s3_of_place_1,
-                q1_dot_dot_1,
-                q2_dot_dot_1,
-                q0_dot_dot_1,
+                q3_1, q3_1, c3_1, q1_1, q1_1, q1_minus_q3_1, q1_minus_q3_1, cos_q1_minus_q3_1, q2_1,
+                q2_1, q2_minus_q3_1, q2_minus_q3_1, cos_q2_minus_q3_1, q1_dot_1, s1_1, q2_dot_1,
+                s2_1, sin_q1_minus_q3_1, sin_q2_minus_q3_1, r6_of_motion_1, q3_dot_1, s3_2_1,
+                cos_q1_minus_q3_1, q1_minus_q2_1, q1_minus_q2_1, cos_q2_minus_q3_1,
+                sin_q1_minus_q2_1, r6_of_motion_1, sin_q1_minus_q3_1, cos_q2_minus_q3_1,
+                sin_q1_minus_q2_1, r6_of_motion_1, sin_q2_minus_q3_1, s3_of_place_1, s4_of_place_1,
+                s5_of_place_1, r6_of_motion_3_1, s3_of_place_1, s5_of_place_1, r6_of_motion_3_1,
+                s8_minus_s4_l14_1, s9_minus_s5_l14_1, r10_minus_r6_l14_1, s19_minus_s16_l21_1,
+                q2_dot_dot_1, s8_minus_s4_l14_1, q1_dot_dot_1, q2_dot_dot_1, s3_of_place_1,
+                q1_dot_dot_1, q2_dot_dot_1, q0_dot_dot_1,
             ]),
             padded([
-                c3_1,
-                s3_2_1,
-                c3_1,
-                c1_1,
-                s1_1,
-                cos_q1_minus_q3_1,
-                sin_q1_minus_q3_1,
-                c3_1,
-                c2_1,
-                s2_1,
-                cos_q2_minus_q3_1,
-                sin_q2_minus_q3_1,
-                c3_1,
-                q1_dot_1,
-                q1_dot_sq_1,
-                q2_dot_1,
-                q2_dot_sq_1,
-                q1_dot_sq_1,
-                q2_dot_sq_1,
-                c3_1,
-                q3_dot_1,
-                q3_dot_sq_1,
-                cos_q1_minus_q3_1,
-                cos_q1_minus_q2_1,
-                sin_q1_minus_q2_1,
-                cos_q1_minus_q3_1,
-                q2_dot_sq_1,
-                cos_q1_minus_q3_1,
-                q3_dot_sq_1,
-                cos_q2_minus_q3_1,
-                q1_dot_sq_1,
-                cos_q2_minus_q3_1,
-                q3_dot_sq_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l18_of_place_1,
-                l18_of_place_1,
-                l18_of_place_1,
-                l21_of_place_1,
-                l21_of_place_1,
-                l21_of_place_1,
-                q2_dot_dot_1,
-                s9_minus_s5_l14_1,
-                q1_dot_dot_1,
-                s4_of_place_1,
-                s5_of_place_1,
-                q0_dot_dot_1,
-                cos_q1_minus_q3_1,
-                cos_q2_minus_q3_1,
+                c3_1, s3_2_1, c3_1, c1_1, s1_1, cos_q1_minus_q3_1, sin_q1_minus_q3_1, c3_1, c2_1,
+                s2_1, cos_q2_minus_q3_1, sin_q2_minus_q3_1, c3_1, q1_dot_1, q1_dot_sq_1, q2_dot_1,
+                q2_dot_sq_1, q1_dot_sq_1, q2_dot_sq_1, c3_1, q3_dot_1, q3_dot_sq_1,
+                cos_q1_minus_q3_1, cos_q1_minus_q2_1, sin_q1_minus_q2_1, cos_q1_minus_q3_1,
+                q2_dot_sq_1, cos_q1_minus_q3_1, q3_dot_sq_1, cos_q2_minus_q3_1, q1_dot_sq_1,
+                cos_q2_minus_q3_1, q3_dot_sq_1, l14_of_place_1, l14_of_place_1, l14_of_place_1,
+                l14_of_place_1, l18_of_place_1, l18_of_place_1, l18_of_place_1, l21_of_place_1,
+                l21_of_place_1, l21_of_place_1, q2_dot_dot_1, s9_minus_s5_l14_1, q1_dot_dot_1,
+                s4_of_place_1, s5_of_place_1, q0_dot_dot_1, cos_q1_minus_q3_1, cos_q2_minus_q3_1,
                 c3_1,
             ]),
         ];
@@ -2096,100 +1975,26 @@ pub fn taylor<S: Scalar>(
                 count * q2,
                 count * q2_minus_q3,
                 count * q2_minus_q3,
-                cos_q2_minus_q3,
-                q1_dot,
-                s1,
-                q2_dot,
-                s2,
-                sin_q1_minus_q3,
-                sin_q2_minus_q3,
-                r6_of_motion,
-                q3_dot,
-                s3_2,
-                cos_q1_minus_q3,
+                cos_q2_minus_q3, q1_dot, s1, q2_dot, s2, sin_q1_minus_q3, sin_q2_minus_q3,
+                r6_of_motion, q3_dot, s3_2, cos_q1_minus_q3,
                 count * q1_minus_q2,
                 count * q1_minus_q2,
-                cos_q2_minus_q3,
-                sin_q1_minus_q2,
-                r6_of_motion,
-                sin_q1_minus_q3,
-                cos_q2_minus_q3,
-                sin_q1_minus_q2,
-                r6_of_motion,
-                sin_q2_minus_q3,
-                s3_of_place,
-                s4_of_place,
-                s5_of_place,
-                r6_of_motion_3,
-                s3_of_place,
-                s5_of_place,
-                r6_of_motion_3,
-                s8_minus_s4_l14,
-                s9_minus_s5_l14,
-                r10_minus_r6_l14,
-                s19_minus_s16_l21,
-                q2_dot_dot,
-                s8_minus_s4_l14,
-                q1_dot_dot,
-                q2_dot_dot,
-                s3_of_place,
-                q1_dot_dot,
-                q2_dot_dot,
+                cos_q2_minus_q3, sin_q1_minus_q2, r6_of_motion, sin_q1_minus_q3, cos_q2_minus_q3,
+                sin_q1_minus_q2, r6_of_motion, sin_q2_minus_q3, s3_of_place, s4_of_place,
+                s5_of_place, r6_of_motion_3, s3_of_place, s5_of_place, r6_of_motion_3,
+                s8_minus_s4_l14, s9_minus_s5_l14, r10_minus_r6_l14, s19_minus_s16_l21, q2_dot_dot,
+                s8_minus_s4_l14, q1_dot_dot, q2_dot_dot, s3_of_place, q1_dot_dot, q2_dot_dot,
                 q0_dot_dot,
             ]),
             padded([
-                c3,
-                s3_2,
-                c3,
-                c1,
-                s1,
-                cos_q1_minus_q3,
-                sin_q1_minus_q3,
-                c3,
-                c2,
-                s2,
-                cos_q2_minus_q3,
-                sin_q2_minus_q3,
-                c3,
-                q1_dot,
-                q1_dot_sq,
-                q2_dot,
-                q2_dot_sq,
-                q1_dot_sq,
-                q2_dot_sq,
-                c3,
-                q3_dot,
-                q3_dot_sq,
-                cos_q1_minus_q3,
-                cos_q1_minus_q2,
-                sin_q1_minus_q2,
-                cos_q1_minus_q3,
-                q2_dot_sq,
-                cos_q1_minus_q3,
-                q3_dot_sq,
-                cos_q2_minus_q3,
-                q1_dot_sq,
-                cos_q2_minus_q3,
-                q3_dot_sq,
-                l14_of_place,
-                l14_of_place,
-                l14_of_place,
-                l14_of_place,
-                l18_of_place,
-                l18_of_place,
-                l18_of_place,
-                l21_of_place,
-                l21_of_place,
-                l21_of_place,
-                q2_dot_dot,
-                s9_minus_s5_l14,
-                q1_dot_dot,
-                s4_of_place,
-                s5_of_place,
-                q0_dot_dot,
-                cos_q1_minus_q3,
-                cos_q2_minus_q3,
-                c3,
+                c3, s3_2, c3, c1, s1, cos_q1_minus_q3, sin_q1_minus_q3, c3, c2, s2, cos_q2_minus_q3,
+                sin_q2_minus_q3, c3, q1_dot, q1_dot_sq, q2_dot, q2_dot_sq, q1_dot_sq, q2_dot_sq, c3,
+                q3_dot, q3_dot_sq, cos_q1_minus_q3, cos_q1_minus_q2, sin_q1_minus_q2,
+                cos_q1_minus_q3, q2_dot_sq, cos_q1_minus_q3, q3_dot_sq, cos_q2_minus_q3, q1_dot_sq,
+                cos_q2_minus_q3, q3_dot_sq, l14_of_place, l14_of_place, l14_of_place, l14_of_place,
+                l18_of_place, l18_of_place, l18_of_place, l21_of_place, l21_of_place, l21_of_place,
+                q2_dot_dot, s9_minus_s5_l14, q1_dot_dot, s4_of_place, s5_of_place, q0_dot_dot,
+                cos_q1_minus_q3, cos_q2_minus_q3, c3,
             ]),
         ];
         count_last = count;
@@ -2320,11 +2125,7 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

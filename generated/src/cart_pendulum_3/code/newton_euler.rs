@@ -20,7 +20,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 8]; 8] {
     let Parameters { m0, m1, m2, m3, l0, l1, l2, .. } = *p;
     let [_, q1, q2, q3] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
@@ -90,6 +89,7 @@ pub fn mass_matrix<S: Scalar>(
     let m84 = -m3_l2 * s3_2;
     // M88 = -cos(q3)
     let m88 = -c3;
+    let zero = S::int(0);
     [
         [m11, zero, zero, zero, zero, m16, zero, zero],
         [zero, zero, zero, zero, m25, m26, zero, zero],
@@ -211,8 +211,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
     // s9 = l1*(m2*l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) -
     //   l2*l7*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
-    let s9 = (-l7).mul_add(s5_of_place, l0_c1 * c2_l1_m2_plus_m3)
-        + l0_s1 * s2_l1_m2_plus_m3;
+    let s9 = (-l7).mul_add(s5_of_place, l0_c1 * c2_l1_m2_plus_m3) + l0_s1 * s2_l1_m2_plus_m3;
     // l0*l1_m2_plus_m3*(cos(q1)*sin(q2) - sin(q1)*cos(q2))
     let r10_of_place = l0 * l1_m2_plus_m3 * (-s1).mul_add(c2, c1 * s2);
     // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) +
@@ -220,8 +219,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     //   cos(q1)*sin(q3)) + u1^2*l7*(sin(q1)*cos(q3) - cos(q1)*sin(q3))))) - m3*l2*l7*(g*sin(q3) +
     //   l1*u2^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
     let r10 = m3_l2_u3_sq * (-l0_s1).mul_add(c3, l0_c1 * s3_2)
-        + g * m1_plus_m2_plus_m3 * l0_s1 + r6_of_u1_u2_3 * l7_m3_l2
-        + u2_sq * r10_of_place;
+        + g * m1_plus_m2_plus_m3 * l0_s1 + r6_of_u1_u2_3 * l7_m3_l2 + u2_sq * r10_of_place;
     // l11 = m3*l1*l2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/d1
     let l11 = l1 * d1_inv_m3_l2 * s2_s3_2_plus_c2_c3;
     // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
@@ -262,8 +260,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
     // u3' = m3*l2*(sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))) +
     //   cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))))/d1
-    let u3_dot = d1_inv_m3_l2 * u0_dot.mul_add(c3, -r6_of_u1_u2_3) - u1_dot * l7
-        - u2_dot * l11;
+    let u3_dot = d1_inv_m3_l2 * u0_dot.mul_add(c3, -r6_of_u1_u2_3) - u1_dot * l7 - u2_dot * l11;
     [u0_dot, u1_dot, u2_dot, u3_dot]
 }
 
@@ -337,8 +334,7 @@ pub fn derivative<S: Scalar>(
     let s2_l1_m2_plus_m3 = l1_m2_plus_m3 * s2;
     // s9 = l1*(m2*l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(l0*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) -
     //   l2*l7*(sin(q2)*sin(q3) + cos(q2)*cos(q3))))
-    let s9 = (-l7).mul_add(s5_of_place, l0_c1 * c2_l1_m2_plus_m3)
-        + l0_s1 * s2_l1_m2_plus_m3;
+    let s9 = (-l7).mul_add(s5_of_place, l0_c1 * c2_l1_m2_plus_m3) + l0_s1 * s2_l1_m2_plus_m3;
     // l0*l1_m2_plus_m3*(cos(q1)*sin(q2) - sin(q1)*cos(q2))
     let r10_of_place = l0 * l1_m2_plus_m3 * (-s1).mul_add(c2, c1 * s2);
     // r10 = l0*(m1*g*sin(q1) + m2*(g*sin(q1) - l1*u2^2*(sin(q1)*cos(q2) - cos(q1)*sin(q2))) +
@@ -346,8 +342,7 @@ pub fn derivative<S: Scalar>(
     //   cos(q1)*sin(q3)) + u1^2*l7*(sin(q1)*cos(q3) - cos(q1)*sin(q3))))) - m3*l2*l7*(g*sin(q3) +
     //   l1*u2^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
     let r10 = m3_l2_u3_sq * (-l0_s1).mul_add(c3, l0_c1 * s3_2)
-        + g * m1_plus_m2_plus_m3 * l0_s1 + r6_of_u1_u2_3 * l7_m3_l2
-        + u2_sq * r10_of_place;
+        + g * m1_plus_m2_plus_m3 * l0_s1 + r6_of_u1_u2_3 * l7_m3_l2 + u2_sq * r10_of_place;
     // l11 = m3*l1*l2*(sin(q2)*sin(q3) + cos(q2)*cos(q3))/d1
     let l11 = l1 * d1_inv_m3_l2 * s2_s3_2_plus_c2_c3;
     // s12 = l1*(l1*(m2 + m3) - m3*l2*l11*(sin(q2)*sin(q3) + cos(q2)*cos(q3)))
@@ -388,8 +383,7 @@ pub fn derivative<S: Scalar>(
     let u0_dot = (-u1_dot).mul_add(l14, r6 * s3_inv) - u2_dot * l18;
     // u3' = m3*l2*(sin(q3)*(g - l0*(u1^2*cos(q1) + u1'*sin(q1)) - l1*(u2^2*cos(q2) + u2'*sin(q2))) +
     //   cos(q3)*(u0' + l0*(u1^2*sin(q1) - u1'*cos(q1)) + l1*(u2^2*sin(q2) - u2'*cos(q2))))/d1
-    let u3_dot = d1_inv_m3_l2 * u0_dot.mul_add(c3, -r6_of_u1_u2_3) - u1_dot * l7
-        - u2_dot * l11;
+    let u3_dot = d1_inv_m3_l2 * u0_dot.mul_add(c3, -r6_of_u1_u2_3) - u1_dot * l7 - u2_dot * l11;
     // Values.
     // q0' = u0
     let q0_dot_value = u0;
@@ -413,7 +407,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, F } = *p;
     let [_, q1, q2, q3] = *q;
     let [_, u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -559,8 +552,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   cos(q1)*cos(q3)) + u1^2*l7*(sin(q1)*sin(q3) + cos(q1)*cos(q3)) + u1^2*l7_by_q1*(sin(q1)*cos(q3) -
     //   cos(q1)*sin(q3))))) - m3*l2*l7_by_q1*(g*sin(q3) + l1*u2^2*(sin(q2)*cos(q3) - cos(q2)*sin(q3)))
     let r10_by_q1 = (-u2_sq).mul_add(s9_of_place, g * c1_l0_m1_plus_m2_plus_m3)
-        - l7_by_q1 * r10_by_q1_of_u1_u2 - l7_m3_l2 * s4_of_l0_q1_q3_u1_sq
-        - r10_by_q1_of_u3;
+        - l7_by_q1 * r10_by_q1_of_u1_u2 - l7_m3_l2 * s4_of_l0_q1_q3_u1_sq - r10_by_q1_of_u3;
     let u1_sq_s9_of_place = u1_sq * s9_of_place;
     // r13_by_q1 = l0*u1^2*(m2*l1*(sin(q1)*sin(q2) + cos(q1)*cos(q2)) + m3*(l1*(sin(q1)*sin(q2) +
     //   cos(q1)*cos(q2)) - l2*l11*(sin(q1)*sin(q3) + cos(q1)*cos(q3))))
@@ -715,8 +707,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s22_by_q3 = s16*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*s16_by_q3 + s19_by_q3
     let s22_by_q3 = s19_by_q3 + l21 * (-s16_by_q3).mul_add(S::int(2), l21_s15_by_q3);
     // r23_by_q3 = r17*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*r17_by_q3 + r20_by_q3
-    let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3
-        + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
+    let r23_by_q3 = r20_by_q3 - l21 * r17_by_q3 + r17_s15_inv * (l21_s15_by_q3 - s16_by_q3);
     // u2'*s22_by_q3 - r23_by_q3
     let u1_dot_by_q3_of_u2_dot = u2_dot.mul_add(s22_by_q3, -r23_by_q3);
     // u1_dot_by_q3 = s15_by_q3*(u2'*s16 - r17)/s15^2 + (r17_by_q3 - u2'*s16_by_q3 + s16*(r23*s22_by_q3/s22
@@ -831,49 +822,26 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let u2_dot_by_q2_value = -s22_inv * u1_dot_by_q2_of_u2_dot;
     // d(u2')/d(q3) = (r23_by_q3 - r23*s22_by_q3/s22)/s22
     let u2_dot_by_q3_value = -s22_inv * u1_dot_by_q3_of_u2_dot;
+    let zero = S::int(0);
     [
         [zero, zero, zero, zero, q0_dot_by_u0_value, zero, zero, zero],
         [zero, zero, zero, zero, zero, q1_dot_by_u1_value, zero, zero],
         [zero, zero, zero, zero, zero, zero, q2_dot_by_u2_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, q3_dot_by_u3_value],
         [
-            zero,
-            u0_dot_by_q1,
-            u0_dot_by_q2,
-            u0_dot_by_q3,
-            zero,
-            u0_dot_by_u1,
-            u0_dot_by_u2,
+            zero, u0_dot_by_q1, u0_dot_by_q2, u0_dot_by_q3, zero, u0_dot_by_u1, u0_dot_by_u2,
             u0_dot_by_u3,
         ],
         [
-            zero,
-            u1_dot_by_q1,
-            u1_dot_by_q2,
-            u1_dot_by_q3,
-            zero,
-            u1_dot_by_u1_value,
-            u1_dot_by_u2_value,
-            u1_dot_by_u3_value,
+            zero, u1_dot_by_q1, u1_dot_by_q2, u1_dot_by_q3, zero, u1_dot_by_u1_value,
+            u1_dot_by_u2_value, u1_dot_by_u3_value,
         ],
         [
-            zero,
-            u2_dot_by_q1_value,
-            u2_dot_by_q2_value,
-            u2_dot_by_q3_value,
-            zero,
-            u2_dot_by_u1,
-            u2_dot_by_u2,
-            u2_dot_by_u3,
+            zero, u2_dot_by_q1_value, u2_dot_by_q2_value, u2_dot_by_q3_value, zero, u2_dot_by_u1,
+            u2_dot_by_u2, u2_dot_by_u3,
         ],
         [
-            zero,
-            u3_dot_by_q1,
-            u3_dot_by_q2,
-            u3_dot_by_q3,
-            zero,
-            u3_dot_by_u1,
-            u3_dot_by_u2,
+            zero, u3_dot_by_q1, u3_dot_by_q2, u3_dot_by_q3, zero, u3_dot_by_u1, u3_dot_by_u2,
             u3_dot_by_u3,
         ],
     ]
@@ -1151,8 +1119,7 @@ pub fn taylor<S: Scalar>(
                     u1_sq_s1_1.mul_add(weight_2, minus_m3_l2 * u3_sq_s3_2_1),
                 ),
         );
-    let s8_of_q1_q3_1 = s1_s3_2_plus_c1_c3_1
-        * (s1_s3_2_plus_c1_c3_0 + s1_s3_2_plus_c1_c3_0);
+    let s8_of_q1_q3_1 = s1_s3_2_plus_c1_c3_1 * (s1_s3_2_plus_c1_c3_0 + s1_s3_2_plus_c1_c3_0);
     let s9_of_q1_q3_1 = s1_s3_2_plus_c1_c3_1
         .mul_add(s3_2_0, s3_2_1 * s1_s3_2_plus_c1_c3_0);
     let s9_of_place_1 = s9_of_q1_q3_1.mul_add(minus_m3_l0, l0_m2_plus_m3 * s1_1);
@@ -1175,8 +1142,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(s1_s3_2_plus_c1_c3_0, s1_s3_2_plus_c1_c3_1 * r10_of_u1_u2_0);
     let r10_of_u2_u3_1 = u2_sq_s2_1.mul_add(l1_m2_plus_m3, m3_l2 * u3_sq_s3_2_1);
     let r10_of_u2_u3_2_1 = r10_of_u2_u3_1.mul_add(c1_0, c1_1 * r10_of_u2_u3_0);
-    let s12_of_q2_q3_1 = s2_s3_2_plus_c2_c3_1
-        * (s2_s3_2_plus_c2_c3_0 + s2_s3_2_plus_c2_c3_0);
+    let s12_of_q2_q3_1 = s2_s3_2_plus_c2_c3_1 * (s2_s3_2_plus_c2_c3_0 + s2_s3_2_plus_c2_c3_0);
     let u1_sq_s1_c3_1 = u1_sq_s1_1.mul_add(c3_0, c3_1 * u1_sq_s1_0);
     let r13_of_u2_1 = s2_s3_2_plus_c2_c3_1
         .mul_add(u2_sq_0, u2_sq_1 * s2_s3_2_plus_c2_c3_0);
@@ -1287,136 +1253,27 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             [
-                q3_1,
-                q3_1,
-                c3_1,
-                q1_1,
-                q1_1,
-                s1_1,
-                c1_1,
-                s1_s3_2_plus_c1_c3_1,
-                q2_1,
-                q2_1,
-                s2_1,
-                c2_1,
-                s2_s3_2_plus_c2_c3_1,
-                u1_1,
-                c1_1,
-                s1_1,
-                u2_1,
-                s2_1,
-                c2_1,
-                u3_1,
-                s3_2_1,
-                s3_2_1,
-                c3_1,
-                r6_of_u1_u2_5_1,
-                s1_s3_2_plus_c1_c3_1,
-                s3_2_1,
-                s2_1,
-                c3_1,
-                c2_1,
-                c3_1,
-                s1_s3_2_plus_c1_c3_1,
-                c3_1,
-                s1_1,
-                s1_s3_2_plus_c1_c3_1,
-                c1_1,
-                s2_s3_2_plus_c2_c3_1,
-                c3_1,
-                s2_s3_2_plus_c2_c3_1,
-                c3_1,
-                s2_1,
-                s2_s3_2_plus_c2_c3_1,
-                c2_1,
-                s3_of_place_1,
-                s4_of_place_1,
-                s5_of_place_1,
-                r6_of_u1_u2_u3_1,
-                s3_of_place_1,
-                s5_of_place_1,
-                r6_of_u1_u2_u3_1,
-                s8_minus_s4_l14_1,
-                s9_minus_s5_l14_1,
-                r10_minus_r6_l14_1,
-                s19_minus_s16_l21_1,
-                u2_dot_2_1,
-                s8_minus_s4_l14_1,
-                u1_dot_2_1,
-                u2_dot_2_1,
-                s3_of_place_1,
-                u1_dot_2_1,
-                u2_dot_2_1,
-                s3_2_1,
-                u1_dot_2_1,
-                u2_dot_2_1,
-                c3_1,
+                q3_1, q3_1, c3_1, q1_1, q1_1, s1_1, c1_1, s1_s3_2_plus_c1_c3_1, q2_1, q2_1, s2_1,
+                c2_1, s2_s3_2_plus_c2_c3_1, u1_1, c1_1, s1_1, u2_1, s2_1, c2_1, u3_1, s3_2_1,
+                s3_2_1, c3_1, r6_of_u1_u2_5_1, s1_s3_2_plus_c1_c3_1, s3_2_1, s2_1, c3_1, c2_1, c3_1,
+                s1_s3_2_plus_c1_c3_1, c3_1, s1_1, s1_s3_2_plus_c1_c3_1, c1_1, s2_s3_2_plus_c2_c3_1,
+                c3_1, s2_s3_2_plus_c2_c3_1, c3_1, s2_1, s2_s3_2_plus_c2_c3_1, c2_1, s3_of_place_1,
+                s4_of_place_1, s5_of_place_1, r6_of_u1_u2_u3_1, s3_of_place_1, s5_of_place_1,
+                r6_of_u1_u2_u3_1, s8_minus_s4_l14_1, s9_minus_s5_l14_1, r10_minus_r6_l14_1,
+                s19_minus_s16_l21_1, u2_dot_2_1, s8_minus_s4_l14_1, u1_dot_2_1, u2_dot_2_1,
+                s3_of_place_1, u1_dot_2_1, u2_dot_2_1, s3_2_1, u1_dot_2_1, u2_dot_2_1, c3_1,
             ],
             [
-                c3_1,
-                s3_2_1,
-                c3_1,
-                c1_1,
-                s1_1,
-                s3_2_1,
-                c3_1,
-                c3_1,
-                c2_1,
-                s2_1,
-                s3_2_1,
-                c3_1,
-                c3_1,
-                u1_1,
-                u1_sq_1,
-                u1_sq_1,
-                u2_1,
-                u2_sq_1,
-                u2_sq_1,
-                u3_1,
-                u3_sq_1,
-                r6_of_u1_u2_2_1,
-                r6_of_u1_u2_1,
-                c3_1,
-                s1_s3_2_plus_c1_c3_1,
-                s1_s3_2_plus_c1_c3_1,
-                s9_of_place_1,
-                s1_s3_2_plus_c1_c3_1,
-                s9_of_place_3_1,
-                u2_sq_s2_1,
-                u1_sq_1,
-                u1_sq_l7_plus_u3_sq_1,
-                r10_of_u1_u2_u3_1,
-                r10_of_u1_u2_1,
-                r10_of_u2_u3_1,
-                s2_s3_2_plus_c2_c3_1,
-                u1_sq_s1_1,
-                u2_sq_1,
-                u3_sq_plus_u2_sq_l11_1,
-                r13_of_u1_u2_u3_1,
-                r13_of_u1_u2_1,
-                r13_of_u1_u3_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l18_of_place_1,
-                l18_of_place_1,
-                l18_of_place_1,
-                l21_of_place_1,
-                l21_of_place_1,
-                l21_of_place_1,
-                u2_dot_2_1,
-                s9_minus_s5_l14_1,
-                u1_dot_2_1,
-                s4_of_place_1,
-                s5_of_place_1,
-                u0_dot_2_1,
-                s1_1,
-                s2_1,
-                u3_dot_of_motion_1,
-                c1_1,
-                c2_1,
-                u3_dot_of_motion_3_1,
+                c3_1, s3_2_1, c3_1, c1_1, s1_1, s3_2_1, c3_1, c3_1, c2_1, s2_1, s3_2_1, c3_1, c3_1,
+                u1_1, u1_sq_1, u1_sq_1, u2_1, u2_sq_1, u2_sq_1, u3_1, u3_sq_1, r6_of_u1_u2_2_1,
+                r6_of_u1_u2_1, c3_1, s1_s3_2_plus_c1_c3_1, s1_s3_2_plus_c1_c3_1, s9_of_place_1,
+                s1_s3_2_plus_c1_c3_1, s9_of_place_3_1, u2_sq_s2_1, u1_sq_1, u1_sq_l7_plus_u3_sq_1,
+                r10_of_u1_u2_u3_1, r10_of_u1_u2_1, r10_of_u2_u3_1, s2_s3_2_plus_c2_c3_1, u1_sq_s1_1,
+                u2_sq_1, u3_sq_plus_u2_sq_l11_1, r13_of_u1_u2_u3_1, r13_of_u1_u2_1, r13_of_u1_u3_1,
+                l14_of_place_1, l14_of_place_1, l14_of_place_1, l14_of_place_1, l18_of_place_1,
+                l18_of_place_1, l18_of_place_1, l21_of_place_1, l21_of_place_1, l21_of_place_1,
+                u2_dot_2_1, s9_minus_s5_l14_1, u1_dot_2_1, s4_of_place_1, s5_of_place_1, u0_dot_2_1,
+                s1_1, s2_1, u3_dot_of_motion_1, c1_1, c2_1, u3_dot_of_motion_3_1,
             ],
         ];
     }
@@ -2021,131 +1878,27 @@ pub fn taylor<S: Scalar>(
                 c3,
                 count * q1,
                 count * q1,
-                s1,
-                c1,
-                s1_s3_2_plus_c1_c3,
+                s1, c1, s1_s3_2_plus_c1_c3,
                 count * q2,
                 count * q2,
-                s2,
-                c2,
-                s2_s3_2_plus_c2_c3,
-                u1,
-                c1,
-                s1,
-                u2,
-                s2,
-                c2,
-                u3,
-                s3_2,
-                s3_2,
-                c3,
-                r6_of_u1_u2_5,
-                s1_s3_2_plus_c1_c3,
-                s3_2,
-                s2,
-                c3,
-                c2,
-                c3,
-                s1_s3_2_plus_c1_c3,
-                c3,
-                s1,
-                s1_s3_2_plus_c1_c3,
-                c1,
-                s2_s3_2_plus_c2_c3,
-                c3,
-                s2_s3_2_plus_c2_c3,
-                c3,
-                s2,
-                s2_s3_2_plus_c2_c3,
-                c2,
-                s3_of_place,
-                s4_of_place,
-                s5_of_place,
-                r6_of_u1_u2_u3,
-                s3_of_place,
-                s5_of_place,
-                r6_of_u1_u2_u3,
-                s8_minus_s4_l14,
-                s9_minus_s5_l14,
-                r10_minus_r6_l14,
-                s19_minus_s16_l21,
-                u2_dot_2,
-                s8_minus_s4_l14,
-                u1_dot_2,
-                u2_dot_2,
-                s3_of_place,
-                u1_dot_2,
-                u2_dot_2,
-                s3_2,
-                u1_dot_2,
-                u2_dot_2,
-                c3,
+                s2, c2, s2_s3_2_plus_c2_c3, u1, c1, s1, u2, s2, c2, u3, s3_2, s3_2, c3,
+                r6_of_u1_u2_5, s1_s3_2_plus_c1_c3, s3_2, s2, c3, c2, c3, s1_s3_2_plus_c1_c3, c3, s1,
+                s1_s3_2_plus_c1_c3, c1, s2_s3_2_plus_c2_c3, c3, s2_s3_2_plus_c2_c3, c3, s2,
+                s2_s3_2_plus_c2_c3, c2, s3_of_place, s4_of_place, s5_of_place, r6_of_u1_u2_u3,
+                s3_of_place, s5_of_place, r6_of_u1_u2_u3, s8_minus_s4_l14, s9_minus_s5_l14,
+                r10_minus_r6_l14, s19_minus_s16_l21, u2_dot_2, s8_minus_s4_l14, u1_dot_2, u2_dot_2,
+                s3_of_place, u1_dot_2, u2_dot_2, s3_2, u1_dot_2, u2_dot_2, c3,
             ],
             [
-                c3,
-                s3_2,
-                c3,
-                c1,
-                s1,
-                s3_2,
-                c3,
-                c3,
-                c2,
-                s2,
-                s3_2,
-                c3,
-                c3,
-                u1,
-                u1_sq,
-                u1_sq,
-                u2,
-                u2_sq,
-                u2_sq,
-                u3,
-                u3_sq,
-                r6_of_u1_u2_2,
-                r6_of_u1_u2,
-                c3,
-                s1_s3_2_plus_c1_c3,
-                s1_s3_2_plus_c1_c3,
-                s9_of_place,
-                s1_s3_2_plus_c1_c3,
-                s9_of_place_3,
-                u2_sq_s2,
-                u1_sq,
-                u1_sq_l7_plus_u3_sq,
-                r10_of_u1_u2_u3,
-                r10_of_u1_u2,
-                r10_of_u2_u3,
-                s2_s3_2_plus_c2_c3,
-                u1_sq_s1,
-                u2_sq,
-                u3_sq_plus_u2_sq_l11,
-                r13_of_u1_u2_u3,
-                r13_of_u1_u2,
-                r13_of_u1_u3,
-                l14_of_place,
-                l14_of_place,
-                l14_of_place,
-                l14_of_place,
-                l18_of_place,
-                l18_of_place,
-                l18_of_place,
-                l21_of_place,
-                l21_of_place,
-                l21_of_place,
-                u2_dot_2,
-                s9_minus_s5_l14,
-                u1_dot_2,
-                s4_of_place,
-                s5_of_place,
-                u0_dot_2,
-                s1,
-                s2,
-                u3_dot_of_motion,
-                c1,
-                c2,
-                u3_dot_of_motion_3,
+                c3, s3_2, c3, c1, s1, s3_2, c3, c3, c2, s2, s3_2, c3, c3, u1, u1_sq, u1_sq, u2,
+                u2_sq, u2_sq, u3, u3_sq, r6_of_u1_u2_2, r6_of_u1_u2, c3, s1_s3_2_plus_c1_c3,
+                s1_s3_2_plus_c1_c3, s9_of_place, s1_s3_2_plus_c1_c3, s9_of_place_3, u2_sq_s2, u1_sq,
+                u1_sq_l7_plus_u3_sq, r10_of_u1_u2_u3, r10_of_u1_u2, r10_of_u2_u3,
+                s2_s3_2_plus_c2_c3, u1_sq_s1, u2_sq, u3_sq_plus_u2_sq_l11, r13_of_u1_u2_u3,
+                r13_of_u1_u2, r13_of_u1_u3, l14_of_place, l14_of_place, l14_of_place, l14_of_place,
+                l18_of_place, l18_of_place, l18_of_place, l21_of_place, l21_of_place, l21_of_place,
+                u2_dot_2, s9_minus_s5_l14, u1_dot_2, s4_of_place, s5_of_place, u0_dot_2, s1, s2,
+                u3_dot_of_motion, c1, c2, u3_dot_of_motion_3,
             ],
         ];
         count_last = count;
@@ -2283,11 +2036,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -17,15 +17,14 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 2]; 2] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
     let [_, phi] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (_, cos_phi) = phi.sin_cos();
     // Entries that are not zero; upper triangle.
     // M11 = mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2
-    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx
-        + cos_phi * cos_phi * (IByy - IBxx);
+    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx + cos_phi * cos_phi * (IByy - IBxx);
     // M22 = IBzz
     let m22 = IBzz;
+    let zero = S::int(0);
     [[m11, zero], [zero, m22]]
 }
 
@@ -70,8 +69,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
     let omega_dot_of_omega = omega * sin_phi * cos_phi * (IBxx - IByy);
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot = -(g * sin_theta * (ma_la + mb_lb)
-        + S::int(2) * alpha * omega_dot_of_omega)
+    let omega_dot = -(g * sin_theta * (ma_la + mb_lb) + S::int(2) * alpha * omega_dot_of_omega)
         / (lA.mul_add(ma_la, IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi)
             + lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
@@ -156,8 +154,7 @@ pub fn derivative<S: Scalar>(
     let omega_dot_of_omega = omega * sin_phi * cos_phi * (IBxx - IByy);
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot = -(g * sin_theta * (ma_la + mb_lb)
-        + S::int(2) * alpha * omega_dot_of_omega)
+    let omega_dot = -(g * sin_theta * (ma_la + mb_lb) + S::int(2) * alpha * omega_dot_of_omega)
         / (lA.mul_add(ma_la, IAxx + IBxx * sin_phi * sin_phi + IByy * cos_phi * cos_phi)
             + lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
@@ -178,7 +175,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -191,8 +187,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     // IAxx + IByy*cos_phi_sq
     let omega_dot_by_theta_of_place = IByy.mul_add(cos_phi_sq, IAxx);
     // la_ma_la_plus_lb_mb_lb + omega_dot_by_theta_of_place
-    let omega_dot_by_theta_of_place_2 = la_ma_la_plus_lb_mb_lb
-        + omega_dot_by_theta_of_place;
+    let omega_dot_by_theta_of_place_2 = la_ma_la_plus_lb_mb_lb + omega_dot_by_theta_of_place;
     // g*(ma_la + mb_lb)
     let omega_dot_by_theta_of_place_3 = g * (ma_la + mb_lb);
     // omega_dot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
@@ -231,8 +226,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let omega_dot_by_omega_of_place = omega_dot_by_phi_of_place_2 * sin_phi_cos_phi;
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let omega_dot_by_omega = -alpha * omega_dot_by_phi_of_ibxx_ibyy
-        * omega_dot_by_omega_of_place;
+    let omega_dot_by_omega = -alpha * omega_dot_by_phi_of_ibxx_ibyy * omega_dot_by_omega_of_place;
     // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot_by_omega = sin_phi_cos_phi_doubled * alpha_dot_by_phi_of_omega;
     // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
@@ -243,6 +237,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let theta_dot_by_omega_value = S::int(1);
     // d(phi')/d(alpha) = 1
     let phi_dot_by_alpha_value = S::int(1);
+    let zero = S::int(0);
     [
         [zero, zero, theta_dot_by_omega_value, zero],
         [zero, zero, zero, phi_dot_by_alpha_value],
@@ -282,8 +277,7 @@ pub fn inverse_dynamics<S: Scalar>(
     // tau1 = g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) +
     //   omega'*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
     let tau1 = g * sin_theta * (ma_la + mb_lb)
-        + tau1_of_place
-            * (-omega_dot).mul_add(cos_phi, S::int(2) * alpha * omega_sin_phi)
+        + tau1_of_place * (-omega_dot).mul_add(cos_phi, S::int(2) * alpha * omega_sin_phi)
         + omega_dot * (iaxx_plus_ibxx + la_ma_la_plus_lb_mb_lb);
     // tau2 = omega^2*sin(phi)*cos(phi)*(IByy - IBxx) + IBzz*alpha'
     let tau2 = (-(omega * omega_sin_phi)).mul_add(tau1_of_place, IBzz * alpha_dot);
@@ -322,8 +316,7 @@ pub fn taylor<S: Scalar>(
     let omega_dot_of_omega_alpha_0 = alpha_0 * omega_sin_phi_cos_phi_0;
     let omega_dot_of_omega_alpha_2_0 = omega_dot_of_omega_alpha_0
         .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta_0);
-    let omega_dot_of_omega_alpha_3_0 = omega_dot_of_omega_alpha_2_0
-        * over_omega_dot_of_place;
+    let omega_dot_of_omega_alpha_3_0 = omega_dot_of_omega_alpha_2_0 * over_omega_dot_of_place;
     let omega_sq_sin_phi_cos_phi_0 = omega_0 * omega_sin_phi_cos_phi_0;
     // Order 1: the rates, and what follows from them.
     let theta_1 = omega_0;
@@ -358,29 +351,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                phi_1,
-                phi_1,
-                theta_1,
-                theta_1,
-                sin_phi_1,
-                cos_phi_1,
-                omega_1,
-                cos_phi_1,
-                alpha_1,
-                omega_dot_of_place_1,
-                omega_1,
+                phi_1, phi_1, theta_1, theta_1, sin_phi_1, cos_phi_1, omega_1, cos_phi_1, alpha_1,
+                omega_dot_of_place_1, omega_1,
             ]),
             padded([
-                cos_phi_1,
-                sin_phi_1,
-                cos_theta_1,
-                sin_theta_1,
-                sin_phi_1,
-                cos_phi_1,
-                sin_phi_1,
-                omega_sin_phi_1,
-                omega_sin_phi_cos_phi_1,
-                omega_dot_of_omega_alpha_3_1,
+                cos_phi_1, sin_phi_1, cos_theta_1, sin_theta_1, sin_phi_1, cos_phi_1, sin_phi_1,
+                omega_sin_phi_1, omega_sin_phi_cos_phi_1, omega_dot_of_omega_alpha_3_1,
                 omega_sin_phi_cos_phi_1,
             ]),
         ];
@@ -517,26 +493,11 @@ pub fn taylor<S: Scalar>(
                 count * phi,
                 count * theta,
                 count * theta,
-                sin_phi,
-                cos_phi,
-                omega,
-                cos_phi,
-                alpha,
-                omega_dot_of_place,
-                omega,
+                sin_phi, cos_phi, omega, cos_phi, alpha, omega_dot_of_place, omega,
             ]),
             padded([
-                cos_phi,
-                sin_phi,
-                cos_theta,
-                sin_theta,
-                sin_phi,
-                cos_phi,
-                sin_phi,
-                omega_sin_phi,
-                omega_sin_phi_cos_phi,
-                omega_dot_of_omega_alpha_3,
-                omega_sin_phi_cos_phi,
+                cos_phi, sin_phi, cos_theta, sin_theta, sin_phi, cos_phi, sin_phi, omega_sin_phi,
+                omega_sin_phi_cos_phi, omega_dot_of_omega_alpha_3, omega_sin_phi_cos_phi,
             ]),
         ];
         count_last = count;
@@ -638,11 +599,7 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

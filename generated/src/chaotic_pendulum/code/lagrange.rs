@@ -20,15 +20,14 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 2]; 2] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
     let [_, phi] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (_, cos_phi) = phi.sin_cos();
     // Entries that are not zero; upper triangle.
     // M11 = mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2
-    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx
-        + cos_phi * cos_phi * (IByy - IBxx);
+    let m11 = mA * lA * lA + mB * lB * lB + IAxx + IBxx + cos_phi * cos_phi * (IByy - IBxx);
     // M22 = IBzz
     let m22 = IBzz;
+    let zero = S::int(0);
     [[m11, zero], [zero, m22]]
 }
 
@@ -48,8 +47,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], q_dot: &[S; 2]) -> [S; 
     let f1_of_theta_dot = theta_dot * sin_phi * cos_phi * (IBxx - IByy);
     // Values.
     // f1 = 2*theta'*phi'*sin(phi)*cos(phi)*(IByy - IBxx) - g*sin(theta)*(mA*lA + mB*lB)
-    let f1 = -g * sin_theta * mB.mul_add(lB, mA * lA)
-        - S::int(2) * phi_dot * f1_of_theta_dot;
+    let f1 = -g * sin_theta * mB.mul_add(lB, mA * lA) - S::int(2) * phi_dot * f1_of_theta_dot;
     // f2 = theta'^2*sin(phi)*cos(phi)*(IBxx - IByy)
     let f2 = theta_dot * f1_of_theta_dot;
     [f1, f2]
@@ -230,7 +228,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
     let [theta, phi] = *q;
     let [theta_dot, phi_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -243,8 +240,7 @@ pub fn jacobian<S: Scalar>(
     // IAxx + IByy*cos_phi_sq
     let theta_ddot_by_theta_of_place = IByy.mul_add(cos_phi_sq, IAxx);
     // la_ma_la_plus_lb_mb_lb + theta_ddot_by_theta_of_place
-    let theta_ddot_by_theta_of_place_2 = la_ma_la_plus_lb_mb_lb
-        + theta_ddot_by_theta_of_place;
+    let theta_ddot_by_theta_of_place_2 = la_ma_la_plus_lb_mb_lb + theta_ddot_by_theta_of_place;
     // g*(ma_la + mb_lb)
     let theta_ddot_by_theta_of_place_3 = g * (ma_la + mb_lb);
     // theta_ddot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
@@ -280,8 +276,7 @@ pub fn jacobian<S: Scalar>(
     // phi_ddot_by_phi = theta'^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
     let phi_ddot_by_phi = theta_dot * phi_ddot_by_phi_of_theta_dot
         * cos_phi_sq.mul_add(S::int(2), -S::int(1));
-    let theta_ddot_by_theta_dot_of_place = theta_ddot_by_phi_of_place_2
-        * sin_phi_cos_phi;
+    let theta_ddot_by_theta_dot_of_place = theta_ddot_by_phi_of_place_2 * sin_phi_cos_phi;
     // theta_ddot_by_theta_dot = 2*phi'*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
     let theta_ddot_by_theta_dot = -phi_dot * theta_ddot_by_phi_of_ibxx_ibyy
@@ -290,21 +285,18 @@ pub fn jacobian<S: Scalar>(
     let phi_ddot_by_theta_dot = sin_phi_cos_phi_doubled * phi_ddot_by_phi_of_theta_dot;
     // theta_ddot_by_phi_dot = 2*theta'*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot_by_phi_dot = -theta_ddot_by_phi_of_theta_dot
-        * theta_ddot_by_theta_dot_of_place;
+    let theta_ddot_by_phi_dot = -theta_ddot_by_phi_of_theta_dot * theta_ddot_by_theta_dot_of_place;
     // Entries that are not zero.
     // d(theta')/d(theta') = 1
     let theta_dot_by_theta_dot_value = S::int(1);
     // d(phi')/d(phi') = 1
     let phi_dot_by_phi_dot_value = S::int(1);
+    let zero = S::int(0);
     [
         [zero, zero, theta_dot_by_theta_dot_value, zero],
         [zero, zero, zero, phi_dot_by_phi_dot_value],
         [
-            theta_ddot_by_theta,
-            theta_ddot_by_phi,
-            theta_ddot_by_theta_dot,
-            theta_ddot_by_phi_dot,
+            theta_ddot_by_theta, theta_ddot_by_phi, theta_ddot_by_theta_dot, theta_ddot_by_phi_dot,
         ],
         [zero, phi_ddot_by_phi, phi_ddot_by_theta_dot, zero],
     ]
@@ -341,8 +333,7 @@ pub fn inverse_dynamics<S: Scalar>(
     // tau1 = g*sin(theta)*(mA*lA + mB*lB) + 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy) +
     //   theta''*(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
     let tau1 = g * sin_theta * (ma_la + mb_lb)
-        + tau1_of_place
-            * (-theta_ddot).mul_add(cos_phi, S::int(2) * phi_dot * theta_dot_sin_phi)
+        + tau1_of_place * (-theta_ddot).mul_add(cos_phi, S::int(2) * phi_dot * theta_dot_sin_phi)
         + theta_ddot * (iaxx_plus_ibxx + la_ma_la_plus_lb_mb_lb);
     // tau2 = theta'^2*sin(phi)*cos(phi)*(IByy - IBxx) + IBzz*phi''
     let tau2 = (-(theta_dot * theta_dot_sin_phi))
@@ -417,29 +408,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                phi_1,
-                phi_1,
-                sin_phi_1,
-                cos_phi_1,
-                theta_1,
-                theta_1,
-                theta_dot_1,
-                cos_phi_1,
-                phi_dot_1,
-                theta_ddot_of_place_1,
-                theta_dot_1,
+                phi_1, phi_1, sin_phi_1, cos_phi_1, theta_1, theta_1, theta_dot_1, cos_phi_1,
+                phi_dot_1, theta_ddot_of_place_1, theta_dot_1,
             ]),
             padded([
-                cos_phi_1,
-                sin_phi_1,
-                sin_phi_1,
-                cos_phi_1,
-                cos_theta_1,
-                sin_theta_1,
-                sin_phi_1,
-                theta_dot_sin_phi_1,
-                theta_ddot_of_theta_dot_1,
-                theta_ddot_of_motion_3_1,
+                cos_phi_1, sin_phi_1, sin_phi_1, cos_phi_1, cos_theta_1, sin_theta_1, sin_phi_1,
+                theta_dot_sin_phi_1, theta_ddot_of_theta_dot_1, theta_ddot_of_motion_3_1,
                 theta_ddot_of_theta_dot_1,
             ]),
         ];
@@ -579,27 +553,14 @@ pub fn taylor<S: Scalar>(
             padded([
                 count * phi,
                 count * phi,
-                sin_phi,
-                cos_phi,
+                sin_phi, cos_phi,
                 count * theta,
                 count * theta,
-                theta_dot,
-                cos_phi,
-                phi_dot,
-                theta_ddot_of_place,
-                theta_dot,
+                theta_dot, cos_phi, phi_dot, theta_ddot_of_place, theta_dot,
             ]),
             padded([
-                cos_phi,
-                sin_phi,
-                sin_phi,
-                cos_phi,
-                cos_theta,
-                sin_theta,
-                sin_phi,
-                theta_dot_sin_phi,
-                theta_ddot_of_theta_dot,
-                theta_ddot_of_motion_3,
+                cos_phi, sin_phi, sin_phi, cos_phi, cos_theta, sin_theta, sin_phi,
+                theta_dot_sin_phi, theta_ddot_of_theta_dot, theta_ddot_of_motion_3,
                 theta_ddot_of_theta_dot,
             ]),
         ];
@@ -704,11 +665,7 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

@@ -20,7 +20,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 12]; 12] {
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, .. } = *p;
     let [_, phi] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Shared terms.
@@ -92,6 +91,7 @@ pub fn mass_matrix<S: Scalar>(
     let m_11_12 = minus_cos_phi;
     // M_12_2 = IBzz
     let m_12_2 = IBzz;
+    let zero = S::int(0);
     [
         [m_1_1, zero, m_1_3, zero, zero, zero, zero, m_1_8, zero, zero, zero, zero],
         [zero, zero, zero, m_2_4, zero, zero, zero, zero, m_2_9, zero, zero, zero],
@@ -116,7 +116,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 12] 
     let Parameters { mA, mB, lA, lB, IBxx, IByy, IBzz, g, .. } = *p;
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
@@ -145,6 +144,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 12] 
     let f_11 = omega_alpha * sin_phi * (IBzz - ibxx_minus_ibyy);
     // f_12 = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)
     let f_12 = omega_sq * ibxx_minus_ibyy * sin_phi * cos_phi;
+    let zero = S::int(0);
     [f_1, zero, f_3, zero, zero, zero, f_7, f_8, f_9, f_10, f_11, f_12]
 }
 
@@ -168,8 +168,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S
     let omega_dot_of_omega = omega * omega_dot_of_place * sin_phi;
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot = (g * sin_theta * (ma_la + mb_lb)
-        + S::int(2) * alpha * omega_dot_of_omega)
+    let omega_dot = (g * sin_theta * (ma_la + mb_lb) + S::int(2) * alpha * omega_dot_of_omega)
         / (omega_dot_of_place.mul_add(cos_phi, -IAxx) - IBxx - lA * ma_la - lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_of_omega / IBzz;
@@ -200,8 +199,7 @@ pub fn derivative<S: Scalar>(
     let omega_dot_of_omega = omega * omega_dot_of_place * sin_phi;
     // omega' = -(g*sin(theta)*(mA*lA + mB*lB) + 2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 +
     //   mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot = (g * sin_theta * (ma_la + mb_lb)
-        + S::int(2) * alpha * omega_dot_of_omega)
+    let omega_dot = (g * sin_theta * (ma_la + mb_lb) + S::int(2) * alpha * omega_dot_of_omega)
         / (omega_dot_of_place.mul_add(cos_phi, -IAxx) - IBxx - lA * ma_la - lB * mb_lb);
     // alpha' = omega^2*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot = omega * omega_dot_of_omega / IBzz;
@@ -221,7 +219,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -231,8 +228,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let mb_lb = mB * lB;
     // 1/(IAxx + IByy*cos_phi_sq + IBxx*(1 - cos_phi_sq) + lA*ma_la + lB*mb_lb)
     let omega_dot_by_theta_of_place = S::int(1)
-        / (IAxx + IByy * cos_phi_sq + IBxx * (S::int(1) - cos_phi_sq) + lA * ma_la
-            + lB * mb_lb);
+        / (IAxx + IByy * cos_phi_sq + IBxx * (S::int(1) - cos_phi_sq) + lA * ma_la + lB * mb_lb);
     // g*(ma_la + mb_lb)
     let omega_dot_by_theta_of_place_2 = g * (ma_la + mb_lb);
     // omega_dot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
@@ -269,8 +265,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let omega_dot_by_omega_of_place = omega_dot_by_phi_of_place * sin_phi_cos_phi;
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
     //   IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2))
-    let omega_dot_by_omega = -alpha * omega_dot_by_phi_of_ibxx_ibyy
-        * omega_dot_by_omega_of_place;
+    let omega_dot_by_omega = -alpha * omega_dot_by_phi_of_ibxx_ibyy * omega_dot_by_omega_of_place;
     // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot_by_omega = sin_phi_cos_phi_doubled * alpha_dot_by_phi_of_omega;
     // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
@@ -281,6 +276,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let theta_dot_by_omega_value = S::int(1);
     // d(phi')/d(alpha) = 1
     let phi_dot_by_alpha_value = S::int(1);
+    let zero = S::int(0);
     [
         [zero, zero, theta_dot_by_omega_value, zero],
         [zero, zero, zero, phi_dot_by_alpha_value],
@@ -321,8 +317,7 @@ pub fn taylor<S: Scalar>(
     let omega_dot_of_omega_alpha_0 = alpha_0 * omega_sin_phi_cos_phi_0;
     let omega_dot_of_omega_alpha_2_0 = omega_dot_of_omega_alpha_0
         .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta_0);
-    let omega_dot_of_omega_alpha_3_0 = omega_dot_of_omega_alpha_2_0
-        * over_omega_dot_of_place;
+    let omega_dot_of_omega_alpha_3_0 = omega_dot_of_omega_alpha_2_0 * over_omega_dot_of_place;
     let omega_sq_sin_phi_cos_phi_0 = omega_0 * omega_sin_phi_cos_phi_0;
     // Order 1: the rates, and what follows from them.
     let theta_1 = omega_0;
@@ -356,27 +351,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                phi_1,
-                phi_1,
-                theta_1,
-                theta_1,
-                cos_phi_1,
-                omega_1,
-                cos_phi_1,
-                alpha_1,
-                omega_dot_of_place_1,
-                omega_1,
+                phi_1, phi_1, theta_1, theta_1, cos_phi_1, omega_1, cos_phi_1, alpha_1,
+                omega_dot_of_place_1, omega_1,
             ]),
             padded([
-                cos_phi_1,
-                sin_phi_1,
-                cos_theta_1,
-                sin_theta_1,
-                cos_phi_1,
-                sin_phi_1,
-                omega_sin_phi_1,
-                omega_sin_phi_cos_phi_1,
-                omega_dot_of_omega_alpha_3_1,
+                cos_phi_1, sin_phi_1, cos_theta_1, sin_theta_1, cos_phi_1, sin_phi_1,
+                omega_sin_phi_1, omega_sin_phi_cos_phi_1, omega_dot_of_omega_alpha_3_1,
                 omega_sin_phi_cos_phi_1,
             ]),
         ];
@@ -510,24 +490,11 @@ pub fn taylor<S: Scalar>(
                 count * phi,
                 count * theta,
                 count * theta,
-                cos_phi,
-                omega,
-                cos_phi,
-                alpha,
-                omega_dot_of_place,
-                omega,
+                cos_phi, omega, cos_phi, alpha, omega_dot_of_place, omega,
             ]),
             padded([
-                cos_phi,
-                sin_phi,
-                cos_theta,
-                sin_theta,
-                cos_phi,
-                sin_phi,
-                omega_sin_phi,
-                omega_sin_phi_cos_phi,
-                omega_dot_of_omega_alpha_3,
-                omega_sin_phi_cos_phi,
+                cos_phi, sin_phi, cos_theta, sin_theta, cos_phi, sin_phi, omega_sin_phi,
+                omega_sin_phi_cos_phi, omega_dot_of_omega_alpha_3, omega_sin_phi_cos_phi,
             ]),
         ];
         count_last = count;
@@ -629,11 +596,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

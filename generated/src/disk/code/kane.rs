@@ -17,7 +17,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 5]; 5] {
     let Parameters { M, R, .. } = *p;
     let [q1, q2, _, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -46,6 +45,7 @@ pub fn mass_matrix<S: Scalar>(
     let m44 = M;
     // M55 = M
     let m55 = M;
+    let zero = S::int(0);
     [
         [m11, zero, zero, m14, m15],
         [zero, m22, zero, m24, m25],
@@ -63,7 +63,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { M, R, g } = *p;
     let [q1, q2, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -90,6 +89,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let f4 = (-f4_of_u1_u2_2).mul_add(c1, -f4_of_u1_u2 * s1);
     // f5 = M*R*(u2^2*cos(q1)*tan(q2)/cos(q2) - u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)))
     let f5 = (-f4_of_u1_u2_2).mul_add(s1, f4_of_u1_u2 * c1);
+    let zero = S::int(0);
     [f1, f2, zero, f4, f5]
 }
 
@@ -102,7 +102,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     let Parameters { R, g, .. } = *p;
     let [q1, q2, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -118,8 +117,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // u2' = u1*(2*u3 - u2*tan(q2))
     let u2_dot = -u1 * u1_dot_of_u2_u3;
     // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2))
-    let u5_dot_of_u1_u2_u2_dot = c2_inv * (-u2_dot).mul_add(s2, u1 * u2_c2_inv)
-        + u1 * u2;
+    let u5_dot_of_u1_u2_u2_dot = c2_inv * (-u2_dot).mul_add(s2, u1 * u2_c2_inv) + u1 * u2;
     let r_s1 = R * s1;
     // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2)
     let u5_dot_of_u1_u2_u1_dot = s2 * u2_c2_inv.mul_add(u2_c2_inv, u1_sq) + u1_dot * c2;
@@ -130,6 +128,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // u4' = -R*(u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2)) + u1'*sin(q1)*cos(q2) +
     //   tan(q2)*(u2^2*sin(q1)/cos(q2) - u2'*cos(q1)))
     let u4_dot = (-u5_dot_of_u1_u2_u2_dot).mul_add(r_c1, -r_s1 * u5_dot_of_u1_u2_u1_dot);
+    let zero = S::int(0);
     [u1_dot, u2_dot, zero, u4_dot, u5_dot]
 }
 
@@ -177,15 +176,13 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let m_r = M * R;
     let t2 = s2 / c2;
     // 5*u1^2 + u2^2*(1 + 4*t2^2)
-    let energy_of_u1_u2 = S::int(5) * u1 * u1
-        + u2 * u2 * (S::int(1) + S::int(4) * t2 * t2);
+    let energy_of_u1_u2 = S::int(5) * u1 * u1 + u2 * u2 * (S::int(1) + S::int(4) * t2 * t2);
     // Values.
     // T = 5*M*R^2*u1^2/8 + M*R^2*u2^2*(1 + 4*tan(q2)^2)/8 + M*R^2*u3^2/4 + M*u4^2/2 +
     //   M*R*u1*u4*sin(q1)*cos(q2) - M*R*u2*u4*cos(q1)*tan(q2) + M*u5^2/2 - M*R*u1*u5*cos(q1)*cos(q2) -
     //   M*R*u2*u5*sin(q1)*tan(q2)
     let energy = S::ratio(1, 2) * M * u5.mul_add(u5, u4 * u4)
-        + m_r
-            * (u1 * c2 * (-u5).mul_add(c1, u4 * s1) - u2 * t2 * u5.mul_add(s1, u4 * c1))
+        + m_r * (u1 * c2 * (-u5).mul_add(c1, u4 * s1) - u2 * t2 * u5.mul_add(s1, u4 * c1))
         + S::ratio(1, 8) * R * m_r * (S::int(2) * u3 * u3 + energy_of_u1_u2);
     energy
 }
@@ -218,7 +215,6 @@ pub fn derivative<S: Scalar>(
     let Parameters { R, g, .. } = *p;
     let [q1, q2, _, _, _] = *q;
     let [u1, u2, u3, u4, u5] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -235,8 +231,7 @@ pub fn derivative<S: Scalar>(
     // u2' = u1*(2*u3 - u2*tan(q2))
     let u2_dot = -u1 * u1_dot_of_u2_u3;
     // u1*u2 + c2_inv*(u1*u2_c2_inv - u2'*sin(q2))
-    let u5_dot_of_u1_u2_u2_dot = c2_inv * (-u2_dot).mul_add(s2, u1 * u2_c2_inv)
-        + u1 * u2;
+    let u5_dot_of_u1_u2_u2_dot = c2_inv * (-u2_dot).mul_add(s2, u1 * u2_c2_inv) + u1 * u2;
     let r_s1 = R * s1;
     // u1'*cos(q2) + sin(q2)*(u1_sq + u2_c2_inv^2)
     let u5_dot_of_u1_u2_u1_dot = s2 * u2_c2_inv.mul_add(u2_c2_inv, u1_sq) + u1_dot * c2;
@@ -258,6 +253,7 @@ pub fn derivative<S: Scalar>(
     let q4_dot_value = u4;
     // q5' = u5
     let q5_dot_value = u5;
+    let zero = S::int(0);
     (
         [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value],
         [u1_dot, u2_dot, zero, u4_dot, u5_dot],
@@ -272,7 +268,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let Parameters { R, g, .. } = *p;
     let [q1, q2, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -350,8 +345,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u5_dot_by_q2_of_u2_u1_dot_2 = u1_dot_by_q2
         .mul_add(r_c2, -u5_dot_by_q2_of_u2_u1_dot);
     // u5_dot_by_q2_of_u1_u2 + u5_dot_by_q2_of_u2_u1_dot_2
-    let u5_dot_by_q2_of_u1_u2_u1_dot = u5_dot_by_q2_of_u1_u2
-        + u5_dot_by_q2_of_u2_u1_dot_2;
+    let u5_dot_by_q2_of_u1_u2_u1_dot = u5_dot_by_q2_of_u1_u2 + u5_dot_by_q2_of_u2_u1_dot_2;
     // u5_dot_by_q2 = -R*(cos(q1)*(u1'*sin(q2) - cos(q2)*(u1^2 + u1_dot_by_q2)) +
     //   (u2*(2*u1*sin(q1)*tan(q2)/cos(q2) + u2*cos(q1)*(1 - 2/cos(q2)^2)) - sin(q1)*(u2'/cos(q2) +
     //   u2_dot_by_q2*sin(q2)))/cos(q2))
@@ -419,82 +413,34 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let q5_dot_by_u5_value = S::int(1);
     // d(u2')/d(u3) = 2*u1
     let u2_dot_by_u3_value = u1_doubled;
+    let zero = S::int(0);
     [
         [
-            zero,
-            q1_dot_by_q2_value,
-            zero,
-            zero,
-            zero,
-            zero,
-            q1_dot_by_u2_value,
-            zero,
-            zero,
-            zero,
+            zero, q1_dot_by_q2_value, zero, zero, zero, zero, q1_dot_by_u2_value, zero, zero, zero,
         ],
         [zero, zero, zero, zero, zero, q2_dot_by_u1_value, zero, zero, zero, zero],
         [
-            zero,
-            q3_dot_by_q2_value,
-            zero,
-            zero,
-            zero,
-            zero,
-            q3_dot_by_u2_value,
-            q3_dot_by_u3_value,
-            zero,
-            zero,
+            zero, q3_dot_by_q2_value, zero, zero, zero, zero, q3_dot_by_u2_value,
+            q3_dot_by_u3_value, zero, zero,
         ],
         [zero, zero, zero, zero, zero, zero, zero, zero, q4_dot_by_u4_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, q5_dot_by_u5_value],
         [
-            zero,
-            u1_dot_by_q2,
-            zero,
-            zero,
-            zero,
-            u1_dot_by_u1,
-            u1_dot_by_u2,
-            u1_dot_by_u3,
-            zero,
+            zero, u1_dot_by_q2, zero, zero, zero, u1_dot_by_u1, u1_dot_by_u2, u1_dot_by_u3, zero,
             zero,
         ],
         [
-            zero,
-            u2_dot_by_q2,
-            zero,
-            zero,
-            zero,
-            u2_dot_by_u1,
-            u2_dot_by_u2,
-            u2_dot_by_u3_value,
-            zero,
-            zero,
+            zero, u2_dot_by_q2, zero, zero, zero, u2_dot_by_u1, u2_dot_by_u2, u2_dot_by_u3_value,
+            zero, zero,
         ],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
         [
-            u4_dot_by_q1,
-            u4_dot_by_q2,
-            zero,
-            zero,
-            zero,
-            u4_dot_by_u1,
-            u4_dot_by_u2,
-            u4_dot_by_u3,
-            zero,
-            zero,
+            u4_dot_by_q1, u4_dot_by_q2, zero, zero, zero, u4_dot_by_u1, u4_dot_by_u2, u4_dot_by_u3,
+            zero, zero,
         ],
         [
-            u5_dot_by_q1,
-            u5_dot_by_q2,
-            zero,
-            zero,
-            zero,
-            u5_dot_by_u1,
-            u5_dot_by_u2,
-            u5_dot_by_u3,
-            zero,
-            zero,
+            u5_dot_by_q1, u5_dot_by_q2, zero, zero, zero, u5_dot_by_u1, u5_dot_by_u2, u5_dot_by_u3,
+            zero, zero,
         ],
     ]
 }
@@ -561,12 +507,10 @@ pub fn inverse_dynamics<S: Scalar>(
     let tau3 = S::ratio(1, 2) * u3_dot * r_m_r;
     // tau4 = M*R*(u2^2*sin(q1)*tan(q2)/cos(q2) + u1*(u1*sin(q1)*sin(q2) + u2*cos(q1)*(1 + 1/cos(q2)^2))) +
     //   M*R*u1'*sin(q1)*cos(q2) - M*R*u2'*cos(q1)*tan(q2) + M*u4'
-    let tau4 = tau4_of_u1_u2_u1_dot.mul_add(s1_m_r, M * u4_dot)
-        + tau4_of_u1_u2_u2_dot * c1_m_r;
+    let tau4 = tau4_of_u1_u2_u1_dot.mul_add(s1_m_r, M * u4_dot) + tau4_of_u1_u2_u2_dot * c1_m_r;
     // tau5 = M*R*(u1*(u2*sin(q1)*(1 + 1/cos(q2)^2) - u1*cos(q1)*sin(q2)) - u2^2*cos(q1)*tan(q2)/cos(q2)) -
     //   M*R*u1'*cos(q1)*cos(q2) - M*R*u2'*sin(q1)*tan(q2) + M*u5'
-    let tau5 = s1_m_r.mul_add(tau4_of_u1_u2_u2_dot, M * u5_dot)
-        - tau4_of_u1_u2_u1_dot * c1_m_r;
+    let tau5 = s1_m_r.mul_add(tau4_of_u1_u2_u2_dot, M * u5_dot) - tau4_of_u1_u2_u1_dot * c1_m_r;
     [tau1, tau2, tau3, tau4, tau5]
 }
 
@@ -597,8 +541,7 @@ pub fn taylor<S: Scalar>(
     let u2_sq_c2_inv_0 = u2_0 * q1_dot_2_0;
     let u1_sq_0 = u1_0 * u1_0;
     let u1_sq_c2_0 = c2_0 * u1_sq_0;
-    let u1_dot_of_u1_u2_0 = u1_sq_c2_0.mul_add(S::int(4), minus_4_g_by_r)
-        + u2_sq_c2_inv_0;
+    let u1_dot_of_u1_u2_0 = u1_sq_c2_0.mul_add(S::int(4), minus_4_g_by_r) + u2_sq_c2_inv_0;
     let u1_dot_of_u1_u2_2_0 = s2_0 * u1_dot_of_u1_u2_0;
     let u1_dot_of_u1_u2_u3_0 = weight * u2_0 - u1_dot_of_u1_u2_2_0;
     let u1_dot_2_0 = u1_dot_of_u1_u2_u3_0 * over_u1_dot_of_q2;
@@ -689,56 +632,15 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             [
-                q2_1,
-                q2_1,
-                c2_1,
-                c2_1,
-                u2_1,
-                u1_1,
-                c2_1,
-                s2_1,
-                u1_dot_of_q2_1,
-                s2_1,
-                u1_1,
-                q1_1,
-                q1_1,
-                q1_dot_2_1,
-                u1_1,
-                s2_1,
-                c2_1,
-                c1_1,
-                u1_1,
-                s2_1,
-                c2_1,
-                s1_1,
-                c1_1,
-                s1_1,
+                q2_1, q2_1, c2_1, c2_1, u2_1, u1_1, c2_1, s2_1, u1_dot_of_q2_1, s2_1, u1_1, q1_1,
+                q1_1, q1_dot_2_1, u1_1, s2_1, c2_1, c1_1, u1_1, s2_1, c2_1, s1_1, c1_1, s1_1,
             ],
             [
-                c2_1,
-                s2_1,
-                c2_1,
-                q1_dot_2_1,
-                q1_dot_2_1,
-                u1_1,
-                u1_sq_1,
-                u1_dot_of_u1_u2_1,
-                u1_dot_2_1,
-                q1_dot_2_1,
-                u2_dot_of_u2_u3_1,
-                c1_1,
-                s1_1,
-                q1_dot_2_1,
-                u2_1,
-                u1_sq_plus_u2_sq_c2_inv2_1,
-                u1_dot_2_1,
-                u5_dot_of_u1_u2_u1_dot_1,
-                q1_dot_2_1,
-                u2_dot_2_1,
-                u5_dot_of_u1_u2_u2_dot_2_1,
-                u5_dot_of_u1_u2_u2_dot_3_1,
-                u5_dot_of_u1_u2_u2_dot_3_1,
-                u5_dot_of_u1_u2_u1_dot_1,
+                c2_1, s2_1, c2_1, q1_dot_2_1, q1_dot_2_1, u1_1, u1_sq_1, u1_dot_of_u1_u2_1,
+                u1_dot_2_1, q1_dot_2_1, u2_dot_of_u2_u3_1, c1_1, s1_1, q1_dot_2_1, u2_1,
+                u1_sq_plus_u2_sq_c2_inv2_1, u1_dot_2_1, u5_dot_of_u1_u2_u1_dot_1, q1_dot_2_1,
+                u2_dot_2_1, u5_dot_of_u1_u2_u2_dot_2_1, u5_dot_of_u1_u2_u2_dot_3_1,
+                u5_dot_of_u1_u2_u2_dot_3_1, u5_dot_of_u1_u2_u1_dot_1,
             ],
         ];
     }
@@ -962,54 +864,16 @@ pub fn taylor<S: Scalar>(
             [
                 count * q2,
                 count * q2,
-                c2,
-                c2,
-                u2,
-                u1,
-                c2,
-                s2,
-                u1_dot_of_q2,
-                s2,
-                u1,
+                c2, c2, u2, u1, c2, s2, u1_dot_of_q2, s2, u1,
                 count * q1,
                 count * q1,
-                q1_dot_2,
-                u1,
-                s2,
-                c2,
-                c1,
-                u1,
-                s2,
-                c2,
-                s1,
-                c1,
-                s1,
+                q1_dot_2, u1, s2, c2, c1, u1, s2, c2, s1, c1, s1,
             ],
             [
-                c2,
-                s2,
-                c2,
-                q1_dot_2,
-                q1_dot_2,
-                u1,
-                u1_sq,
-                u1_dot_of_u1_u2,
-                u1_dot_2,
-                q1_dot_2,
-                u2_dot_of_u2_u3,
-                c1,
-                s1,
-                q1_dot_2,
-                u2,
-                u1_sq_plus_u2_sq_c2_inv2,
-                u1_dot_2,
-                u5_dot_of_u1_u2_u1_dot,
-                q1_dot_2,
-                u2_dot_2,
-                u5_dot_of_u1_u2_u2_dot_2,
-                u5_dot_of_u1_u2_u2_dot_3,
-                u5_dot_of_u1_u2_u2_dot_3,
-                u5_dot_of_u1_u2_u1_dot,
+                c2, s2, c2, q1_dot_2, q1_dot_2, u1, u1_sq, u1_dot_of_u1_u2, u1_dot_2, q1_dot_2,
+                u2_dot_of_u2_u3, c1, s1, q1_dot_2, u2, u1_sq_plus_u2_sq_c2_inv2, u1_dot_2,
+                u5_dot_of_u1_u2_u1_dot, q1_dot_2, u2_dot_2, u5_dot_of_u1_u2_u2_dot_2,
+                u5_dot_of_u1_u2_u2_dot_3, u5_dot_of_u1_u2_u2_dot_3, u5_dot_of_u1_u2_u1_dot,
             ],
         ];
         count_last = count;
@@ -1127,11 +991,7 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -17,7 +17,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 5]; 5] {
     let Parameters { M, R, .. } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
@@ -36,8 +35,7 @@ pub fn mass_matrix<S: Scalar>(
     // M15 = M*R*cos(q1)*sin(q2_minus_90deg)
     let m15 = c1_m_r * sin_q2_minus_90deg;
     // M22 = M*R^2*(1 + 4/tan(q2_minus_90deg)^2)/4
-    let m22 = r_m_r * sin_q2_minus_90deg_inv * sin_q2_minus_90deg_inv
-        - S::ratio(3, 4) * r_m_r;
+    let m22 = r_m_r * sin_q2_minus_90deg_inv * sin_q2_minus_90deg_inv - S::ratio(3, 4) * r_m_r;
     // M24 = M*R*cos(q1)/tan(q2_minus_90deg)
     let m24 = c1_m_r * m24_of_place;
     // M25 = M*R*sin(q1)/tan(q2_minus_90deg)
@@ -48,6 +46,7 @@ pub fn mass_matrix<S: Scalar>(
     let m44 = M;
     // M55 = M
     let m55 = M;
+    let zero = S::int(0);
     [
         [m11, zero, zero, m14, m15],
         [zero, m22, zero, m24, m25],
@@ -65,7 +64,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { M, R, g } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -97,6 +95,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     // f5 = M*R*(u2^2*cos(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) - u1*(u2*sin(q1)*(1 +
     //   1/sin(q2_minus_90deg)^2) - u1*cos(q1)*cos(q2_minus_90deg)))
     let f5 = (-f4_of_u1_u2_2).mul_add(s1, f4_of_u1_u2 * c1);
+    let zero = S::int(0);
     [f1, f2, zero, f4, f5]
 }
 
@@ -109,7 +108,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     let Parameters { R, g, .. } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -142,6 +140,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     //   1/sin(q2_minus_90deg)^2)) + sin(q1)*(u2^2/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) -
     //   u1'*sin(q2_minus_90deg)))
     let u4_dot = (-u5_dot_of_u1_u2_u2_dot).mul_add(r_c1, r_s1 * u5_dot_of_u1_u2_u1_dot);
+    let zero = S::int(0);
     [u1_dot, u2_dot, zero, u4_dot, u5_dot]
 }
 
@@ -190,8 +189,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
     let sin_q2_minus_90deg_inv = S::int(1) / sin_q2_minus_90deg;
     // 5*u1^2 + u2^2*(4*sin_q2_minus_90deg_inv^2 - 3)
     let energy_of_u1_u2 = S::int(5) * u1 * u1
-        + u2 * u2
-            * (S::int(4) * sin_q2_minus_90deg_inv * sin_q2_minus_90deg_inv - S::int(3));
+        + u2 * u2 * (S::int(4) * sin_q2_minus_90deg_inv * sin_q2_minus_90deg_inv - S::int(3));
     // Values.
     // T = M*(4*u4^2 + 4*u5^2 + R*(8*u1*sin(q2_minus_90deg)*(u5*cos(q1) - u4*sin(q1)) + 8*u2*(u4*cos(q1) +
     //   u5*sin(q1))/tan(q2_minus_90deg) + R*(5*u1^2 + 2*u3^2 + u2^2*(1 + 4/tan(q2_minus_90deg)^2))))/8
@@ -231,7 +229,6 @@ pub fn derivative<S: Scalar>(
     let Parameters { R, g, .. } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let [u1, u2, u3, u4, u5] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -276,6 +273,7 @@ pub fn derivative<S: Scalar>(
     let q4_dot_value = u4;
     // q5' = u5
     let q5_dot_value = u5;
+    let zero = S::int(0);
     (
         [q1_dot_value, q2_dot_value, q3_dot_value, q4_dot_value, q5_dot_value],
         [u1_dot, u2_dot, zero, u4_dot, u5_dot],
@@ -290,15 +288,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let Parameters { R, g, .. } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
     let u1_dot_of_place = S::int(4) * sin_q2_minus_90deg;
     // 1/(u1_dot_of_place*sin(q2_minus_90deg) - 5)
-    let u1_dot_of_place_2 = S::int(1)
-        / u1_dot_of_place.mul_add(sin_q2_minus_90deg, -S::int(5));
+    let u1_dot_of_place_2 = S::int(1) / u1_dot_of_place.mul_add(sin_q2_minus_90deg, -S::int(5));
     let u2_u1_dot_of_place_2 = u2 * u1_dot_of_place_2;
     let u3_doubled = S::int(2) * u3;
     let u1_dot_of_place_3 = u1_dot_of_place_2 * cos_q2_minus_90deg;
@@ -446,8 +442,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
         .mul_add(c1, u5_dot_by_u3_of_place * s1);
     // Entries that are not zero.
     // d(q1')/d(q2_minus_90deg) = u2/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
-    let q1_dot_by_q2_minus_90deg_value = sin_q2_minus_90deg_inv
-        * u1_dot_by_q2_minus_90deg_of_u2;
+    let q1_dot_by_q2_minus_90deg_value = sin_q2_minus_90deg_inv * u1_dot_by_q2_minus_90deg_of_u2;
     // d(q1')/d(u2) = -1/sin(q2_minus_90deg)
     let q1_dot_by_u2_value = -sin_q2_minus_90deg_inv;
     // d(q2')/d(u1) = -1
@@ -464,82 +459,35 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let q5_dot_by_u5_value = S::int(1);
     // d(u2')/d(u3) = 2*u1
     let u2_dot_by_u3_value = u1_doubled;
+    let zero = S::int(0);
     [
         [
-            zero,
-            q1_dot_by_q2_minus_90deg_value,
-            zero,
-            zero,
-            zero,
-            zero,
-            q1_dot_by_u2_value,
-            zero,
-            zero,
-            zero,
+            zero, q1_dot_by_q2_minus_90deg_value, zero, zero, zero, zero, q1_dot_by_u2_value, zero,
+            zero, zero,
         ],
         [zero, zero, zero, zero, zero, q2_dot_by_u1_value, zero, zero, zero, zero],
         [
-            zero,
-            q3_dot_by_q2_minus_90deg_value,
-            zero,
-            zero,
-            zero,
-            zero,
-            q3_dot_by_u2_value,
-            q3_dot_by_u3_value,
-            zero,
-            zero,
+            zero, q3_dot_by_q2_minus_90deg_value, zero, zero, zero, zero, q3_dot_by_u2_value,
+            q3_dot_by_u3_value, zero, zero,
         ],
         [zero, zero, zero, zero, zero, zero, zero, zero, q4_dot_by_u4_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, q5_dot_by_u5_value],
         [
-            zero,
-            u1_dot_by_q2_minus_90deg,
-            zero,
-            zero,
-            zero,
-            u1_dot_by_u1,
-            u1_dot_by_u2,
-            u1_dot_by_u3,
-            zero,
-            zero,
+            zero, u1_dot_by_q2_minus_90deg, zero, zero, zero, u1_dot_by_u1, u1_dot_by_u2,
+            u1_dot_by_u3, zero, zero,
         ],
         [
-            zero,
-            u2_dot_by_q2_minus_90deg,
-            zero,
-            zero,
-            zero,
-            u2_dot_by_u1,
-            u2_dot_by_u2,
-            u2_dot_by_u3_value,
-            zero,
-            zero,
+            zero, u2_dot_by_q2_minus_90deg, zero, zero, zero, u2_dot_by_u1, u2_dot_by_u2,
+            u2_dot_by_u3_value, zero, zero,
         ],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
         [
-            u4_dot_by_q1,
-            u4_dot_by_q2_minus_90deg,
-            zero,
-            zero,
-            zero,
-            u4_dot_by_u1,
-            u4_dot_by_u2,
-            u4_dot_by_u3,
-            zero,
-            zero,
+            u4_dot_by_q1, u4_dot_by_q2_minus_90deg, zero, zero, zero, u4_dot_by_u1, u4_dot_by_u2,
+            u4_dot_by_u3, zero, zero,
         ],
         [
-            u5_dot_by_q1,
-            u5_dot_by_q2_minus_90deg,
-            zero,
-            zero,
-            zero,
-            u5_dot_by_u1,
-            u5_dot_by_u2,
-            u5_dot_by_u3,
-            zero,
-            zero,
+            u5_dot_by_q1, u5_dot_by_q2_minus_90deg, zero, zero, zero, u5_dot_by_u1, u5_dot_by_u2,
+            u5_dot_by_u3, zero, zero,
         ],
     ]
 }
@@ -612,13 +560,11 @@ pub fn inverse_dynamics<S: Scalar>(
     // tau4 = M*u4' - M*R*u1'*sin(q1)*sin(q2_minus_90deg) + M*R*u2'*cos(q1)/tan(q2_minus_90deg) +
     //   M*R*(u2^2*sin(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)) + u1*(u1*sin(q1)*cos(q2_minus_90deg) +
     //   u2*cos(q1)*(1 + 1/sin(q2_minus_90deg)^2)))
-    let tau4 = (-tau4_of_u1_u2_u1_dot).mul_add(s1_m_r, M * u4_dot)
-        + tau4_of_u1_u2_u2_dot * c1_m_r;
+    let tau4 = (-tau4_of_u1_u2_u1_dot).mul_add(s1_m_r, M * u4_dot) + tau4_of_u1_u2_u2_dot * c1_m_r;
     // tau5 = M*u5' + M*R*u1'*cos(q1)*sin(q2_minus_90deg) + M*R*u2'*sin(q1)/tan(q2_minus_90deg) +
     //   M*R*(u1*(u2*sin(q1)*(1 + 1/sin(q2_minus_90deg)^2) - u1*cos(q1)*cos(q2_minus_90deg)) -
     //   u2^2*cos(q1)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)))
-    let tau5 = s1_m_r.mul_add(tau4_of_u1_u2_u2_dot, M * u5_dot)
-        + tau4_of_u1_u2_u1_dot * c1_m_r;
+    let tau5 = s1_m_r.mul_add(tau4_of_u1_u2_u2_dot, M * u5_dot) + tau4_of_u1_u2_u1_dot * c1_m_r;
     [tau1, tau2, tau3, tau4, tau5]
 }
 
@@ -688,16 +634,9 @@ pub fn taylor<S: Scalar>(
     let u5_1 = minus_r * u5_dot_of_motion_0;
     if series.len() > 1 {
         series[1] = [
-            q1_1,
-            q2_minus_90deg_1,
-            q3_1,
-            q4_1,
-            q5_1,
-            u1_1,
-            u2_1,
+            q1_1, q2_minus_90deg_1, q3_1, q4_1, q5_1, u1_1, u2_1,
             S::int(0),
-            u4_1,
-            u5_1,
+            u4_1, u5_1,
         ];
     }
     let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
@@ -762,56 +701,18 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             [
-                q2_minus_90deg_1,
-                q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                u2_1,
-                u1_1,
-                sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_1,
-                u1_dot_of_place_1,
-                cos_q2_minus_90deg_1,
-                u1_1,
-                q1_1,
-                q1_1,
-                u1_dot_2_1,
-                u1_dot_of_u2_1,
-                u1_1,
-                u1_1,
-                u2_dot_2_1,
-                sin_q2_minus_90deg_1,
-                s1_1,
-                cos_q2_minus_90deg_1,
-                c1_1,
-                s1_1,
-                c1_1,
+                q2_minus_90deg_1, q2_minus_90deg_1, sin_q2_minus_90deg_1, sin_q2_minus_90deg_1,
+                u2_1, u1_1, sin_q2_minus_90deg_1, cos_q2_minus_90deg_1, u1_dot_of_place_1,
+                cos_q2_minus_90deg_1, u1_1, q1_1, q1_1, u1_dot_2_1, u1_dot_of_u2_1, u1_1, u1_1,
+                u2_dot_2_1, sin_q2_minus_90deg_1, s1_1, cos_q2_minus_90deg_1, c1_1, s1_1, c1_1,
             ],
             [
-                cos_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                u1_dot_of_u2_1,
-                u1_dot_of_u2_1,
-                u1_1,
-                u1_sq_1,
-                u1_dot_of_u1_u2_1,
-                u1_dot_2_1,
-                u1_dot_of_u2_1,
-                u2_dot_of_u2_u3_1,
-                c1_1,
-                s1_1,
-                sin_q2_minus_90deg_1,
-                u1_dot_of_u2_1,
-                u2_1,
-                u1_dot_of_u2_1,
-                cos_q2_minus_90deg_1,
-                u5_dot_of_u1_u2_u2_dot_2_1,
-                u5_dot_of_u1_u2_u2_dot_3_1,
-                u5_dot_of_u1_u2_2_1,
-                u5_dot_of_u1_u2_u1_dot_1,
-                u5_dot_of_u1_u2_u1_dot_1,
-                u5_dot_of_u1_u2_u2_dot_3_1,
+                cos_q2_minus_90deg_1, sin_q2_minus_90deg_1, sin_q2_minus_90deg_1, u1_dot_of_u2_1,
+                u1_dot_of_u2_1, u1_1, u1_sq_1, u1_dot_of_u1_u2_1, u1_dot_2_1, u1_dot_of_u2_1,
+                u2_dot_of_u2_u3_1, c1_1, s1_1, sin_q2_minus_90deg_1, u1_dot_of_u2_1, u2_1,
+                u1_dot_of_u2_1, cos_q2_minus_90deg_1, u5_dot_of_u1_u2_u2_dot_2_1,
+                u5_dot_of_u1_u2_u2_dot_3_1, u5_dot_of_u1_u2_2_1, u5_dot_of_u1_u2_u1_dot_1,
+                u5_dot_of_u1_u2_u1_dot_1, u5_dot_of_u1_u2_u2_dot_3_1,
             ],
         ];
     }
@@ -1103,54 +1004,19 @@ pub fn taylor<S: Scalar>(
             [
                 count * q2_minus_90deg,
                 count * q2_minus_90deg,
-                sin_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                u2,
-                u1,
-                sin_q2_minus_90deg,
-                cos_q2_minus_90deg,
-                u1_dot_of_place,
-                cos_q2_minus_90deg,
-                u1,
+                sin_q2_minus_90deg, sin_q2_minus_90deg, u2, u1, sin_q2_minus_90deg,
+                cos_q2_minus_90deg, u1_dot_of_place, cos_q2_minus_90deg, u1,
                 count * q1,
                 count * q1,
-                u1_dot_2,
-                u1_dot_of_u2,
-                u1,
-                u1,
-                u2_dot_2,
-                sin_q2_minus_90deg,
-                s1,
-                cos_q2_minus_90deg,
-                c1,
-                s1,
-                c1,
+                u1_dot_2, u1_dot_of_u2, u1, u1, u2_dot_2, sin_q2_minus_90deg, s1,
+                cos_q2_minus_90deg, c1, s1, c1,
             ],
             [
-                cos_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                u1_dot_of_u2,
-                u1_dot_of_u2,
-                u1,
-                u1_sq,
-                u1_dot_of_u1_u2,
-                u1_dot_2,
-                u1_dot_of_u2,
-                u2_dot_of_u2_u3,
-                c1,
-                s1,
-                sin_q2_minus_90deg,
-                u1_dot_of_u2,
-                u2,
-                u1_dot_of_u2,
-                cos_q2_minus_90deg,
-                u5_dot_of_u1_u2_u2_dot_2,
-                u5_dot_of_u1_u2_u2_dot_3,
-                u5_dot_of_u1_u2_2,
-                u5_dot_of_u1_u2_u1_dot,
-                u5_dot_of_u1_u2_u1_dot,
-                u5_dot_of_u1_u2_u2_dot_3,
+                cos_q2_minus_90deg, sin_q2_minus_90deg, sin_q2_minus_90deg, u1_dot_of_u2,
+                u1_dot_of_u2, u1, u1_sq, u1_dot_of_u1_u2, u1_dot_2, u1_dot_of_u2, u2_dot_of_u2_u3,
+                c1, s1, sin_q2_minus_90deg, u1_dot_of_u2, u2, u1_dot_of_u2, cos_q2_minus_90deg,
+                u5_dot_of_u1_u2_u2_dot_2, u5_dot_of_u1_u2_u2_dot_3, u5_dot_of_u1_u2_2,
+                u5_dot_of_u1_u2_u1_dot, u5_dot_of_u1_u2_u1_dot, u5_dot_of_u1_u2_u2_dot_3,
             ],
         ];
         count_last = count;
@@ -1268,11 +1134,7 @@ impl<S: Scalar> System<S> for KaneQ290deg {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -20,7 +20,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 5]; 5] {
     let Parameters { M, R, .. } = *p;
     let [q1, q2, _, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -52,6 +51,7 @@ pub fn mass_matrix<S: Scalar>(
     let m44 = M;
     // M55 = M
     let m55 = M;
+    let zero = S::int(0);
     [
         [m11, zero, m13, m14, m15],
         [zero, m22, zero, m24, m25],
@@ -127,8 +127,7 @@ pub fn accelerations<S: Scalar>(
     let q1_dot_c2 = q1_dot * c2;
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
     let q2_ddot = (S::int(4) * s2 * (-q2_dot_sq).mul_add(c2, g / R)
-        + q1_dot_c2 * q3_dot.mul_add(S::int(2), q1_dot * s2))
-        / (S::int(5) - S::int(4) * c2 * c2);
+        + q1_dot_c2 * q3_dot.mul_add(S::int(2), q1_dot * s2)) / (S::int(5) - S::int(4) * c2 * c2);
     let s2_q1_ddot = q1_ddot * s2;
     // q2_dot_doubled*q1_dot_c2 + s2_q1_ddot
     let q5_ddot_of_motion = q2_dot_doubled.mul_add(q1_dot_c2, s2_q1_ddot);
@@ -198,8 +197,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
         - m_r
             * (q2_dot * c2 * (-q5_dot).mul_add(c1, q4_dot * s1)
                 + q1_dot_s2 * q5_dot.mul_add(s1, q4_dot * c1))
-        + S::ratio(1, 8) * R * m_r
-            * energy_of_motion.mul_add(S::int(5), energy_of_motion_2);
+        + S::ratio(1, 8) * R * m_r * energy_of_motion.mul_add(S::int(5), energy_of_motion_2);
     energy
 }
 
@@ -314,8 +312,7 @@ pub fn derivative<S: Scalar>(
     let q1_dot_c2 = q1_dot * c2;
     // q2'' = (4*g*sin(q2) + R*cos(q2)*(q1'*(q1'*sin(q2) + 2*q3') - 4*q2'^2*sin(q2)))/(R*(5 - 4*cos(q2)^2))
     let q2_ddot = (S::int(4) * s2 * (-q2_dot_sq).mul_add(c2, g / R)
-        + q1_dot_c2 * q3_dot.mul_add(S::int(2), q1_dot * s2))
-        / (S::int(5) - S::int(4) * c2 * c2);
+        + q1_dot_c2 * q3_dot.mul_add(S::int(2), q1_dot * s2)) / (S::int(5) - S::int(4) * c2 * c2);
     let s2_q1_ddot = q1_ddot * s2;
     // q2_dot_doubled*q1_dot_c2 + s2_q1_ddot
     let q5_ddot_of_motion = q2_dot_doubled.mul_add(q1_dot_c2, s2_q1_ddot);
@@ -360,7 +357,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { R, g, .. } = *p;
     let [q1, q2, _, _, _] = *q;
     let [q1_dot, q2_dot, q3_dot, _, _] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -481,6 +477,7 @@ pub fn jacobian<S: Scalar>(
     let q3_ddot_by_q1_dot_value = -q2_dot * c2;
     // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*sin(q2)
     let q3_ddot_by_q3_dot_value = -q1_ddot_by_q3_dot * s2;
+    let zero = S::int(0);
     [
         [zero, zero, zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero, zero, zero],
@@ -488,64 +485,24 @@ pub fn jacobian<S: Scalar>(
         [zero, zero, zero, zero, zero, zero, zero, zero, q4_dot_by_q4_dot_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, q5_dot_by_q5_dot_value],
         [
-            zero,
-            q1_ddot_by_q2,
-            zero,
-            zero,
-            zero,
-            zero,
-            q1_ddot_by_q2_dot,
-            q1_ddot_by_q3_dot,
-            zero,
+            zero, q1_ddot_by_q2, zero, zero, zero, zero, q1_ddot_by_q2_dot, q1_ddot_by_q3_dot, zero,
             zero,
         ],
         [
-            zero,
-            q2_ddot_by_q2,
-            zero,
-            zero,
-            zero,
-            q2_ddot_by_q1_dot,
-            q2_ddot_by_q2_dot,
-            q2_ddot_by_q3_dot,
-            zero,
-            zero,
+            zero, q2_ddot_by_q2, zero, zero, zero, q2_ddot_by_q1_dot, q2_ddot_by_q2_dot,
+            q2_ddot_by_q3_dot, zero, zero,
         ],
         [
-            zero,
-            q3_ddot_by_q2,
-            zero,
-            zero,
-            zero,
-            q3_ddot_by_q1_dot_value,
-            q3_ddot_by_q2_dot,
-            q3_ddot_by_q3_dot_value,
-            zero,
-            zero,
+            zero, q3_ddot_by_q2, zero, zero, zero, q3_ddot_by_q1_dot_value, q3_ddot_by_q2_dot,
+            q3_ddot_by_q3_dot_value, zero, zero,
         ],
         [
-            q4_ddot_by_q1,
-            q4_ddot_by_q2,
-            zero,
-            zero,
-            zero,
-            q4_ddot_by_q1_dot,
-            q4_ddot_by_q2_dot,
-            q4_ddot_by_q3_dot,
-            zero,
-            zero,
+            q4_ddot_by_q1, q4_ddot_by_q2, zero, zero, zero, q4_ddot_by_q1_dot, q4_ddot_by_q2_dot,
+            q4_ddot_by_q3_dot, zero, zero,
         ],
         [
-            q5_ddot_by_q1,
-            q5_ddot_by_q2,
-            zero,
-            zero,
-            zero,
-            q5_ddot_by_q1_dot,
-            q5_ddot_by_q2_dot,
-            q5_ddot_by_q3_dot,
-            zero,
-            zero,
+            q5_ddot_by_q1, q5_ddot_by_q2, zero, zero, zero, q5_ddot_by_q1_dot, q5_ddot_by_q2_dot,
+            q5_ddot_by_q3_dot, zero, zero,
         ],
     ]
 }
@@ -611,8 +568,7 @@ pub fn inverse_dynamics<S: Scalar>(
         + c2_m_r * (-q4_ddot).mul_add(s1, q5_ddot * c1) - q1_dot * q3_dot_c2_m_r_r_halved
         - s2_m_r_r_times_5_by_4 * q1_dot_sq * c2;
     // tau3 = M*R^2*q1'*q2'*cos(q2)/2 + M*R^2*q1''*sin(q2)/2 + M*R^2*q3''/2
-    let tau3 = r_halved * q1_ddot.mul_add(s2_m_r, q3_ddot * m_r)
-        + q1_dot_q2_dot * c2_m_r_r_halved;
+    let tau3 = r_halved * q1_ddot.mul_add(s2_m_r, q3_ddot * m_r) + q1_dot_q2_dot * c2_m_r_r_halved;
     // tau4 = M*R*(q2'^2*sin(q1)*sin(q2) + q1'*(q1'*sin(q1)*sin(q2) - 2*q2'*cos(q1)*cos(q2))) -
     //   M*R*q1''*cos(q1)*sin(q2) - M*R*q2''*sin(q1)*cos(q2) + M*q4''
     let tau4 = (-tau4_of_motion).mul_add(s1, M * q4_ddot) - m_r_tau1_of_motion * c1;
@@ -684,16 +640,7 @@ pub fn taylor<S: Scalar>(
     let q5_dot_1 = R * q5_ddot_of_motion_7_0;
     if series.len() > 1 {
         series[1] = [
-            q1_1,
-            q2_1,
-            q3_1,
-            q4_1,
-            q5_1,
-            q1_dot_1,
-            q2_dot_1,
-            q3_dot_1,
-            q4_dot_1,
-            q5_dot_1,
+            q1_1, q2_1, q3_1, q4_1, q5_1, q1_dot_1, q2_dot_1, q3_dot_1, q4_dot_1, q5_dot_1,
         ];
     }
     let s2_1 = q2_1 * c2_0;
@@ -747,52 +694,16 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q2_1,
-                q2_1,
-                q2_dot_1,
-                c2_1,
-                c2_1,
-                q1_dot_1,
-                q2_dot_1,
-                q1_dot_1,
-                q3_dot_1,
-                c2_1,
-                s2_1,
-                q2_ddot_of_q2_1,
-                q1_1,
-                q1_1,
-                s2_1,
-                q2_dot_1,
-                s2_1,
-                c2_1,
-                c1_1,
-                s1_1,
-                s1_1,
+                q2_1, q2_1, q2_dot_1, c2_1, c2_1, q1_dot_1, q2_dot_1, q1_dot_1, q3_dot_1, c2_1,
+                s2_1, q2_ddot_of_q2_1, q1_1, q1_1, s2_1, q2_dot_1, s2_1, c2_1, c1_1, s1_1, s1_1,
                 c1_1,
             ]),
             padded([
-                c2_1,
-                s2_1,
-                q3_dot_1,
-                q2_dot_q3_dot_c2_inv_1,
-                c2_1,
-                q1_dot_1,
-                q2_dot_1,
-                c2_1,
-                q1_dot_c2_1,
-                q2_ddot_of_motion_1,
-                q2_ddot_of_motion_3_1,
-                q2_ddot_of_motion_6_1,
-                c1_1,
-                s1_1,
-                q2_dot_q3_dot_c2_inv_1,
-                q1_dot_c2_1,
-                q1_dot_sq_plus_q2_dot_sq_1,
-                q2_ddot_of_motion_6_1,
-                q5_ddot_of_motion_3_1,
-                q5_ddot_of_motion_5_1,
-                q5_ddot_of_motion_3_1,
-                q5_ddot_of_motion_5_1,
+                c2_1, s2_1, q3_dot_1, q2_dot_q3_dot_c2_inv_1, c2_1, q1_dot_1, q2_dot_1, c2_1,
+                q1_dot_c2_1, q2_ddot_of_motion_1, q2_ddot_of_motion_3_1, q2_ddot_of_motion_6_1,
+                c1_1, s1_1, q2_dot_q3_dot_c2_inv_1, q1_dot_c2_1, q1_dot_sq_plus_q2_dot_sq_1,
+                q2_ddot_of_motion_6_1, q5_ddot_of_motion_3_1, q5_ddot_of_motion_5_1,
+                q5_ddot_of_motion_3_1, q5_ddot_of_motion_5_1,
             ]),
         ];
     }
@@ -965,8 +876,7 @@ pub fn taylor<S: Scalar>(
         let q2_ddot_of_motion_6 = q2_ddot_of_motion_5
             .mul_add(
                 over_q2_ddot_of_q2,
-                -(q2_ddot_of_q2.mul_add(q2_ddot_of_motion_6_0, sums[11])
-                    * over_q2_ddot_of_q2),
+                -(q2_ddot_of_q2.mul_add(q2_ddot_of_motion_6_0, sums[11]) * over_q2_ddot_of_q2),
             );
         // s1 = sin(q1)
         let s1 = q1.mul_add(c1_0, sums[12] * over_k);
@@ -1024,50 +934,16 @@ pub fn taylor<S: Scalar>(
             padded([
                 count * q2,
                 count * q2,
-                q2_dot,
-                c2,
-                c2,
-                q1_dot,
-                q2_dot,
-                q1_dot,
-                q3_dot,
-                c2,
-                s2,
-                q2_ddot_of_q2,
+                q2_dot, c2, c2, q1_dot, q2_dot, q1_dot, q3_dot, c2, s2, q2_ddot_of_q2,
                 count * q1,
                 count * q1,
-                s2,
-                q2_dot,
-                s2,
-                c2,
-                c1,
-                s1,
-                s1,
-                c1,
+                s2, q2_dot, s2, c2, c1, s1, s1, c1,
             ]),
             padded([
-                c2,
-                s2,
-                q3_dot,
-                q2_dot_q3_dot_c2_inv,
-                c2,
-                q1_dot,
-                q2_dot,
-                c2,
-                q1_dot_c2,
-                q2_ddot_of_motion,
-                q2_ddot_of_motion_3,
-                q2_ddot_of_motion_6,
-                c1,
-                s1,
-                q2_dot_q3_dot_c2_inv,
-                q1_dot_c2,
-                q1_dot_sq_plus_q2_dot_sq,
-                q2_ddot_of_motion_6,
-                q5_ddot_of_motion_3,
-                q5_ddot_of_motion_5,
-                q5_ddot_of_motion_3,
-                q5_ddot_of_motion_5,
+                c2, s2, q3_dot, q2_dot_q3_dot_c2_inv, c2, q1_dot, q2_dot, c2, q1_dot_c2,
+                q2_ddot_of_motion, q2_ddot_of_motion_3, q2_ddot_of_motion_6, c1, s1,
+                q2_dot_q3_dot_c2_inv, q1_dot_c2, q1_dot_sq_plus_q2_dot_sq, q2_ddot_of_motion_6,
+                q5_ddot_of_motion_3, q5_ddot_of_motion_5, q5_ddot_of_motion_3, q5_ddot_of_motion_5,
             ]),
         ];
         count_last = count;
@@ -1186,11 +1062,7 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

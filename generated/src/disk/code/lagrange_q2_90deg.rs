@@ -22,7 +22,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 5]; 5] {
     let Parameters { M, R, .. } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -35,8 +34,7 @@ pub fn mass_matrix<S: Scalar>(
     let sin_q2_minus_90deg_m_r = m_r * sin_q2_minus_90deg;
     // Entries that are not zero; upper triangle.
     // M11 = M*R^2*(6 - 5*sin(q2_minus_90deg)^2)/4
-    let m11 = S::ratio(3, 2) * r_m_r
-        - r_m_r_times_5_by_4 * sin_q2_minus_90deg * sin_q2_minus_90deg;
+    let m11 = S::ratio(3, 2) * r_m_r - r_m_r_times_5_by_4 * sin_q2_minus_90deg * sin_q2_minus_90deg;
     // M13 = M*R^2*cos(q2_minus_90deg)/2
     let m13 = r_m_r_halved * cos_q2_minus_90deg;
     // M14 = -M*R*cos(q1)*cos(q2_minus_90deg)
@@ -55,6 +53,7 @@ pub fn mass_matrix<S: Scalar>(
     let m44 = M;
     // M55 = M
     let m55 = M;
+    let zero = S::int(0);
     [
         [m11, zero, m13, m14, m15],
         [zero, m22, zero, m24, m25],
@@ -178,8 +177,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
         + m_r
             * (q2_dot * sin_q2_minus_90deg * (-q5_dot).mul_add(c1, q4_dot * s1)
                 - energy_of_q1_dot * q5_dot.mul_add(s1, q4_dot * c1))
-        + S::ratio(1, 8) * R * m_r
-            * energy_of_motion.mul_add(S::int(5), energy_of_motion_2);
+        + S::ratio(1, 8) * R * m_r * energy_of_motion.mul_add(S::int(5), energy_of_motion_2);
     energy
 }
 
@@ -345,7 +343,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { R, g, .. } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
     let [q1_dot, q2_dot, q3_dot, _, _] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -361,8 +358,7 @@ pub fn jacobian<S: Scalar>(
     let q2_ddot_of_motion = q2_dot_sq.mul_add(S::int(4), -q1_dot_sq);
     let q2_ddot_of_place = S::int(4) * sin_q2_minus_90deg;
     // 1/(q2_ddot_of_place*sin(q2_minus_90deg) - 5)
-    let q2_ddot_of_place_2 = S::int(1)
-        / q2_ddot_of_place.mul_add(sin_q2_minus_90deg, -S::int(5));
+    let q2_ddot_of_place_2 = S::int(1) / q2_ddot_of_place.mul_add(sin_q2_minus_90deg, -S::int(5));
     let q2_ddot_of_place_3 = q2_ddot_of_place_2 * sin_q2_minus_90deg;
     let q2_ddot_of_place_4 = q2_ddot_of_place_3 * cos_q2_minus_90deg;
     let r_inv_g = g / R;
@@ -395,14 +391,12 @@ pub fn jacobian<S: Scalar>(
         .mul_add(
             s1_r_cos_q2_minus_90deg,
             s1_r_sin_q2_minus_90deg * q1_dot_q2_dot_doubled,
-        ) - q1_dot_sq_plus_q2_dot_sq * c1_r_cos_q2_minus_90deg
-        - q2_ddot * c1_r_sin_q2_minus_90deg;
+        ) - q1_dot_sq_plus_q2_dot_sq * c1_r_cos_q2_minus_90deg - q2_ddot * c1_r_sin_q2_minus_90deg;
     // q1_ddot_by_q3_dot = 2*q2'/sin(q2_minus_90deg)
     let q1_ddot_by_q3_dot = q2_dot_doubled * sin_q2_minus_90deg_inv;
     let q1_ddot_by_q2_minus_90deg_of_place = q1_ddot_by_q3_dot * cos_q2_minus_90deg;
     // q1_ddot_by_q2_minus_90deg = -2*q2'*q3'/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
-    let q1_ddot_by_q2_minus_90deg = -q1_ddot_of_q3_dot
-        * q1_ddot_by_q2_minus_90deg_of_place;
+    let q1_ddot_by_q2_minus_90deg = -q1_ddot_of_q3_dot * q1_ddot_by_q2_minus_90deg_of_place;
     // 1/(1 + q2_ddot_of_place_5*cos(q2_minus_90deg))
     let q2_ddot_by_q2_minus_90deg_of_place = S::int(1)
         / q2_ddot_of_place_5.mul_add(cos_q2_minus_90deg, S::int(1));
@@ -424,11 +418,9 @@ pub fn jacobian<S: Scalar>(
                 .mul_add(S::int(4), -q2_ddot_by_q2_minus_90deg_of_place_4)
         - S::int(18) * q2_ddot_by_q2_minus_90deg_of_place
             * q2_ddot_by_q2_minus_90deg_of_place_2 * q1_dot_q3_dot
-        + S::int(8) * q2_ddot_by_q2_minus_90deg_of_place_3 * q1_dot_q3_dot
-            * cos_q2_minus_90deg;
+        + S::int(8) * q2_ddot_by_q2_minus_90deg_of_place_3 * q1_dot_q3_dot * cos_q2_minus_90deg;
     // q1_dot_q2_dot_doubled - q1_ddot_by_q2_minus_90deg
-    let q5_ddot_by_q2_minus_90deg_of_motion = q1_dot_q2_dot_doubled
-        - q1_ddot_by_q2_minus_90deg;
+    let q5_ddot_by_q2_minus_90deg_of_motion = q1_dot_q2_dot_doubled - q1_ddot_by_q2_minus_90deg;
     // q2_ddot_by_q2_minus_90deg - q1_dot_sq_plus_q2_dot_sq
     let q5_ddot_by_q2_minus_90deg_of_motion_2 = q2_ddot_by_q2_minus_90deg
         - q1_dot_sq_plus_q2_dot_sq;
@@ -449,8 +441,7 @@ pub fn jacobian<S: Scalar>(
     // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)
     let q3_ddot_by_q2_minus_90deg = cos_q2_minus_90deg
-        * q1_dot.mul_add(q2_dot, -q1_ddot_by_q2_minus_90deg)
-        + q1_ddot * sin_q2_minus_90deg;
+        * q1_dot.mul_add(q2_dot, -q1_ddot_by_q2_minus_90deg) + q1_ddot * sin_q2_minus_90deg;
     // q2_ddot_by_q1_dot = 2*sin(q2_minus_90deg)*(q3' + q1'*cos(q2_minus_90deg))/(4*sin(q2_minus_90deg)^2 -
     //   5)
     let q2_ddot_by_q1_dot = q2_ddot_of_q3_dot
@@ -473,14 +464,12 @@ pub fn jacobian<S: Scalar>(
     //   cos(q1)*(2*q2'*cos(q2_minus_90deg) + q2_ddot_by_q2_dot*sin(q2_minus_90deg)))
     let q5_ddot_by_q2_dot = (-q1_dot_doubled)
         .mul_add(s1_r_sin_q2_minus_90deg, q1_ddot_by_q2_dot * s1_r_cos_q2_minus_90deg)
-        + q2_dot_doubled * c1_r_cos_q2_minus_90deg
-        + q2_ddot_by_q2_dot * c1_r_sin_q2_minus_90deg;
+        + q2_dot_doubled * c1_r_cos_q2_minus_90deg + q2_ddot_by_q2_dot * c1_r_sin_q2_minus_90deg;
     // q4_ddot_by_q2_dot = -R*(cos(q1)*(2*q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg))
     //   + sin(q1)*(2*q2'*cos(q2_minus_90deg) + q2_ddot_by_q2_dot*sin(q2_minus_90deg)))
     let q4_ddot_by_q2_dot = (-q2_ddot_by_q2_dot)
         .mul_add(s1_r_sin_q2_minus_90deg, q1_ddot_by_q2_dot * c1_r_cos_q2_minus_90deg)
-        - q2_dot_doubled * s1_r_cos_q2_minus_90deg
-        - q1_dot_doubled * c1_r_sin_q2_minus_90deg;
+        - q2_dot_doubled * s1_r_cos_q2_minus_90deg - q1_dot_doubled * c1_r_sin_q2_minus_90deg;
     // q3_ddot_by_q2_dot = q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg)
     let q3_ddot_by_q2_dot = (-q1_ddot_by_q2_dot)
         .mul_add(cos_q2_minus_90deg, q1_dot * sin_q2_minus_90deg);
@@ -509,6 +498,7 @@ pub fn jacobian<S: Scalar>(
     let q3_ddot_by_q1_dot_value = q2_dot * sin_q2_minus_90deg;
     // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*cos(q2_minus_90deg)
     let q3_ddot_by_q3_dot_value = -q1_ddot_by_q2_minus_90deg_of_place;
+    let zero = S::int(0);
     [
         [zero, zero, zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero, zero, zero],
@@ -516,64 +506,24 @@ pub fn jacobian<S: Scalar>(
         [zero, zero, zero, zero, zero, zero, zero, zero, q4_dot_by_q4_dot_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, q5_dot_by_q5_dot_value],
         [
-            zero,
-            q1_ddot_by_q2_minus_90deg,
-            zero,
-            zero,
-            zero,
-            zero,
-            q1_ddot_by_q2_dot,
-            q1_ddot_by_q3_dot,
-            zero,
-            zero,
+            zero, q1_ddot_by_q2_minus_90deg, zero, zero, zero, zero, q1_ddot_by_q2_dot,
+            q1_ddot_by_q3_dot, zero, zero,
         ],
         [
-            zero,
-            q2_ddot_by_q2_minus_90deg,
-            zero,
-            zero,
-            zero,
-            q2_ddot_by_q1_dot,
-            q2_ddot_by_q2_dot,
-            q2_ddot_by_q3_dot,
-            zero,
-            zero,
+            zero, q2_ddot_by_q2_minus_90deg, zero, zero, zero, q2_ddot_by_q1_dot, q2_ddot_by_q2_dot,
+            q2_ddot_by_q3_dot, zero, zero,
         ],
         [
-            zero,
-            q3_ddot_by_q2_minus_90deg,
-            zero,
-            zero,
-            zero,
-            q3_ddot_by_q1_dot_value,
-            q3_ddot_by_q2_dot,
-            q3_ddot_by_q3_dot_value,
-            zero,
-            zero,
+            zero, q3_ddot_by_q2_minus_90deg, zero, zero, zero, q3_ddot_by_q1_dot_value,
+            q3_ddot_by_q2_dot, q3_ddot_by_q3_dot_value, zero, zero,
         ],
         [
-            q4_ddot_by_q1,
-            q4_ddot_by_q2_minus_90deg,
-            zero,
-            zero,
-            zero,
-            q4_ddot_by_q1_dot,
-            q4_ddot_by_q2_dot,
-            q4_ddot_by_q3_dot,
-            zero,
-            zero,
+            q4_ddot_by_q1, q4_ddot_by_q2_minus_90deg, zero, zero, zero, q4_ddot_by_q1_dot,
+            q4_ddot_by_q2_dot, q4_ddot_by_q3_dot, zero, zero,
         ],
         [
-            q5_ddot_by_q1,
-            q5_ddot_by_q2_minus_90deg,
-            zero,
-            zero,
-            zero,
-            q5_ddot_by_q1_dot,
-            q5_ddot_by_q2_dot,
-            q5_ddot_by_q3_dot,
-            zero,
-            zero,
+            q5_ddot_by_q1, q5_ddot_by_q2_minus_90deg, zero, zero, zero, q5_ddot_by_q1_dot,
+            q5_ddot_by_q2_dot, q5_ddot_by_q3_dot, zero, zero,
         ],
     ]
 }
@@ -640,8 +590,7 @@ pub fn inverse_dynamics<S: Scalar>(
     //   + M*R*(R*q1'*sin(q2_minus_90deg)*(2*q3' + 5*q1'*cos(q2_minus_90deg)) - 4*g*cos(q2_minus_90deg))/4
     let tau2 = q2_ddot * m_r * r_times_5_by_4 - g * cos_q2_minus_90deg_m_r
         + sin_q2_minus_90deg_m_r * (-q5_ddot).mul_add(c1, q4_ddot * s1)
-        + q1_dot * q3_dot_tau1_of_place_2
-        + tau1_of_place * q1_dot_sq * sin_q2_minus_90deg;
+        + q1_dot * q3_dot_tau1_of_place_2 + tau1_of_place * q1_dot_sq * sin_q2_minus_90deg;
     // tau3 = M*R^2*q3''/2 - M*R^2*q1'*q2'*sin(q2_minus_90deg)/2 + M*R^2*q1''*cos(q2_minus_90deg)/2
     let tau3 = r_halved * q1_ddot.mul_add(cos_q2_minus_90deg_m_r, q3_ddot * m_r)
         - q1_dot_q2_dot * tau1_of_place_2;
@@ -719,15 +668,7 @@ pub fn taylor<S: Scalar>(
     let q5_dot_1 = R * q5_ddot_of_motion_9_0;
     if series.len() > 1 {
         series[1] = [
-            q1_1,
-            q2_minus_90deg_1,
-            q3_1,
-            q4_1,
-            q5_1,
-            q1_dot_1,
-            q2_dot_1,
-            q3_dot_1,
-            q4_dot_1,
+            q1_1, q2_minus_90deg_1, q3_1, q4_1, q5_1, q1_dot_1, q2_dot_1, q3_dot_1, q4_dot_1,
             q5_dot_1,
         ];
     }
@@ -792,52 +733,18 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q2_minus_90deg_1,
-                q2_minus_90deg_1,
-                q2_dot_1,
-                sin_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                q2_dot_1,
-                q1_dot_1,
-                q1_dot_1,
-                q3_dot_1,
-                sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_1,
-                q2_ddot_of_place_1,
-                q1_1,
-                q1_1,
-                q1_ddot_of_motion_1,
-                q2_dot_1,
-                cos_q2_minus_90deg_1,
-                q2_dot_dot_1,
-                c1_1,
-                s1_1,
-                s1_1,
-                c1_1,
+                q2_minus_90deg_1, q2_minus_90deg_1, q2_dot_1, sin_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1, q2_dot_1, q1_dot_1, q1_dot_1, q3_dot_1, sin_q2_minus_90deg_1,
+                cos_q2_minus_90deg_1, q2_ddot_of_place_1, q1_1, q1_1, q1_ddot_of_motion_1, q2_dot_1,
+                cos_q2_minus_90deg_1, q2_dot_dot_1, c1_1, s1_1, s1_1, c1_1,
             ]),
             padded([
-                cos_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                q3_dot_1,
-                q1_ddot_of_motion_1,
-                sin_q2_minus_90deg_1,
-                q2_dot_1,
-                q1_dot_1,
-                sin_q2_minus_90deg_1,
-                q2_ddot_of_q1_dot_1,
-                q2_ddot_of_motion_2_1,
-                q2_ddot_of_motion_4_1,
-                q2_dot_dot_1,
-                c1_1,
-                s1_1,
-                cos_q2_minus_90deg_1,
-                q2_ddot_of_q1_dot_1,
-                q2_dot_sq_plus_q1_dot_sq_1,
-                sin_q2_minus_90deg_1,
-                q5_ddot_of_motion_5_1,
-                q5_ddot_of_motion_7_1,
-                q5_ddot_of_motion_5_1,
-                q5_ddot_of_motion_7_1,
+                cos_q2_minus_90deg_1, sin_q2_minus_90deg_1, q3_dot_1, q1_ddot_of_motion_1,
+                sin_q2_minus_90deg_1, q2_dot_1, q1_dot_1, sin_q2_minus_90deg_1, q2_ddot_of_q1_dot_1,
+                q2_ddot_of_motion_2_1, q2_ddot_of_motion_4_1, q2_dot_dot_1, c1_1, s1_1,
+                cos_q2_minus_90deg_1, q2_ddot_of_q1_dot_1, q2_dot_sq_plus_q1_dot_sq_1,
+                sin_q2_minus_90deg_1, q5_ddot_of_motion_5_1, q5_ddot_of_motion_7_1,
+                q5_ddot_of_motion_5_1, q5_ddot_of_motion_7_1,
             ]),
         ];
     }
@@ -886,16 +793,7 @@ pub fn taylor<S: Scalar>(
         let q4_dot = q4_dot_rate * over_k;
         let q5_dot = q5_dot_rate * over_k;
         series[order] = [
-            q1,
-            q2_minus_90deg,
-            q3,
-            q4,
-            q5,
-            q1_dot,
-            q2_dot,
-            q3_dot,
-            q4_dot,
-            q5_dot,
+            q1, q2_minus_90deg, q3, q4, q5, q1_dot, q2_dot, q3_dot, q4_dot, q5_dot,
         ];
         if order + 1 == series.len() {
             break;
@@ -1053,8 +951,7 @@ pub fn taylor<S: Scalar>(
         let q2_dot_dot = q2_ddot_of_motion_6
             .mul_add(
                 over_q2_ddot_of_place,
-                -(q2_ddot_of_place.mul_add(q2_dot_dot_0, sums[11])
-                    * over_q2_ddot_of_place),
+                -(q2_ddot_of_place.mul_add(q2_dot_dot_0, sums[11]) * over_q2_ddot_of_place),
             );
         // s1 = sin(q1)
         let s1 = q1.mul_add(c1_0, sums[12] * over_k);
@@ -1121,50 +1018,18 @@ pub fn taylor<S: Scalar>(
             padded([
                 count * q2_minus_90deg,
                 count * q2_minus_90deg,
-                q2_dot,
-                sin_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                q2_dot,
-                q1_dot,
-                q1_dot,
-                q3_dot,
-                sin_q2_minus_90deg,
-                cos_q2_minus_90deg,
-                q2_ddot_of_place,
+                q2_dot, sin_q2_minus_90deg, sin_q2_minus_90deg, q2_dot, q1_dot, q1_dot, q3_dot,
+                sin_q2_minus_90deg, cos_q2_minus_90deg, q2_ddot_of_place,
                 count * q1,
                 count * q1,
-                q1_ddot_of_motion,
-                q2_dot,
-                cos_q2_minus_90deg,
-                q2_dot_dot,
-                c1,
-                s1,
-                s1,
-                c1,
+                q1_ddot_of_motion, q2_dot, cos_q2_minus_90deg, q2_dot_dot, c1, s1, s1, c1,
             ]),
             padded([
-                cos_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                q3_dot,
-                q1_ddot_of_motion,
-                sin_q2_minus_90deg,
-                q2_dot,
-                q1_dot,
-                sin_q2_minus_90deg,
-                q2_ddot_of_q1_dot,
-                q2_ddot_of_motion_2,
-                q2_ddot_of_motion_4,
-                q2_dot_dot,
-                c1,
-                s1,
-                cos_q2_minus_90deg,
-                q2_ddot_of_q1_dot,
-                q2_dot_sq_plus_q1_dot_sq,
-                sin_q2_minus_90deg,
-                q5_ddot_of_motion_5,
-                q5_ddot_of_motion_7,
-                q5_ddot_of_motion_5,
-                q5_ddot_of_motion_7,
+                cos_q2_minus_90deg, sin_q2_minus_90deg, q3_dot, q1_ddot_of_motion,
+                sin_q2_minus_90deg, q2_dot, q1_dot, sin_q2_minus_90deg, q2_ddot_of_q1_dot,
+                q2_ddot_of_motion_2, q2_ddot_of_motion_4, q2_dot_dot, c1, s1, cos_q2_minus_90deg,
+                q2_ddot_of_q1_dot, q2_dot_sq_plus_q1_dot_sq, sin_q2_minus_90deg,
+                q5_ddot_of_motion_5, q5_ddot_of_motion_7, q5_ddot_of_motion_5, q5_ddot_of_motion_7,
             ]),
         ];
         count_last = count;
@@ -1283,11 +1148,7 @@ impl<S: Scalar> System<S> for LagrangeQ290deg {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

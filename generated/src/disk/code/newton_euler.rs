@@ -23,7 +23,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 6]; 6] {
     let Parameters { M, R, .. } = *p;
     let [q1, q2, _, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
@@ -63,6 +62,7 @@ pub fn mass_matrix<S: Scalar>(
     let m52 = r_m_r_by_4;
     // M63 = M*R^2/2
     let m63 = S::ratio(1, 2) * r_m_r;
+    let zero = S::int(0);
     [
         [zero, m12, zero, m14, m15, zero],
         [zero, zero, zero, m24, m25, m26],
@@ -81,7 +81,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let Parameters { M, R, g } = *p;
     let [_, q2, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
@@ -105,6 +104,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let f4 = u2_m_r * f4_of_u2_u3;
     // f5 = M*R^2*u1*(2*u3 - u2*tan(q2))/4
     let f5 = -u1_m_r * f4_of_u2_u3;
+    let zero = S::int(0);
     [f1, f2, f3, f4, f5, zero]
 }
 
@@ -200,11 +200,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

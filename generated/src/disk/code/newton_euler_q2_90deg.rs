@@ -23,7 +23,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 6]; 6] {
     let Parameters { M, R, .. } = *p;
     let [q1, q2_minus_90deg, _, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
@@ -63,6 +62,7 @@ pub fn mass_matrix<S: Scalar>(
     let m52 = r_m_r_by_4;
     // M63 = M*R^2/2
     let m63 = S::ratio(1, 2) * r_m_r;
+    let zero = S::int(0);
     [
         [zero, m12, zero, m14, m15, zero],
         [zero, zero, zero, m24, m25, m26],
@@ -81,7 +81,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let Parameters { M, R, g } = *p;
     let [_, q2_minus_90deg, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
@@ -96,8 +95,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let f4_of_u2_u3 = S::ratio(1, 4) * R * u3.mul_add(S::int(2), f3_of_u2);
     // Values.
     // f1 = -M*R*u1*u2*(2 + 1/tan(q2_minus_90deg)^2)
-    let f1 = -u1 * u2_m_r
-        * sin_q2_minus_90deg_inv.mul_add(sin_q2_minus_90deg_inv, S::int(1));
+    let f1 = -u1 * u2_m_r * sin_q2_minus_90deg_inv.mul_add(sin_q2_minus_90deg_inv, S::int(1));
     // f2 = M*(g*sin(q2_minus_90deg) + R*(u1^2 + u2^2/tan(q2_minus_90deg)^2))
     let f2 = m_g * sin_q2_minus_90deg + u1 * u1_m_r
         + u2_m_r * sin_q2_minus_90deg_inv.mul_add(f2_of_u2, -u2);
@@ -107,6 +105,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let f4 = -u2_m_r * f4_of_u2_u3;
     // f5 = M*R^2*u1*(2*u3 + u2/tan(q2_minus_90deg))/4
     let f5 = u1_m_r * f4_of_u2_u3;
+    let zero = S::int(0);
     [f1, f2, f3, f4, f5, zero]
 }
 
@@ -202,11 +201,7 @@ impl<S: Scalar> System<S> for NewtonEulerQ290deg {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

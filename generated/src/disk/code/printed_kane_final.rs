@@ -19,7 +19,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 5]; 5] {
     let Parameters { R, .. } = *p;
     let [q1, q2, _, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -52,6 +51,7 @@ pub fn mass_matrix<S: Scalar>(
     let m52 = R * s1 * t2;
     // M55 = -1
     let m55 = -S::int(1);
+    let zero = S::int(0);
     [
         [m11, zero, zero, m14, m15],
         [zero, m22, zero, m24, m25],
@@ -69,7 +69,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { R, g, .. } = *p;
     let [q1, q2, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -94,6 +93,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     //   tan(q2)^2)
     let f5 = (R * u1 * u2 * s1).mul_add(f4_of_q2, -R * u1 * u1 * c1 * s2)
         - R * u2 * u2 * c1 * s2 * f4_of_q2_2;
+    let zero = S::int(0);
     [f1, f2, zero, f4, f5]
 }
 
@@ -147,8 +147,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
         + S::ratio(1, 8) * M * R * R * u2 * u2 * (S::int(1) + S::int(4) * t2 * t2)
         + S::ratio(1, 4) * M * R * R * u3 * u3 + S::ratio(1, 2) * M * u4 * u4
         + M * R * u1 * u4 * s1 * c2 - M * R * u2 * u4 * c1 * t2
-        + S::ratio(1, 2) * M * u5 * u5 - M * R * u1 * u5 * c1 * c2
-        - M * R * u2 * u5 * s1 * t2;
+        + S::ratio(1, 2) * M * u5 * u5 - M * R * u1 * u5 * c1 * c2 - M * R * u2 * u5 * s1 * t2;
     energy
 }
 
@@ -201,11 +200,7 @@ impl<S: Scalar> System<S> for PrintedKaneFinal {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -21,7 +21,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 5]; 5] {
     let Parameters { R, .. } = *p;
     let [q1, q2, _, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -56,6 +55,7 @@ pub fn mass_matrix<S: Scalar>(
     let m52 = -R * c1 * c2;
     // M55 = -1
     let m55 = -S::int(1);
+    let zero = S::int(0);
     [
         [m11, zero, m13, m14, m15],
         [zero, m22, zero, m24, m25],
@@ -115,8 +115,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     // T = M*R^2*q1'^2*(6 - 5*cos(q2)^2)/8 + 5*M*R^2*q2'^2/8 + M*R^2*q3'^2/4 + M*R^2*q1'*q3'*sin(q2)/2 +
     //   M*q4'^2/2 - M*R*q1'*q4'*cos(q1)*sin(q2) - M*R*q2'*q4'*sin(q1)*cos(q2) + M*q5'^2/2 -
     //   M*R*q1'*q5'*sin(q1)*sin(q2) + M*R*q2'*q5'*cos(q1)*cos(q2)
-    let energy = S::ratio(1, 8) * M * R * R * q1_dot * q1_dot
-        * (S::int(6) - S::int(5) * c2 * c2)
+    let energy = S::ratio(1, 8) * M * R * R * q1_dot * q1_dot * (S::int(6) - S::int(5) * c2 * c2)
         + S::ratio(5, 8) * M * R * R * q2_dot * q2_dot
         + S::ratio(1, 4) * M * R * R * q3_dot * q3_dot
         + S::ratio(1, 2) * M * R * R * q1_dot * q3_dot * s2
@@ -226,11 +225,7 @@ impl<S: Scalar> System<S> for PrintedLagrangeFinal {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

@@ -18,7 +18,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { R, g, .. } = *p;
     let [q1, q2, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -43,6 +42,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     //   tan(q2)^2)
     let f5 = (R * u1 * u2 * s1).mul_add(f4_of_q2, -R * u1 * u1 * c1 * s2)
         - S::int(2) * R * u2 * c1 * s2 * f4_of_q2_2;
+    let zero = S::int(0);
     [f1, f2, zero, f4, f5]
 }
 
@@ -95,11 +95,7 @@ impl<S: Scalar> System<S> for PrintedListing54 {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -19,7 +19,6 @@ pub fn mass_matrix<S: Scalar>(
     _q: &[S; 5],
     _u: &[S; 5],
 ) -> [[S; 5]; 5] {
-    let zero = S::int(0);
     // Entries that are not zero.
     // M11 = 1
     let m11 = S::int(1);
@@ -31,6 +30,7 @@ pub fn mass_matrix<S: Scalar>(
     let m44 = S::int(1);
     // M55 = 1
     let m55 = S::int(1);
+    let zero = S::int(0);
     [
         [m11, zero, zero, zero, zero],
         [zero, m22, zero, zero, zero],
@@ -48,7 +48,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     let Parameters { R, g, .. } = *p;
     let [q1, q2, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -72,10 +71,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     //   15*R*u1*u3*cos(q1)*sin(q2)^2*tan(q2) + 3*R*u2*u3*sin(q1)*cos(q2))/(5*sin(q2)^2 + cos(q2)^2)
     let f4 = ((g * s1 * s2 * c2).mul_add(S::int(4), -S::int(5) * R * u1 * u1 * s1 * s2)
         - S::int(3) * R * u2 * u2 * s1 * s2 - S::int(5) * R * u2 * u2 * s1 * s2 * t2 * t2
-        - S::int(13) * R * u1 * u2 * c1 * s2 * s2
-        - S::int(2) * R * u1 * u2 * c1 * c2 * c2
-        - S::int(15) * R * u1 * u2 * c1 * s2 * s2 * t2 * t2
-        + S::int(3) * R * u1 * u3 * c1 * s2 * c2
+        - S::int(13) * R * u1 * u2 * c1 * s2 * s2 - S::int(2) * R * u1 * u2 * c1 * c2 * c2
+        - S::int(15) * R * u1 * u2 * c1 * s2 * s2 * t2 * t2 + S::int(3) * R * u1 * u3 * c1 * s2 * c2
         + S::int(15) * R * u1 * u3 * c1 * s2 * s2 * t2
         + S::int(3) * R * u2 * u3 * s1 * c2) / c2_sq_plus_s2_sq_times_5;
     // f5 = (5*R*u1^2*cos(q1)*sin(q2) - 4*g*cos(q1)*sin(q2)*cos(q2) + 3*R*u2^2*cos(q1)*sin(q2) +
@@ -84,12 +81,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     //   15*R*u1*u3*sin(q1)*sin(q2)^2*tan(q2) - 3*R*u2*u3*cos(q1)*cos(q2))/(5*sin(q2)^2 + cos(q2)^2)
     let f5 = ((-(g * c1 * s2 * c2)).mul_add(S::int(4), S::int(5) * R * u1 * u1 * c1 * s2)
         + S::int(3) * R * u2 * u2 * c1 * s2 + S::int(5) * R * u2 * u2 * c1 * s2 * t2 * t2
-        - S::int(13) * R * u1 * u2 * s1 * s2 * s2
-        - S::int(2) * R * u1 * u2 * s1 * c2 * c2
-        - S::int(15) * R * u1 * u2 * s1 * s2 * s2 * t2 * t2
-        + S::int(3) * R * u1 * u3 * s1 * s2 * c2
+        - S::int(13) * R * u1 * u2 * s1 * s2 * s2 - S::int(2) * R * u1 * u2 * s1 * c2 * c2
+        - S::int(15) * R * u1 * u2 * s1 * s2 * s2 * t2 * t2 + S::int(3) * R * u1 * u3 * s1 * s2 * c2
         + S::int(15) * R * u1 * u3 * s1 * s2 * s2 * t2
         - S::int(3) * R * u2 * u3 * c1 * c2) / c2_sq_plus_s2_sq_times_5;
+    let zero = S::int(0);
     [f1, f2, zero, f4, f5]
 }
 
@@ -158,11 +154,7 @@ impl<S: Scalar> System<S> for PrintedListing56 {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -21,7 +21,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 6]; 6] {
     let Parameters { M, R, .. } = *p;
     let [q1, q2, _, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -56,6 +55,7 @@ pub fn mass_matrix<S: Scalar>(
     let m52 = S::int(1);
     // M63 = 1
     let m63 = S::int(1);
+    let zero = S::int(0);
     [
         [zero, m12, zero, m14, m15, zero],
         [zero, zero, zero, m24, m25, m26],
@@ -74,7 +74,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
     let Parameters { M, R, g } = *p;
     let [_, q2, _, _, _] = *q;
     let [u1, u2, u3, _, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
@@ -91,6 +90,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 6] {
         + M * R * R * u2 * u2.mul_add(t2, -u3);
     // f5 = 3*u1*u3 - 2*u1*u2*tan(q2)
     let f5 = (-(u1 * u2 * t2)).mul_add(S::int(2), S::int(3) * u1 * u3);
+    let zero = S::int(0);
     [f1, f2, f3, f4, f5, zero]
 }
 
@@ -143,11 +143,7 @@ impl<S: Scalar> System<S> for PrintedNewtonEulerFinal {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -21,10 +21,6 @@ pub mod report;
 
 /// The equations of every scene.
 pub const SCENES: &[tripos_traits::CompiledScene] = &[
-    flat_fall::SCENE,
-    lean::SCENE,
-    near_flat::SCENE,
-    report_10s::SCENE,
-    report_tight::SCENE,
+    flat_fall::SCENE, lean::SCENE, near_flat::SCENE, report_10s::SCENE, report_tight::SCENE,
     report::SCENE,
 ];

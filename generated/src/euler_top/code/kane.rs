@@ -16,7 +16,6 @@ pub fn mass_matrix<S: Scalar>(
     _u: &[S; 3],
 ) -> [[S; 3]; 3] {
     let Parameters { I1, I3, .. } = *p;
-    let zero = S::int(0);
     // Entries that are not zero; upper triangle.
     // M11 = I1
     let m11 = I1;
@@ -24,6 +23,7 @@ pub fn mass_matrix<S: Scalar>(
     let m22 = I1;
     // M33 = I3
     let m33 = I3;
+    let zero = S::int(0);
     [[m11, zero, zero], [zero, m22, zero], [zero, zero, m33]]
 }
 
@@ -35,7 +35,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
     let [_, theta, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
@@ -47,6 +46,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let f1 = (-u2).mul_add(f1_of_u2_u3, m * l * g * sin_theta);
     // f2 = u1*(I3*u3 - I1*u2/tan(theta))
     let f2 = u1 * f1_of_u2_u3;
+    let zero = S::int(0);
     [f1, f2, zero]
 }
 
@@ -59,7 +59,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let Parameters { m, l, I1, I3, g } = *p;
     let [_, theta, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -71,6 +70,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let u2_dot = u1 * u2_dot_of_u2_u3;
     // u1' = (m*l*g*sin(theta) + u2*(I1*u2/tan(theta) - I3*u3))/I1
     let u1_dot = (-u2).mul_add(u2_dot_of_u2_u3, m * l * g * i1_inv * sin_theta);
+    let zero = S::int(0);
     [u1_dot, u2_dot, zero]
 }
 
@@ -143,7 +143,6 @@ pub fn derivative<S: Scalar>(
     let Parameters { m, l, I1, I3, g } = *p;
     let [_, theta, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -163,6 +162,7 @@ pub fn derivative<S: Scalar>(
     let theta_dot_value = u1;
     // phi' = u3 - u2/tan(theta)
     let phi_dot_value = u3 - u2_dot_of_u2;
+    let zero = S::int(0);
     ([psi_dot_value, theta_dot_value, phi_dot_value], [u1_dot, u2_dot, zero])
 }
 
@@ -174,7 +174,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let Parameters { m, l, I1, I3, g } = *p;
     let [_, theta, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -214,16 +213,12 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u1_dot_by_u3_value = -u2 * i3_i1_inv;
     // d(u2')/d(u3) = I3*u1/I1
     let u2_dot_by_u3_value = u1 * i3_i1_inv;
+    let zero = S::int(0);
     [
         [zero, psi_dot_by_theta_value, zero, zero, psi_dot_by_u2_value, zero],
         [zero, zero, zero, theta_dot_by_u1_value, zero, zero],
         [
-            zero,
-            phi_dot_by_theta_value,
-            zero,
-            zero,
-            phi_dot_by_u2_value,
-            phi_dot_by_u3_value,
+            zero, phi_dot_by_theta_value, zero, zero, phi_dot_by_u2_value, phi_dot_by_u3_value,
         ],
         [zero, u1_dot_by_theta, zero, zero, u1_dot_by_u2, u1_dot_by_u3_value],
         [zero, u2_dot_by_theta, zero, u2_dot_by_u1, u2_dot_by_u2, u2_dot_by_u3_value],
@@ -324,11 +319,7 @@ pub fn taylor<S: Scalar>(
         history[1] = [
             padded([theta_1, theta_1, sin_theta_1, cos_theta_1, u1_1, u2_1]),
             padded([
-                cos_theta_1,
-                sin_theta_1,
-                psi_dot_2_1,
-                psi_dot_2_1,
-                u2_dot_of_u2_u3_1,
+                cos_theta_1, sin_theta_1, psi_dot_2_1, psi_dot_2_1, u2_dot_of_u2_u3_1,
                 u2_dot_of_u2_u3_1,
             ]),
         ];
@@ -433,12 +424,7 @@ pub fn taylor<S: Scalar>(
         history[order] = [
             padded([count * theta, count * theta, sin_theta, cos_theta, u1, u2]),
             padded([
-                cos_theta,
-                sin_theta,
-                psi_dot_2,
-                psi_dot_2,
-                u2_dot_of_u2_u3,
-                u2_dot_of_u2_u3,
+                cos_theta, sin_theta, psi_dot_2, psi_dot_2, u2_dot_of_u2_u3, u2_dot_of_u2_u3,
             ]),
         ];
         count_last = count;
@@ -544,11 +530,7 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

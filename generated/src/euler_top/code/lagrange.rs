@@ -20,7 +20,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 3]; 3] {
     let Parameters { I1, I3, .. } = *p;
     let [_, theta, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
@@ -34,6 +33,7 @@ pub fn mass_matrix<S: Scalar>(
     let m22 = I1;
     // M33 = I3
     let m33 = I3;
+    let zero = S::int(0);
     [[m11, zero, m13], [zero, m22, zero], [m13, zero, m33]]
 }
 
@@ -56,8 +56,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     let f1 = theta_dot_sin_theta * (I3 * (phi_dot + f1_of_psi_dot) - I1 * f1_of_psi_dot);
     // f2 = sin(theta)*(m*l*g - psi'*(I3*(psi'*cos(theta) + phi') - I1*psi'*cos(theta)))
     let f2 = sin_theta
-        * (psi_dot * (-I3 * (phi_dot + psi_dot_cos_theta) + I1 * psi_dot_cos_theta)
-            + m * l * g);
+        * (psi_dot * (-I3 * (phi_dot + psi_dot_cos_theta) + I1 * psi_dot_cos_theta) + m * l * g);
     // f3 = I3*psi'*theta'*sin(theta)
     let f3 = I3 * psi_dot * theta_dot_sin_theta;
     [f1, f2, f3]
@@ -186,8 +185,7 @@ pub fn generalized_speed_rates<S: Scalar>(
     // u2' = psi'*theta'*cos(theta) + psi''*sin(theta)
     let u2_dot_value = psi_dot_theta_dot.mul_add(cos_theta, psi_ddot * sin_theta);
     // u3' = psi''*cos(theta) - psi'*theta'*sin(theta) + phi''
-    let u3_dot_value = psi_ddot.mul_add(cos_theta, phi_ddot)
-        - psi_dot_theta_dot * sin_theta;
+    let u3_dot_value = psi_ddot.mul_add(cos_theta, phi_ddot) - psi_dot_theta_dot * sin_theta;
     [u1_dot_value, u2_dot_value, u3_dot_value]
 }
 
@@ -267,7 +265,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { m, l, I1, I3, g } = *p;
     let [_, theta, _] = *q;
     let [psi_dot, theta_dot, phi_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -302,8 +299,7 @@ pub fn jacobian<S: Scalar>(
         .mul_add(theta_ddot_by_theta_of_motion, m * l * g * i1_inv * cos_theta)
         - psi_dot_sq + i3_i1_inv * psi_dot_sq;
     // psi_ddot_by_psi_dot = theta'*(I3/I1 - 2)/tan(theta)
-    let psi_ddot_by_psi_dot = -theta_dot_sin_theta_inv * psi_ddot_by_theta_of_i1_i3
-        * cos_theta;
+    let psi_ddot_by_psi_dot = -theta_dot_sin_theta_inv * psi_ddot_by_theta_of_i1_i3 * cos_theta;
     // phi_ddot_by_psi_dot = theta'*sin(theta) - psi_ddot_by_psi_dot*cos(theta)
     let phi_ddot_by_psi_dot = (-psi_ddot_by_psi_dot)
         .mul_add(cos_theta, theta_dot * sin_theta);
@@ -328,32 +324,20 @@ pub fn jacobian<S: Scalar>(
     let phi_dot_by_phi_dot_value = S::int(1);
     // d(phi'')/d(phi') = -psi_ddot_by_phi_dot*cos(theta)
     let phi_ddot_by_phi_dot_value = -psi_ddot_by_phi_dot * cos_theta;
+    let zero = S::int(0);
     [
         [zero, zero, zero, psi_dot_by_psi_dot_value, zero, zero],
         [zero, zero, zero, zero, theta_dot_by_theta_dot_value, zero],
         [zero, zero, zero, zero, zero, phi_dot_by_phi_dot_value],
         [
-            zero,
-            psi_ddot_by_theta,
-            zero,
-            psi_ddot_by_psi_dot,
-            psi_ddot_by_theta_dot,
+            zero, psi_ddot_by_theta, zero, psi_ddot_by_psi_dot, psi_ddot_by_theta_dot,
             psi_ddot_by_phi_dot,
         ],
         [
-            zero,
-            theta_ddot_by_theta,
-            zero,
-            theta_ddot_by_psi_dot,
-            zero,
-            theta_ddot_by_phi_dot,
+            zero, theta_ddot_by_theta, zero, theta_ddot_by_psi_dot, zero, theta_ddot_by_phi_dot,
         ],
         [
-            zero,
-            phi_ddot_by_theta,
-            zero,
-            phi_ddot_by_psi_dot,
-            phi_ddot_by_theta_dot,
+            zero, phi_ddot_by_theta, zero, phi_ddot_by_psi_dot, phi_ddot_by_theta_dot,
             phi_ddot_by_phi_dot_value,
         ],
     ]
@@ -489,28 +473,13 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta_1,
-                theta_1,
-                psi_dot_1,
-                sin_theta_1,
-                psi_ddot_of_motion_1,
-                cos_theta_1,
-                psi_dot_1,
-                sin_theta_1,
-                psi_dot_1,
-                sin_theta_1,
+                theta_1, theta_1, psi_dot_1, sin_theta_1, psi_ddot_of_motion_1, cos_theta_1,
+                psi_dot_1, sin_theta_1, psi_dot_1, sin_theta_1,
             ]),
             padded([
-                cos_theta_1,
-                sin_theta_1,
-                cos_theta_1,
-                theta_dot_sin_theta_inv_1,
-                theta_dot_sin_theta_inv_1,
-                psi_dot_dot_1,
-                theta_dot_1,
-                psi_dot_theta_dot_1,
-                theta_ddot_of_motion_1,
-                theta_ddot_of_motion_3_1,
+                cos_theta_1, sin_theta_1, cos_theta_1, theta_dot_sin_theta_inv_1,
+                theta_dot_sin_theta_inv_1, psi_dot_dot_1, theta_dot_1, psi_dot_theta_dot_1,
+                theta_ddot_of_motion_1, theta_ddot_of_motion_3_1,
             ]),
         ];
     }
@@ -659,25 +628,12 @@ pub fn taylor<S: Scalar>(
             padded([
                 count * theta,
                 count * theta,
-                psi_dot,
-                sin_theta,
-                psi_ddot_of_motion,
-                cos_theta,
-                psi_dot,
-                sin_theta,
-                psi_dot,
+                psi_dot, sin_theta, psi_ddot_of_motion, cos_theta, psi_dot, sin_theta, psi_dot,
                 sin_theta,
             ]),
             padded([
-                cos_theta,
-                sin_theta,
-                cos_theta,
-                theta_dot_sin_theta_inv,
-                theta_dot_sin_theta_inv,
-                psi_dot_dot,
-                theta_dot,
-                psi_dot_theta_dot,
-                theta_ddot_of_motion,
+                cos_theta, sin_theta, cos_theta, theta_dot_sin_theta_inv, theta_dot_sin_theta_inv,
+                psi_dot_dot, theta_dot, psi_dot_theta_dot, theta_ddot_of_motion,
                 theta_ddot_of_motion_3,
             ]),
         ];
@@ -790,11 +746,7 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

@@ -22,7 +22,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 6]; 6] {
     let Parameters { m, l, I1, I3, .. } = *p;
     let [psi, theta, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_psi, cos_psi) = psi.sin_cos();
@@ -71,6 +70,7 @@ pub fn mass_matrix<S: Scalar>(
     let m55 = l * sin_psi;
     // M63 = I3
     let m63 = I3;
+    let zero = S::int(0);
     [
         [zero, m12, zero, m14, m15, zero],
         [m21, zero, zero, m24, m25, m26],
@@ -89,7 +89,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     let Parameters { m, l, I1, I3, g } = *p;
     let [_, theta, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
@@ -111,6 +110,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     let f4 = -u2 * f4_of_u2_u3;
     // f5 = u1*(u2*(m*l^2 - I1)/tan(theta) + I3*u3)
     let f5 = u1 * f4_of_u2_u3;
+    let zero = S::int(0);
     [f1, f2, f3, f4, f5, zero]
 }
 
@@ -123,7 +123,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let Parameters { m, l, I1, I3, g } = *p;
     let [_, theta, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -135,6 +134,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let u2_dot = u1 * u2_dot_of_u2_u3;
     // u1' = (m*l*g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
     let u1_dot = (-u2).mul_add(u2_dot_of_u2_u3, m * l * g * i1_inv * sin_theta);
+    let zero = S::int(0);
     [u1_dot, u2_dot, zero]
 }
 
@@ -151,7 +151,6 @@ pub fn derivative<S: Scalar>(
     let Parameters { m, l, I1, I3, g } = *p;
     let [_, theta, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -171,6 +170,7 @@ pub fn derivative<S: Scalar>(
     let theta_dot_value = u1;
     // phi' = u3 - u2/tan(theta)
     let phi_dot_value = u3 - u2_dot_of_u2;
+    let zero = S::int(0);
     ([psi_dot_value, theta_dot_value, phi_dot_value], [u1_dot, u2_dot, zero])
 }
 
@@ -266,11 +266,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

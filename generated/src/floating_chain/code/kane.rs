@@ -17,7 +17,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 5]; 5] {
     let Parameters { m, l } = *p;
     let [_, _, theta1, theta2, theta3] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta1, cos_theta1) = theta1.sin_cos();
     let (sin_theta2, cos_theta2) = theta2.sin_cos();
@@ -66,6 +65,7 @@ pub fn mass_matrix<S: Scalar>(
     let m45 = S::ratio(1, 2) * cos_theta2_minus_theta3 * l_m_l;
     // M55 = m*l^2/3
     let m55 = S::ratio(1, 3) * l_m_l;
+    let zero = S::int(0);
     [
         [m11, zero, m13, m14, m15],
         [zero, m22, m23, m24, m25],
@@ -109,12 +109,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 5] {
     // Values.
     // f1 = m*l*(2*u3^2*cos(theta1) + 3*u4^2*cos(theta2) + u5^2*cos(theta3))/2
     let f1 = m_l_halved
-        * (u4_sq_times_3.mul_add(cos_theta2, u5_sq * cos_theta3)
-            + u3_sq_doubled * cos_theta1);
+        * (u4_sq_times_3.mul_add(cos_theta2, u5_sq * cos_theta3) + u3_sq_doubled * cos_theta1);
     // f2 = m*l*(2*u3^2*sin(theta1) + 3*u4^2*sin(theta2) + u5^2*sin(theta3))/2
     let f2 = m_l_halved
-        * (u4_sq_times_3.mul_add(sin_theta2, u5_sq * sin_theta3)
-            + u3_sq_doubled * sin_theta1);
+        * (u4_sq_times_3.mul_add(sin_theta2, u5_sq * sin_theta3) + u3_sq_doubled * sin_theta1);
     // f3 = -m*l^2*(3*u4^2*sin(theta1 - theta2) + u5^2*sin(theta1 - theta3))/4
     let f3 = -l_m_l_by_4
         * sin_theta1_minus_theta2
@@ -151,13 +149,11 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     let u5_dot_of_place = S::int(1)
         / (S::int(9)
             - cos_theta3
-                * (cos_theta2_times_9
-                    * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
+                * (cos_theta2_times_9 * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
                     - S::int(5) * cos_theta3)
             - sin_theta1
                 * (sin_theta1 * cos_theta3.mul_add(cos_theta3, u5_dot_of_theta2)
-                    + cos_theta1
-                        * (-sin_theta3).mul_add(cos_theta3, u5_dot_of_theta2_2)));
+                    + cos_theta1 * (-sin_theta3).mul_add(cos_theta3, u5_dot_of_theta2_2)));
     // u5_dot_of_theta2_2 - sin(theta1)*cos(theta1)
     let u5_dot_of_place_2 = (-sin_theta1).mul_add(cos_theta1, u5_dot_of_theta2_2);
     let u5_sq = u5 * u5;
@@ -236,13 +232,11 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S
     // u2' = l*(2*u3^2*sin(theta1) + 3*u4^2*sin(theta2) + u5^2*sin(theta3) - 2*u3'*cos(theta1) -
     //   3*u4'*cos(theta2) - u5'*cos(theta3))/6
     let u2_dot = l_halved * (-u4_dot).mul_add(cos_theta2, u4_sq * sin_theta2)
-        - u4_dot_of_u5_u5_dot_2 * l_by_6
-        + l_by_3 * (-u3_dot).mul_add(cos_theta1, sin_theta1_u3_sq);
+        - u4_dot_of_u5_u5_dot_2 * l_by_6 + l_by_3 * (-u3_dot).mul_add(cos_theta1, sin_theta1_u3_sq);
     // u1' = l*(2*u3^2*cos(theta1) + 3*u4^2*cos(theta2) + u5^2*cos(theta3) + 2*u3'*sin(theta1) +
     //   3*u4'*sin(theta2) + u5'*sin(theta3))/6
     let u1_dot = l_halved * u4_dot.mul_add(sin_theta2, cos_theta2_u4_sq)
-        + u4_dot_of_u5_u5_dot * l_by_6
-        + l_by_3 * u3_sq.mul_add(cos_theta1, u3_dot * sin_theta1);
+        + u4_dot_of_u5_u5_dot * l_by_6 + l_by_3 * u3_sq.mul_add(cos_theta1, u3_dot * sin_theta1);
     [u1_dot, u2_dot, u3_dot, u4_dot, u5_dot]
 }
 
@@ -303,8 +297,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> S
             * (S::int(4) * u4 * u4
                 + u5
                     * (u5
-                        + u4_times_3
-                            * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)))
+                        + u4_times_3 * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)))
         + S::ratio(7, 24) * u3 * u3_l_m_l
         + S::ratio(1, 4) * u3_l_m_l
             * energy_of_u4_u5_2.mul_add(cos_theta1, energy_of_u4_u5 * sin_theta1);
@@ -348,13 +341,11 @@ pub fn derivative<S: Scalar>(
     let u5_dot_of_place = S::int(1)
         / (S::int(9)
             - cos_theta3
-                * (cos_theta2_times_9
-                    * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
+                * (cos_theta2_times_9 * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
                     - S::int(5) * cos_theta3)
             - sin_theta1
                 * (sin_theta1 * cos_theta3.mul_add(cos_theta3, u5_dot_of_theta2)
-                    + cos_theta1
-                        * (-sin_theta3).mul_add(cos_theta3, u5_dot_of_theta2_2)));
+                    + cos_theta1 * (-sin_theta3).mul_add(cos_theta3, u5_dot_of_theta2_2)));
     // u5_dot_of_theta2_2 - sin(theta1)*cos(theta1)
     let u5_dot_of_place_2 = (-sin_theta1).mul_add(cos_theta1, u5_dot_of_theta2_2);
     let u5_sq = u5 * u5;
@@ -433,13 +424,11 @@ pub fn derivative<S: Scalar>(
     // u2' = l*(2*u3^2*sin(theta1) + 3*u4^2*sin(theta2) + u5^2*sin(theta3) - 2*u3'*cos(theta1) -
     //   3*u4'*cos(theta2) - u5'*cos(theta3))/6
     let u2_dot = l_halved * (-u4_dot).mul_add(cos_theta2, u4_sq * sin_theta2)
-        - u4_dot_of_u5_u5_dot_2 * l_by_6
-        + l_by_3 * (-u3_dot).mul_add(cos_theta1, sin_theta1_u3_sq);
+        - u4_dot_of_u5_u5_dot_2 * l_by_6 + l_by_3 * (-u3_dot).mul_add(cos_theta1, sin_theta1_u3_sq);
     // u1' = l*(2*u3^2*cos(theta1) + 3*u4^2*cos(theta2) + u5^2*cos(theta3) + 2*u3'*sin(theta1) +
     //   3*u4'*sin(theta2) + u5'*sin(theta3))/6
     let u1_dot = l_halved * u4_dot.mul_add(sin_theta2, cos_theta2_u4_sq)
-        + u4_dot_of_u5_u5_dot * l_by_6
-        + l_by_3 * u3_sq.mul_add(cos_theta1, u3_dot * sin_theta1);
+        + u4_dot_of_u5_u5_dot * l_by_6 + l_by_3 * u3_sq.mul_add(cos_theta1, u3_dot * sin_theta1);
     // Values.
     // x' = u1
     let x_dot_value = u1;
@@ -465,7 +454,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let Parameters { l, .. } = *p;
     let [_, _, theta1, theta2, theta3] = *q;
     let [_, _, u3, u4, u5] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta1, cos_theta1) = theta1.sin_cos();
     let (sin_theta2, cos_theta2) = theta2.sin_cos();
@@ -505,8 +493,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
         .mul_add(u5_dot_of_place_8, S::int(5) * cos_theta3);
     // 1/(9 + u5_dot_of_place_7*sin(theta1) + u5_dot_of_place_9*cos(theta3))
     let u5_dot_of_place_10 = S::int(1)
-        / (u5_dot_of_place_7.mul_add(sin_theta1, S::int(9))
-            + u5_dot_of_place_9 * cos_theta3);
+        / (u5_dot_of_place_7.mul_add(sin_theta1, S::int(9)) + u5_dot_of_place_9 * cos_theta3);
     let u5_dot_of_place_11 = S::ratio(1, 2) * u5_dot_of_place_10;
     let u5_dot_of_place_12 = S::ratio(3, 2) * u5_dot_of_place_10;
     let u4_sq = u4 * u4;
@@ -547,8 +534,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   sin(theta1)*cos(theta1)))))/(2*(9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
     //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
     //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)))))
-    let u5_dot = -u5_dot_of_place_12
-        * u3_sq.mul_add(u5_dot_of_place_20, u4_sq * u5_dot_of_place_18)
+    let u5_dot = -u5_dot_of_place_12 * u3_sq.mul_add(u5_dot_of_place_20, u4_sq * u5_dot_of_place_18)
         + u5_sq * u5_dot_of_place_4 * u5_dot_of_place_11;
     let cos_theta2_doubled = S::int(2) * cos_theta2;
     let u4_dot_of_place = cos_theta2_doubled * cos_theta1;
@@ -627,8 +613,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u5_dot_by_theta1_of_u3_u4_u5_2 = u5_dot_of_place_10
         * ((-u5_sq).mul_add(u5_dot_of_place, u5_dot_by_theta1_of_u3_u4_u5 * cos_theta3)
             - sin_theta3_times_3 * u5_dot_by_theta1_of_u3_u4_3);
-    let u5_dot_by_theta1_of_u3_u4_u5_3 = u5_dot_of_place_11
-        * u5_dot_by_theta1_of_u3_u4_u5_2;
+    let u5_dot_by_theta1_of_u3_u4_u5_3 = u5_dot_of_place_11 * u5_dot_by_theta1_of_u3_u4_u5_2;
     // u5_dot_by_theta1 = (cos(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
     //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) +
     //   sin(theta1)*(cos(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
@@ -658,8 +643,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
             * (u3_sq_times_3
                 * u5_dot_by_theta1_of_theta2
                     .mul_add(cos_theta1, sin_theta1_sin_theta2 * cos_theta2_times_3)
-                + u4_sq_times_3
-                    * (-u5_dot_of_place_13).mul_add(sin_theta1, u4_dot_of_place_6)
+                + u4_sq_times_3 * (-u5_dot_of_place_13).mul_add(sin_theta1, u4_dot_of_place_6)
                 + u5_sq_doubled
                     * (-u5_dot_by_theta1_of_theta1)
                         .mul_add(
@@ -671,17 +655,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
                     .mul_add(sin_theta1, u4_sq * u5_dot_of_place_14)
                     + cos_theta1_sin_theta2 * u3_sq_cos_theta2_times_3))
         - u5_dot_by_theta1_of_u3_u4_u5_3
-            * (sin_theta1
-                * u5_dot_of_place_6.mul_add(sin_theta1, u5_dot_of_place_5 * cos_theta1)
+            * (sin_theta1 * u5_dot_of_place_6.mul_add(sin_theta1, u5_dot_of_place_5 * cos_theta1)
                 + u5_dot_of_place_7 * cos_theta1);
     let sin_theta2_times_3 = S::int(3) * sin_theta2;
     let u4_sq_sin_theta2_times_3 = u4_sq * sin_theta2_times_3;
     // u4_sq_sin_theta2_times_3 - u4_dot_of_u5_u5_dot
-    let u4_dot_by_theta1_of_u4_u5_u5_dot = u4_sq_sin_theta2_times_3
-        - u4_dot_of_u5_u5_dot;
+    let u4_dot_by_theta1_of_u4_u5_u5_dot = u4_sq_sin_theta2_times_3 - u4_dot_of_u5_u5_dot;
     // u4_dot_of_u5_u5_dot_2 + u4_sq_cos_theta2_times_3
-    let u4_dot_by_theta1_of_u4_u5_u5_dot_2 = u4_dot_of_u5_u5_dot_2
-        + u4_sq_cos_theta2_times_3;
+    let u4_dot_by_theta1_of_u4_u5_u5_dot_2 = u4_dot_of_u5_u5_dot_2 + u4_sq_cos_theta2_times_3;
     // u4_dot_by_theta1_of_u4_u5_u5_dot*sin(theta2) - u4_dot_by_theta1_of_u4_u5_u5_dot_2*cos(theta2)
     let u4_dot_by_theta1_of_u4_u5_u5_dot_3 = (-u4_dot_by_theta1_of_u4_u5_u5_dot_2)
         .mul_add(cos_theta2, u4_dot_by_theta1_of_u4_u5_u5_dot * sin_theta2);
@@ -729,10 +710,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   3*sin(theta2)*(u3^2*sin(theta1) - u5_dot_by_theta1*sin(theta3)))/(7 - 3*cos(theta1)^2*cos(theta2)^2
     //   - 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
     let u4_dot_by_theta1 = u4_dot_by_theta1_of_motion_2
-        * (sin_theta1_sin_theta2
-            * (-cos_theta2_doubled).mul_add(sin_theta1, cos_theta1_sin_theta2)
-            - sin_theta1_cos_theta2 * u4_dot_of_place
-            + cos_theta1_sin_theta2 * u4_dot_of_place_2)
+        * (sin_theta1_sin_theta2 * (-cos_theta2_doubled).mul_add(sin_theta1, cos_theta1_sin_theta2)
+            - sin_theta1_cos_theta2 * u4_dot_of_place + cos_theta1_sin_theta2 * u4_dot_of_place_2)
         - u4_dot_of_place_3
             * (sin_theta1
                 * (cos_theta1_sin_theta2 * u4_dot_by_theta1_of_u4_u5_u5_dot_2
@@ -741,13 +720,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
                         * (cos_theta2_sin_theta3 + sin_theta2_cos_theta3)
                     + sin_theta1_sin_theta2 * u4_dot_by_theta1_of_place)
                 + u4_dot_by_theta1_of_motion * cos_theta1
-                + sin_theta2_times_3
-                    * u3_sq.mul_add(sin_theta1, -u4_dot_by_theta1_of_place)
+                + sin_theta2_times_3 * u3_sq.mul_add(sin_theta1, -u4_dot_by_theta1_of_place)
                 + cos_theta2
-                    * (u5_dot_by_theta1
-                        * cos_theta1_sq.mul_add(cos_theta3, -cos_theta3_times_3)
-                        + S::int(2) * sin_theta1_cos_theta1
-                            * u4_dot_by_theta1_of_u4_u5_u5_dot));
+                    * (u5_dot_by_theta1 * cos_theta1_sq.mul_add(cos_theta3, -cos_theta3_times_3)
+                        + S::int(2) * sin_theta1_cos_theta1 * u4_dot_by_theta1_of_u4_u5_u5_dot));
     let sin_theta1_sin_theta3 = sin_theta1 * sin_theta3;
     // cos(theta1)*cos(theta3) + sin_theta1_sin_theta3
     let u3_dot_by_theta1_of_place = cos_theta1
@@ -778,8 +754,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   3*u4_dot_by_theta1*cos(theta2) + 2*cos(theta1)*(u3^2 - u3_dot_by_theta1))/6
     let u2_dot_by_theta1 = (-u4_dot_by_theta1)
         .mul_add(cos_theta2_l_halved, u3_dot * sin_theta1_l_by_3)
-        - u5_dot_by_theta1 * cos_theta3_l_by_6
-        - cos_theta1_l_by_3 * u2_dot_by_theta1_of_u3;
+        - u5_dot_by_theta1 * cos_theta3_l_by_6 - cos_theta1_l_by_3 * u2_dot_by_theta1_of_u3;
     let sin_theta2_l_halved = l_halved * sin_theta2;
     let sin_theta3_l_by_6 = l_by_6 * sin_theta3;
     // u1_dot_by_theta1 = l*(2*u3'*cos(theta1) + u5_dot_by_theta1*sin(theta3) +
@@ -867,10 +842,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   cos(theta1)^2*(3*u4^2*cos(theta2) - u5_dot_by_theta2*cos(theta3))))/(3*cos(theta1)^2*cos(theta2)^2 -
     //   7 + 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
     let u4_dot_by_theta2 = u4_dot_by_theta1_of_motion_2
-        * (-sin_theta1_sin_theta2
-            * cos_theta1_sin_theta2.mul_add(S::int(2), -sin_theta1_cos_theta2)
-            + sin_theta1_cos_theta2 * u4_dot_of_place_2
-            - cos_theta1_sin_theta2 * u4_dot_of_place)
+        * (-sin_theta1_sin_theta2 * cos_theta1_sin_theta2.mul_add(S::int(2), -sin_theta1_cos_theta2)
+            + sin_theta1_cos_theta2 * u4_dot_of_place_2 - cos_theta1_sin_theta2 * u4_dot_of_place)
         + u4_dot_of_place_3
             * (u4_dot_by_theta1_of_u4_u5_u5_dot_4 * sin_theta2
                 + cos_theta2_times_3 * u4_dot_by_theta1_of_u3_u5_u5_dot
@@ -886,8 +859,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
                         + sin_theta1_sin_theta2 * u4_dot_by_theta2_of_u4_2
                         + cos_theta1
                             * (sin_theta2
-                                * (u4_dot_by_theta1_of_u4_u5_u5_dot_2
-                                    + u4_dot_by_theta2_of_u4)
+                                * (u4_dot_by_theta1_of_u4_u5_u5_dot_2 + u4_dot_by_theta2_of_u4)
                                 + cos_theta2
                                     * (u4_dot_by_theta1_of_u4_u5_u5_dot
                                         + u4_dot_by_theta2_of_u4_2))));
@@ -903,14 +875,12 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   u4_dot_by_theta2) - 2*u3_dot_by_theta2*cos(theta1))/6
     let u2_dot_by_theta2 = (-u5_dot_by_theta2)
         .mul_add(cos_theta3_l_by_6, u4_dot * sin_theta2_l_halved)
-        - u3_dot_by_theta2 * cos_theta1_l_by_3
-        - cos_theta2_l_halved * u3_dot_by_theta2_of_u4;
+        - u3_dot_by_theta2 * cos_theta1_l_by_3 - cos_theta2_l_halved * u3_dot_by_theta2_of_u4;
     // u1_dot_by_theta2 = l*(3*u4'*cos(theta2) + u5_dot_by_theta2*sin(theta3) +
     //   3*sin(theta2)*(u4_dot_by_theta2 - u4^2) + 2*u3_dot_by_theta2*sin(theta1))/6
     let u1_dot_by_theta2 = u4_dot
         .mul_add(cos_theta2_l_halved, u3_dot_by_theta2 * sin_theta1_l_by_3)
-        + u5_dot_by_theta2 * sin_theta3_l_by_6
-        + sin_theta2_l_halved * u3_dot_by_theta2_of_u4;
+        + u5_dot_by_theta2 * sin_theta3_l_by_6 + sin_theta2_l_halved * u3_dot_by_theta2_of_u4;
     // u5_dot_by_theta3 = (cos(theta3)*(5*sin(theta3) + 9*cos(theta2)*(sin(theta2)*cos(theta3) -
     //   cos(theta2)*sin(theta3))) - sin(theta3)*(9*cos(theta2)*(sin(theta2)*sin(theta3) +
     //   cos(theta2)*cos(theta3)) - 5*cos(theta3)) - sin(theta1)*(2*sin(theta1)*sin(theta3)*cos(theta3) +
@@ -937,8 +907,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u5_dot_by_theta3 = u5_dot_by_theta1_of_u3_u4_u5_3
         * (sin_theta1
             * (cos_theta1 * sin_theta3.mul_add(sin_theta3, -cos_theta3_sq)
-                - cos_theta3_doubled * sin_theta1_sin_theta3)
-            + u5_dot_of_place_9 * sin_theta3
+                - cos_theta3_doubled * sin_theta1_sin_theta3) + u5_dot_of_place_9 * sin_theta3
             + cos_theta3
                 * cos_theta2_times_9
                     .mul_add(u5_dot_by_theta2_of_place_2, S::int(5) * sin_theta3))
@@ -957,8 +926,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // u4_dot_of_place_7*cos(theta3) + u4_dot_of_place_8*sin(theta3)
     let u4_dot_by_theta3_of_place_2 = u4_dot_of_place_8
         .mul_add(sin_theta3, u4_dot_of_place_7 * cos_theta3);
-    let u4_dot_by_theta3_of_place_3 = u4_dot_by_theta3_of_place
-        * u4_dot_by_theta3_of_place_2;
+    let u4_dot_by_theta3_of_place_3 = u4_dot_by_theta3_of_place * u4_dot_by_theta3_of_place_2;
     // u4_dot_by_theta3 = (2*sin(theta2)*(u5'*cos(theta3) + sin(theta3)*(u5_dot_by_theta3 - u5^2)) -
     //   3*cos(theta2)*(u5'*sin(theta3) + cos(theta3)*(u5^2 - u5_dot_by_theta3)) +
     //   cos(theta1)*(sin(theta1)*(sin(theta2)*(u5'*sin(theta3) + cos(theta3)*(u5^2 - u5_dot_by_theta3)) -
@@ -1037,8 +1005,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   u5_dot_by_u4*cos(theta3))))/(3*cos(theta1)^2*cos(theta2)^2 - 7 +
     //   3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
     let u4_dot_by_u4 = -S::int(6) * u4 * u4_dot_of_place_3
-        * (u4_dot_of_place_5 + sin_theta2_cos_theta2)
-        + u5_dot_by_u4 * u4_dot_by_u4_of_place;
+        * (u4_dot_of_place_5 + sin_theta2_cos_theta2) + u5_dot_by_u4 * u4_dot_by_u4_of_place;
     // u3_dot_by_u4 = cos(theta1)*(6*u4*sin(theta2) - u5_dot_by_u4*cos(theta3) -
     //   3*u4_dot_by_u4*cos(theta2))/3 - sin(theta1)*(6*u4*cos(theta2) + u5_dot_by_u4*sin(theta3) +
     //   3*u4_dot_by_u4*sin(theta2))/3
@@ -1101,6 +1068,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let theta2_dot_by_u4_value = S::int(1);
     // d(theta3')/d(u5) = 1
     let theta3_dot_by_u5_value = S::int(1);
+    let zero = S::int(0);
     [
         [zero, zero, zero, zero, zero, x_dot_by_u1_value, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, y_dot_by_u2_value, zero, zero, zero],
@@ -1108,64 +1076,24 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
         [zero, zero, zero, zero, zero, zero, zero, zero, theta2_dot_by_u4_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, theta3_dot_by_u5_value],
         [
-            zero,
-            zero,
-            u1_dot_by_theta1,
-            u1_dot_by_theta2,
-            u1_dot_by_theta3,
-            zero,
-            zero,
-            u1_dot_by_u3,
-            u1_dot_by_u4,
-            u1_dot_by_u5,
+            zero, zero, u1_dot_by_theta1, u1_dot_by_theta2, u1_dot_by_theta3, zero, zero,
+            u1_dot_by_u3, u1_dot_by_u4, u1_dot_by_u5,
         ],
         [
-            zero,
-            zero,
-            u2_dot_by_theta1,
-            u2_dot_by_theta2,
-            u2_dot_by_theta3,
-            zero,
-            zero,
-            u2_dot_by_u3,
-            u2_dot_by_u4,
-            u2_dot_by_u5,
+            zero, zero, u2_dot_by_theta1, u2_dot_by_theta2, u2_dot_by_theta3, zero, zero,
+            u2_dot_by_u3, u2_dot_by_u4, u2_dot_by_u5,
         ],
         [
-            zero,
-            zero,
-            u3_dot_by_theta1,
-            u3_dot_by_theta2,
-            u3_dot_by_theta3,
-            zero,
-            zero,
-            u3_dot_by_u3,
-            u3_dot_by_u4,
-            u3_dot_by_u5,
+            zero, zero, u3_dot_by_theta1, u3_dot_by_theta2, u3_dot_by_theta3, zero, zero,
+            u3_dot_by_u3, u3_dot_by_u4, u3_dot_by_u5,
         ],
         [
-            zero,
-            zero,
-            u4_dot_by_theta1,
-            u4_dot_by_theta2,
-            u4_dot_by_theta3,
-            zero,
-            zero,
-            u4_dot_by_u3,
-            u4_dot_by_u4,
-            u4_dot_by_u5,
+            zero, zero, u4_dot_by_theta1, u4_dot_by_theta2, u4_dot_by_theta3, zero, zero,
+            u4_dot_by_u3, u4_dot_by_u4, u4_dot_by_u5,
         ],
         [
-            zero,
-            zero,
-            u5_dot_by_theta1,
-            u5_dot_by_theta2,
-            u5_dot_by_theta3,
-            zero,
-            zero,
-            u5_dot_by_u3,
-            u5_dot_by_u4,
-            u5_dot_by_u5,
+            zero, zero, u5_dot_by_theta1, u5_dot_by_theta2, u5_dot_by_theta3, zero, zero,
+            u5_dot_by_u3, u5_dot_by_u4, u5_dot_by_u5,
         ],
     ]
 }
@@ -1227,12 +1155,10 @@ pub fn inverse_dynamics<S: Scalar>(
     // Values.
     // tau1 = 3*m*u1' - m*l*(2*u3^2*cos(theta1) + 3*u4^2*cos(theta2) + u5^2*cos(theta3))/2 -
     //   m*l*u3'*sin(theta1) - 3*m*l*u4'*sin(theta2)/2 - m*l*u5'*sin(theta3)/2
-    let tau1 = (-m_l).mul_add(tau1_of_u3_u3_dot, u1_dot * m_times_3)
-        - tau1_of_motion * m_l_halved;
+    let tau1 = (-m_l).mul_add(tau1_of_u3_u3_dot, u1_dot * m_times_3) - tau1_of_motion * m_l_halved;
     // tau2 = 3*m*u2' - m*l*(2*u3^2*sin(theta1) + 3*u4^2*sin(theta2) + u5^2*sin(theta3))/2 +
     //   m*l*u3'*cos(theta1) + 3*m*l*u4'*cos(theta2)/2 + m*l*u5'*cos(theta3)/2
-    let tau2 = (-m_l).mul_add(tau2_of_u3_u3_dot, u2_dot * m_times_3)
-        - m_l_halved * tau2_of_motion;
+    let tau2 = (-m_l).mul_add(tau2_of_u3_u3_dot, u2_dot * m_times_3) - m_l_halved * tau2_of_motion;
     // tau3 = m*l^2*(3*u4^2*sin(theta1 - theta2) + u5^2*sin(theta1 - theta3))/4 - m*l*u1'*sin(theta1) +
     //   m*l*u2'*cos(theta1) + 7*m*l^2*u3'/12 + 3*m*l^2*u4'*cos(theta1 - theta2)/4 + m*l^2*u5'*cos(theta1 -
     //   theta3)/4
@@ -1244,15 +1170,13 @@ pub fn inverse_dynamics<S: Scalar>(
     //   + 3*m*l*u2'*cos(theta2)/2 + 3*m*l^2*u3'*cos(theta1 - theta2)/4 + 4*m*l^2*u4'/3 +
     //   m*l^2*u5'*cos(theta2 - theta3)/2
     let tau4 = S::ratio(4, 3) * u4_dot * l_m_l
-        + l_m_l_halved
-            * (-tau2_of_u5_u5_dot).mul_add(cos_theta2, tau1_of_u5_u5_dot * sin_theta2)
+        + l_m_l_halved * (-tau2_of_u5_u5_dot).mul_add(cos_theta2, tau1_of_u5_u5_dot * sin_theta2)
         + S::ratio(3, 4) * tau4_of_motion_3;
     // tau5 = m*l*u2'*cos(theta3)/2 - m*l^2*(u3^2*sin(theta1 - theta3) + 2*u4^2*sin(theta2 - theta3))/4 -
     //   m*l*u1'*sin(theta3)/2 + m*l^2*u3'*cos(theta1 - theta3)/4 + m*l^2*u4'*cos(theta2 - theta3)/2 +
     //   m*l^2*u5'/3
     let tau5 = S::ratio(1, 3) * u5_dot * l_m_l
-        + l_m_l_halved
-            * (-tau2_of_u4_u4_dot).mul_add(cos_theta3, tau1_of_u4_u4_dot * sin_theta3)
+        + l_m_l_halved * (-tau2_of_u4_u4_dot).mul_add(cos_theta3, tau1_of_u4_u4_dot * sin_theta3)
         + S::ratio(1, 4) * tau5_of_motion;
     [tau1, tau2, tau3, tau4, tau5]
 }
@@ -1289,13 +1213,11 @@ pub fn taylor<S: Scalar>(
     let u5_dot_of_place_0 = sin_theta2_sin_theta3_0 + cos_theta2_cos_theta3_0;
     let cos_theta3_sq_0 = cos_theta3_0 * cos_theta3_0;
     let u3_sq_cos_theta2_0 = cos_theta2_0 * u3_sq_0;
-    let u5_dot_of_place_2_0 = cos_theta2_sq_0.mul_add(S::int(9), -S::int(4))
-        - cos_theta3_sq_0;
+    let u5_dot_of_place_2_0 = cos_theta2_sq_0.mul_add(S::int(9), -S::int(4)) - cos_theta3_sq_0;
     let u5_dot_of_place_3_0 = sin_theta1_0 * u5_dot_of_place_2_0;
     let sin_theta2_cos_theta2_0 = sin_theta2_0 * cos_theta2_0;
     let sin_theta3_cos_theta3_0 = sin_theta3_0 * cos_theta3_0;
-    let u5_dot_of_place_4_0 = S::int(9) * sin_theta2_cos_theta2_0
-        - sin_theta3_cos_theta3_0;
+    let u5_dot_of_place_4_0 = S::int(9) * sin_theta2_cos_theta2_0 - sin_theta3_cos_theta3_0;
     let u5_dot_of_place_5_0 = cos_theta1_0 * u5_dot_of_place_4_0;
     let u5_dot_of_place_6_0 = u5_dot_of_place_3_0 - u5_dot_of_place_5_0;
     let u5_dot_of_place_7_0 = sin_theta1_0 * u5_dot_of_place_6_0;
@@ -1306,8 +1228,7 @@ pub fn taylor<S: Scalar>(
     let u5_dot_of_place_11_0 = S::int(9) + u5_dot_of_place_7_0 + u5_dot_of_place_10_0;
     let over_u5_dot_of_place_11 = S::int(1) / u5_dot_of_place_11_0;
     let sin_theta1_cos_theta1_0 = sin_theta1_0 * cos_theta1_0;
-    let u5_dot_of_place_12_0 = S::int(9) * sin_theta2_cos_theta2_0
-        - sin_theta1_cos_theta1_0;
+    let u5_dot_of_place_12_0 = S::int(9) * sin_theta2_cos_theta2_0 - sin_theta1_cos_theta1_0;
     let sin_theta1_sin_theta2_0 = sin_theta1_0 * sin_theta2_0;
     let u5_dot_of_u3_0 = u3_sq_0 * sin_theta1_sin_theta2_0;
     let u5_dot_of_u5_2_0 = u5_dot_of_place_12_0 * u5_sq_0;
@@ -1368,8 +1289,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(-S::ratio(1, 2), S::int(3) * u4_sq_cos_theta2_0 + u5_sq_cos_theta3_0);
     let u4_dot_of_u5_u5_dot_2_0 = sin_theta1_0 * u4_dot_of_u5_u5_dot_0;
     let u4_dot_of_u4_u5_u5_dot_3_0 = cos_theta1_0 * u4_dot_of_u4_u5_u5_dot_0;
-    let u4_dot_of_u4_u5_u5_dot_4_0 = u4_dot_of_u5_u5_dot_2_0
-        - u4_dot_of_u4_u5_u5_dot_3_0;
+    let u4_dot_of_u4_u5_u5_dot_4_0 = u4_dot_of_u5_u5_dot_2_0 - u4_dot_of_u4_u5_u5_dot_3_0;
     let u4_dot_of_u4_u5_u5_dot_5_0 = sin_theta1_0 * u4_dot_of_u4_u5_u5_dot_2_0;
     let u4_dot_of_u4_u5_u5_dot_6_0 = sin_theta1_0 * u4_dot_of_u4_u5_u5_dot_4_0;
     let u4_dot_of_motion_0 = u4_dot_of_u3_u4_u5_0
@@ -1377,8 +1297,7 @@ pub fn taylor<S: Scalar>(
             -S::ratio(3, 2),
             u5_sq_cos_theta3_0.mul_add(S::int(3), S::int(3) * u3_sq_cos_theta1_0),
         ) - u4_dot_of_u4_u5_u5_dot_6_0;
-    let u4_dot_of_u4_u5_u5_dot_7_0 = u4_dot_of_u4_u5_u5_dot_3_0
-        - u4_dot_of_u4_u5_u5_dot_5_0;
+    let u4_dot_of_u4_u5_u5_dot_7_0 = u4_dot_of_u4_u5_u5_dot_3_0 - u4_dot_of_u4_u5_u5_dot_5_0;
     let u4_dot_of_u4_u5_u5_dot_8_0 = cos_theta1_0 * u4_dot_of_u4_u5_u5_dot_7_0;
     let u4_dot_of_u3_u4_0 = sin_theta1_0 * u5_dot_of_u3_u4_0;
     let u4_dot_of_motion_2_0 = u4_dot_of_u3_u4_u5_2_0
@@ -1459,16 +1378,7 @@ pub fn taylor<S: Scalar>(
     let u5_1 = -S::ratio(1, 2) * u5_dot_of_u3_u4_u5_6_0;
     if series.len() > 1 {
         series[1] = [
-            x_1,
-            y_1,
-            theta1_1,
-            theta2_1,
-            theta3_1,
-            u1_1,
-            u2_1,
-            u3_1,
-            u4_1,
-            u5_1,
+            x_1, y_1, theta1_1, theta2_1, theta3_1, u1_1, u2_1, u3_1, u4_1, u5_1,
         ];
     }
     let sin_theta1_1 = theta1_1 * cos_theta1_0;
@@ -1502,8 +1412,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(sin_theta2_0, sin_theta2_1 * cos_theta2_0);
     let sin_theta3_cos_theta3_1 = cos_theta3_1
         .mul_add(sin_theta3_0, sin_theta3_1 * cos_theta3_0);
-    let u5_dot_of_place_4_1 = S::int(9) * sin_theta2_cos_theta2_1
-        - sin_theta3_cos_theta3_1;
+    let u5_dot_of_place_4_1 = S::int(9) * sin_theta2_cos_theta2_1 - sin_theta3_cos_theta3_1;
     let u5_dot_of_place_5_1 = u5_dot_of_place_4_1
         .mul_add(cos_theta1_0, cos_theta1_1 * u5_dot_of_place_4_0);
     let u5_dot_of_place_6_1 = u5_dot_of_place_3_1 - u5_dot_of_place_5_1;
@@ -1518,8 +1427,7 @@ pub fn taylor<S: Scalar>(
     let u5_dot_of_place_11_1 = u5_dot_of_place_7_1 + u5_dot_of_place_10_1;
     let sin_theta1_cos_theta1_1 = cos_theta1_1
         .mul_add(sin_theta1_0, sin_theta1_1 * cos_theta1_0);
-    let u5_dot_of_place_12_1 = S::int(9) * sin_theta2_cos_theta2_1
-        - sin_theta1_cos_theta1_1;
+    let u5_dot_of_place_12_1 = S::int(9) * sin_theta2_cos_theta2_1 - sin_theta1_cos_theta1_1;
     let sin_theta1_sin_theta2_1 = sin_theta2_1
         .mul_add(sin_theta1_0, sin_theta1_1 * sin_theta2_0);
     let u5_dot_of_u3_1 = sin_theta1_sin_theta2_1
@@ -1605,8 +1513,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(sin_theta1_0, sin_theta1_1 * u4_dot_of_u5_u5_dot_0);
     let u4_dot_of_u4_u5_u5_dot_3_1 = u4_dot_of_u4_u5_u5_dot_1
         .mul_add(cos_theta1_0, cos_theta1_1 * u4_dot_of_u4_u5_u5_dot_0);
-    let u4_dot_of_u4_u5_u5_dot_4_1 = u4_dot_of_u5_u5_dot_2_1
-        - u4_dot_of_u4_u5_u5_dot_3_1;
+    let u4_dot_of_u4_u5_u5_dot_4_1 = u4_dot_of_u5_u5_dot_2_1 - u4_dot_of_u4_u5_u5_dot_3_1;
     let u4_dot_of_u4_u5_u5_dot_5_1 = u4_dot_of_u4_u5_u5_dot_2_1
         .mul_add(sin_theta1_0, sin_theta1_1 * u4_dot_of_u4_u5_u5_dot_2_0);
     let u4_dot_of_u4_u5_u5_dot_6_1 = u4_dot_of_u4_u5_u5_dot_4_1
@@ -1616,8 +1523,7 @@ pub fn taylor<S: Scalar>(
             -S::ratio(3, 2),
             u5_sq_cos_theta3_1.mul_add(S::int(3), S::int(3) * u3_sq_cos_theta1_1),
         ) - u4_dot_of_u4_u5_u5_dot_6_1;
-    let u4_dot_of_u4_u5_u5_dot_7_1 = u4_dot_of_u4_u5_u5_dot_3_1
-        - u4_dot_of_u4_u5_u5_dot_5_1;
+    let u4_dot_of_u4_u5_u5_dot_7_1 = u4_dot_of_u4_u5_u5_dot_3_1 - u4_dot_of_u4_u5_u5_dot_5_1;
     let u4_dot_of_u4_u5_u5_dot_8_1 = u4_dot_of_u4_u5_u5_dot_7_1
         .mul_add(cos_theta1_0, cos_theta1_1 * u4_dot_of_u4_u5_u5_dot_7_0);
     let u4_dot_of_u3_u4_1 = u5_dot_of_u3_u4_1
@@ -1701,139 +1607,35 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta1_1,
-                theta1_1,
-                theta2_1,
-                theta2_1,
-                theta3_1,
-                theta3_1,
-                u3_1,
-                cos_theta1_1,
-                u5_1,
-                cos_theta3_1,
-                sin_theta1_1,
-                u4_1,
-                sin_theta2_1,
-                sin_theta3_1,
-                sin_theta1_1,
-                sin_theta2_1,
-                cos_theta2_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                cos_theta2_1,
-                sin_theta1_1,
-                sin_theta2_1,
-                sin_theta3_1,
-                cos_theta1_1,
-                sin_theta1_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                sin_theta1_1,
-                sin_theta1_1,
-                u3_sq_1,
-                u5_dot_of_place_12_1,
-                u4_sq_1,
-                u4_sq_1,
-                cos_theta1_1,
-                cos_theta2_1,
-                sin_theta2_1,
-                cos_theta2_1,
-                cos_theta1_1,
-                cos_theta1_1,
-                cos_theta3_1,
-                cos_theta1_1,
-                cos_theta2_1,
-                cos_theta1_1,
-                sin_theta3_1,
-                u5_dot_of_place_11_1,
-                cos_theta2_1,
-                cos_theta1_1,
-                u4_dot_of_place_1,
-                cos_theta1_cos_theta2_1,
-                u5_dot_of_u3_u4_u5_6_1,
-                u5_dot_of_u3_u4_u5_6_1,
-                sin_theta1_1,
-                cos_theta1_1,
-                sin_theta1_1,
-                sin_theta1_1,
-                cos_theta1_1,
-                sin_theta1_1,
-                cos_theta2_1,
-                sin_theta2_1,
-                u4_dot_of_place_4_1,
-                u4_dot_of_motion_6_1,
-                sin_theta1_1,
-                u4_dot_of_motion_6_1,
-                cos_theta1_1,
-                u3_dot_2_1,
-                u3_dot_2_1,
+                theta1_1, theta1_1, theta2_1, theta2_1, theta3_1, theta3_1, u3_1, cos_theta1_1,
+                u5_1, cos_theta3_1, sin_theta1_1, u4_1, sin_theta2_1, sin_theta3_1, sin_theta1_1,
+                sin_theta2_1, cos_theta2_1, cos_theta2_1, cos_theta3_1, cos_theta2_1, sin_theta1_1,
+                sin_theta2_1, sin_theta3_1, cos_theta1_1, sin_theta1_1, cos_theta2_1, cos_theta3_1,
+                sin_theta1_1, sin_theta1_1, u3_sq_1, u5_dot_of_place_12_1, u4_sq_1, u4_sq_1,
+                cos_theta1_1, cos_theta2_1, sin_theta2_1, cos_theta2_1, cos_theta1_1, cos_theta1_1,
+                cos_theta3_1, cos_theta1_1, cos_theta2_1, cos_theta1_1, sin_theta3_1,
+                u5_dot_of_place_11_1, cos_theta2_1, cos_theta1_1, u4_dot_of_place_1,
+                cos_theta1_cos_theta2_1, u5_dot_of_u3_u4_u5_6_1, u5_dot_of_u3_u4_u5_6_1,
+                sin_theta1_1, cos_theta1_1, sin_theta1_1, sin_theta1_1, cos_theta1_1, sin_theta1_1,
+                cos_theta2_1, sin_theta2_1, u4_dot_of_place_4_1, u4_dot_of_motion_6_1, sin_theta1_1,
+                u4_dot_of_motion_6_1, cos_theta1_1, u3_dot_2_1, u3_dot_2_1,
             ]),
             padded([
-                cos_theta1_1,
-                sin_theta1_1,
-                cos_theta2_1,
-                sin_theta2_1,
-                cos_theta3_1,
-                sin_theta3_1,
-                u3_1,
-                u3_sq_1,
-                u5_1,
-                u5_sq_1,
-                u3_sq_1,
-                u4_1,
-                u4_sq_1,
-                u5_sq_1,
-                u5_sq_cos_theta3_1,
-                sin_theta3_1,
-                cos_theta3_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                u3_sq_1,
-                u5_dot_of_place_2_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                u5_dot_of_place_4_1,
-                u5_dot_of_place_6_1,
-                u5_dot_of_place_1,
-                u5_dot_of_place_9_1,
-                cos_theta1_1,
-                sin_theta2_1,
-                sin_theta1_sin_theta2_1,
-                u5_sq_1,
-                sin_theta1_sin_theta2_1,
-                sin_theta1_cos_theta1_1,
-                u4_sq_1,
-                u5_dot_of_u3_u5_2_1,
-                u5_dot_of_u3_u5_1,
-                u5_dot_of_u3_u4_u5_1,
-                u5_dot_of_u4_u5_1,
-                u5_dot_of_u4_u5_3_1,
-                u5_dot_of_u3_u4_u5_3_1,
-                u5_dot_of_u3_u4_2_1,
-                u5_dot_of_u3_u4_4_1,
-                u5_dot_of_u3_u4_1,
-                u5_dot_of_u3_u4_7_1,
-                u5_dot_of_u3_u4_u5_6_1,
-                u4_sq_1,
-                cos_theta2_1,
-                sin_theta1_sin_theta2_1,
-                cos_theta1_cos_theta2_1,
-                sin_theta3_1,
-                cos_theta3_1,
-                u4_dot_of_u5_u5_dot_1,
-                u4_dot_of_u4_u5_u5_dot_1,
-                u4_dot_of_u4_u5_u5_dot_2_1,
-                u4_dot_of_u4_u5_u5_dot_4_1,
-                u4_dot_of_u4_u5_u5_dot_7_1,
-                u5_dot_of_u3_u4_1,
-                u4_dot_of_motion_2_1,
-                u4_dot_of_motion_1,
-                u4_dot_of_motion_6_1,
-                sin_theta2_1,
-                u3_dot_of_motion_2_1,
-                cos_theta2_1,
-                u3_dot_of_motion_5_1,
-                cos_theta1_1,
+                cos_theta1_1, sin_theta1_1, cos_theta2_1, sin_theta2_1, cos_theta3_1, sin_theta3_1,
+                u3_1, u3_sq_1, u5_1, u5_sq_1, u3_sq_1, u4_1, u4_sq_1, u5_sq_1, u5_sq_cos_theta3_1,
+                sin_theta3_1, cos_theta3_1, cos_theta2_1, cos_theta3_1, u3_sq_1,
+                u5_dot_of_place_2_1, cos_theta2_1, cos_theta3_1, u5_dot_of_place_4_1,
+                u5_dot_of_place_6_1, u5_dot_of_place_1, u5_dot_of_place_9_1, cos_theta1_1,
+                sin_theta2_1, sin_theta1_sin_theta2_1, u5_sq_1, sin_theta1_sin_theta2_1,
+                sin_theta1_cos_theta1_1, u4_sq_1, u5_dot_of_u3_u5_2_1, u5_dot_of_u3_u5_1,
+                u5_dot_of_u3_u4_u5_1, u5_dot_of_u4_u5_1, u5_dot_of_u4_u5_3_1,
+                u5_dot_of_u3_u4_u5_3_1, u5_dot_of_u3_u4_2_1, u5_dot_of_u3_u4_4_1, u5_dot_of_u3_u4_1,
+                u5_dot_of_u3_u4_7_1, u5_dot_of_u3_u4_u5_6_1, u4_sq_1, cos_theta2_1,
+                sin_theta1_sin_theta2_1, cos_theta1_cos_theta2_1, sin_theta3_1, cos_theta3_1,
+                u4_dot_of_u5_u5_dot_1, u4_dot_of_u4_u5_u5_dot_1, u4_dot_of_u4_u5_u5_dot_2_1,
+                u4_dot_of_u4_u5_u5_dot_4_1, u4_dot_of_u4_u5_u5_dot_7_1, u5_dot_of_u3_u4_1,
+                u4_dot_of_motion_2_1, u4_dot_of_motion_1, u4_dot_of_motion_6_1, sin_theta2_1,
+                u3_dot_of_motion_2_1, cos_theta2_1, u3_dot_of_motion_5_1, cos_theta1_1,
                 sin_theta1_1,
             ]),
         ];
@@ -2276,8 +2078,7 @@ pub fn taylor<S: Scalar>(
         let sin_theta3_cos_theta3 = cos_theta3
             .mul_add(sin_theta3_0, sin_theta3.mul_add(cos_theta3_0, sums[22]));
         // u5_dot_of_place_4 = 9*sin_theta2_cos_theta2 - sin_theta3_cos_theta3
-        let u5_dot_of_place_4 = S::int(9) * sin_theta2_cos_theta2
-            - sin_theta3_cos_theta3;
+        let u5_dot_of_place_4 = S::int(9) * sin_theta2_cos_theta2 - sin_theta3_cos_theta3;
         // u5_dot_of_place_5 = cos_theta1*u5_dot_of_place_4
         let u5_dot_of_place_5 = u5_dot_of_place_4
             .mul_add(cos_theta1_0, cos_theta1.mul_add(u5_dot_of_place_4_0, sums[23]));
@@ -2301,8 +2102,7 @@ pub fn taylor<S: Scalar>(
         let sin_theta1_cos_theta1 = cos_theta1
             .mul_add(sin_theta1_0, sin_theta1.mul_add(cos_theta1_0, sums[27]));
         // u5_dot_of_place_12 = 9*sin_theta2_cos_theta2 - sin_theta1_cos_theta1
-        let u5_dot_of_place_12 = S::int(9) * sin_theta2_cos_theta2
-            - sin_theta1_cos_theta1;
+        let u5_dot_of_place_12 = S::int(9) * sin_theta2_cos_theta2 - sin_theta1_cos_theta1;
         // sin_theta1_sin_theta2 = sin_theta1*sin_theta2
         let sin_theta1_sin_theta2 = sin_theta2
             .mul_add(sin_theta1_0, sin_theta1.mul_add(sin_theta2_0, sums[28]));
@@ -2461,8 +2261,7 @@ pub fn taylor<S: Scalar>(
                 u5_sq_cos_theta3.mul_add(S::int(3), S::int(3) * u3_sq_cos_theta1),
             ) - u4_dot_of_u4_u5_u5_dot_6;
         // u4_dot_of_u4_u5_u5_dot_7 = u4_dot_of_u4_u5_u5_dot_3 - u4_dot_of_u4_u5_u5_dot_5
-        let u4_dot_of_u4_u5_u5_dot_7 = u4_dot_of_u4_u5_u5_dot_3
-            - u4_dot_of_u4_u5_u5_dot_5;
+        let u4_dot_of_u4_u5_u5_dot_7 = u4_dot_of_u4_u5_u5_dot_3 - u4_dot_of_u4_u5_u5_dot_5;
         // u4_dot_of_u4_u5_u5_dot_8 = cos_theta1*u4_dot_of_u4_u5_u5_dot_7
         let u4_dot_of_u4_u5_u5_dot_8 = u4_dot_of_u4_u5_u5_dot_7
             .mul_add(
@@ -2590,134 +2389,32 @@ pub fn taylor<S: Scalar>(
                 count * theta2,
                 count * theta3,
                 count * theta3,
-                u3,
-                cos_theta1,
-                u5,
-                cos_theta3,
-                sin_theta1,
-                u4,
-                sin_theta2,
-                sin_theta3,
-                sin_theta1,
-                sin_theta2,
-                cos_theta2,
-                cos_theta2,
-                cos_theta3,
-                cos_theta2,
-                sin_theta1,
-                sin_theta2,
-                sin_theta3,
-                cos_theta1,
-                sin_theta1,
-                cos_theta2,
-                cos_theta3,
-                sin_theta1,
-                sin_theta1,
-                u3_sq,
-                u5_dot_of_place_12,
-                u4_sq,
-                u4_sq,
-                cos_theta1,
-                cos_theta2,
-                sin_theta2,
-                cos_theta2,
-                cos_theta1,
-                cos_theta1,
-                cos_theta3,
-                cos_theta1,
-                cos_theta2,
-                cos_theta1,
-                sin_theta3,
-                u5_dot_of_place_11,
-                cos_theta2,
-                cos_theta1,
-                u4_dot_of_place,
-                cos_theta1_cos_theta2,
-                u5_dot_of_u3_u4_u5_6,
-                u5_dot_of_u3_u4_u5_6,
-                sin_theta1,
-                cos_theta1,
-                sin_theta1,
-                sin_theta1,
-                cos_theta1,
-                sin_theta1,
-                cos_theta2,
-                sin_theta2,
-                u4_dot_of_place_4,
-                u4_dot_of_motion_6,
-                sin_theta1,
-                u4_dot_of_motion_6,
-                cos_theta1,
-                u3_dot_2,
-                u3_dot_2,
+                u3, cos_theta1, u5, cos_theta3, sin_theta1, u4, sin_theta2, sin_theta3, sin_theta1,
+                sin_theta2, cos_theta2, cos_theta2, cos_theta3, cos_theta2, sin_theta1, sin_theta2,
+                sin_theta3, cos_theta1, sin_theta1, cos_theta2, cos_theta3, sin_theta1, sin_theta1,
+                u3_sq, u5_dot_of_place_12, u4_sq, u4_sq, cos_theta1, cos_theta2, sin_theta2,
+                cos_theta2, cos_theta1, cos_theta1, cos_theta3, cos_theta1, cos_theta2, cos_theta1,
+                sin_theta3, u5_dot_of_place_11, cos_theta2, cos_theta1, u4_dot_of_place,
+                cos_theta1_cos_theta2, u5_dot_of_u3_u4_u5_6, u5_dot_of_u3_u4_u5_6, sin_theta1,
+                cos_theta1, sin_theta1, sin_theta1, cos_theta1, sin_theta1, cos_theta2, sin_theta2,
+                u4_dot_of_place_4, u4_dot_of_motion_6, sin_theta1, u4_dot_of_motion_6, cos_theta1,
+                u3_dot_2, u3_dot_2,
             ]),
             padded([
-                cos_theta1,
-                sin_theta1,
-                cos_theta2,
-                sin_theta2,
-                cos_theta3,
-                sin_theta3,
-                u3,
-                u3_sq,
-                u5,
-                u5_sq,
-                u3_sq,
-                u4,
-                u4_sq,
-                u5_sq,
-                u5_sq_cos_theta3,
-                sin_theta3,
-                cos_theta3,
-                cos_theta2,
-                cos_theta3,
-                u3_sq,
-                u5_dot_of_place_2,
-                cos_theta2,
-                cos_theta3,
-                u5_dot_of_place_4,
-                u5_dot_of_place_6,
-                u5_dot_of_place,
-                u5_dot_of_place_9,
-                cos_theta1,
-                sin_theta2,
-                sin_theta1_sin_theta2,
-                u5_sq,
-                sin_theta1_sin_theta2,
-                sin_theta1_cos_theta1,
-                u4_sq,
-                u5_dot_of_u3_u5_2,
-                u5_dot_of_u3_u5,
-                u5_dot_of_u3_u4_u5,
-                u5_dot_of_u4_u5,
-                u5_dot_of_u4_u5_3,
-                u5_dot_of_u3_u4_u5_3,
-                u5_dot_of_u3_u4_2,
-                u5_dot_of_u3_u4_4,
-                u5_dot_of_u3_u4,
-                u5_dot_of_u3_u4_7,
-                u5_dot_of_u3_u4_u5_6,
-                u4_sq,
-                cos_theta2,
-                sin_theta1_sin_theta2,
-                cos_theta1_cos_theta2,
-                sin_theta3,
-                cos_theta3,
-                u4_dot_of_u5_u5_dot,
-                u4_dot_of_u4_u5_u5_dot,
-                u4_dot_of_u4_u5_u5_dot_2,
-                u4_dot_of_u4_u5_u5_dot_4,
-                u4_dot_of_u4_u5_u5_dot_7,
-                u5_dot_of_u3_u4,
-                u4_dot_of_motion_2,
-                u4_dot_of_motion,
-                u4_dot_of_motion_6,
-                sin_theta2,
-                u3_dot_of_motion_2,
-                cos_theta2,
-                u3_dot_of_motion_5,
-                cos_theta1,
-                sin_theta1,
+                cos_theta1, sin_theta1, cos_theta2, sin_theta2, cos_theta3, sin_theta3, u3, u3_sq,
+                u5, u5_sq, u3_sq, u4, u4_sq, u5_sq, u5_sq_cos_theta3, sin_theta3, cos_theta3,
+                cos_theta2, cos_theta3, u3_sq, u5_dot_of_place_2, cos_theta2, cos_theta3,
+                u5_dot_of_place_4, u5_dot_of_place_6, u5_dot_of_place, u5_dot_of_place_9,
+                cos_theta1, sin_theta2, sin_theta1_sin_theta2, u5_sq, sin_theta1_sin_theta2,
+                sin_theta1_cos_theta1, u4_sq, u5_dot_of_u3_u5_2, u5_dot_of_u3_u5,
+                u5_dot_of_u3_u4_u5, u5_dot_of_u4_u5, u5_dot_of_u4_u5_3, u5_dot_of_u3_u4_u5_3,
+                u5_dot_of_u3_u4_2, u5_dot_of_u3_u4_4, u5_dot_of_u3_u4, u5_dot_of_u3_u4_7,
+                u5_dot_of_u3_u4_u5_6, u4_sq, cos_theta2, sin_theta1_sin_theta2,
+                cos_theta1_cos_theta2, sin_theta3, cos_theta3, u4_dot_of_u5_u5_dot,
+                u4_dot_of_u4_u5_u5_dot, u4_dot_of_u4_u5_u5_dot_2, u4_dot_of_u4_u5_u5_dot_4,
+                u4_dot_of_u4_u5_u5_dot_7, u5_dot_of_u3_u4, u4_dot_of_motion_2, u4_dot_of_motion,
+                u4_dot_of_motion_6, sin_theta2, u3_dot_of_motion_2, cos_theta2, u3_dot_of_motion_5,
+                cos_theta1, sin_theta1,
             ]),
         ];
         count_last = count;
@@ -2857,11 +2554,7 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -20,7 +20,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 5]; 5] {
     let Parameters { m, l } = *p;
     let [_, _, theta1, theta2, theta3] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta1, cos_theta1) = theta1.sin_cos();
     let (sin_theta2, cos_theta2) = theta2.sin_cos();
@@ -69,6 +68,7 @@ pub fn mass_matrix<S: Scalar>(
     let m45 = S::ratio(1, 2) * cos_theta2_minus_theta3 * l_m_l;
     // M55 = m*l^2/3
     let m55 = S::ratio(1, 3) * l_m_l;
+    let zero = S::int(0);
     [
         [m11, zero, m13, m14, m15],
         [zero, m22, m23, m24, m25],
@@ -160,13 +160,11 @@ pub fn accelerations<S: Scalar>(
     let theta3_ddot_of_place = S::int(1)
         / (S::int(9)
             - cos_theta3
-                * (cos_theta2_times_9
-                    * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
+                * (cos_theta2_times_9 * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
                     - S::int(5) * cos_theta3)
             - sin_theta1
                 * (sin_theta1 * cos_theta3.mul_add(cos_theta3, theta3_ddot_of_theta2)
-                    + cos_theta1
-                        * (-sin_theta3).mul_add(cos_theta3, theta3_ddot_of_theta2_2)));
+                    + cos_theta1 * (-sin_theta3).mul_add(cos_theta3, theta3_ddot_of_theta2_2)));
     // theta3_ddot_of_theta2_2 - sin(theta1)*cos(theta1)
     let theta3_ddot_of_place_2 = (-sin_theta1)
         .mul_add(cos_theta1, theta3_ddot_of_theta2_2);
@@ -205,8 +203,7 @@ pub fn accelerations<S: Scalar>(
     let theta3_ddot = theta3_ddot_of_place_4
         * (theta3_dot_sq
             * (sin_theta3 * cos_theta1.mul_add(cos_theta1, theta3_ddot_of_theta2)
-                + theta3_ddot_of_place_2 * cos_theta3)
-            + S::int(3) * sin_theta1_theta1_dot_sq)
+                + theta3_ddot_of_place_2 * cos_theta3) + S::int(3) * sin_theta1_theta1_dot_sq)
         - S::ratio(1, 2) * theta3_ddot_of_place * theta3_ddot_of_place_2 * theta3_dot_sq
         - S::ratio(9, 2) * theta1_dot_sq * cos_theta2
             * theta3_ddot_of_place_5
@@ -220,8 +217,7 @@ pub fn accelerations<S: Scalar>(
         * cos_theta1_cos_theta2.mul_add(S::int(2), sin_theta1_sin_theta2)
         + cos_theta1_cos_theta2 * cos_theta1_cos_theta2;
     // 1/(3*theta2_ddot_of_place - 7)
-    let theta2_ddot_of_place_2 = S::int(1)
-        / theta2_ddot_of_place.mul_add(S::int(3), -S::int(7));
+    let theta2_ddot_of_place_2 = S::int(1) / theta2_ddot_of_place.mul_add(S::int(3), -S::int(7));
     // theta3''*sin(theta3) + theta3_dot_sq*cos(theta3)
     let theta2_ddot_of_motion = theta3_dot_sq
         .mul_add(cos_theta3, theta3_ddot * sin_theta3);
@@ -257,8 +253,7 @@ pub fn accelerations<S: Scalar>(
     let l_by_3 = S::ratio(1, 3) * l;
     // y'' = l*(2*theta1'^2*sin(theta1) + 3*theta2'^2*sin(theta2) + theta3'^2*sin(theta3) -
     //   2*theta1''*cos(theta1) - 3*theta2''*cos(theta2) - theta3''*cos(theta3))/6
-    let y_ddot = l_halved
-        * (-theta2_ddot).mul_add(cos_theta2, theta2_dot_sq * sin_theta2)
+    let y_ddot = l_halved * (-theta2_ddot).mul_add(cos_theta2, theta2_dot_sq * sin_theta2)
         - theta2_ddot_of_motion_2 * l_by_6
         + l_by_3 * (-theta1_ddot).mul_add(cos_theta1, sin_theta1_theta1_dot_sq);
     // x'' = l*(2*theta1'^2*cos(theta1) + 3*theta2'^2*cos(theta2) + theta3'^2*cos(theta3) +
@@ -324,8 +319,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) 
     //   theta3)/4 + m*l^2*theta2'*theta3'*cos(theta2 - theta3)/2
     let energy = S::ratio(3, 2) * m * y_dot.mul_add(y_dot, x_dot * x_dot)
         + theta1_dot * m_l * (-x_dot).mul_add(sin_theta1, y_dot * cos_theta1)
-        + S::ratio(1, 2) * m_l
-            * (-x_dot).mul_add(energy_of_motion, y_dot * energy_of_motion_2)
+        + S::ratio(1, 2) * m_l * (-x_dot).mul_add(energy_of_motion, y_dot * energy_of_motion_2)
         + S::ratio(1, 6) * l_m_l
             * (S::int(4) * theta2_dot * theta2_dot
                 + theta3_dot
@@ -439,13 +433,11 @@ pub fn derivative<S: Scalar>(
     let theta3_ddot_of_place = S::int(1)
         / (S::int(9)
             - cos_theta3
-                * (cos_theta2_times_9
-                    * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
+                * (cos_theta2_times_9 * cos_theta2.mul_add(cos_theta3, sin_theta2 * sin_theta3)
                     - S::int(5) * cos_theta3)
             - sin_theta1
                 * (sin_theta1 * cos_theta3.mul_add(cos_theta3, theta3_ddot_of_theta2)
-                    + cos_theta1
-                        * (-sin_theta3).mul_add(cos_theta3, theta3_ddot_of_theta2_2)));
+                    + cos_theta1 * (-sin_theta3).mul_add(cos_theta3, theta3_ddot_of_theta2_2)));
     // theta3_ddot_of_theta2_2 - sin(theta1)*cos(theta1)
     let theta3_ddot_of_place_2 = (-sin_theta1)
         .mul_add(cos_theta1, theta3_ddot_of_theta2_2);
@@ -484,8 +476,7 @@ pub fn derivative<S: Scalar>(
     let theta3_ddot = theta3_ddot_of_place_4
         * (theta3_dot_sq
             * (sin_theta3 * cos_theta1.mul_add(cos_theta1, theta3_ddot_of_theta2)
-                + theta3_ddot_of_place_2 * cos_theta3)
-            + S::int(3) * sin_theta1_theta1_dot_sq)
+                + theta3_ddot_of_place_2 * cos_theta3) + S::int(3) * sin_theta1_theta1_dot_sq)
         - S::ratio(1, 2) * theta3_ddot_of_place * theta3_ddot_of_place_2 * theta3_dot_sq
         - S::ratio(9, 2) * theta1_dot_sq * cos_theta2
             * theta3_ddot_of_place_5
@@ -499,8 +490,7 @@ pub fn derivative<S: Scalar>(
         * cos_theta1_cos_theta2.mul_add(S::int(2), sin_theta1_sin_theta2)
         + cos_theta1_cos_theta2 * cos_theta1_cos_theta2;
     // 1/(3*theta2_ddot_of_place - 7)
-    let theta2_ddot_of_place_2 = S::int(1)
-        / theta2_ddot_of_place.mul_add(S::int(3), -S::int(7));
+    let theta2_ddot_of_place_2 = S::int(1) / theta2_ddot_of_place.mul_add(S::int(3), -S::int(7));
     // theta3''*sin(theta3) + theta3_dot_sq*cos(theta3)
     let theta2_ddot_of_motion = theta3_dot_sq
         .mul_add(cos_theta3, theta3_ddot * sin_theta3);
@@ -536,8 +526,7 @@ pub fn derivative<S: Scalar>(
     let l_by_3 = S::ratio(1, 3) * l;
     // y'' = l*(2*theta1'^2*sin(theta1) + 3*theta2'^2*sin(theta2) + theta3'^2*sin(theta3) -
     //   2*theta1''*cos(theta1) - 3*theta2''*cos(theta2) - theta3''*cos(theta3))/6
-    let y_ddot = l_halved
-        * (-theta2_ddot).mul_add(cos_theta2, theta2_dot_sq * sin_theta2)
+    let y_ddot = l_halved * (-theta2_ddot).mul_add(cos_theta2, theta2_dot_sq * sin_theta2)
         - theta2_ddot_of_motion_2 * l_by_6
         + l_by_3 * (-theta1_ddot).mul_add(cos_theta1, sin_theta1_theta1_dot_sq);
     // x'' = l*(2*theta1'^2*cos(theta1) + 3*theta2'^2*cos(theta2) + theta3'^2*cos(theta3) +
@@ -574,7 +563,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { l, .. } = *p;
     let [_, _, theta1, theta2, theta3] = *q;
     let [_, _, theta1_dot, theta2_dot, theta3_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta1, cos_theta1) = theta1.sin_cos();
     let (sin_theta2, cos_theta2) = theta2.sin_cos();
@@ -648,8 +636,7 @@ pub fn jacobian<S: Scalar>(
     //   theta3_ddot_of_place_19
     let theta3_ddot_of_place_20 = cos_theta2_times_3
         * theta3_ddot_of_place_16
-            .mul_add(sin_theta3, theta3_ddot_of_place_13 * cos_theta3)
-        - theta3_ddot_of_place_19;
+            .mul_add(sin_theta3, theta3_ddot_of_place_13 * cos_theta3) - theta3_ddot_of_place_19;
     // theta3'' = (theta3'^2*(sin(theta1)*cos(theta1) - 9*sin(theta2)*cos(theta2)) -
     //   3*sin(theta3)*(cos(theta1)*(theta1'^2*(3*cos(theta2)^2 - 1) - theta2'^2*(sin(theta1)*sin(theta2) +
     //   cos(theta1)*cos(theta2))) + cos(theta2)*(3*theta1'^2*sin(theta1)*sin(theta2) + 7*theta2'^2)) +
@@ -704,8 +691,7 @@ pub fn jacobian<S: Scalar>(
     //   theta3'^2*sin(theta3))) - 3*sin(theta2)*(theta1'^2*cos(theta1) + theta3'^2*cos(theta3) +
     //   theta3''*sin(theta3)))/(7 - 3*cos(theta1)^2*cos(theta2)^2 -
     //   3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
-    let theta2_ddot = theta2_ddot_of_place_3
-        * (theta2_ddot_of_motion_3 - theta2_ddot_of_motion_4)
+    let theta2_ddot = theta2_ddot_of_place_3 * (theta2_ddot_of_motion_3 - theta2_ddot_of_motion_4)
         - theta2_dot_sq * theta2_ddot_of_place_4 * theta2_ddot_of_place_5;
     let theta1_ddot_of_theta2_dot = theta2_dot_sq * theta3_ddot_of_place_13;
     // theta2_ddot_of_motion*cos(theta1) + theta2_ddot_of_motion_2*sin(theta1)
@@ -808,8 +794,7 @@ pub fn jacobian<S: Scalar>(
     let theta2_ddot_by_theta1_of_motion = theta2_ddot_by_theta1_of_theta2_dot
         - theta2_ddot_of_motion;
     // theta2_ddot_of_motion_2 + theta2_ddot_of_theta2_dot
-    let theta2_ddot_by_theta1_of_motion_2 = theta2_ddot_of_motion_2
-        + theta2_ddot_of_theta2_dot;
+    let theta2_ddot_by_theta1_of_motion_2 = theta2_ddot_of_motion_2 + theta2_ddot_of_theta2_dot;
     // theta2_ddot_by_theta1_of_motion*sin(theta2) - theta2_ddot_by_theta1_of_motion_2*cos(theta2)
     let theta2_ddot_by_theta1_of_motion_3 = (-theta2_ddot_by_theta1_of_motion_2)
         .mul_add(cos_theta2, theta2_ddot_by_theta1_of_motion * sin_theta2);
@@ -830,8 +815,7 @@ pub fn jacobian<S: Scalar>(
     // theta2_ddot_of_place_3*theta2_ddot_of_place_4*(theta2_ddot_by_theta1_of_motion_4*sin(theta1) +
     //   theta2_ddot_by_theta1_of_motion_5*cos(theta2) -
     //   sin_theta2_times_3*theta2_ddot_by_theta1_of_motion_6)
-    let theta2_ddot_by_theta1_of_motion_7 = theta2_ddot_of_place_3
-        * theta2_ddot_of_place_4
+    let theta2_ddot_by_theta1_of_motion_7 = theta2_ddot_of_place_3 * theta2_ddot_of_place_4
         * (theta2_ddot_by_theta1_of_motion_5
             .mul_add(cos_theta2, theta2_ddot_by_theta1_of_motion_4 * sin_theta1)
             - sin_theta2_times_3 * theta2_ddot_by_theta1_of_motion_6);
@@ -862,8 +846,7 @@ pub fn jacobian<S: Scalar>(
     //   theta3_ddot_by_theta1*sin(theta3)))/(7 - 3*cos(theta1)^2*cos(theta2)^2 -
     //   3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
     let theta2_ddot_by_theta1 = theta2_ddot_by_theta1_of_motion_7
-        * (sin_theta1_sin_theta2
-            * (-cos_theta2_doubled).mul_add(sin_theta1, cos_theta1_sin_theta2)
+        * (sin_theta1_sin_theta2 * (-cos_theta2_doubled).mul_add(sin_theta1, cos_theta1_sin_theta2)
             - sin_theta1_cos_theta2 * theta2_ddot_of_place
             + cos_theta1_sin_theta2 * theta2_ddot_of_place_2)
         - theta2_ddot_of_place_3
@@ -879,20 +862,17 @@ pub fn jacobian<S: Scalar>(
                 + cos_theta2
                     * (theta3_ddot_by_theta1
                         * cos_theta1_sq.mul_add(cos_theta3, -cos_theta3_times_3)
-                        + S::int(2) * sin_theta1_cos_theta1
-                            * theta2_ddot_by_theta1_of_motion));
+                        + S::int(2) * sin_theta1_cos_theta1 * theta2_ddot_by_theta1_of_motion));
     let sin_theta1_sin_theta3 = sin_theta1 * sin_theta3;
     // cos(theta1)*cos(theta3) + sin_theta1_sin_theta3
     let theta1_ddot_by_theta1_of_place = cos_theta1
         .mul_add(cos_theta3, sin_theta1_sin_theta3);
-    let theta1_ddot_by_theta1_of_place_2 = S::ratio(1, 3)
-        * theta1_ddot_by_theta1_of_place;
+    let theta1_ddot_by_theta1_of_place_2 = S::ratio(1, 3) * theta1_ddot_by_theta1_of_place;
     let theta1_ddot_by_theta1_of_theta2_ddot = theta2_ddot * theta3_ddot_of_place_13;
     // theta2_ddot_of_motion*sin(theta1) - theta2_ddot_of_motion_2*cos(theta1)
     let theta1_ddot_by_theta1_of_motion = (-theta2_ddot_of_motion_2)
         .mul_add(cos_theta1, theta2_ddot_of_motion * sin_theta1);
-    let theta1_ddot_by_theta1_of_motion_2 = S::ratio(1, 3)
-        * theta1_ddot_by_theta1_of_motion;
+    let theta1_ddot_by_theta1_of_motion_2 = S::ratio(1, 3) * theta1_ddot_by_theta1_of_motion;
     // theta1_ddot_by_theta1 = sin(theta1)*(3*theta2''*cos(theta2) + theta3''*cos(theta3) -
     //   sin(theta3)*(theta3'^2 + theta3_ddot_by_theta1) - 3*sin(theta2)*(theta2'^2 +
     //   theta2_ddot_by_theta1))/3 - cos(theta1)*(3*theta2''*sin(theta2) + theta3''*sin(theta3) +
@@ -924,8 +904,7 @@ pub fn jacobian<S: Scalar>(
     //   3*theta2_ddot_by_theta1*sin(theta2) + 2*sin(theta1)*(theta1_ddot_by_theta1 - theta1'^2))/6
     let x_ddot_by_theta1 = sin_theta1_l_by_3
         .mul_add(y_ddot_by_theta1_of_theta1_dot, theta1_ddot * cos_theta1_l_by_3)
-        + theta2_ddot_by_theta1 * sin_theta2_l_halved
-        + theta3_ddot_by_theta1 * sin_theta3_l_by_6;
+        + theta2_ddot_by_theta1 * sin_theta2_l_halved + theta3_ddot_by_theta1 * sin_theta3_l_by_6;
     let cos_theta2_sq = cos_theta2 * cos_theta2;
     // sin(theta2)^2 - cos_theta2_sq
     let theta3_ddot_by_theta2_of_theta2 = sin_theta2.mul_add(sin_theta2, -cos_theta2_sq);
@@ -1012,8 +991,7 @@ pub fn jacobian<S: Scalar>(
     //   theta3_ddot_by_theta2*cos(theta3))))/(3*cos(theta1)^2*cos(theta2)^2 - 7 +
     //   3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
     let theta2_ddot_by_theta2 = theta2_ddot_by_theta1_of_motion_7
-        * (-sin_theta1_sin_theta2
-            * cos_theta1_sin_theta2.mul_add(S::int(2), -sin_theta1_cos_theta2)
+        * (-sin_theta1_sin_theta2 * cos_theta1_sin_theta2.mul_add(S::int(2), -sin_theta1_cos_theta2)
             + sin_theta1_cos_theta2 * theta2_ddot_of_place_2
             - cos_theta1_sin_theta2 * theta2_ddot_of_place)
         + theta2_ddot_of_place_3
@@ -1084,8 +1062,7 @@ pub fn jacobian<S: Scalar>(
     let theta3_ddot_by_theta3 = theta3_ddot_by_theta1_of_motion_6
         * (sin_theta1
             * (cos_theta1 * sin_theta3.mul_add(sin_theta3, -cos_theta3_sq)
-                - cos_theta3_doubled * sin_theta1_sin_theta3)
-            + theta3_ddot_of_place_9 * sin_theta3
+                - cos_theta3_doubled * sin_theta1_sin_theta3) + theta3_ddot_of_place_9 * sin_theta3
             + cos_theta3
                 * cos_theta2_times_9
                     .mul_add(theta3_ddot_by_theta2_of_place_2, S::int(5) * sin_theta3))
@@ -1133,14 +1110,12 @@ pub fn jacobian<S: Scalar>(
     //   3*theta2_ddot_by_theta3*cos(theta2) - 2*theta1_ddot_by_theta3*cos(theta1))/6
     let y_ddot_by_theta3 = (-theta2_ddot_by_theta3)
         .mul_add(cos_theta2_l_halved, theta2_ddot_of_motion_2 * l_by_6)
-        - theta3_ddot_by_theta3 * cos_theta3_l_by_6
-        - theta1_ddot_by_theta3 * cos_theta1_l_by_3;
+        - theta3_ddot_by_theta3 * cos_theta3_l_by_6 - theta1_ddot_by_theta3 * cos_theta1_l_by_3;
     // x_ddot_by_theta3 = l*(theta3''*cos(theta3) + sin(theta3)*(theta3_ddot_by_theta3 - theta3'^2) +
     //   3*theta2_ddot_by_theta3*sin(theta2) + 2*theta1_ddot_by_theta3*sin(theta1))/6
     let x_ddot_by_theta3 = theta2_ddot_of_motion
         .mul_add(l_by_6, theta1_ddot_by_theta3 * sin_theta1_l_by_3)
-        + theta2_ddot_by_theta3 * sin_theta2_l_halved
-        + theta3_ddot_by_theta3 * sin_theta3_l_by_6;
+        + theta2_ddot_by_theta3 * sin_theta2_l_halved + theta3_ddot_by_theta3 * sin_theta3_l_by_6;
     let theta3_ddot_by_theta1_dot_of_place = S::int(3) * theta3_ddot_of_place_10;
     // theta3_ddot_by_theta1_dot = 3*theta1'*(cos(theta1)*sin(theta3) + 2*sin(theta1)*cos(theta3) -
     //   3*cos(theta2)*(sin(theta1)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)) +
@@ -1159,8 +1134,7 @@ pub fn jacobian<S: Scalar>(
     let theta2_ddot_by_theta1_dot = (-theta3_ddot_by_theta1_dot)
         .mul_add(
             theta2_ddot_by_theta3_of_place_3,
-            S::int(6) * theta1_dot * theta3_ddot_of_place_13
-                * theta2_ddot_by_theta3_of_place,
+            S::int(6) * theta1_dot * theta3_ddot_of_place_13 * theta2_ddot_by_theta3_of_place,
         );
     // theta1_ddot_by_theta1_dot = -sin(theta1)*(theta3_ddot_by_theta1_dot*sin(theta3) +
     //   3*theta2_ddot_by_theta1_dot*sin(theta2))/3 - cos(theta1)*(theta3_ddot_by_theta1_dot*cos(theta3) +
@@ -1231,8 +1205,7 @@ pub fn jacobian<S: Scalar>(
     //   sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
     //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
     //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))))
-    let theta3_ddot_by_theta3_dot = theta3_dot * theta3_ddot_of_place_4
-        * theta3_ddot_of_place_10;
+    let theta3_ddot_by_theta3_dot = theta3_dot * theta3_ddot_of_place_4 * theta3_ddot_of_place_10;
     // theta2_ddot_by_theta3_dot = (3*sin(theta2)*(2*theta3'*cos(theta3) +
     //   theta3_ddot_by_theta3_dot*sin(theta3)) +
     //   sin(theta1)*(cos(theta1)*(sin(theta2)*(2*theta3'*sin(theta3) -
@@ -1277,104 +1250,38 @@ pub fn jacobian<S: Scalar>(
     let theta2_dot_by_theta2_dot_value = S::int(1);
     // d(theta3')/d(theta3') = 1
     let theta3_dot_by_theta3_dot_value = S::int(1);
+    let zero = S::int(0);
     [
         [zero, zero, zero, zero, zero, x_dot_by_x_dot_value, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, y_dot_by_y_dot_value, zero, zero, zero],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            theta1_dot_by_theta1_dot_value,
-            zero,
-            zero,
+            zero, zero, zero, zero, zero, zero, zero, theta1_dot_by_theta1_dot_value, zero, zero,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            theta2_dot_by_theta2_dot_value,
-            zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, theta2_dot_by_theta2_dot_value, zero,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            theta3_dot_by_theta3_dot_value,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, theta3_dot_by_theta3_dot_value,
         ],
         [
-            zero,
-            zero,
-            x_ddot_by_theta1,
-            x_ddot_by_theta2,
-            x_ddot_by_theta3,
-            zero,
-            zero,
-            x_ddot_by_theta1_dot,
-            x_ddot_by_theta2_dot,
-            x_ddot_by_theta3_dot,
+            zero, zero, x_ddot_by_theta1, x_ddot_by_theta2, x_ddot_by_theta3, zero, zero,
+            x_ddot_by_theta1_dot, x_ddot_by_theta2_dot, x_ddot_by_theta3_dot,
         ],
         [
-            zero,
-            zero,
-            y_ddot_by_theta1,
-            y_ddot_by_theta2,
-            y_ddot_by_theta3,
-            zero,
-            zero,
-            y_ddot_by_theta1_dot,
-            y_ddot_by_theta2_dot,
-            y_ddot_by_theta3_dot,
+            zero, zero, y_ddot_by_theta1, y_ddot_by_theta2, y_ddot_by_theta3, zero, zero,
+            y_ddot_by_theta1_dot, y_ddot_by_theta2_dot, y_ddot_by_theta3_dot,
         ],
         [
-            zero,
-            zero,
-            theta1_ddot_by_theta1,
-            theta1_ddot_by_theta2,
-            theta1_ddot_by_theta3,
-            zero,
-            zero,
-            theta1_ddot_by_theta1_dot,
-            theta1_ddot_by_theta2_dot,
-            theta1_ddot_by_theta3_dot,
+            zero, zero, theta1_ddot_by_theta1, theta1_ddot_by_theta2, theta1_ddot_by_theta3, zero,
+            zero, theta1_ddot_by_theta1_dot, theta1_ddot_by_theta2_dot, theta1_ddot_by_theta3_dot,
         ],
         [
-            zero,
-            zero,
-            theta2_ddot_by_theta1,
-            theta2_ddot_by_theta2,
-            theta2_ddot_by_theta3,
-            zero,
-            zero,
-            theta2_ddot_by_theta1_dot,
-            theta2_ddot_by_theta2_dot,
-            theta2_ddot_by_theta3_dot,
+            zero, zero, theta2_ddot_by_theta1, theta2_ddot_by_theta2, theta2_ddot_by_theta3, zero,
+            zero, theta2_ddot_by_theta1_dot, theta2_ddot_by_theta2_dot, theta2_ddot_by_theta3_dot,
         ],
         [
-            zero,
-            zero,
-            theta3_ddot_by_theta1,
-            theta3_ddot_by_theta2,
-            theta3_ddot_by_theta3,
-            zero,
-            zero,
-            theta3_ddot_by_theta1_dot,
-            theta3_ddot_by_theta2_dot,
-            theta3_ddot_by_theta3_dot,
+            zero, zero, theta3_ddot_by_theta1, theta3_ddot_by_theta2, theta3_ddot_by_theta3, zero,
+            zero, theta3_ddot_by_theta1_dot, theta3_ddot_by_theta2_dot, theta3_ddot_by_theta3_dot,
         ],
     ]
 }
@@ -1438,12 +1345,10 @@ pub fn inverse_dynamics<S: Scalar>(
     // Values.
     // tau1 = 3*m*x'' - m*l*(2*theta1'^2*cos(theta1) + 3*theta2'^2*cos(theta2) + theta3'^2*cos(theta3))/2 -
     //   m*l*theta1''*sin(theta1) - 3*m*l*theta2''*sin(theta2)/2 - m*l*theta3''*sin(theta3)/2
-    let tau1 = (-m_l).mul_add(tau1_of_motion, x_ddot * m_times_3)
-        - tau1_of_motion_4 * m_l_halved;
+    let tau1 = (-m_l).mul_add(tau1_of_motion, x_ddot * m_times_3) - tau1_of_motion_4 * m_l_halved;
     // tau2 = 3*m*y'' - m*l*(2*theta1'^2*sin(theta1) + 3*theta2'^2*sin(theta2) + theta3'^2*sin(theta3))/2 +
     //   m*l*theta1''*cos(theta1) + 3*m*l*theta2''*cos(theta2)/2 + m*l*theta3''*cos(theta3)/2
-    let tau2 = (-m_l).mul_add(tau2_of_motion, y_ddot * m_times_3)
-        - m_l_halved * tau2_of_motion_4;
+    let tau2 = (-m_l).mul_add(tau2_of_motion, y_ddot * m_times_3) - m_l_halved * tau2_of_motion_4;
     // tau3 = m*l^2*(3*theta2'^2*sin(theta1 - theta2) + theta3'^2*sin(theta1 - theta3))/4 -
     //   m*l*x''*sin(theta1) + m*l*y''*cos(theta1) + 7*m*l^2*theta1''/12 + 3*m*l^2*theta2''*cos(theta1 -
     //   theta2)/4 + m*l^2*theta3''*cos(theta1 - theta3)/4
@@ -1455,15 +1360,13 @@ pub fn inverse_dynamics<S: Scalar>(
     //   3*m*l*x''*sin(theta2)/2 + 3*m*l*y''*cos(theta2)/2 + 3*m*l^2*theta1''*cos(theta1 - theta2)/4 +
     //   4*m*l^2*theta2''/3 + m*l^2*theta3''*cos(theta2 - theta3)/2
     let tau4 = S::ratio(4, 3) * theta2_ddot * l_m_l
-        + l_m_l_halved
-            * (-tau2_of_motion_3).mul_add(cos_theta2, tau1_of_motion_3 * sin_theta2)
+        + l_m_l_halved * (-tau2_of_motion_3).mul_add(cos_theta2, tau1_of_motion_3 * sin_theta2)
         + S::ratio(3, 4) * tau4_of_motion_3;
     // tau5 = m*l*y''*cos(theta3)/2 - m*l^2*(theta1'^2*sin(theta1 - theta3) + 2*theta2'^2*sin(theta2 -
     //   theta3))/4 - m*l*x''*sin(theta3)/2 + m*l^2*theta1''*cos(theta1 - theta3)/4 +
     //   m*l^2*theta2''*cos(theta2 - theta3)/2 + m*l^2*theta3''/3
     let tau5 = S::ratio(1, 3) * theta3_ddot * l_m_l
-        + l_m_l_halved
-            * (-tau2_of_motion_2).mul_add(cos_theta3, tau1_of_motion_2 * sin_theta3)
+        + l_m_l_halved * (-tau2_of_motion_2).mul_add(cos_theta3, tau1_of_motion_2 * sin_theta3)
         + S::ratio(1, 4) * tau5_of_motion;
     [tau1, tau2, tau3, tau4, tau5]
 }
@@ -1501,13 +1404,11 @@ pub fn taylor<S: Scalar>(
     let theta3_ddot_of_place_0 = sin_theta2_sin_theta3_0 + cos_theta2_cos_theta3_0;
     let cos_theta3_sq_0 = cos_theta3_0 * cos_theta3_0;
     let theta1_dot_sq_cos_theta2_0 = cos_theta2_0 * theta1_dot_sq_0;
-    let theta3_ddot_of_place_2_0 = cos_theta2_sq_0.mul_add(S::int(9), -S::int(4))
-        - cos_theta3_sq_0;
+    let theta3_ddot_of_place_2_0 = cos_theta2_sq_0.mul_add(S::int(9), -S::int(4)) - cos_theta3_sq_0;
     let theta3_ddot_of_place_3_0 = sin_theta1_0 * theta3_ddot_of_place_2_0;
     let sin_theta2_cos_theta2_0 = sin_theta2_0 * cos_theta2_0;
     let sin_theta3_cos_theta3_0 = sin_theta3_0 * cos_theta3_0;
-    let theta3_ddot_of_place_4_0 = S::int(9) * sin_theta2_cos_theta2_0
-        - sin_theta3_cos_theta3_0;
+    let theta3_ddot_of_place_4_0 = S::int(9) * sin_theta2_cos_theta2_0 - sin_theta3_cos_theta3_0;
     let theta3_ddot_of_place_5_0 = cos_theta1_0 * theta3_ddot_of_place_4_0;
     let theta3_ddot_of_place_6_0 = theta3_ddot_of_place_3_0 - theta3_ddot_of_place_5_0;
     let theta3_ddot_of_place_7_0 = sin_theta1_0 * theta3_ddot_of_place_6_0;
@@ -1519,8 +1420,7 @@ pub fn taylor<S: Scalar>(
         + theta3_ddot_of_place_10_0;
     let over_theta3_ddot_of_place_11 = S::int(1) / theta3_ddot_of_place_11_0;
     let sin_theta1_cos_theta1_0 = sin_theta1_0 * cos_theta1_0;
-    let theta3_ddot_of_place_12_0 = S::int(9) * sin_theta2_cos_theta2_0
-        - sin_theta1_cos_theta1_0;
+    let theta3_ddot_of_place_12_0 = S::int(9) * sin_theta2_cos_theta2_0 - sin_theta1_cos_theta1_0;
     let sin_theta1_sin_theta2_0 = sin_theta1_0 * sin_theta2_0;
     let theta3_ddot_of_theta1_dot_0 = theta1_dot_sq_0 * sin_theta1_sin_theta2_0;
     let theta3_ddot_of_theta3_dot_2_0 = theta3_ddot_of_place_12_0 * theta3_dot_sq_0;
@@ -1564,13 +1464,11 @@ pub fn taylor<S: Scalar>(
         .mul_add(S::int(3), S::int(7) * theta2_dot_sq_0) + theta3_ddot_of_motion_15_0;
     let theta3_ddot_of_motion_17_0 = cos_theta2_0 * theta3_ddot_of_motion_16_0;
     let theta3_ddot_of_motion_18_0 = cos_theta1_0 * theta3_ddot_of_motion_4_0;
-    let theta3_ddot_of_motion_19_0 = -theta3_ddot_of_motion_18_0
-        + theta3_ddot_of_motion_17_0;
+    let theta3_ddot_of_motion_19_0 = -theta3_ddot_of_motion_18_0 + theta3_ddot_of_motion_17_0;
     let theta3_ddot_of_motion_20_0 = sin_theta3_0 * theta3_ddot_of_motion_19_0;
     let theta3_ddot_of_motion_21_0 = theta3_ddot_of_motion_20_0
         .mul_add(S::int(3), theta3_ddot_of_theta3_dot_2_0) - theta3_ddot_of_motion_13_0;
-    let theta3_ddot_of_motion_22_0 = theta3_ddot_of_motion_21_0
-        * over_theta3_ddot_of_place_11;
+    let theta3_ddot_of_motion_22_0 = theta3_ddot_of_motion_21_0 * over_theta3_ddot_of_place_11;
     let theta2_dot_sq_cos_theta2_0 = cos_theta2_0 * theta2_dot_sq_0;
     let cos_theta1_cos_theta2_0 = cos_theta1_0 * cos_theta2_0;
     let theta2_ddot_of_place_0 = cos_theta1_cos_theta2_0
@@ -1596,8 +1494,7 @@ pub fn taylor<S: Scalar>(
         );
     let theta2_ddot_of_motion_6_0 = sin_theta1_0 * theta2_ddot_of_motion_3_0;
     let theta2_ddot_of_motion_7_0 = cos_theta1_0 * theta2_ddot_of_motion_4_0;
-    let theta2_ddot_of_motion_8_0 = theta2_ddot_of_motion_6_0
-        - theta2_ddot_of_motion_7_0;
+    let theta2_ddot_of_motion_8_0 = theta2_ddot_of_motion_6_0 - theta2_ddot_of_motion_7_0;
     let theta2_ddot_of_motion_9_0 = sin_theta1_0 * theta2_ddot_of_motion_5_0;
     let theta2_ddot_of_motion_10_0 = sin_theta1_0 * theta2_ddot_of_motion_8_0;
     let theta2_ddot_of_motion_11_0 = theta2_ddot_of_motion_0
@@ -1606,8 +1503,7 @@ pub fn taylor<S: Scalar>(
             theta3_dot_sq_cos_theta3_0
                 .mul_add(S::int(3), S::int(3) * theta1_dot_sq_cos_theta1_0),
         ) - theta2_ddot_of_motion_10_0;
-    let theta2_ddot_of_motion_12_0 = theta2_ddot_of_motion_7_0
-        - theta2_ddot_of_motion_9_0;
+    let theta2_ddot_of_motion_12_0 = theta2_ddot_of_motion_7_0 - theta2_ddot_of_motion_9_0;
     let theta2_ddot_of_motion_13_0 = cos_theta1_0 * theta2_ddot_of_motion_12_0;
     let theta2_ddot_of_motion_14_0 = sin_theta1_0 * theta3_ddot_of_motion_4_0;
     let theta2_ddot_of_motion_15_0 = theta2_ddot_of_motion_2_0
@@ -1618,10 +1514,8 @@ pub fn taylor<S: Scalar>(
         ) - theta2_ddot_of_motion_13_0;
     let theta2_ddot_of_motion_16_0 = cos_theta2_0 * theta2_ddot_of_motion_15_0;
     let theta2_ddot_of_motion_17_0 = sin_theta2_0 * theta2_ddot_of_motion_11_0;
-    let theta2_ddot_of_motion_18_0 = theta2_ddot_of_motion_16_0
-        - theta2_ddot_of_motion_17_0;
-    let theta2_ddot_of_motion_19_0 = theta2_ddot_of_motion_18_0
-        * over_theta2_ddot_of_place_4;
+    let theta2_ddot_of_motion_18_0 = theta2_ddot_of_motion_16_0 - theta2_ddot_of_motion_17_0;
+    let theta2_ddot_of_motion_19_0 = theta2_ddot_of_motion_18_0 * over_theta2_ddot_of_place_4;
     let theta1_ddot_of_motion_0 = theta2_ddot_of_motion_19_0 * sin_theta2_0;
     let theta1_ddot_of_motion_2_0 = theta1_ddot_of_motion_0
         .mul_add(
@@ -1691,15 +1585,7 @@ pub fn taylor<S: Scalar>(
     let theta3_dot_1 = -S::ratio(1, 2) * theta3_ddot_of_motion_22_0;
     if series.len() > 1 {
         series[1] = [
-            x_1,
-            y_1,
-            theta1_1,
-            theta2_1,
-            theta3_1,
-            x_dot_1,
-            y_dot_1,
-            theta1_dot_1,
-            theta2_dot_1,
+            x_1, y_1, theta1_1, theta2_1, theta3_1, x_dot_1, y_dot_1, theta1_dot_1, theta2_dot_1,
             theta3_dot_1,
         ];
     }
@@ -1740,8 +1626,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(sin_theta2_0, sin_theta2_1 * cos_theta2_0);
     let sin_theta3_cos_theta3_1 = cos_theta3_1
         .mul_add(sin_theta3_0, sin_theta3_1 * cos_theta3_0);
-    let theta3_ddot_of_place_4_1 = S::int(9) * sin_theta2_cos_theta2_1
-        - sin_theta3_cos_theta3_1;
+    let theta3_ddot_of_place_4_1 = S::int(9) * sin_theta2_cos_theta2_1 - sin_theta3_cos_theta3_1;
     let theta3_ddot_of_place_5_1 = theta3_ddot_of_place_4_1
         .mul_add(cos_theta1_0, cos_theta1_1 * theta3_ddot_of_place_4_0);
     let theta3_ddot_of_place_6_1 = theta3_ddot_of_place_3_1 - theta3_ddot_of_place_5_1;
@@ -1756,8 +1641,7 @@ pub fn taylor<S: Scalar>(
     let theta3_ddot_of_place_11_1 = theta3_ddot_of_place_7_1 + theta3_ddot_of_place_10_1;
     let sin_theta1_cos_theta1_1 = cos_theta1_1
         .mul_add(sin_theta1_0, sin_theta1_1 * cos_theta1_0);
-    let theta3_ddot_of_place_12_1 = S::int(9) * sin_theta2_cos_theta2_1
-        - sin_theta1_cos_theta1_1;
+    let theta3_ddot_of_place_12_1 = S::int(9) * sin_theta2_cos_theta2_1 - sin_theta1_cos_theta1_1;
     let sin_theta1_sin_theta2_1 = sin_theta2_1
         .mul_add(sin_theta1_0, sin_theta1_1 * sin_theta2_0);
     let theta3_ddot_of_theta1_dot_1 = sin_theta1_sin_theta2_1
@@ -1816,8 +1700,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(cos_theta2_0, cos_theta2_1 * theta3_ddot_of_motion_16_0);
     let theta3_ddot_of_motion_18_1 = theta3_ddot_of_motion_4_1
         .mul_add(cos_theta1_0, cos_theta1_1 * theta3_ddot_of_motion_4_0);
-    let theta3_ddot_of_motion_19_1 = -theta3_ddot_of_motion_18_1
-        + theta3_ddot_of_motion_17_1;
+    let theta3_ddot_of_motion_19_1 = -theta3_ddot_of_motion_18_1 + theta3_ddot_of_motion_17_1;
     let theta3_ddot_of_motion_20_1 = theta3_ddot_of_motion_19_1
         .mul_add(sin_theta3_0, sin_theta3_1 * theta3_ddot_of_motion_19_0);
     let theta3_ddot_of_motion_21_1 = theta3_ddot_of_motion_20_1
@@ -1862,8 +1745,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(sin_theta1_0, sin_theta1_1 * theta2_ddot_of_motion_3_0);
     let theta2_ddot_of_motion_7_1 = theta2_ddot_of_motion_4_1
         .mul_add(cos_theta1_0, cos_theta1_1 * theta2_ddot_of_motion_4_0);
-    let theta2_ddot_of_motion_8_1 = theta2_ddot_of_motion_6_1
-        - theta2_ddot_of_motion_7_1;
+    let theta2_ddot_of_motion_8_1 = theta2_ddot_of_motion_6_1 - theta2_ddot_of_motion_7_1;
     let theta2_ddot_of_motion_9_1 = theta2_ddot_of_motion_5_1
         .mul_add(sin_theta1_0, sin_theta1_1 * theta2_ddot_of_motion_5_0);
     let theta2_ddot_of_motion_10_1 = theta2_ddot_of_motion_8_1
@@ -1874,8 +1756,7 @@ pub fn taylor<S: Scalar>(
             theta3_dot_sq_cos_theta3_1
                 .mul_add(S::int(3), S::int(3) * theta1_dot_sq_cos_theta1_1),
         ) - theta2_ddot_of_motion_10_1;
-    let theta2_ddot_of_motion_12_1 = theta2_ddot_of_motion_7_1
-        - theta2_ddot_of_motion_9_1;
+    let theta2_ddot_of_motion_12_1 = theta2_ddot_of_motion_7_1 - theta2_ddot_of_motion_9_1;
     let theta2_ddot_of_motion_13_1 = theta2_ddot_of_motion_12_1
         .mul_add(cos_theta1_0, cos_theta1_1 * theta2_ddot_of_motion_12_0);
     let theta2_ddot_of_motion_14_1 = theta3_ddot_of_motion_4_1
@@ -1890,8 +1771,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(cos_theta2_0, cos_theta2_1 * theta2_ddot_of_motion_15_0);
     let theta2_ddot_of_motion_17_1 = theta2_ddot_of_motion_11_1
         .mul_add(sin_theta2_0, sin_theta2_1 * theta2_ddot_of_motion_11_0);
-    let theta2_ddot_of_motion_18_1 = theta2_ddot_of_motion_16_1
-        - theta2_ddot_of_motion_17_1;
+    let theta2_ddot_of_motion_18_1 = theta2_ddot_of_motion_16_1 - theta2_ddot_of_motion_17_1;
     let theta2_ddot_of_motion_19_1 = theta2_ddot_of_place_4_1
         .mul_add(
             -(theta2_ddot_of_motion_19_0 * over_theta2_ddot_of_place_4),
@@ -1963,140 +1843,39 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta1_1,
-                theta1_1,
-                theta2_1,
-                theta2_1,
-                theta3_1,
-                theta3_1,
-                theta1_dot_1,
-                cos_theta1_1,
-                theta3_dot_1,
-                cos_theta3_1,
-                sin_theta1_1,
-                theta2_dot_1,
-                sin_theta2_1,
-                sin_theta3_1,
-                sin_theta1_1,
-                sin_theta2_1,
-                cos_theta2_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                cos_theta2_1,
-                sin_theta1_1,
-                sin_theta2_1,
-                sin_theta3_1,
-                cos_theta1_1,
-                sin_theta1_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                sin_theta1_1,
-                sin_theta1_1,
-                theta1_dot_sq_1,
-                theta3_ddot_of_place_12_1,
-                theta2_dot_sq_1,
-                theta2_dot_sq_1,
-                cos_theta1_1,
-                cos_theta2_1,
-                sin_theta2_1,
-                cos_theta2_1,
-                cos_theta1_1,
-                cos_theta1_1,
-                cos_theta3_1,
-                cos_theta1_1,
-                cos_theta2_1,
-                cos_theta1_1,
-                sin_theta3_1,
-                theta3_ddot_of_place_11_1,
-                cos_theta2_1,
-                cos_theta1_1,
-                theta2_ddot_of_place_1,
-                cos_theta1_cos_theta2_1,
-                theta3_ddot_of_motion_22_1,
-                theta3_ddot_of_motion_22_1,
-                sin_theta1_1,
-                cos_theta1_1,
-                sin_theta1_1,
-                sin_theta1_1,
-                cos_theta1_1,
-                sin_theta1_1,
-                cos_theta2_1,
-                sin_theta2_1,
-                theta2_ddot_of_place_4_1,
-                theta2_ddot_of_motion_19_1,
-                sin_theta1_1,
-                theta2_ddot_of_motion_19_1,
-                cos_theta1_1,
-                theta1_dot_dot_1,
-                theta1_dot_dot_1,
+                theta1_1, theta1_1, theta2_1, theta2_1, theta3_1, theta3_1, theta1_dot_1,
+                cos_theta1_1, theta3_dot_1, cos_theta3_1, sin_theta1_1, theta2_dot_1, sin_theta2_1,
+                sin_theta3_1, sin_theta1_1, sin_theta2_1, cos_theta2_1, cos_theta2_1, cos_theta3_1,
+                cos_theta2_1, sin_theta1_1, sin_theta2_1, sin_theta3_1, cos_theta1_1, sin_theta1_1,
+                cos_theta2_1, cos_theta3_1, sin_theta1_1, sin_theta1_1, theta1_dot_sq_1,
+                theta3_ddot_of_place_12_1, theta2_dot_sq_1, theta2_dot_sq_1, cos_theta1_1,
+                cos_theta2_1, sin_theta2_1, cos_theta2_1, cos_theta1_1, cos_theta1_1, cos_theta3_1,
+                cos_theta1_1, cos_theta2_1, cos_theta1_1, sin_theta3_1, theta3_ddot_of_place_11_1,
+                cos_theta2_1, cos_theta1_1, theta2_ddot_of_place_1, cos_theta1_cos_theta2_1,
+                theta3_ddot_of_motion_22_1, theta3_ddot_of_motion_22_1, sin_theta1_1, cos_theta1_1,
+                sin_theta1_1, sin_theta1_1, cos_theta1_1, sin_theta1_1, cos_theta2_1, sin_theta2_1,
+                theta2_ddot_of_place_4_1, theta2_ddot_of_motion_19_1, sin_theta1_1,
+                theta2_ddot_of_motion_19_1, cos_theta1_1, theta1_dot_dot_1, theta1_dot_dot_1,
             ]),
             padded([
-                cos_theta1_1,
-                sin_theta1_1,
-                cos_theta2_1,
-                sin_theta2_1,
-                cos_theta3_1,
-                sin_theta3_1,
-                theta1_dot_1,
-                theta1_dot_sq_1,
-                theta3_dot_1,
-                theta3_dot_sq_1,
-                theta1_dot_sq_1,
-                theta2_dot_1,
-                theta2_dot_sq_1,
-                theta3_dot_sq_1,
-                theta3_dot_sq_cos_theta3_1,
-                sin_theta3_1,
-                cos_theta3_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                theta1_dot_sq_1,
-                theta3_ddot_of_place_2_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                theta3_ddot_of_place_4_1,
-                theta3_ddot_of_place_6_1,
-                theta3_ddot_of_place_1,
-                theta3_ddot_of_place_9_1,
-                cos_theta1_1,
-                sin_theta2_1,
-                sin_theta1_sin_theta2_1,
-                theta3_dot_sq_1,
-                sin_theta1_sin_theta2_1,
-                sin_theta1_cos_theta1_1,
-                theta2_dot_sq_1,
-                theta3_ddot_of_motion_2_1,
-                theta3_ddot_of_motion_1,
-                theta3_ddot_of_motion_7_1,
-                theta3_ddot_of_motion_3_1,
-                theta3_ddot_of_motion_10_1,
-                theta3_ddot_of_motion_12_1,
-                theta3_ddot_of_motion_14_1,
-                theta3_ddot_of_motion_16_1,
-                theta3_ddot_of_motion_4_1,
-                theta3_ddot_of_motion_19_1,
-                theta3_ddot_of_motion_22_1,
-                theta2_dot_sq_1,
-                cos_theta2_1,
-                sin_theta1_sin_theta2_1,
-                cos_theta1_cos_theta2_1,
-                sin_theta3_1,
-                cos_theta3_1,
-                theta2_ddot_of_motion_3_1,
-                theta2_ddot_of_motion_4_1,
-                theta2_ddot_of_motion_5_1,
-                theta2_ddot_of_motion_8_1,
-                theta2_ddot_of_motion_12_1,
-                theta3_ddot_of_motion_4_1,
-                theta2_ddot_of_motion_15_1,
-                theta2_ddot_of_motion_11_1,
-                theta2_ddot_of_motion_19_1,
-                sin_theta2_1,
-                theta1_ddot_of_motion_2_1,
-                cos_theta2_1,
-                theta1_ddot_of_motion_5_1,
-                cos_theta1_1,
-                sin_theta1_1,
+                cos_theta1_1, sin_theta1_1, cos_theta2_1, sin_theta2_1, cos_theta3_1, sin_theta3_1,
+                theta1_dot_1, theta1_dot_sq_1, theta3_dot_1, theta3_dot_sq_1, theta1_dot_sq_1,
+                theta2_dot_1, theta2_dot_sq_1, theta3_dot_sq_1, theta3_dot_sq_cos_theta3_1,
+                sin_theta3_1, cos_theta3_1, cos_theta2_1, cos_theta3_1, theta1_dot_sq_1,
+                theta3_ddot_of_place_2_1, cos_theta2_1, cos_theta3_1, theta3_ddot_of_place_4_1,
+                theta3_ddot_of_place_6_1, theta3_ddot_of_place_1, theta3_ddot_of_place_9_1,
+                cos_theta1_1, sin_theta2_1, sin_theta1_sin_theta2_1, theta3_dot_sq_1,
+                sin_theta1_sin_theta2_1, sin_theta1_cos_theta1_1, theta2_dot_sq_1,
+                theta3_ddot_of_motion_2_1, theta3_ddot_of_motion_1, theta3_ddot_of_motion_7_1,
+                theta3_ddot_of_motion_3_1, theta3_ddot_of_motion_10_1, theta3_ddot_of_motion_12_1,
+                theta3_ddot_of_motion_14_1, theta3_ddot_of_motion_16_1, theta3_ddot_of_motion_4_1,
+                theta3_ddot_of_motion_19_1, theta3_ddot_of_motion_22_1, theta2_dot_sq_1,
+                cos_theta2_1, sin_theta1_sin_theta2_1, cos_theta1_cos_theta2_1, sin_theta3_1,
+                cos_theta3_1, theta2_ddot_of_motion_3_1, theta2_ddot_of_motion_4_1,
+                theta2_ddot_of_motion_5_1, theta2_ddot_of_motion_8_1, theta2_ddot_of_motion_12_1,
+                theta3_ddot_of_motion_4_1, theta2_ddot_of_motion_15_1, theta2_ddot_of_motion_11_1,
+                theta2_ddot_of_motion_19_1, sin_theta2_1, theta1_ddot_of_motion_2_1, cos_theta2_1,
+                theta1_ddot_of_motion_5_1, cos_theta1_1, sin_theta1_1,
             ]),
         ];
     }
@@ -2177,16 +1956,7 @@ pub fn taylor<S: Scalar>(
         let theta2_dot = theta2_dot_rate * over_k;
         let theta3_dot = theta3_dot_rate * over_k;
         series[order] = [
-            x,
-            y,
-            theta1,
-            theta2,
-            theta3,
-            x_dot,
-            y_dot,
-            theta1_dot,
-            theta2_dot,
-            theta3_dot,
+            x, y, theta1, theta2, theta3, x_dot, y_dot, theta1_dot, theta2_dot, theta3_dot,
         ];
         if order + 1 == series.len() {
             break;
@@ -2582,8 +2352,7 @@ pub fn taylor<S: Scalar>(
         let sin_theta3_cos_theta3 = cos_theta3
             .mul_add(sin_theta3_0, sin_theta3.mul_add(cos_theta3_0, sums[22]));
         // theta3_ddot_of_place_4 = 9*sin_theta2_cos_theta2 - sin_theta3_cos_theta3
-        let theta3_ddot_of_place_4 = S::int(9) * sin_theta2_cos_theta2
-            - sin_theta3_cos_theta3;
+        let theta3_ddot_of_place_4 = S::int(9) * sin_theta2_cos_theta2 - sin_theta3_cos_theta3;
         // theta3_ddot_of_place_5 = cos_theta1*theta3_ddot_of_place_4
         let theta3_ddot_of_place_5 = theta3_ddot_of_place_4
             .mul_add(
@@ -2616,8 +2385,7 @@ pub fn taylor<S: Scalar>(
         let sin_theta1_cos_theta1 = cos_theta1
             .mul_add(sin_theta1_0, sin_theta1.mul_add(cos_theta1_0, sums[27]));
         // theta3_ddot_of_place_12 = 9*sin_theta2_cos_theta2 - sin_theta1_cos_theta1
-        let theta3_ddot_of_place_12 = S::int(9) * sin_theta2_cos_theta2
-            - sin_theta1_cos_theta1;
+        let theta3_ddot_of_place_12 = S::int(9) * sin_theta2_cos_theta2 - sin_theta1_cos_theta1;
         // sin_theta1_sin_theta2 = sin_theta1*sin_theta2
         let sin_theta1_sin_theta2 = sin_theta2
             .mul_add(sin_theta1_0, sin_theta1.mul_add(sin_theta2_0, sums[28]));
@@ -2743,8 +2511,7 @@ pub fn taylor<S: Scalar>(
                 cos_theta1.mul_add(theta3_ddot_of_motion_4_0, sums[42]),
             );
         // theta3_ddot_of_motion_19 = theta3_ddot_of_motion_17 - theta3_ddot_of_motion_18
-        let theta3_ddot_of_motion_19 = -theta3_ddot_of_motion_18
-            + theta3_ddot_of_motion_17;
+        let theta3_ddot_of_motion_19 = -theta3_ddot_of_motion_18 + theta3_ddot_of_motion_17;
         // theta3_ddot_of_motion_20 = sin_theta3*theta3_ddot_of_motion_19
         let theta3_ddot_of_motion_20 = theta3_ddot_of_motion_19
             .mul_add(
@@ -2881,8 +2648,7 @@ pub fn taylor<S: Scalar>(
                 sin_theta2.mul_add(theta2_ddot_of_motion_11_0, sums[58]),
             );
         // theta2_ddot_of_motion_18 = theta2_ddot_of_motion_16 - theta2_ddot_of_motion_17
-        let theta2_ddot_of_motion_18 = theta2_ddot_of_motion_16
-            - theta2_ddot_of_motion_17;
+        let theta2_ddot_of_motion_18 = theta2_ddot_of_motion_16 - theta2_ddot_of_motion_17;
         // theta2_ddot_of_motion_19 = theta2_ddot_of_motion_18/theta2_ddot_of_place_4
         let theta2_ddot_of_motion_19 = theta2_ddot_of_motion_18
             .mul_add(
@@ -3000,134 +2766,36 @@ pub fn taylor<S: Scalar>(
                 count * theta2,
                 count * theta3,
                 count * theta3,
-                theta1_dot,
-                cos_theta1,
-                theta3_dot,
-                cos_theta3,
-                sin_theta1,
-                theta2_dot,
-                sin_theta2,
-                sin_theta3,
-                sin_theta1,
-                sin_theta2,
-                cos_theta2,
-                cos_theta2,
-                cos_theta3,
-                cos_theta2,
-                sin_theta1,
-                sin_theta2,
-                sin_theta3,
-                cos_theta1,
-                sin_theta1,
-                cos_theta2,
-                cos_theta3,
-                sin_theta1,
-                sin_theta1,
-                theta1_dot_sq,
-                theta3_ddot_of_place_12,
-                theta2_dot_sq,
-                theta2_dot_sq,
-                cos_theta1,
-                cos_theta2,
-                sin_theta2,
-                cos_theta2,
-                cos_theta1,
-                cos_theta1,
-                cos_theta3,
-                cos_theta1,
-                cos_theta2,
-                cos_theta1,
-                sin_theta3,
-                theta3_ddot_of_place_11,
-                cos_theta2,
-                cos_theta1,
-                theta2_ddot_of_place,
-                cos_theta1_cos_theta2,
-                theta3_ddot_of_motion_22,
-                theta3_ddot_of_motion_22,
-                sin_theta1,
-                cos_theta1,
-                sin_theta1,
-                sin_theta1,
-                cos_theta1,
-                sin_theta1,
-                cos_theta2,
-                sin_theta2,
-                theta2_ddot_of_place_4,
-                theta2_ddot_of_motion_19,
-                sin_theta1,
-                theta2_ddot_of_motion_19,
-                cos_theta1,
-                theta1_dot_dot,
-                theta1_dot_dot,
+                theta1_dot, cos_theta1, theta3_dot, cos_theta3, sin_theta1, theta2_dot, sin_theta2,
+                sin_theta3, sin_theta1, sin_theta2, cos_theta2, cos_theta2, cos_theta3, cos_theta2,
+                sin_theta1, sin_theta2, sin_theta3, cos_theta1, sin_theta1, cos_theta2, cos_theta3,
+                sin_theta1, sin_theta1, theta1_dot_sq, theta3_ddot_of_place_12, theta2_dot_sq,
+                theta2_dot_sq, cos_theta1, cos_theta2, sin_theta2, cos_theta2, cos_theta1,
+                cos_theta1, cos_theta3, cos_theta1, cos_theta2, cos_theta1, sin_theta3,
+                theta3_ddot_of_place_11, cos_theta2, cos_theta1, theta2_ddot_of_place,
+                cos_theta1_cos_theta2, theta3_ddot_of_motion_22, theta3_ddot_of_motion_22,
+                sin_theta1, cos_theta1, sin_theta1, sin_theta1, cos_theta1, sin_theta1, cos_theta2,
+                sin_theta2, theta2_ddot_of_place_4, theta2_ddot_of_motion_19, sin_theta1,
+                theta2_ddot_of_motion_19, cos_theta1, theta1_dot_dot, theta1_dot_dot,
             ]),
             padded([
-                cos_theta1,
-                sin_theta1,
-                cos_theta2,
-                sin_theta2,
-                cos_theta3,
-                sin_theta3,
-                theta1_dot,
-                theta1_dot_sq,
-                theta3_dot,
-                theta3_dot_sq,
-                theta1_dot_sq,
-                theta2_dot,
-                theta2_dot_sq,
-                theta3_dot_sq,
-                theta3_dot_sq_cos_theta3,
-                sin_theta3,
-                cos_theta3,
-                cos_theta2,
-                cos_theta3,
-                theta1_dot_sq,
-                theta3_ddot_of_place_2,
-                cos_theta2,
-                cos_theta3,
-                theta3_ddot_of_place_4,
-                theta3_ddot_of_place_6,
-                theta3_ddot_of_place,
-                theta3_ddot_of_place_9,
-                cos_theta1,
-                sin_theta2,
-                sin_theta1_sin_theta2,
-                theta3_dot_sq,
-                sin_theta1_sin_theta2,
-                sin_theta1_cos_theta1,
-                theta2_dot_sq,
-                theta3_ddot_of_motion_2,
-                theta3_ddot_of_motion,
-                theta3_ddot_of_motion_7,
-                theta3_ddot_of_motion_3,
-                theta3_ddot_of_motion_10,
-                theta3_ddot_of_motion_12,
-                theta3_ddot_of_motion_14,
-                theta3_ddot_of_motion_16,
-                theta3_ddot_of_motion_4,
-                theta3_ddot_of_motion_19,
-                theta3_ddot_of_motion_22,
-                theta2_dot_sq,
-                cos_theta2,
-                sin_theta1_sin_theta2,
-                cos_theta1_cos_theta2,
-                sin_theta3,
-                cos_theta3,
-                theta2_ddot_of_motion_3,
-                theta2_ddot_of_motion_4,
-                theta2_ddot_of_motion_5,
-                theta2_ddot_of_motion_8,
-                theta2_ddot_of_motion_12,
-                theta3_ddot_of_motion_4,
-                theta2_ddot_of_motion_15,
-                theta2_ddot_of_motion_11,
-                theta2_ddot_of_motion_19,
-                sin_theta2,
-                theta1_ddot_of_motion_2,
-                cos_theta2,
-                theta1_ddot_of_motion_5,
-                cos_theta1,
-                sin_theta1,
+                cos_theta1, sin_theta1, cos_theta2, sin_theta2, cos_theta3, sin_theta3, theta1_dot,
+                theta1_dot_sq, theta3_dot, theta3_dot_sq, theta1_dot_sq, theta2_dot, theta2_dot_sq,
+                theta3_dot_sq, theta3_dot_sq_cos_theta3, sin_theta3, cos_theta3, cos_theta2,
+                cos_theta3, theta1_dot_sq, theta3_ddot_of_place_2, cos_theta2, cos_theta3,
+                theta3_ddot_of_place_4, theta3_ddot_of_place_6, theta3_ddot_of_place,
+                theta3_ddot_of_place_9, cos_theta1, sin_theta2, sin_theta1_sin_theta2,
+                theta3_dot_sq, sin_theta1_sin_theta2, sin_theta1_cos_theta1, theta2_dot_sq,
+                theta3_ddot_of_motion_2, theta3_ddot_of_motion, theta3_ddot_of_motion_7,
+                theta3_ddot_of_motion_3, theta3_ddot_of_motion_10, theta3_ddot_of_motion_12,
+                theta3_ddot_of_motion_14, theta3_ddot_of_motion_16, theta3_ddot_of_motion_4,
+                theta3_ddot_of_motion_19, theta3_ddot_of_motion_22, theta2_dot_sq, cos_theta2,
+                sin_theta1_sin_theta2, cos_theta1_cos_theta2, sin_theta3, cos_theta3,
+                theta2_ddot_of_motion_3, theta2_ddot_of_motion_4, theta2_ddot_of_motion_5,
+                theta2_ddot_of_motion_8, theta2_ddot_of_motion_12, theta3_ddot_of_motion_4,
+                theta2_ddot_of_motion_15, theta2_ddot_of_motion_11, theta2_ddot_of_motion_19,
+                sin_theta2, theta1_ddot_of_motion_2, cos_theta2, theta1_ddot_of_motion_5,
+                cos_theta1, sin_theta1,
             ]),
         ];
         count_last = count;
@@ -3269,11 +2937,7 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

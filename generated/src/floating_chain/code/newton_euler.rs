@@ -22,7 +22,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 9]; 9] {
     let Parameters { m, l } = *p;
     let [_, _, theta1, theta2, theta3] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta1, cos_theta1) = theta1.sin_cos();
     let (sin_theta2, cos_theta2) = theta2.sin_cos();
@@ -149,6 +148,7 @@ pub fn mass_matrix<S: Scalar>(
     let m98 = -l_halved * sin_theta3;
     // M99 = l*cos(theta3)/2
     let m99 = l_halved * cos_theta3;
+    let zero = S::int(0);
     [
         [m11, m12, zero, zero, zero, m16, m17, zero, zero],
         [m21, m22, zero, zero, zero, m26, m27, zero, zero],
@@ -170,7 +170,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 9] {
     let Parameters { m, l } = *p;
     let [_, _, theta1, theta2, theta3] = *q;
     let [_, _, u3, u4, u5] = *u;
-    let zero = S::int(0);
     // Shared terms.
     let m_l = m * l;
     let m_l_halved = S::ratio(1, 2) * m_l;
@@ -203,6 +202,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [S; 9] {
             cos_theta1_minus_theta3,
             m_l_halved * f7_of_u3_u4 * sin_theta1_minus_theta3,
         );
+    let zero = S::int(0);
     [zero, zero, zero, f4, f5, zero, f7, f8, zero]
 }
 
@@ -214,7 +214,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let Parameters { l, .. } = *p;
     let [_, _, theta1, theta2, theta3] = *q;
     let [_, _, u3, u4, u5] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta1, cos_theta1) = theta1.sin_cos();
     let (sin_theta2, cos_theta2) = theta2.sin_cos();
@@ -254,8 +253,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
         .mul_add(u5_dot_of_place_8, S::int(5) * cos_theta3);
     // 1/(9 + u5_dot_of_place_7*sin(theta1) + u5_dot_of_place_9*cos(theta3))
     let u5_dot_of_place_10 = S::int(1)
-        / (u5_dot_of_place_7.mul_add(sin_theta1, S::int(9))
-            + u5_dot_of_place_9 * cos_theta3);
+        / (u5_dot_of_place_7.mul_add(sin_theta1, S::int(9)) + u5_dot_of_place_9 * cos_theta3);
     let u5_dot_of_place_11 = S::ratio(1, 2) * u5_dot_of_place_10;
     let u5_dot_of_place_12 = S::ratio(3, 2) * u5_dot_of_place_10;
     let u4_sq = u4 * u4;
@@ -296,8 +294,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   sin(theta1)*cos(theta1)))))/(2*(9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
     //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) -
     //   9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3)))))
-    let u5_dot = -u5_dot_of_place_12
-        * u3_sq.mul_add(u5_dot_of_place_20, u4_sq * u5_dot_of_place_18)
+    let u5_dot = -u5_dot_of_place_12 * u3_sq.mul_add(u5_dot_of_place_20, u4_sq * u5_dot_of_place_18)
         + u5_sq * u5_dot_of_place_4 * u5_dot_of_place_11;
     let cos_theta2_doubled = S::int(2) * cos_theta2;
     let u4_dot_of_place = cos_theta2_doubled * cos_theta1;
@@ -376,8 +373,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u5_dot_by_theta1_of_u3_u4_u5_2 = u5_dot_of_place_10
         * ((-u5_sq).mul_add(u5_dot_of_place, u5_dot_by_theta1_of_u3_u4_u5 * cos_theta3)
             - sin_theta3_times_3 * u5_dot_by_theta1_of_u3_u4_3);
-    let u5_dot_by_theta1_of_u3_u4_u5_3 = u5_dot_of_place_11
-        * u5_dot_by_theta1_of_u3_u4_u5_2;
+    let u5_dot_by_theta1_of_u3_u4_u5_3 = u5_dot_of_place_11 * u5_dot_by_theta1_of_u3_u4_u5_2;
     // u5_dot_by_theta1 = (cos(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
     //   cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) +
     //   sin(theta1)*(cos(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) +
@@ -407,8 +403,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
             * (u3_sq_times_3
                 * u5_dot_by_theta1_of_theta2
                     .mul_add(cos_theta1, sin_theta1_sin_theta2 * cos_theta2_times_3)
-                + u4_sq_times_3
-                    * (-u5_dot_of_place_13).mul_add(sin_theta1, u4_dot_of_place_6)
+                + u4_sq_times_3 * (-u5_dot_of_place_13).mul_add(sin_theta1, u4_dot_of_place_6)
                 + u5_sq_doubled
                     * (-u5_dot_by_theta1_of_theta1)
                         .mul_add(
@@ -420,17 +415,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
                     .mul_add(sin_theta1, u4_sq * u5_dot_of_place_14)
                     + cos_theta1_sin_theta2 * u3_sq_cos_theta2_times_3))
         - u5_dot_by_theta1_of_u3_u4_u5_3
-            * (sin_theta1
-                * u5_dot_of_place_6.mul_add(sin_theta1, u5_dot_of_place_5 * cos_theta1)
+            * (sin_theta1 * u5_dot_of_place_6.mul_add(sin_theta1, u5_dot_of_place_5 * cos_theta1)
                 + u5_dot_of_place_7 * cos_theta1);
     let sin_theta2_times_3 = S::int(3) * sin_theta2;
     let u4_sq_sin_theta2_times_3 = u4_sq * sin_theta2_times_3;
     // u4_sq_sin_theta2_times_3 - u4_dot_of_u5_u5_dot
-    let u4_dot_by_theta1_of_u4_u5_u5_dot = u4_sq_sin_theta2_times_3
-        - u4_dot_of_u5_u5_dot;
+    let u4_dot_by_theta1_of_u4_u5_u5_dot = u4_sq_sin_theta2_times_3 - u4_dot_of_u5_u5_dot;
     // u4_dot_of_u5_u5_dot_2 + u4_sq_cos_theta2_times_3
-    let u4_dot_by_theta1_of_u4_u5_u5_dot_2 = u4_dot_of_u5_u5_dot_2
-        + u4_sq_cos_theta2_times_3;
+    let u4_dot_by_theta1_of_u4_u5_u5_dot_2 = u4_dot_of_u5_u5_dot_2 + u4_sq_cos_theta2_times_3;
     // u4_dot_by_theta1_of_u4_u5_u5_dot*sin(theta2) - u4_dot_by_theta1_of_u4_u5_u5_dot_2*cos(theta2)
     let u4_dot_by_theta1_of_u4_u5_u5_dot_3 = (-u4_dot_by_theta1_of_u4_u5_u5_dot_2)
         .mul_add(cos_theta2, u4_dot_by_theta1_of_u4_u5_u5_dot * sin_theta2);
@@ -478,10 +470,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   3*sin(theta2)*(u3^2*sin(theta1) - u5_dot_by_theta1*sin(theta3)))/(7 - 3*cos(theta1)^2*cos(theta2)^2
     //   - 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
     let u4_dot_by_theta1 = u4_dot_by_theta1_of_motion_2
-        * (sin_theta1_sin_theta2
-            * (-cos_theta2_doubled).mul_add(sin_theta1, cos_theta1_sin_theta2)
-            - sin_theta1_cos_theta2 * u4_dot_of_place
-            + cos_theta1_sin_theta2 * u4_dot_of_place_2)
+        * (sin_theta1_sin_theta2 * (-cos_theta2_doubled).mul_add(sin_theta1, cos_theta1_sin_theta2)
+            - sin_theta1_cos_theta2 * u4_dot_of_place + cos_theta1_sin_theta2 * u4_dot_of_place_2)
         - u4_dot_of_place_3
             * (sin_theta1
                 * (cos_theta1_sin_theta2 * u4_dot_by_theta1_of_u4_u5_u5_dot_2
@@ -490,13 +480,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
                         * (cos_theta2_sin_theta3 + sin_theta2_cos_theta3)
                     + sin_theta1_sin_theta2 * u4_dot_by_theta1_of_place)
                 + u4_dot_by_theta1_of_motion * cos_theta1
-                + sin_theta2_times_3
-                    * u3_sq.mul_add(sin_theta1, -u4_dot_by_theta1_of_place)
+                + sin_theta2_times_3 * u3_sq.mul_add(sin_theta1, -u4_dot_by_theta1_of_place)
                 + cos_theta2
-                    * (u5_dot_by_theta1
-                        * cos_theta1_sq.mul_add(cos_theta3, -cos_theta3_times_3)
-                        + S::int(2) * sin_theta1_cos_theta1
-                            * u4_dot_by_theta1_of_u4_u5_u5_dot));
+                    * (u5_dot_by_theta1 * cos_theta1_sq.mul_add(cos_theta3, -cos_theta3_times_3)
+                        + S::int(2) * sin_theta1_cos_theta1 * u4_dot_by_theta1_of_u4_u5_u5_dot));
     let sin_theta1_sin_theta3 = sin_theta1 * sin_theta3;
     // cos(theta1)*cos(theta3) + sin_theta1_sin_theta3
     let u3_dot_by_theta1_of_place = cos_theta1
@@ -527,8 +514,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   3*u4_dot_by_theta1*cos(theta2) + 2*cos(theta1)*(u3^2 - u3_dot_by_theta1))/6
     let u2_dot_by_theta1 = (-u4_dot_by_theta1)
         .mul_add(cos_theta2_l_halved, u3_dot * sin_theta1_l_by_3)
-        - u5_dot_by_theta1 * cos_theta3_l_by_6
-        - cos_theta1_l_by_3 * u2_dot_by_theta1_of_u3;
+        - u5_dot_by_theta1 * cos_theta3_l_by_6 - cos_theta1_l_by_3 * u2_dot_by_theta1_of_u3;
     let sin_theta2_l_halved = l_halved * sin_theta2;
     let sin_theta3_l_by_6 = l_by_6 * sin_theta3;
     // u1_dot_by_theta1 = l*(2*u3'*cos(theta1) + u5_dot_by_theta1*sin(theta3) +
@@ -616,10 +602,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   cos(theta1)^2*(3*u4^2*cos(theta2) - u5_dot_by_theta2*cos(theta3))))/(3*cos(theta1)^2*cos(theta2)^2 -
     //   7 + 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
     let u4_dot_by_theta2 = u4_dot_by_theta1_of_motion_2
-        * (-sin_theta1_sin_theta2
-            * cos_theta1_sin_theta2.mul_add(S::int(2), -sin_theta1_cos_theta2)
-            + sin_theta1_cos_theta2 * u4_dot_of_place_2
-            - cos_theta1_sin_theta2 * u4_dot_of_place)
+        * (-sin_theta1_sin_theta2 * cos_theta1_sin_theta2.mul_add(S::int(2), -sin_theta1_cos_theta2)
+            + sin_theta1_cos_theta2 * u4_dot_of_place_2 - cos_theta1_sin_theta2 * u4_dot_of_place)
         + u4_dot_of_place_3
             * (u4_dot_by_theta1_of_u4_u5_u5_dot_4 * sin_theta2
                 + cos_theta2_times_3 * u4_dot_by_theta1_of_u3_u5_u5_dot
@@ -635,8 +619,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
                         + sin_theta1_sin_theta2 * u4_dot_by_theta2_of_u4_2
                         + cos_theta1
                             * (sin_theta2
-                                * (u4_dot_by_theta1_of_u4_u5_u5_dot_2
-                                    + u4_dot_by_theta2_of_u4)
+                                * (u4_dot_by_theta1_of_u4_u5_u5_dot_2 + u4_dot_by_theta2_of_u4)
                                 + cos_theta2
                                     * (u4_dot_by_theta1_of_u4_u5_u5_dot
                                         + u4_dot_by_theta2_of_u4_2))));
@@ -652,14 +635,12 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   u4_dot_by_theta2) - 2*u3_dot_by_theta2*cos(theta1))/6
     let u2_dot_by_theta2 = (-u5_dot_by_theta2)
         .mul_add(cos_theta3_l_by_6, u4_dot * sin_theta2_l_halved)
-        - u3_dot_by_theta2 * cos_theta1_l_by_3
-        - cos_theta2_l_halved * u3_dot_by_theta2_of_u4;
+        - u3_dot_by_theta2 * cos_theta1_l_by_3 - cos_theta2_l_halved * u3_dot_by_theta2_of_u4;
     // u1_dot_by_theta2 = l*(3*u4'*cos(theta2) + u5_dot_by_theta2*sin(theta3) +
     //   3*sin(theta2)*(u4_dot_by_theta2 - u4^2) + 2*u3_dot_by_theta2*sin(theta1))/6
     let u1_dot_by_theta2 = u4_dot
         .mul_add(cos_theta2_l_halved, u3_dot_by_theta2 * sin_theta1_l_by_3)
-        + u5_dot_by_theta2 * sin_theta3_l_by_6
-        + sin_theta2_l_halved * u3_dot_by_theta2_of_u4;
+        + u5_dot_by_theta2 * sin_theta3_l_by_6 + sin_theta2_l_halved * u3_dot_by_theta2_of_u4;
     // u5_dot_by_theta3 = (cos(theta3)*(5*sin(theta3) + 9*cos(theta2)*(sin(theta2)*cos(theta3) -
     //   cos(theta2)*sin(theta3))) - sin(theta3)*(9*cos(theta2)*(sin(theta2)*sin(theta3) +
     //   cos(theta2)*cos(theta3)) - 5*cos(theta3)) - sin(theta1)*(2*sin(theta1)*sin(theta3)*cos(theta3) +
@@ -686,8 +667,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let u5_dot_by_theta3 = u5_dot_by_theta1_of_u3_u4_u5_3
         * (sin_theta1
             * (cos_theta1 * sin_theta3.mul_add(sin_theta3, -cos_theta3_sq)
-                - cos_theta3_doubled * sin_theta1_sin_theta3)
-            + u5_dot_of_place_9 * sin_theta3
+                - cos_theta3_doubled * sin_theta1_sin_theta3) + u5_dot_of_place_9 * sin_theta3
             + cos_theta3
                 * cos_theta2_times_9
                     .mul_add(u5_dot_by_theta2_of_place_2, S::int(5) * sin_theta3))
@@ -706,8 +686,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     // u4_dot_of_place_7*cos(theta3) + u4_dot_of_place_8*sin(theta3)
     let u4_dot_by_theta3_of_place_2 = u4_dot_of_place_8
         .mul_add(sin_theta3, u4_dot_of_place_7 * cos_theta3);
-    let u4_dot_by_theta3_of_place_3 = u4_dot_by_theta3_of_place
-        * u4_dot_by_theta3_of_place_2;
+    let u4_dot_by_theta3_of_place_3 = u4_dot_by_theta3_of_place * u4_dot_by_theta3_of_place_2;
     // u4_dot_by_theta3 = (2*sin(theta2)*(u5'*cos(theta3) + sin(theta3)*(u5_dot_by_theta3 - u5^2)) -
     //   3*cos(theta2)*(u5'*sin(theta3) + cos(theta3)*(u5^2 - u5_dot_by_theta3)) +
     //   cos(theta1)*(sin(theta1)*(sin(theta2)*(u5'*sin(theta3) + cos(theta3)*(u5^2 - u5_dot_by_theta3)) -
@@ -786,8 +765,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     //   u5_dot_by_u4*cos(theta3))))/(3*cos(theta1)^2*cos(theta2)^2 - 7 +
     //   3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)))
     let u4_dot_by_u4 = -S::int(6) * u4 * u4_dot_of_place_3
-        * (u4_dot_of_place_5 + sin_theta2_cos_theta2)
-        + u5_dot_by_u4 * u4_dot_by_u4_of_place;
+        * (u4_dot_of_place_5 + sin_theta2_cos_theta2) + u5_dot_by_u4 * u4_dot_by_u4_of_place;
     // u3_dot_by_u4 = cos(theta1)*(6*u4*sin(theta2) - u5_dot_by_u4*cos(theta3) -
     //   3*u4_dot_by_u4*cos(theta2))/3 - sin(theta1)*(6*u4*cos(theta2) + u5_dot_by_u4*sin(theta3) +
     //   3*u4_dot_by_u4*sin(theta2))/3
@@ -850,6 +828,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
     let theta2_dot_by_u4_value = S::int(1);
     // d(theta3')/d(u5) = 1
     let theta3_dot_by_u5_value = S::int(1);
+    let zero = S::int(0);
     [
         [zero, zero, zero, zero, zero, x_dot_by_u1_value, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, y_dot_by_u2_value, zero, zero, zero],
@@ -857,64 +836,24 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 5]) -> [[S; 10
         [zero, zero, zero, zero, zero, zero, zero, zero, theta2_dot_by_u4_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, theta3_dot_by_u5_value],
         [
-            zero,
-            zero,
-            u1_dot_by_theta1,
-            u1_dot_by_theta2,
-            u1_dot_by_theta3,
-            zero,
-            zero,
-            u1_dot_by_u3,
-            u1_dot_by_u4,
-            u1_dot_by_u5,
+            zero, zero, u1_dot_by_theta1, u1_dot_by_theta2, u1_dot_by_theta3, zero, zero,
+            u1_dot_by_u3, u1_dot_by_u4, u1_dot_by_u5,
         ],
         [
-            zero,
-            zero,
-            u2_dot_by_theta1,
-            u2_dot_by_theta2,
-            u2_dot_by_theta3,
-            zero,
-            zero,
-            u2_dot_by_u3,
-            u2_dot_by_u4,
-            u2_dot_by_u5,
+            zero, zero, u2_dot_by_theta1, u2_dot_by_theta2, u2_dot_by_theta3, zero, zero,
+            u2_dot_by_u3, u2_dot_by_u4, u2_dot_by_u5,
         ],
         [
-            zero,
-            zero,
-            u3_dot_by_theta1,
-            u3_dot_by_theta2,
-            u3_dot_by_theta3,
-            zero,
-            zero,
-            u3_dot_by_u3,
-            u3_dot_by_u4,
-            u3_dot_by_u5,
+            zero, zero, u3_dot_by_theta1, u3_dot_by_theta2, u3_dot_by_theta3, zero, zero,
+            u3_dot_by_u3, u3_dot_by_u4, u3_dot_by_u5,
         ],
         [
-            zero,
-            zero,
-            u4_dot_by_theta1,
-            u4_dot_by_theta2,
-            u4_dot_by_theta3,
-            zero,
-            zero,
-            u4_dot_by_u3,
-            u4_dot_by_u4,
-            u4_dot_by_u5,
+            zero, zero, u4_dot_by_theta1, u4_dot_by_theta2, u4_dot_by_theta3, zero, zero,
+            u4_dot_by_u3, u4_dot_by_u4, u4_dot_by_u5,
         ],
         [
-            zero,
-            zero,
-            u5_dot_by_theta1,
-            u5_dot_by_theta2,
-            u5_dot_by_theta3,
-            zero,
-            zero,
-            u5_dot_by_u3,
-            u5_dot_by_u4,
-            u5_dot_by_u5,
+            zero, zero, u5_dot_by_theta1, u5_dot_by_theta2, u5_dot_by_theta3, zero, zero,
+            u5_dot_by_u3, u5_dot_by_u4, u5_dot_by_u5,
         ],
     ]
 }
@@ -951,13 +890,11 @@ pub fn taylor<S: Scalar>(
     let u5_dot_of_u5_0 = sin_theta2_0 * u5_sq_cos_theta3_0;
     let u5_dot_of_place_0 = sin_theta2_sin_theta3_0 + cos_theta2_cos_theta3_0;
     let u3_sq_cos_theta2_0 = cos_theta2_0 * u3_sq_0;
-    let u5_dot_of_place_2_0 = cos_theta2_sq_0.mul_add(S::int(9), -S::int(4))
-        - cos_theta3_sq_0;
+    let u5_dot_of_place_2_0 = cos_theta2_sq_0.mul_add(S::int(9), -S::int(4)) - cos_theta3_sq_0;
     let u5_dot_of_place_3_0 = sin_theta1_0 * u5_dot_of_place_2_0;
     let sin_theta2_cos_theta2_0 = sin_theta2_0 * cos_theta2_0;
     let sin_theta3_cos_theta3_0 = sin_theta3_0 * cos_theta3_0;
-    let u5_dot_of_place_4_0 = S::int(9) * sin_theta2_cos_theta2_0
-        - sin_theta3_cos_theta3_0;
+    let u5_dot_of_place_4_0 = S::int(9) * sin_theta2_cos_theta2_0 - sin_theta3_cos_theta3_0;
     let u5_dot_of_place_5_0 = cos_theta1_0 * u5_dot_of_place_4_0;
     let u5_dot_of_place_6_0 = u5_dot_of_place_3_0 - u5_dot_of_place_5_0;
     let u5_dot_of_place_7_0 = sin_theta1_0 * u5_dot_of_place_6_0;
@@ -968,8 +905,7 @@ pub fn taylor<S: Scalar>(
     let u5_dot_of_place_11_0 = S::int(9) + u5_dot_of_place_7_0 + u5_dot_of_place_10_0;
     let over_u5_dot_of_place_11 = S::int(1) / u5_dot_of_place_11_0;
     let sin_theta1_cos_theta1_0 = sin_theta1_0 * cos_theta1_0;
-    let u5_dot_of_place_12_0 = S::int(9) * sin_theta2_cos_theta2_0
-        - sin_theta1_cos_theta1_0;
+    let u5_dot_of_place_12_0 = S::int(9) * sin_theta2_cos_theta2_0 - sin_theta1_cos_theta1_0;
     let sin_theta1_sin_theta2_0 = sin_theta1_0 * sin_theta2_0;
     let u5_dot_of_u3_0 = u3_sq_0 * sin_theta1_sin_theta2_0;
     let u5_dot_of_u3_u4_0 = u5_dot_of_u3_0.mul_add(S::int(3), S::int(7) * u4_sq_0);
@@ -1029,18 +965,15 @@ pub fn taylor<S: Scalar>(
     let u4_dot_of_u4_u5_u5_dot_3_0 = u4_dot_of_u3_u4_u5_0
         .mul_add(-S::ratio(1, 2), S::int(3) * u4_sq_cos_theta2_0 + u5_sq_cos_theta3_0);
     let u4_dot_of_u4_u5_u5_dot_4_0 = cos_theta2_0 * u4_dot_of_u4_u5_u5_dot_3_0;
-    let u4_dot_of_u4_u5_u5_dot_5_0 = u4_dot_of_u4_u5_u5_dot_2_0
-        - u4_dot_of_u4_u5_u5_dot_4_0;
+    let u4_dot_of_u4_u5_u5_dot_5_0 = u4_dot_of_u4_u5_u5_dot_2_0 - u4_dot_of_u4_u5_u5_dot_4_0;
     let u4_dot_of_u4_u5_u5_dot_6_0 = cos_theta1_0 * u4_dot_of_u4_u5_u5_dot_5_0;
-    let u4_dot_of_u4_u5_u5_dot_7_0 = u4_dot_of_u4_u5_u5_dot_3_0
-        * sin_theta1_sin_theta2_0;
+    let u4_dot_of_u4_u5_u5_dot_7_0 = u4_dot_of_u4_u5_u5_dot_3_0 * sin_theta1_sin_theta2_0;
     let u4_dot_of_motion_0 = S::int(3) * u3_sq_cos_theta2_0 + u4_dot_of_u4_u5_u5_dot_7_0
         - u4_dot_of_u4_u5_u5_dot_6_0;
     let u4_dot_of_motion_2_0 = sin_theta1_0 * u4_dot_of_motion_0;
     let u4_dot_of_u4_u5_u5_dot_8_0 = u4_dot_of_u4_u5_u5_dot_0 * cos_theta1_sq_0;
     let u4_dot_of_u4_u5_u5_dot_9_0 = u4_dot_of_u3_u4_u5_2_0
-        .mul_add(S::ratio(3, 2), S::int(3) * u5_sq_sin_theta3_0)
-        - u4_dot_of_u4_u5_u5_dot_8_0;
+        .mul_add(S::ratio(3, 2), S::int(3) * u5_sq_sin_theta3_0) - u4_dot_of_u4_u5_u5_dot_8_0;
     let u4_dot_of_u4_u5_u5_dot_10_0 = cos_theta2_0 * u4_dot_of_u4_u5_u5_dot_9_0;
     let u4_dot_of_u3_u5_u5_dot_0 = u4_dot_of_u3_u4_u5_0
         .mul_add(-S::ratio(1, 2), u3_sq_cos_theta1_0 + u5_sq_cos_theta3_0);
@@ -1117,16 +1050,7 @@ pub fn taylor<S: Scalar>(
     let u5_1 = -S::ratio(1, 2) * u5_dot_of_u3_u4_u5_6_0;
     if series.len() > 1 {
         series[1] = [
-            x_1,
-            y_1,
-            theta1_1,
-            theta2_1,
-            theta3_1,
-            u1_1,
-            u2_1,
-            u3_1,
-            u4_1,
-            u5_1,
+            x_1, y_1, theta1_1, theta2_1, theta3_1, u1_1, u2_1, u3_1, u4_1, u5_1,
         ];
     }
     let sin_theta1_1 = theta1_1 * cos_theta1_0;
@@ -1160,8 +1084,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(sin_theta2_0, sin_theta2_1 * cos_theta2_0);
     let sin_theta3_cos_theta3_1 = cos_theta3_1
         .mul_add(sin_theta3_0, sin_theta3_1 * cos_theta3_0);
-    let u5_dot_of_place_4_1 = S::int(9) * sin_theta2_cos_theta2_1
-        - sin_theta3_cos_theta3_1;
+    let u5_dot_of_place_4_1 = S::int(9) * sin_theta2_cos_theta2_1 - sin_theta3_cos_theta3_1;
     let u5_dot_of_place_5_1 = u5_dot_of_place_4_1
         .mul_add(cos_theta1_0, cos_theta1_1 * u5_dot_of_place_4_0);
     let u5_dot_of_place_6_1 = u5_dot_of_place_3_1 - u5_dot_of_place_5_1;
@@ -1176,8 +1099,7 @@ pub fn taylor<S: Scalar>(
     let u5_dot_of_place_11_1 = u5_dot_of_place_7_1 + u5_dot_of_place_10_1;
     let sin_theta1_cos_theta1_1 = cos_theta1_1
         .mul_add(sin_theta1_0, sin_theta1_1 * cos_theta1_0);
-    let u5_dot_of_place_12_1 = S::int(9) * sin_theta2_cos_theta2_1
-        - sin_theta1_cos_theta1_1;
+    let u5_dot_of_place_12_1 = S::int(9) * sin_theta2_cos_theta2_1 - sin_theta1_cos_theta1_1;
     let sin_theta1_sin_theta2_1 = sin_theta2_1
         .mul_add(sin_theta1_0, sin_theta1_1 * sin_theta2_0);
     let u5_dot_of_u3_1 = sin_theta1_sin_theta2_1
@@ -1262,8 +1184,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(-S::ratio(1, 2), S::int(3) * u4_sq_cos_theta2_1 + u5_sq_cos_theta3_1);
     let u4_dot_of_u4_u5_u5_dot_4_1 = u4_dot_of_u4_u5_u5_dot_3_1
         .mul_add(cos_theta2_0, cos_theta2_1 * u4_dot_of_u4_u5_u5_dot_3_0);
-    let u4_dot_of_u4_u5_u5_dot_5_1 = u4_dot_of_u4_u5_u5_dot_2_1
-        - u4_dot_of_u4_u5_u5_dot_4_1;
+    let u4_dot_of_u4_u5_u5_dot_5_1 = u4_dot_of_u4_u5_u5_dot_2_1 - u4_dot_of_u4_u5_u5_dot_4_1;
     let u4_dot_of_u4_u5_u5_dot_6_1 = u4_dot_of_u4_u5_u5_dot_5_1
         .mul_add(cos_theta1_0, cos_theta1_1 * u4_dot_of_u4_u5_u5_dot_5_0);
     let u4_dot_of_u4_u5_u5_dot_7_1 = u4_dot_of_u4_u5_u5_dot_3_1
@@ -1278,8 +1199,7 @@ pub fn taylor<S: Scalar>(
     let u4_dot_of_u4_u5_u5_dot_8_1 = u4_dot_of_u4_u5_u5_dot_1
         .mul_add(cos_theta1_sq_0, cos_theta1_sq_1 * u4_dot_of_u4_u5_u5_dot_0);
     let u4_dot_of_u4_u5_u5_dot_9_1 = u4_dot_of_u3_u4_u5_2_1
-        .mul_add(S::ratio(3, 2), S::int(3) * u5_sq_sin_theta3_1)
-        - u4_dot_of_u4_u5_u5_dot_8_1;
+        .mul_add(S::ratio(3, 2), S::int(3) * u5_sq_sin_theta3_1) - u4_dot_of_u4_u5_u5_dot_8_1;
     let u4_dot_of_u4_u5_u5_dot_10_1 = u4_dot_of_u4_u5_u5_dot_9_1
         .mul_add(cos_theta2_0, cos_theta2_1 * u4_dot_of_u4_u5_u5_dot_9_0);
     let u4_dot_of_u3_u5_u5_dot_1 = u4_dot_of_u3_u4_u5_1
@@ -1357,142 +1277,37 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta1_1,
-                theta1_1,
-                theta2_1,
-                theta2_1,
-                theta3_1,
-                theta3_1,
-                u4_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                cos_theta2_1,
-                u5_1,
-                cos_theta3_1,
-                u3_1,
-                sin_theta1_1,
-                sin_theta2_1,
-                sin_theta3_1,
-                sin_theta2_1,
-                cos_theta2_1,
-                sin_theta2_1,
-                cos_theta2_1,
-                sin_theta1_1,
-                sin_theta2_1,
-                sin_theta3_1,
-                cos_theta1_1,
-                sin_theta1_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                sin_theta1_1,
-                sin_theta1_1,
-                u3_sq_1,
-                cos_theta2_1,
-                u5_dot_of_place_12_1,
-                u4_sq_1,
-                sin_theta2_1,
-                cos_theta1_1,
-                cos_theta2_1,
-                cos_theta1_1,
-                sin_theta1_1,
-                cos_theta1_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                cos_theta2_1,
-                cos_theta1_1,
-                sin_theta3_1,
-                u5_dot_of_place_11_1,
-                cos_theta1_1,
-                cos_theta1_1,
-                u4_dot_of_place_1,
-                cos_theta1_1,
-                cos_theta2_sq_1,
-                u5_dot_of_u3_u4_u5_6_1,
-                u5_dot_of_u3_u4_u5_6_1,
-                sin_theta2_1,
-                cos_theta2_1,
-                cos_theta1_1,
-                u4_dot_of_u4_u5_u5_dot_3_1,
-                sin_theta1_1,
-                u4_dot_of_u4_u5_u5_dot_1,
-                cos_theta2_1,
-                sin_theta2_1,
-                u4_dot_of_place_4_1,
-                u4_dot_of_motion_4_1,
-                sin_theta1_1,
-                u4_dot_of_motion_4_1,
-                cos_theta1_1,
-                u3_dot_2_1,
+                theta1_1, theta1_1, theta2_1, theta2_1, theta3_1, theta3_1, u4_1, cos_theta2_1,
+                cos_theta3_1, cos_theta2_1, u5_1, cos_theta3_1, u3_1, sin_theta1_1, sin_theta2_1,
+                sin_theta3_1, sin_theta2_1, cos_theta2_1, sin_theta2_1, cos_theta2_1, sin_theta1_1,
+                sin_theta2_1, sin_theta3_1, cos_theta1_1, sin_theta1_1, cos_theta2_1, cos_theta3_1,
+                sin_theta1_1, sin_theta1_1, u3_sq_1, cos_theta2_1, u5_dot_of_place_12_1, u4_sq_1,
+                sin_theta2_1, cos_theta1_1, cos_theta2_1, cos_theta1_1, sin_theta1_1, cos_theta1_1,
+                cos_theta2_1, cos_theta3_1, cos_theta2_1, cos_theta1_1, sin_theta3_1,
+                u5_dot_of_place_11_1, cos_theta1_1, cos_theta1_1, u4_dot_of_place_1, cos_theta1_1,
+                cos_theta2_sq_1, u5_dot_of_u3_u4_u5_6_1, u5_dot_of_u3_u4_u5_6_1, sin_theta2_1,
+                cos_theta2_1, cos_theta1_1, u4_dot_of_u4_u5_u5_dot_3_1, sin_theta1_1,
+                u4_dot_of_u4_u5_u5_dot_1, cos_theta2_1, sin_theta2_1, u4_dot_of_place_4_1,
+                u4_dot_of_motion_4_1, sin_theta1_1, u4_dot_of_motion_4_1, cos_theta1_1, u3_dot_2_1,
                 u3_dot_2_1,
             ]),
             padded([
-                cos_theta1_1,
-                sin_theta1_1,
-                cos_theta2_1,
-                sin_theta2_1,
-                cos_theta3_1,
-                sin_theta3_1,
-                u4_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                u4_sq_1,
-                u5_1,
-                u5_sq_1,
-                u3_1,
-                u3_sq_1,
-                u4_sq_1,
-                u5_sq_1,
-                sin_theta3_1,
-                cos_theta3_1,
-                u5_sq_cos_theta3_1,
-                u3_sq_1,
-                u5_dot_of_place_2_1,
-                cos_theta2_1,
-                cos_theta3_1,
-                u5_dot_of_place_4_1,
-                u5_dot_of_place_6_1,
-                u5_dot_of_place_1,
-                u5_dot_of_place_9_1,
-                cos_theta1_1,
-                sin_theta2_1,
-                sin_theta1_sin_theta2_1,
-                u5_dot_of_u3_u4_1,
-                u5_sq_1,
-                sin_theta1_sin_theta2_1,
-                u3_sq_cos_theta2_1,
-                u4_sq_1,
-                u5_dot_of_u3_u5_1,
-                u5_dot_of_u4_u5_2_1,
-                u5_dot_of_u4_u5_1,
-                u5_dot_of_u3_u4_u5_1,
-                u5_dot_of_u3_u5_3_1,
-                u5_dot_of_u3_u4_u5_3_1,
-                u5_dot_of_u3_u4_3_1,
-                u5_dot_of_u3_u4_5_1,
-                u5_dot_of_u3_u4_7_1,
-                u5_dot_of_u3_u4_u5_6_1,
-                u3_sq_1,
-                cos_theta2_1,
-                sin_theta1_sin_theta2_1,
-                cos_theta1_1,
-                cos_theta1_sq_1,
-                sin_theta3_1,
-                cos_theta3_1,
-                u4_dot_of_u4_u5_u5_dot_1,
-                u4_dot_of_u4_u5_u5_dot_3_1,
-                u4_dot_of_u4_u5_u5_dot_5_1,
-                sin_theta1_sin_theta2_1,
-                u4_dot_of_motion_1,
-                cos_theta1_sq_1,
-                u4_dot_of_u4_u5_u5_dot_9_1,
-                u4_dot_of_u3_u5_u5_dot_1,
-                u4_dot_of_motion_4_1,
-                sin_theta2_1,
-                u3_dot_of_motion_2_1,
-                cos_theta2_1,
-                u3_dot_of_motion_5_1,
-                cos_theta1_1,
-                sin_theta1_1,
+                cos_theta1_1, sin_theta1_1, cos_theta2_1, sin_theta2_1, cos_theta3_1, sin_theta3_1,
+                u4_1, cos_theta2_1, cos_theta3_1, u4_sq_1, u5_1, u5_sq_1, u3_1, u3_sq_1, u4_sq_1,
+                u5_sq_1, sin_theta3_1, cos_theta3_1, u5_sq_cos_theta3_1, u3_sq_1,
+                u5_dot_of_place_2_1, cos_theta2_1, cos_theta3_1, u5_dot_of_place_4_1,
+                u5_dot_of_place_6_1, u5_dot_of_place_1, u5_dot_of_place_9_1, cos_theta1_1,
+                sin_theta2_1, sin_theta1_sin_theta2_1, u5_dot_of_u3_u4_1, u5_sq_1,
+                sin_theta1_sin_theta2_1, u3_sq_cos_theta2_1, u4_sq_1, u5_dot_of_u3_u5_1,
+                u5_dot_of_u4_u5_2_1, u5_dot_of_u4_u5_1, u5_dot_of_u3_u4_u5_1, u5_dot_of_u3_u5_3_1,
+                u5_dot_of_u3_u4_u5_3_1, u5_dot_of_u3_u4_3_1, u5_dot_of_u3_u4_5_1,
+                u5_dot_of_u3_u4_7_1, u5_dot_of_u3_u4_u5_6_1, u3_sq_1, cos_theta2_1,
+                sin_theta1_sin_theta2_1, cos_theta1_1, cos_theta1_sq_1, sin_theta3_1, cos_theta3_1,
+                u4_dot_of_u4_u5_u5_dot_1, u4_dot_of_u4_u5_u5_dot_3_1, u4_dot_of_u4_u5_u5_dot_5_1,
+                sin_theta1_sin_theta2_1, u4_dot_of_motion_1, cos_theta1_sq_1,
+                u4_dot_of_u4_u5_u5_dot_9_1, u4_dot_of_u3_u5_u5_dot_1, u4_dot_of_motion_4_1,
+                sin_theta2_1, u3_dot_of_motion_2_1, cos_theta2_1, u3_dot_of_motion_5_1,
+                cos_theta1_1, sin_theta1_1,
             ]),
         ];
     }
@@ -1939,8 +1754,7 @@ pub fn taylor<S: Scalar>(
         let sin_theta3_cos_theta3 = cos_theta3
             .mul_add(sin_theta3_0, sin_theta3.mul_add(cos_theta3_0, sums[22]));
         // u5_dot_of_place_4 = 9*sin_theta2_cos_theta2 - sin_theta3_cos_theta3
-        let u5_dot_of_place_4 = S::int(9) * sin_theta2_cos_theta2
-            - sin_theta3_cos_theta3;
+        let u5_dot_of_place_4 = S::int(9) * sin_theta2_cos_theta2 - sin_theta3_cos_theta3;
         // u5_dot_of_place_5 = cos_theta1*u5_dot_of_place_4
         let u5_dot_of_place_5 = u5_dot_of_place_4
             .mul_add(cos_theta1_0, cos_theta1.mul_add(u5_dot_of_place_4_0, sums[23]));
@@ -1964,8 +1778,7 @@ pub fn taylor<S: Scalar>(
         let sin_theta1_cos_theta1 = cos_theta1
             .mul_add(sin_theta1_0, sin_theta1.mul_add(cos_theta1_0, sums[27]));
         // u5_dot_of_place_12 = 9*sin_theta2_cos_theta2 - sin_theta1_cos_theta1
-        let u5_dot_of_place_12 = S::int(9) * sin_theta2_cos_theta2
-            - sin_theta1_cos_theta1;
+        let u5_dot_of_place_12 = S::int(9) * sin_theta2_cos_theta2 - sin_theta1_cos_theta1;
         // sin_theta1_sin_theta2 = sin_theta1*sin_theta2
         let sin_theta1_sin_theta2 = sin_theta2
             .mul_add(sin_theta1_0, sin_theta1.mul_add(sin_theta2_0, sums[28]));
@@ -2009,8 +1822,7 @@ pub fn taylor<S: Scalar>(
         let u5_dot_of_u4_u5_4 = u5_dot_of_u4_u5
             .mul_add(sin_theta1_0, sin_theta1.mul_add(u5_dot_of_u4_u5_0, sums[37]));
         // u5_dot_of_u3_u4_u5 = 9*u5_dot_of_u3_2 + u5_dot_of_u4_u5_3 - u5_dot_of_u4_u5_4
-        let u5_dot_of_u3_u4_u5 = S::int(9) * u5_dot_of_u3_2 + u5_dot_of_u4_u5_3
-            - u5_dot_of_u4_u5_4;
+        let u5_dot_of_u3_u4_u5 = S::int(9) * u5_dot_of_u3_2 + u5_dot_of_u4_u5_3 - u5_dot_of_u4_u5_4;
         // u5_dot_of_u3_u4_u5_2 = cos_theta1*u5_dot_of_u3_u4_u5
         let u5_dot_of_u3_u4_u5_2 = u5_dot_of_u3_u4_u5
             .mul_add(cos_theta1_0, cos_theta1.mul_add(u5_dot_of_u3_u4_u5_0, sums[38]));
@@ -2105,8 +1917,7 @@ pub fn taylor<S: Scalar>(
                 cos_theta2.mul_add(u4_dot_of_u4_u5_u5_dot_3_0, sums[53]),
             );
         // u4_dot_of_u4_u5_u5_dot_5 = u4_dot_of_u4_u5_u5_dot_2 - u4_dot_of_u4_u5_u5_dot_4
-        let u4_dot_of_u4_u5_u5_dot_5 = u4_dot_of_u4_u5_u5_dot_2
-            - u4_dot_of_u4_u5_u5_dot_4;
+        let u4_dot_of_u4_u5_u5_dot_5 = u4_dot_of_u4_u5_u5_dot_2 - u4_dot_of_u4_u5_u5_dot_4;
         // u4_dot_of_u4_u5_u5_dot_6 = cos_theta1*u4_dot_of_u4_u5_u5_dot_5
         let u4_dot_of_u4_u5_u5_dot_6 = u4_dot_of_u4_u5_u5_dot_5
             .mul_add(
@@ -2134,8 +1945,7 @@ pub fn taylor<S: Scalar>(
         // u4_dot_of_u4_u5_u5_dot_9 = 3*u5_sq_sin_theta3 + 3/2*u4_dot_of_u3_u4_u5_2 -
         //   u4_dot_of_u4_u5_u5_dot_8
         let u4_dot_of_u4_u5_u5_dot_9 = u4_dot_of_u3_u4_u5_2
-            .mul_add(S::ratio(3, 2), S::int(3) * u5_sq_sin_theta3)
-            - u4_dot_of_u4_u5_u5_dot_8;
+            .mul_add(S::ratio(3, 2), S::int(3) * u5_sq_sin_theta3) - u4_dot_of_u4_u5_u5_dot_8;
         // u4_dot_of_u4_u5_u5_dot_10 = cos_theta2*u4_dot_of_u4_u5_u5_dot_9
         let u4_dot_of_u4_u5_u5_dot_10 = u4_dot_of_u4_u5_u5_dot_9
             .mul_add(
@@ -2257,136 +2067,31 @@ pub fn taylor<S: Scalar>(
                 count * theta2,
                 count * theta3,
                 count * theta3,
-                u4,
-                cos_theta2,
-                cos_theta3,
-                cos_theta2,
-                u5,
-                cos_theta3,
-                u3,
-                sin_theta1,
-                sin_theta2,
-                sin_theta3,
-                sin_theta2,
-                cos_theta2,
-                sin_theta2,
-                cos_theta2,
-                sin_theta1,
-                sin_theta2,
-                sin_theta3,
-                cos_theta1,
-                sin_theta1,
-                cos_theta2,
-                cos_theta3,
-                sin_theta1,
-                sin_theta1,
-                u3_sq,
-                cos_theta2,
-                u5_dot_of_place_12,
-                u4_sq,
-                sin_theta2,
-                cos_theta1,
-                cos_theta2,
-                cos_theta1,
-                sin_theta1,
-                cos_theta1,
-                cos_theta2,
-                cos_theta3,
-                cos_theta2,
-                cos_theta1,
-                sin_theta3,
-                u5_dot_of_place_11,
-                cos_theta1,
-                cos_theta1,
-                u4_dot_of_place,
-                cos_theta1,
-                cos_theta2_sq,
-                u5_dot_of_u3_u4_u5_6,
-                u5_dot_of_u3_u4_u5_6,
-                sin_theta2,
-                cos_theta2,
-                cos_theta1,
-                u4_dot_of_u4_u5_u5_dot_3,
-                sin_theta1,
-                u4_dot_of_u4_u5_u5_dot,
-                cos_theta2,
-                sin_theta2,
-                u4_dot_of_place_4,
-                u4_dot_of_motion_4,
-                sin_theta1,
-                u4_dot_of_motion_4,
-                cos_theta1,
-                u3_dot_2,
-                u3_dot_2,
+                u4, cos_theta2, cos_theta3, cos_theta2, u5, cos_theta3, u3, sin_theta1, sin_theta2,
+                sin_theta3, sin_theta2, cos_theta2, sin_theta2, cos_theta2, sin_theta1, sin_theta2,
+                sin_theta3, cos_theta1, sin_theta1, cos_theta2, cos_theta3, sin_theta1, sin_theta1,
+                u3_sq, cos_theta2, u5_dot_of_place_12, u4_sq, sin_theta2, cos_theta1, cos_theta2,
+                cos_theta1, sin_theta1, cos_theta1, cos_theta2, cos_theta3, cos_theta2, cos_theta1,
+                sin_theta3, u5_dot_of_place_11, cos_theta1, cos_theta1, u4_dot_of_place, cos_theta1,
+                cos_theta2_sq, u5_dot_of_u3_u4_u5_6, u5_dot_of_u3_u4_u5_6, sin_theta2, cos_theta2,
+                cos_theta1, u4_dot_of_u4_u5_u5_dot_3, sin_theta1, u4_dot_of_u4_u5_u5_dot,
+                cos_theta2, sin_theta2, u4_dot_of_place_4, u4_dot_of_motion_4, sin_theta1,
+                u4_dot_of_motion_4, cos_theta1, u3_dot_2, u3_dot_2,
             ]),
             padded([
-                cos_theta1,
-                sin_theta1,
-                cos_theta2,
-                sin_theta2,
-                cos_theta3,
-                sin_theta3,
-                u4,
-                cos_theta2,
-                cos_theta3,
-                u4_sq,
-                u5,
-                u5_sq,
-                u3,
-                u3_sq,
-                u4_sq,
-                u5_sq,
-                sin_theta3,
-                cos_theta3,
-                u5_sq_cos_theta3,
-                u3_sq,
-                u5_dot_of_place_2,
-                cos_theta2,
-                cos_theta3,
-                u5_dot_of_place_4,
-                u5_dot_of_place_6,
-                u5_dot_of_place,
-                u5_dot_of_place_9,
-                cos_theta1,
-                sin_theta2,
-                sin_theta1_sin_theta2,
-                u5_dot_of_u3_u4,
-                u5_sq,
-                sin_theta1_sin_theta2,
-                u3_sq_cos_theta2,
-                u4_sq,
-                u5_dot_of_u3_u5,
-                u5_dot_of_u4_u5_2,
-                u5_dot_of_u4_u5,
-                u5_dot_of_u3_u4_u5,
-                u5_dot_of_u3_u5_3,
-                u5_dot_of_u3_u4_u5_3,
-                u5_dot_of_u3_u4_3,
-                u5_dot_of_u3_u4_5,
-                u5_dot_of_u3_u4_7,
-                u5_dot_of_u3_u4_u5_6,
-                u3_sq,
-                cos_theta2,
-                sin_theta1_sin_theta2,
-                cos_theta1,
-                cos_theta1_sq,
-                sin_theta3,
-                cos_theta3,
-                u4_dot_of_u4_u5_u5_dot,
-                u4_dot_of_u4_u5_u5_dot_3,
-                u4_dot_of_u4_u5_u5_dot_5,
-                sin_theta1_sin_theta2,
-                u4_dot_of_motion,
-                cos_theta1_sq,
-                u4_dot_of_u4_u5_u5_dot_9,
-                u4_dot_of_u3_u5_u5_dot,
-                u4_dot_of_motion_4,
-                sin_theta2,
-                u3_dot_of_motion_2,
-                cos_theta2,
-                u3_dot_of_motion_5,
-                cos_theta1,
-                sin_theta1,
+                cos_theta1, sin_theta1, cos_theta2, sin_theta2, cos_theta3, sin_theta3, u4,
+                cos_theta2, cos_theta3, u4_sq, u5, u5_sq, u3, u3_sq, u4_sq, u5_sq, sin_theta3,
+                cos_theta3, u5_sq_cos_theta3, u3_sq, u5_dot_of_place_2, cos_theta2, cos_theta3,
+                u5_dot_of_place_4, u5_dot_of_place_6, u5_dot_of_place, u5_dot_of_place_9,
+                cos_theta1, sin_theta2, sin_theta1_sin_theta2, u5_dot_of_u3_u4, u5_sq,
+                sin_theta1_sin_theta2, u3_sq_cos_theta2, u4_sq, u5_dot_of_u3_u5, u5_dot_of_u4_u5_2,
+                u5_dot_of_u4_u5, u5_dot_of_u3_u4_u5, u5_dot_of_u3_u5_3, u5_dot_of_u3_u4_u5_3,
+                u5_dot_of_u3_u4_3, u5_dot_of_u3_u4_5, u5_dot_of_u3_u4_7, u5_dot_of_u3_u4_u5_6,
+                u3_sq, cos_theta2, sin_theta1_sin_theta2, cos_theta1, cos_theta1_sq, sin_theta3,
+                cos_theta3, u4_dot_of_u4_u5_u5_dot, u4_dot_of_u4_u5_u5_dot_3,
+                u4_dot_of_u4_u5_u5_dot_5, sin_theta1_sin_theta2, u4_dot_of_motion, cos_theta1_sq,
+                u4_dot_of_u4_u5_u5_dot_9, u4_dot_of_u3_u5_u5_dot, u4_dot_of_motion_4, sin_theta2,
+                u3_dot_of_motion_2, cos_theta2, u3_dot_of_motion_5, cos_theta1, sin_theta1,
             ]),
         ];
         count_last = count;
@@ -2526,11 +2231,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -16,7 +16,6 @@ pub fn mass_matrix<S: Scalar>(
     _u: &[S; 6],
 ) -> [[S; 6]; 6] {
     let Parameters { m, I1, I3 } = *p;
-    let zero = S::int(0);
     // Entries that are not zero; upper triangle.
     // M11 = m
     let m11 = m;
@@ -30,6 +29,7 @@ pub fn mass_matrix<S: Scalar>(
     let m55 = I1;
     // M66 = I3
     let m66 = I3;
+    let zero = S::int(0);
     [
         [m11, zero, zero, zero, zero, zero],
         [zero, m22, zero, zero, zero, zero],
@@ -48,7 +48,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], u: &[S; 6]) -> [S; 6] {
     let Parameters { I1, I3, .. } = *p;
     let [_, _, _, _, theta, _] = *q;
     let [_, _, _, w1, w2, w3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
@@ -60,6 +59,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], u: &[S; 6]) -> [S; 6] {
     let f4 = -w2 * f4_of_w2_w3;
     // f5 = w1*(I3*w3 - I1*w2/tan(theta))
     let f5 = w1 * f4_of_w2_w3;
+    let zero = S::int(0);
     [zero, zero, zero, f4, f5, zero]
 }
 
@@ -72,7 +72,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 6], u: &[S; 6]) -> [S
     let Parameters { I1, I3, .. } = *p;
     let [_, _, _, _, theta, _] = *q;
     let [_, _, _, w1, w2, w3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -83,6 +82,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 6], u: &[S; 6]) -> [S
     let w2_dot = -w1 * w2_dot_of_w2_w3;
     // w1' = w2*(w2/tan(theta) - I3*w3/I1)
     let w1_dot = w2 * w2_dot_of_w2_w3;
+    let zero = S::int(0);
     [zero, zero, zero, w1_dot, w2_dot, zero]
 }
 
@@ -115,12 +115,7 @@ pub fn coordinate_rates<S: Scalar>(
     // phi' = w3 - w2/tan(theta)
     let phi_dot_value = (-w2_sin_theta_inv).mul_add(cos_theta, w3);
     [
-        x_dot_value,
-        y_dot_value,
-        z_dot_value,
-        psi_dot_value,
-        theta_dot_value,
-        phi_dot_value,
+        x_dot_value, y_dot_value, z_dot_value, psi_dot_value, theta_dot_value, phi_dot_value,
     ]
 }
 
@@ -165,7 +160,6 @@ pub fn derivative<S: Scalar>(
     let Parameters { I1, I3, .. } = *p;
     let [_, _, _, _, theta, _] = *q;
     let [v1, v2, v3, w1, w2, w3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -190,14 +184,10 @@ pub fn derivative<S: Scalar>(
     let theta_dot_value = w1;
     // phi' = w3 - w2/tan(theta)
     let phi_dot_value = w3 - w2_dot_of_w2;
+    let zero = S::int(0);
     (
         [
-            x_dot_value,
-            y_dot_value,
-            z_dot_value,
-            psi_dot_value,
-            theta_dot_value,
-            phi_dot_value,
+            x_dot_value, y_dot_value, z_dot_value, psi_dot_value, theta_dot_value, phi_dot_value,
         ],
         [zero, zero, zero, w1_dot, w2_dot, zero],
     )
@@ -211,7 +201,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 6], u: &[S; 6]) -> [[S; 12
     let Parameters { I1, I3, .. } = *p;
     let [_, _, _, _, theta, _] = *q;
     let [_, _, _, w1, w2, w3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -255,121 +244,38 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 6], u: &[S; 6]) -> [[S; 12
     let w1_dot_by_w3_value = -w2 * i1_inv_i3;
     // d(w2')/d(w3) = I3*w1/I1
     let w2_dot_by_w3_value = w1 * i1_inv_i3;
+    let zero = S::int(0);
     [
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            x_dot_by_v1_value,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
+            zero, zero, zero, zero, zero, zero, x_dot_by_v1_value, zero, zero, zero, zero, zero,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            y_dot_by_v2_value,
-            zero,
-            zero,
-            zero,
-            zero,
+            zero, zero, zero, zero, zero, zero, zero, y_dot_by_v2_value, zero, zero, zero, zero,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            z_dot_by_v3_value,
-            zero,
-            zero,
-            zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, z_dot_by_v3_value, zero, zero, zero,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            psi_dot_by_theta_value,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            psi_dot_by_w2_value,
-            zero,
+            zero, zero, zero, zero, psi_dot_by_theta_value, zero, zero, zero, zero, zero,
+            psi_dot_by_w2_value, zero,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            theta_dot_by_w1_value,
-            zero,
-            zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, theta_dot_by_w1_value, zero, zero,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            phi_dot_by_theta_value,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            phi_dot_by_w2_value,
-            phi_dot_by_w3_value,
+            zero, zero, zero, zero, phi_dot_by_theta_value, zero, zero, zero, zero, zero,
+            phi_dot_by_w2_value, phi_dot_by_w3_value,
         ],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            w1_dot_by_theta,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            w1_dot_by_w2,
+            zero, zero, zero, zero, w1_dot_by_theta, zero, zero, zero, zero, zero, w1_dot_by_w2,
             w1_dot_by_w3_value,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            w2_dot_by_theta,
-            zero,
-            zero,
-            zero,
-            zero,
-            w2_dot_by_w1,
-            w2_dot_by_w2,
-            w2_dot_by_w3_value,
+            zero, zero, zero, zero, w2_dot_by_theta, zero, zero, zero, zero, w2_dot_by_w1,
+            w2_dot_by_w2, w2_dot_by_w3_value,
         ],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
     ]
@@ -458,17 +364,11 @@ pub fn taylor<S: Scalar>(
     let w2_1 = -w2_dot_of_w1_w2_w3_0;
     if series.len() > 1 {
         series[1] = [
-            x_1,
-            y_1,
-            z_1,
-            psi_1,
-            theta_1,
-            phi_1,
+            x_1, y_1, z_1, psi_1, theta_1, phi_1,
             S::int(0),
             S::int(0),
             S::int(0),
-            w1_1,
-            w2_1,
+            w1_1, w2_1,
             S::int(0),
         ];
     }
@@ -486,11 +386,7 @@ pub fn taylor<S: Scalar>(
         history[1] = [
             padded([theta_1, theta_1, sin_theta_1, cos_theta_1, w1_1, w2_1]),
             padded([
-                cos_theta_1,
-                sin_theta_1,
-                psi_dot_2_1,
-                psi_dot_2_1,
-                w2_dot_of_w2_w3_1,
+                cos_theta_1, sin_theta_1, psi_dot_2_1, psi_dot_2_1, w2_dot_of_w2_w3_1,
                 w2_dot_of_w2_w3_1,
             ]),
         ];
@@ -525,17 +421,11 @@ pub fn taylor<S: Scalar>(
         let w1 = w1_rate * over_k;
         let w2 = w2_rate * over_k;
         series[order] = [
-            x,
-            y,
-            z,
-            psi,
-            theta,
-            phi,
+            x, y, z, psi, theta, phi,
             S::int(0),
             S::int(0),
             S::int(0),
-            w1,
-            w2,
+            w1, w2,
             S::int(0),
         ];
         if order + 1 == series.len() {
@@ -615,12 +505,7 @@ pub fn taylor<S: Scalar>(
         history[order] = [
             padded([count * theta, count * theta, sin_theta, cos_theta, w1, w2]),
             padded([
-                cos_theta,
-                sin_theta,
-                psi_dot_2,
-                psi_dot_2,
-                w2_dot_of_w2_w3,
-                w2_dot_of_w2_w3,
+                cos_theta, sin_theta, psi_dot_2, psi_dot_2, w2_dot_of_w2_w3, w2_dot_of_w2_w3,
             ]),
         ];
         count_last = count;
@@ -726,11 +611,7 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

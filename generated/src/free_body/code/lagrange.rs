@@ -20,7 +20,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 6]; 6] {
     let Parameters { m, I1, I3 } = *p;
     let [_, _, _, _, theta, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
@@ -40,6 +39,7 @@ pub fn mass_matrix<S: Scalar>(
     let m55 = I1;
     // M66 = I3
     let m66 = I3;
+    let zero = S::int(0);
     [
         [m11, zero, zero, zero, zero, zero],
         [zero, m22, zero, zero, zero, zero],
@@ -58,7 +58,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let Parameters { I1, I3, .. } = *p;
     let [_, _, _, _, theta, _] = *q;
     let [_, _, _, psi_dot, theta_dot, phi_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
@@ -69,10 +68,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     // f4 = theta'*sin(theta)*(I3*(2*psi'*cos(theta) + phi') - 2*I1*psi'*cos(theta))
     let f4 = theta_dot_sin_theta * (I3 * (phi_dot + f4_of_psi_dot) - I1 * f4_of_psi_dot);
     // f5 = psi'*sin(theta)*(I1*psi'*cos(theta) - I3*(psi'*cos(theta) + phi'))
-    let f5 = psi_dot * sin_theta
-        * (-I3 * (phi_dot + psi_dot_cos_theta) + I1 * psi_dot_cos_theta);
+    let f5 = psi_dot * sin_theta * (-I3 * (phi_dot + psi_dot_cos_theta) + I1 * psi_dot_cos_theta);
     // f6 = I3*psi'*theta'*sin(theta)
     let f6 = I3 * psi_dot * theta_dot_sin_theta;
+    let zero = S::int(0);
     [zero, zero, zero, f4, f5, f6]
 }
 
@@ -89,7 +88,6 @@ pub fn accelerations<S: Scalar>(
     let Parameters { I1, I3, .. } = *p;
     let [_, _, _, _, theta, _] = *q;
     let [_, _, _, psi_dot, theta_dot, phi_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -104,6 +102,7 @@ pub fn accelerations<S: Scalar>(
     let phi_ddot = (-psi_ddot).mul_add(cos_theta, theta_dot * psi_dot_sin_theta);
     // theta'' = psi'*sin(theta)*(psi'*cos(theta) - I3*(psi'*cos(theta) + phi')/I1)
     let theta_ddot = psi_dot_sin_theta * (psi_dot_cos_theta - psi_ddot_of_motion);
+    let zero = S::int(0);
     [zero, zero, zero, psi_ddot, theta_ddot, phi_ddot]
 }
 
@@ -131,12 +130,7 @@ pub fn coordinate_rates<S: Scalar>(
     // phi'
     let phi_dot_value = phi_dot;
     [
-        x_dot_value,
-        y_dot_value,
-        z_dot_value,
-        psi_dot_value,
-        theta_dot_value,
-        phi_dot_value,
+        x_dot_value, y_dot_value, z_dot_value, psi_dot_value, theta_dot_value, phi_dot_value,
     ]
 }
 
@@ -225,8 +219,7 @@ pub fn generalized_speed_rates<S: Scalar>(
     // w2' = psi'*theta'*cos(theta) + psi''*sin(theta)
     let w2_dot_value = psi_dot_theta_dot.mul_add(cos_theta, psi_ddot * sin_theta);
     // w3' = psi''*cos(theta) - psi'*theta'*sin(theta) + phi''
-    let w3_dot_value = psi_ddot.mul_add(cos_theta, phi_ddot)
-        - psi_dot_theta_dot * sin_theta;
+    let w3_dot_value = psi_ddot.mul_add(cos_theta, phi_ddot) - psi_dot_theta_dot * sin_theta;
     [v1_dot_value, v2_dot_value, v3_dot_value, w1_dot_value, w2_dot_value, w3_dot_value]
 }
 
@@ -259,12 +252,7 @@ pub fn motion_variables<S: Scalar>(
     // phi' = w3 - w2/tan(theta)
     let phi_dot_value = (-w2_sin_theta_inv).mul_add(cos_theta, w3);
     [
-        x_dot_value,
-        y_dot_value,
-        z_dot_value,
-        psi_dot_value,
-        theta_dot_value,
-        phi_dot_value,
+        x_dot_value, y_dot_value, z_dot_value, psi_dot_value, theta_dot_value, phi_dot_value,
     ]
 }
 
@@ -281,7 +269,6 @@ pub fn derivative<S: Scalar>(
     let Parameters { I1, I3, .. } = *p;
     let [_, _, _, _, theta, _] = *q;
     let [x_dot, y_dot, z_dot, psi_dot, theta_dot, phi_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -309,14 +296,10 @@ pub fn derivative<S: Scalar>(
     let theta_dot_value = theta_dot;
     // phi'
     let phi_dot_value = phi_dot;
+    let zero = S::int(0);
     (
         [
-            x_dot_value,
-            y_dot_value,
-            z_dot_value,
-            psi_dot_value,
-            theta_dot_value,
-            phi_dot_value,
+            x_dot_value, y_dot_value, z_dot_value, psi_dot_value, theta_dot_value, phi_dot_value,
         ],
         [zero, zero, zero, psi_ddot, theta_ddot, phi_ddot],
     )
@@ -334,7 +317,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { I1, I3, .. } = *p;
     let [_, _, _, _, theta, _] = *q;
     let [_, _, _, psi_dot, theta_dot, phi_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -367,8 +349,7 @@ pub fn jacobian<S: Scalar>(
     let theta_ddot_by_theta = (-psi_dot_cos_theta)
         .mul_add(theta_ddot_by_theta_of_motion, i1_inv_i3 * psi_dot_sq) - psi_dot_sq;
     // psi_ddot_by_psi_dot = theta'*(I3/I1 - 2)/tan(theta)
-    let psi_ddot_by_psi_dot = -theta_dot_sin_theta_inv * psi_ddot_by_theta_of_i1_i3
-        * cos_theta;
+    let psi_ddot_by_psi_dot = -theta_dot_sin_theta_inv * psi_ddot_by_theta_of_i1_i3 * cos_theta;
     // phi_ddot_by_psi_dot = theta'*sin(theta) - psi_ddot_by_psi_dot*cos(theta)
     let phi_ddot_by_psi_dot = (-psi_ddot_by_psi_dot)
         .mul_add(cos_theta, theta_dot * sin_theta);
@@ -399,135 +380,43 @@ pub fn jacobian<S: Scalar>(
     let phi_dot_by_phi_dot_value = S::int(1);
     // d(phi'')/d(phi') = -psi_ddot_by_phi_dot*cos(theta)
     let phi_ddot_by_phi_dot_value = -psi_ddot_by_phi_dot * cos_theta;
+    let zero = S::int(0);
     [
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            x_dot_by_x_dot_value,
-            zero,
-            zero,
-            zero,
-            zero,
+            zero, zero, zero, zero, zero, zero, x_dot_by_x_dot_value, zero, zero, zero, zero, zero,
+        ],
+        [
+            zero, zero, zero, zero, zero, zero, zero, y_dot_by_y_dot_value, zero, zero, zero, zero,
+        ],
+        [
+            zero, zero, zero, zero, zero, zero, zero, zero, z_dot_by_z_dot_value, zero, zero, zero,
+        ],
+        [
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, psi_dot_by_psi_dot_value, zero,
             zero,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            y_dot_by_y_dot_value,
-            zero,
-            zero,
-            zero,
-            zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            theta_dot_by_theta_dot_value, zero,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            z_dot_by_z_dot_value,
-            zero,
-            zero,
-            zero,
-        ],
-        [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            psi_dot_by_psi_dot_value,
-            zero,
-            zero,
-        ],
-        [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            theta_dot_by_theta_dot_value,
-            zero,
-        ],
-        [
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
-            zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
             phi_dot_by_phi_dot_value,
         ],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
         [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            psi_ddot_by_theta,
-            zero,
-            zero,
-            zero,
-            zero,
-            psi_ddot_by_psi_dot,
-            psi_ddot_by_theta_dot,
-            psi_ddot_by_phi_dot,
+            zero, zero, zero, zero, psi_ddot_by_theta, zero, zero, zero, zero, psi_ddot_by_psi_dot,
+            psi_ddot_by_theta_dot, psi_ddot_by_phi_dot,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            theta_ddot_by_theta,
-            zero,
-            zero,
-            zero,
-            zero,
-            theta_ddot_by_psi_dot,
-            zero,
-            theta_ddot_by_phi_dot,
+            zero, zero, zero, zero, theta_ddot_by_theta, zero, zero, zero, zero,
+            theta_ddot_by_psi_dot, zero, theta_ddot_by_phi_dot,
         ],
         [
-            zero,
-            zero,
-            zero,
-            zero,
-            phi_ddot_by_theta,
-            zero,
-            zero,
-            zero,
-            zero,
-            phi_ddot_by_psi_dot,
-            phi_ddot_by_theta_dot,
-            phi_ddot_by_phi_dot_value,
+            zero, zero, zero, zero, phi_ddot_by_theta, zero, zero, zero, zero, phi_ddot_by_psi_dot,
+            phi_ddot_by_theta_dot, phi_ddot_by_phi_dot_value,
         ],
     ]
 }
@@ -635,18 +524,11 @@ pub fn taylor<S: Scalar>(
     let phi_dot_1 = phi_dot_dot_0;
     if series.len() > 1 {
         series[1] = [
-            x_1,
-            y_1,
-            z_1,
-            psi_1,
-            theta_1,
-            phi_1,
+            x_1, y_1, z_1, psi_1, theta_1, phi_1,
             S::int(0),
             S::int(0),
             S::int(0),
-            psi_dot_1,
-            theta_dot_1,
-            phi_dot_1,
+            psi_dot_1, theta_dot_1, phi_dot_1,
         ];
     }
     let sin_theta_1 = theta_1 * cos_theta_0;
@@ -678,25 +560,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta_1,
-                theta_1,
-                psi_dot_1,
-                sin_theta_1,
-                psi_ddot_of_motion_1,
-                cos_theta_1,
-                psi_dot_1,
-                theta_dot_1,
-                theta_ddot_of_motion_1,
+                theta_1, theta_1, psi_dot_1, sin_theta_1, psi_ddot_of_motion_1, cos_theta_1,
+                psi_dot_1, theta_dot_1, theta_ddot_of_motion_1,
             ]),
             padded([
-                cos_theta_1,
-                sin_theta_1,
-                cos_theta_1,
-                theta_dot_sin_theta_inv_1,
-                theta_dot_sin_theta_inv_1,
-                psi_dot_dot_1,
-                sin_theta_1,
-                psi_dot_sin_theta_1,
+                cos_theta_1, sin_theta_1, cos_theta_1, theta_dot_sin_theta_inv_1,
+                theta_dot_sin_theta_inv_1, psi_dot_dot_1, sin_theta_1, psi_dot_sin_theta_1,
                 psi_dot_sin_theta_1,
             ]),
         ];
@@ -736,18 +605,11 @@ pub fn taylor<S: Scalar>(
         let theta_dot = theta_dot_rate * over_k;
         let phi_dot = phi_dot_rate * over_k;
         series[order] = [
-            x,
-            y,
-            z,
-            psi,
-            theta,
-            phi,
+            x, y, z, psi, theta, phi,
             S::int(0),
             S::int(0),
             S::int(0),
-            psi_dot,
-            theta_dot,
-            phi_dot,
+            psi_dot, theta_dot, phi_dot,
         ];
         if order + 1 == series.len() {
             break;
@@ -860,24 +722,12 @@ pub fn taylor<S: Scalar>(
             padded([
                 count * theta,
                 count * theta,
-                psi_dot,
-                sin_theta,
-                psi_ddot_of_motion,
-                cos_theta,
-                psi_dot,
-                theta_dot,
+                psi_dot, sin_theta, psi_ddot_of_motion, cos_theta, psi_dot, theta_dot,
                 theta_ddot_of_motion,
             ]),
             padded([
-                cos_theta,
-                sin_theta,
-                cos_theta,
-                theta_dot_sin_theta_inv,
-                theta_dot_sin_theta_inv,
-                psi_dot_dot,
-                sin_theta,
-                psi_dot_sin_theta,
-                psi_dot_sin_theta,
+                cos_theta, sin_theta, cos_theta, theta_dot_sin_theta_inv, theta_dot_sin_theta_inv,
+                psi_dot_dot, sin_theta, psi_dot_sin_theta, psi_dot_sin_theta,
             ]),
         ];
         count_last = count;
@@ -988,11 +838,7 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

@@ -23,7 +23,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 6]; 6] {
     let Parameters { m, I1, I3 } = *p;
     let [_, _, _, psi, theta, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_psi, cos_psi) = psi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -53,6 +52,7 @@ pub fn mass_matrix<S: Scalar>(
     let m55 = I1;
     // M66 = I3
     let m66 = I3;
+    let zero = S::int(0);
     [
         [m11, m12, zero, zero, zero, zero],
         [m21, m22, m23, zero, zero, zero],
@@ -155,11 +155,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

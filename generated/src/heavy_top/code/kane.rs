@@ -16,7 +16,6 @@ pub fn mass_matrix<S: Scalar>(
     _u: &[S; 3],
 ) -> [[S; 3]; 3] {
     let Parameters { I1, I3, .. } = *p;
-    let zero = S::int(0);
     // Entries that are not zero; upper triangle.
     // M11 = I1
     let m11 = I1;
@@ -24,6 +23,7 @@ pub fn mass_matrix<S: Scalar>(
     let m22 = I1;
     // M33 = I3
     let m33 = I3;
+    let zero = S::int(0);
     [[m11, zero, zero], [zero, m22, zero], [zero, zero, m33]]
 }
 
@@ -35,7 +35,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -49,6 +48,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let f1 = (-u2).mul_add(f1_of_u1_u3, m_l_g * s1);
     // f2 = m*l*g*cos(q1)*sin(q2) + u1*(I3*u3 - I1*u1*tan(q2))
     let f2 = (m_l_g * c1).mul_add(s2, u1 * f1_of_u1_u3);
+    let zero = S::int(0);
     [f1, f2, zero]
 }
 
@@ -61,7 +61,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -75,6 +74,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let u2_dot = (-u1).mul_add(u2_dot_of_u1_u3, m_l_g_i1_inv * c1 * s2);
     // u1' = (m*l*g*sin(q1) + u2*(I1*u1*tan(q2) - I3*u3))/I1
     let u1_dot = m_l_g_i1_inv.mul_add(s1, u2 * u2_dot_of_u1_u3);
+    let zero = S::int(0);
     [u1_dot, u2_dot, zero]
 }
 
@@ -148,7 +148,6 @@ pub fn derivative<S: Scalar>(
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -170,6 +169,7 @@ pub fn derivative<S: Scalar>(
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
     let q3_dot_value = u3 - s2_u1_c2_inv;
+    let zero = S::int(0);
     ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
 }
 
@@ -181,7 +181,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -226,17 +225,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u1_dot_by_u3_value = -u2 * i3_i1_inv;
     // d(u2')/d(u3) = I3*u1/I1
     let u2_dot_by_u3_value = u1 * i3_i1_inv;
+    let zero = S::int(0);
     [
         [zero, q1_dot_by_q2_value, zero, q1_dot_by_u1_value, zero, zero],
         [zero, zero, zero, zero, q2_dot_by_u2_value, zero],
         [zero, q3_dot_by_q2_value, zero, q3_dot_by_u1_value, zero, q3_dot_by_u3_value],
         [
-            u1_dot_by_q1,
-            u1_dot_by_q2,
-            zero,
-            u1_dot_by_u1,
-            u1_dot_by_u2,
-            u1_dot_by_u3_value,
+            u1_dot_by_q1, u1_dot_by_q2, zero, u1_dot_by_u1, u1_dot_by_u2, u1_dot_by_u3_value,
         ],
         [u2_dot_by_q1, u2_dot_by_q2, zero, u2_dot_by_u1, zero, u2_dot_by_u3_value],
         [zero, zero, zero, zero, zero, zero],
@@ -348,14 +343,7 @@ pub fn taylor<S: Scalar>(
         history[1] = [
             padded([q2_1, q2_1, q1_1, q1_1, s2_1, c2_1, s2_1, u1_1, u2_1]),
             padded([
-                c2_1,
-                s2_1,
-                c1_1,
-                s1_1,
-                c1_1,
-                q1_dot_2_1,
-                q1_dot_2_1,
-                u2_dot_of_u1_u3_1,
+                c2_1, s2_1, c1_1, s1_1, c1_1, q1_dot_2_1, q1_dot_2_1, u2_dot_of_u1_u3_1,
                 u2_dot_of_u1_u3_1,
             ]),
         ];
@@ -456,15 +444,7 @@ pub fn taylor<S: Scalar>(
         history[order] = [
             padded([count * q2, count * q2, count * q1, count * q1, s2, c2, s2, u1, u2]),
             padded([
-                c2,
-                s2,
-                c1,
-                s1,
-                c1,
-                q1_dot_2,
-                q1_dot_2,
-                u2_dot_of_u1_u3,
-                u2_dot_of_u1_u3,
+                c2, s2, c1, s1, c1, q1_dot_2, q1_dot_2, u2_dot_of_u1_u3, u2_dot_of_u1_u3,
             ]),
         ];
         count_last = count;
@@ -573,11 +553,7 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -17,7 +17,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2_minus_90deg, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -31,6 +30,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
     let f1 = (-u2).mul_add(f1_of_u1_u3, m_l_g * s1);
     // f2 = m*l*g*cos(q1)*cos(q2_minus_90deg) + u1*(I3*u3 + I1*u1/tan(q2_minus_90deg))
     let f2 = (m_l_g * c1).mul_add(cos_q2_minus_90deg, u1 * f1_of_u1_u3);
+    let zero = S::int(0);
     [f1, f2, zero]
 }
 
@@ -43,7 +43,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2_minus_90deg, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -57,6 +56,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let u2_dot = (m_l_g_i1_inv * c1).mul_add(cos_q2_minus_90deg, u1 * u2_dot_of_u1_u3);
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 + I1*u1/tan(q2_minus_90deg)))/I1
     let u1_dot = (-u2).mul_add(u2_dot_of_u1_u3, m_l_g_i1_inv * s1);
+    let zero = S::int(0);
     [u1_dot, u2_dot, zero]
 }
 
@@ -130,7 +130,6 @@ pub fn derivative<S: Scalar>(
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2_minus_90deg, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -152,6 +151,7 @@ pub fn derivative<S: Scalar>(
     let q2_dot_value = u2;
     // q3' = u3 + u1/tan(q2_minus_90deg)
     let q3_dot_value = u3 + u2_dot_of_u1_2;
+    let zero = S::int(0);
     ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
 }
 
@@ -163,7 +163,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2_minus_90deg, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
@@ -179,8 +178,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     // u2_dot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 - u1^2/sin(q2_minus_90deg)^2
     let u2_dot_by_q2_minus_90deg = (-u2_dot_by_q2_minus_90deg_of_u1)
         .mul_add(u2_dot_by_q2_minus_90deg_of_u1, -u1_dot_by_q1 * sin_q2_minus_90deg);
-    let u1_dot_by_q2_minus_90deg_of_u1 = sin_q2_minus_90deg_inv
-        * u2_dot_by_q2_minus_90deg_of_u1;
+    let u1_dot_by_q2_minus_90deg_of_u1 = sin_q2_minus_90deg_inv * u2_dot_by_q2_minus_90deg_of_u1;
     // u1_dot_by_q2_minus_90deg = u1*u2/sin(q2_minus_90deg)^2
     let u1_dot_by_q2_minus_90deg = u2 * u1_dot_by_q2_minus_90deg_of_u1;
     let u2_dot_by_u1_of_u1 = u2_dot_by_q2_minus_90deg_of_u1 * cos_q2_minus_90deg;
@@ -195,8 +193,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u1_dot_by_u2 = -u2_dot_by_u1_of_u1 - u3_i3_i1_inv;
     // Entries that are not zero.
     // d(q1')/d(q2_minus_90deg) = u1/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
-    let q1_dot_by_q2_minus_90deg_value = u2_dot_by_q2_minus_90deg_of_u1
-        * u1_dot_by_u1_of_place;
+    let q1_dot_by_q2_minus_90deg_value = u2_dot_by_q2_minus_90deg_of_u1 * u1_dot_by_u1_of_place;
     // d(q1')/d(u1) = -1/sin(q2_minus_90deg)
     let q1_dot_by_u1_value = -sin_q2_minus_90deg_inv;
     // d(q2')/d(u2) = 1
@@ -211,32 +208,20 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u1_dot_by_u3_value = -u2 * i3_i1_inv;
     // d(u2')/d(u3) = I3*u1/I1
     let u2_dot_by_u3_value = u1 * i3_i1_inv;
+    let zero = S::int(0);
     [
         [zero, q1_dot_by_q2_minus_90deg_value, zero, q1_dot_by_u1_value, zero, zero],
         [zero, zero, zero, zero, q2_dot_by_u2_value, zero],
         [
-            zero,
-            q3_dot_by_q2_minus_90deg_value,
-            zero,
-            q3_dot_by_u1_value,
-            zero,
+            zero, q3_dot_by_q2_minus_90deg_value, zero, q3_dot_by_u1_value, zero,
             q3_dot_by_u3_value,
         ],
         [
-            u1_dot_by_q1,
-            u1_dot_by_q2_minus_90deg,
-            zero,
-            u1_dot_by_u1,
-            u1_dot_by_u2,
+            u1_dot_by_q1, u1_dot_by_q2_minus_90deg, zero, u1_dot_by_u1, u1_dot_by_u2,
             u1_dot_by_u3_value,
         ],
         [
-            u2_dot_by_q1,
-            u2_dot_by_q2_minus_90deg,
-            zero,
-            u2_dot_by_u1,
-            zero,
-            u2_dot_by_u3_value,
+            u2_dot_by_q1, u2_dot_by_q2_minus_90deg, zero, u2_dot_by_u1, zero, u2_dot_by_u3_value,
         ],
         [zero, zero, zero, zero, zero, zero],
     ]
@@ -282,8 +267,7 @@ pub fn inverse_dynamics<S: Scalar>(
     // tau1 = I1*u1' - m*l*g*sin(q1) + u2*(I3*u3 + I1*u1/tan(q2_minus_90deg))
     let tau1 = u2.mul_add(tau1_of_u1_u3, I1 * u1_dot) - m_l_g * s1;
     // tau2 = I1*u2' - m*l*g*cos(q1)*cos(q2_minus_90deg) - u1*(I3*u3 + I1*u1/tan(q2_minus_90deg))
-    let tau2 = (-u1).mul_add(tau1_of_u1_u3, I1 * u2_dot)
-        - m_l_g * c1 * cos_q2_minus_90deg;
+    let tau2 = (-u1).mul_add(tau1_of_u1_u3, I1 * u2_dot) - m_l_g * c1 * cos_q2_minus_90deg;
     // tau3 = I3*u3'
     let tau3 = I3 * u3_dot;
     [tau1, tau2, tau3]
@@ -351,26 +335,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q1_1,
-                q1_1,
-                q2_minus_90deg_1,
-                q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_1,
-                c1_1,
-                u1_1,
-                u2_1,
+                q1_1, q1_1, q2_minus_90deg_1, q2_minus_90deg_1, sin_q2_minus_90deg_1,
+                cos_q2_minus_90deg_1, c1_1, u1_1, u2_1,
             ]),
             padded([
-                c1_1,
-                s1_1,
-                cos_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                u2_dot_of_u1_1,
-                u2_dot_of_u1_1,
-                cos_q2_minus_90deg_1,
-                u2_dot_of_u1_u3_1,
-                u2_dot_of_u1_u3_1,
+                c1_1, s1_1, cos_q2_minus_90deg_1, sin_q2_minus_90deg_1, u2_dot_of_u1_1,
+                u2_dot_of_u1_1, cos_q2_minus_90deg_1, u2_dot_of_u1_u3_1, u2_dot_of_u1_u3_1,
             ]),
         ];
     }
@@ -506,22 +476,11 @@ pub fn taylor<S: Scalar>(
                 count * q1,
                 count * q2_minus_90deg,
                 count * q2_minus_90deg,
-                sin_q2_minus_90deg,
-                cos_q2_minus_90deg,
-                c1,
-                u1,
-                u2,
+                sin_q2_minus_90deg, cos_q2_minus_90deg, c1, u1, u2,
             ]),
             padded([
-                c1,
-                s1,
-                cos_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                u2_dot_of_u1,
-                u2_dot_of_u1,
-                cos_q2_minus_90deg,
-                u2_dot_of_u1_u3,
-                u2_dot_of_u1_u3,
+                c1, s1, cos_q2_minus_90deg, sin_q2_minus_90deg, u2_dot_of_u1, u2_dot_of_u1,
+                cos_q2_minus_90deg, u2_dot_of_u1_u3, u2_dot_of_u1_u3,
             ]),
         ];
         count_last = count;
@@ -630,11 +589,7 @@ impl<S: Scalar> System<S> for KaneQ290deg {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -20,7 +20,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 3]; 3] {
     let Parameters { I1, I3, .. } = *p;
     let [_, q2, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Shared terms.
@@ -34,6 +33,7 @@ pub fn mass_matrix<S: Scalar>(
     let m22 = I1;
     // M33 = I3
     let m33 = I3;
+    let zero = S::int(0);
     [[m11, zero, m13], [zero, m22, zero], [m13, zero, m33]]
 }
 
@@ -56,8 +56,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) -> [S; 
     let m_l_g = m * l * g;
     // Values.
     // f1 = cos(q2)*(m*l*g*sin(q1) - q2'*(I3*(2*q1'*sin(q2) + q3') - 2*I1*q1'*sin(q2)))
-    let f1 = c2 * (-q3_dot).mul_add(i3_q2_dot, m_l_g * s1)
-        - S::int(2) * q2_dot * f1_of_q1_dot;
+    let f1 = c2 * (-q3_dot).mul_add(i3_q2_dot, m_l_g * s1) - S::int(2) * q2_dot * f1_of_q1_dot;
     // f2 = m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2))
     let f2 = q1_dot.mul_add(f1_of_q1_dot, I3 * q3_dot * q1_dot_c2) + m_l_g * c1 * s2;
     // f3 = -I3*q1'*q2'*cos(q2)
@@ -90,14 +89,12 @@ pub fn accelerations<S: Scalar>(
     let i1_inv = S::int(1) / I1;
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
     let q1_ddot = i1_inv
-        * (-q2_dot * (-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_of_motion) + m_l_g * s1)
-        / c2;
+        * (-q2_dot * (-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_of_motion) + m_l_g * s1) / c2;
     let q1_dot_c2 = q1_dot * c2;
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
     let q3_ddot = (-q2_dot).mul_add(q1_dot_c2, -q1_ddot * s2);
     // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
-    let q2_ddot = i1_inv
-        * (q1_dot_c2 * (q1_ddot_of_motion - i1_q1_dot_s2) + m_l_g * c1 * s2);
+    let q2_ddot = i1_inv * (q1_dot_c2 * (q1_ddot_of_motion - i1_q1_dot_s2) + m_l_g * c1 * s2);
     [q1_ddot, q2_ddot, q3_ddot]
 }
 
@@ -134,8 +131,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) 
     // Shared terms.
     let i3_q3_dot = I3 * q3_dot;
     // q1'^2*(I3 + cos(q2)^2*(I1 - I3)) + I1*q2'^2
-    let energy_of_motion = q1_dot * q1_dot * (I3 + c2 * c2 * (I1 - I3))
-        + I1 * q2_dot * q2_dot;
+    let energy_of_motion = q1_dot * q1_dot * (I3 + c2 * c2 * (I1 - I3)) + I1 * q2_dot * q2_dot;
     // q3'*i3_q3_dot + energy_of_motion
     let energy_of_motion_2 = q3_dot.mul_add(i3_q3_dot, energy_of_motion);
     // Values.
@@ -244,14 +240,12 @@ pub fn derivative<S: Scalar>(
     let i1_inv = S::int(1) / I1;
     // q1'' = (m*l*g*sin(q1) + q2'*(2*I1*q1'*sin(q2) - I3*(q1'*sin(q2) + q3')))/(I1*cos(q2))
     let q1_ddot = i1_inv
-        * (-q2_dot * (-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_of_motion) + m_l_g * s1)
-        / c2;
+        * (-q2_dot * (-i1_q1_dot_s2).mul_add(S::int(2), q1_ddot_of_motion) + m_l_g * s1) / c2;
     let q1_dot_c2 = q1_dot * c2;
     // q3'' = -q1'*q2'*cos(q2) - q1''*sin(q2)
     let q3_ddot = (-q2_dot).mul_add(q1_dot_c2, -q1_ddot * s2);
     // q2'' = (m*l*g*cos(q1)*sin(q2) + q1'*cos(q2)*(I3*(q1'*sin(q2) + q3') - I1*q1'*sin(q2)))/I1
-    let q2_ddot = i1_inv
-        * (q1_dot_c2 * (q1_ddot_of_motion - i1_q1_dot_s2) + m_l_g * c1 * s2);
+    let q2_ddot = i1_inv * (q1_dot_c2 * (q1_ddot_of_motion - i1_q1_dot_s2) + m_l_g * c1 * s2);
     // Values.
     // q1'
     let q1_dot_value = q1_dot;
@@ -274,7 +268,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2, _] = *q;
     let [q1_dot, q2_dot, q3_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -304,8 +297,7 @@ pub fn jacobian<S: Scalar>(
     let q1_ddot_by_q2_of_i1_i3 = S::int(2) - i3_i1_inv;
     // q1_ddot_by_q2 = (2*q1'*q2' + (m*l*g*sin(q1)*sin(q2) - I3*q2'*(q1' + q3'*sin(q2)))/I1)/cos(q2)^2
     let q1_ddot_by_q2 = c2_inv
-        * (q2_dot_c2_inv
-            * (-q3_dot_i3_i1_inv).mul_add(s2, q1_dot * q1_ddot_by_q2_of_i1_i3)
+        * (q2_dot_c2_inv * (-q3_dot_i3_i1_inv).mul_add(s2, q1_dot * q1_ddot_by_q2_of_i1_i3)
             + c2_inv_m_l_g_i1_inv * s2_s1);
     // q3_ddot_by_q2 = sin(q2)*(q1'*q2' - q1_ddot_by_q2) - q1''*cos(q2)
     let q3_ddot_by_q2 = (-q1_ddot).mul_add(c2, q2_dot * q1_dot_s2) - q1_ddot_by_q2 * s2;
@@ -344,25 +336,18 @@ pub fn jacobian<S: Scalar>(
     let q3_ddot_by_q1_value = -q1_ddot_by_q1 * s2;
     // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*sin(q2)
     let q3_ddot_by_q3_dot_value = -q1_ddot_by_q3_dot * s2;
+    let zero = S::int(0);
     [
         [zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero],
         [zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero],
         [zero, zero, zero, zero, zero, q3_dot_by_q3_dot_value],
         [
-            q1_ddot_by_q1,
-            q1_ddot_by_q2,
-            zero,
-            q1_ddot_by_q1_dot,
-            q1_ddot_by_q2_dot,
+            q1_ddot_by_q1, q1_ddot_by_q2, zero, q1_ddot_by_q1_dot, q1_ddot_by_q2_dot,
             q1_ddot_by_q3_dot,
         ],
         [q2_ddot_by_q1, q2_ddot_by_q2, zero, q2_ddot_by_q1_dot, zero, q2_ddot_by_q3_dot],
         [
-            q3_ddot_by_q1_value,
-            q3_ddot_by_q2,
-            zero,
-            q3_ddot_by_q1_dot,
-            q3_ddot_by_q2_dot,
+            q3_ddot_by_q1_value, q3_ddot_by_q2, zero, q3_ddot_by_q1_dot, q3_ddot_by_q2_dot,
             q3_ddot_by_q3_dot_value,
         ],
     ]
@@ -494,32 +479,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q2_1,
-                q2_1,
-                q1_1,
-                q1_1,
-                q1_dot_1,
-                q2_dot_1,
-                c2_1,
-                s2_1,
-                q1_dot_1,
-                q2_dot_1,
-                s2_1,
+                q2_1, q2_1, q1_1, q1_1, q1_dot_1, q2_dot_1, c2_1, s2_1, q1_dot_1, q2_dot_1, s2_1,
                 q2_ddot_of_motion_1,
             ]),
             padded([
-                c2_1,
-                s2_1,
-                c1_1,
-                s1_1,
-                s2_1,
-                q1_ddot_of_motion_1,
-                q1_dot_dot_1,
-                q1_dot_dot_1,
-                c2_1,
-                q1_dot_c2_1,
-                c1_1,
-                q1_dot_c2_1,
+                c2_1, s2_1, c1_1, s1_1, s2_1, q1_ddot_of_motion_1, q1_dot_dot_1, q1_dot_dot_1, c2_1,
+                q1_dot_c2_1, c1_1, q1_dot_c2_1,
             ]),
         ];
     }
@@ -642,27 +607,10 @@ pub fn taylor<S: Scalar>(
                 count * q2,
                 count * q1,
                 count * q1,
-                q1_dot,
-                q2_dot,
-                c2,
-                s2,
-                q1_dot,
-                q2_dot,
-                s2,
-                q2_ddot_of_motion,
+                q1_dot, q2_dot, c2, s2, q1_dot, q2_dot, s2, q2_ddot_of_motion,
             ]),
             padded([
-                c2,
-                s2,
-                c1,
-                s1,
-                s2,
-                q1_ddot_of_motion,
-                q1_dot_dot,
-                q1_dot_dot,
-                c2,
-                q1_dot_c2,
-                c1,
+                c2, s2, c1, s1, s2, q1_ddot_of_motion, q1_dot_dot, q1_dot_dot, c2, q1_dot_c2, c1,
                 q1_dot_c2,
             ]),
         ];
@@ -776,11 +724,7 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

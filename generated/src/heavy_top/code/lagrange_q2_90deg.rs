@@ -22,7 +22,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 3]; 3] {
     let Parameters { I1, I3, .. } = *p;
     let [_, q2_minus_90deg, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Shared terms.
@@ -37,6 +36,7 @@ pub fn mass_matrix<S: Scalar>(
     let m22 = I1;
     // M33 = I3
     let m33 = I3;
+    let zero = S::int(0);
     [[m11, zero, m13], [zero, m22, zero], [m13, zero, m33]]
 }
 
@@ -125,8 +125,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], q_dot: &[S; 3]) 
     let energy_of_q1_dot_2 = q1_dot * sin_q2_minus_90deg;
     // I3*(q3'^2 + energy_of_q1_dot*(2*q3' + energy_of_q1_dot)) + I1*(q2'^2 + energy_of_q1_dot_2^2)
     let energy_of_motion = I3
-        * (energy_of_q1_dot * q3_dot.mul_add(S::int(2), energy_of_q1_dot)
-            + q3_dot * q3_dot)
+        * (energy_of_q1_dot * q3_dot.mul_add(S::int(2), energy_of_q1_dot) + q3_dot * q3_dot)
         + I1 * energy_of_q1_dot_2.mul_add(energy_of_q1_dot_2, q2_dot * q2_dot);
     // Values.
     // T = I3*(q3'^2 + q1'*cos(q2_minus_90deg)*(2*q3' + q1'*cos(q2_minus_90deg)))/2 + I1*(q2'^2 +
@@ -270,7 +269,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2_minus_90deg, _] = *q;
     let [q1_dot, q2_dot, q3_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -309,8 +307,7 @@ pub fn jacobian<S: Scalar>(
     // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
     //   q1_ddot_by_q2_minus_90deg)
     let q3_ddot_by_q2_minus_90deg = (-q1_ddot_by_q2_minus_90deg)
-        .mul_add(cos_q2_minus_90deg, q1_ddot * sin_q2_minus_90deg)
-        + q2_dot * q1_ddot_of_q1_dot;
+        .mul_add(cos_q2_minus_90deg, q1_ddot * sin_q2_minus_90deg) + q2_dot * q1_ddot_of_q1_dot;
     // i3_i1_inv*q1_ddot_of_q1_dot_2 + q1_ddot_of_motion
     let q2_ddot_by_q2_minus_90deg_of_motion = i3_i1_inv
         .mul_add(q1_ddot_of_q1_dot_2, q1_ddot_of_motion);
@@ -352,33 +349,22 @@ pub fn jacobian<S: Scalar>(
     let q3_ddot_by_q1_value = -q1_ddot_by_q1 * cos_q2_minus_90deg;
     // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*cos(q2_minus_90deg)
     let q3_ddot_by_q3_dot_value = -q1_ddot_by_q3_dot * cos_q2_minus_90deg;
+    let zero = S::int(0);
     [
         [zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero],
         [zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero],
         [zero, zero, zero, zero, zero, q3_dot_by_q3_dot_value],
         [
-            q1_ddot_by_q1,
-            q1_ddot_by_q2_minus_90deg,
-            zero,
-            q1_ddot_by_q1_dot,
-            q1_ddot_by_q2_dot,
+            q1_ddot_by_q1, q1_ddot_by_q2_minus_90deg, zero, q1_ddot_by_q1_dot, q1_ddot_by_q2_dot,
             q1_ddot_by_q3_dot,
         ],
         [
-            q2_ddot_by_q1,
-            q2_ddot_by_q2_minus_90deg,
-            zero,
-            q2_ddot_by_q1_dot,
-            zero,
+            q2_ddot_by_q1, q2_ddot_by_q2_minus_90deg, zero, q2_ddot_by_q1_dot, zero,
             q2_ddot_by_q3_dot,
         ],
         [
-            q3_ddot_by_q1_value,
-            q3_ddot_by_q2_minus_90deg,
-            zero,
-            q3_ddot_by_q1_dot,
-            q3_ddot_by_q2_dot,
-            q3_ddot_by_q3_dot_value,
+            q3_ddot_by_q1_value, q3_ddot_by_q2_minus_90deg, zero, q3_ddot_by_q1_dot,
+            q3_ddot_by_q2_dot, q3_ddot_by_q3_dot_value,
         ],
     ]
 }
@@ -429,8 +415,7 @@ pub fn inverse_dynamics<S: Scalar>(
     // tau1 = I3*q3''*cos(q2_minus_90deg) + sin(q2_minus_90deg)*(m*l*g*sin(q1) +
     //   q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' + 2*q1'*cos(q2_minus_90deg)))) +
     //   q1''*(I1*sin(q2_minus_90deg)^2 + I3*cos(q2_minus_90deg)^2)
-    let tau1 = tau1_of_motion * cos_q2_minus_90deg
-        - S::int(2) * q2_dot * tau1_of_q1_dot_2
+    let tau1 = tau1_of_motion * cos_q2_minus_90deg - S::int(2) * q2_dot * tau1_of_q1_dot_2
         + sin_q2_minus_90deg * m_l_g.mul_add(s1, tau1_of_motion_2);
     // tau2 = I1*q2'' - m*l*g*cos(q1)*cos(q2_minus_90deg) + q1'*sin(q2_minus_90deg)*(I3*(q3' +
     //   q1'*cos(q2_minus_90deg)) - I1*q1'*cos(q2_minus_90deg))
@@ -525,31 +510,14 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q1_1,
-                q1_1,
-                q2_minus_90deg_1,
-                q2_minus_90deg_1,
-                q1_dot_1,
-                q2_dot_1,
-                sin_q2_minus_90deg_1,
-                q1_ddot_of_motion_4_1,
-                q1_dot_1,
-                q2_dot_1,
-                c1_1,
+                q1_1, q1_1, q2_minus_90deg_1, q2_minus_90deg_1, q1_dot_1, q2_dot_1,
+                sin_q2_minus_90deg_1, q1_ddot_of_motion_4_1, q1_dot_1, q2_dot_1, c1_1,
                 q2_ddot_of_motion_1,
             ]),
             padded([
-                c1_1,
-                s1_1,
-                cos_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_1,
-                q1_ddot_of_motion_1,
-                q1_ddot_of_motion_4_1,
-                cos_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                q3_ddot_of_q1_dot_1,
-                cos_q2_minus_90deg_1,
+                c1_1, s1_1, cos_q2_minus_90deg_1, sin_q2_minus_90deg_1, cos_q2_minus_90deg_1,
+                q1_ddot_of_motion_1, q1_ddot_of_motion_4_1, cos_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1, q3_ddot_of_q1_dot_1, cos_q2_minus_90deg_1,
                 q3_ddot_of_q1_dot_1,
             ]),
         ];
@@ -723,28 +691,13 @@ pub fn taylor<S: Scalar>(
                 count * q1,
                 count * q2_minus_90deg,
                 count * q2_minus_90deg,
-                q1_dot,
-                q2_dot,
-                sin_q2_minus_90deg,
-                q1_ddot_of_motion_4,
-                q1_dot,
-                q2_dot,
-                c1,
+                q1_dot, q2_dot, sin_q2_minus_90deg, q1_ddot_of_motion_4, q1_dot, q2_dot, c1,
                 q2_ddot_of_motion,
             ]),
             padded([
-                c1,
-                s1,
-                cos_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                cos_q2_minus_90deg,
-                q1_ddot_of_motion,
-                q1_ddot_of_motion_4,
-                cos_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                q3_ddot_of_q1_dot,
-                cos_q2_minus_90deg,
-                q3_ddot_of_q1_dot,
+                c1, s1, cos_q2_minus_90deg, sin_q2_minus_90deg, cos_q2_minus_90deg,
+                q1_ddot_of_motion, q1_ddot_of_motion_4, cos_q2_minus_90deg, sin_q2_minus_90deg,
+                q3_ddot_of_q1_dot, cos_q2_minus_90deg, q3_ddot_of_q1_dot,
             ]),
         ];
         count_last = count;
@@ -857,11 +810,7 @@ impl<S: Scalar> System<S> for LagrangeQ290deg {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

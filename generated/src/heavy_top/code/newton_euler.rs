@@ -22,7 +22,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 6]; 6] {
     let Parameters { m, l, I1, I3, .. } = *p;
     let [q1, q2, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -71,6 +70,7 @@ pub fn mass_matrix<S: Scalar>(
     let m56 = -l * s2_c1;
     // M63 = I3
     let m63 = I3;
+    let zero = S::int(0);
     [
         [zero, m12, zero, m14, m15, m16],
         [m21, zero, zero, zero, m25, m26],
@@ -89,7 +89,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (s2, c2) = q2.sin_cos();
@@ -113,6 +112,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     let f4 = -u2 * f4_of_u1_u3;
     // f5 = u1*(u1*tan(q2)*(m*l^2 - I1) + I3*u3)
     let f5 = u1 * f4_of_u1_u3;
+    let zero = S::int(0);
     [f1, f2, f3, f4, f5, zero]
 }
 
@@ -125,7 +125,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -139,6 +138,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let u2_dot = (-u1).mul_add(u2_dot_of_u1_u3, m_l_g_i1_inv * c1 * s2);
     // u1' = (m*l*g*sin(q1) - u2*(I3*u3 - I1*u1*tan(q2)))/I1
     let u1_dot = m_l_g_i1_inv.mul_add(s1, u2 * u2_dot_of_u1_u3);
+    let zero = S::int(0);
     [u1_dot, u2_dot, zero]
 }
 
@@ -155,7 +155,6 @@ pub fn derivative<S: Scalar>(
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -177,6 +176,7 @@ pub fn derivative<S: Scalar>(
     let q2_dot_value = u2;
     // q3' = u3 - u1*tan(q2)
     let q3_dot_value = u3 - s2_u1_c2_inv;
+    let zero = S::int(0);
     ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
 }
 
@@ -246,14 +246,7 @@ pub fn taylor<S: Scalar>(
         history[1] = [
             padded([q2_1, q2_1, q1_1, q1_1, c2_1, s2_1, u1_1, s2_1, u2_1]),
             padded([
-                c2_1,
-                s2_1,
-                c1_1,
-                s1_1,
-                q1_dot_2_1,
-                q1_dot_2_1,
-                u2_dot_of_u1_u3_1,
-                c1_1,
+                c2_1, s2_1, c1_1, s1_1, q1_dot_2_1, q1_dot_2_1, u2_dot_of_u1_u3_1, c1_1,
                 u2_dot_of_u1_u3_1,
             ]),
         ];
@@ -354,15 +347,7 @@ pub fn taylor<S: Scalar>(
         history[order] = [
             padded([count * q2, count * q2, count * q1, count * q1, c2, s2, u1, s2, u2]),
             padded([
-                c2,
-                s2,
-                c1,
-                s1,
-                q1_dot_2,
-                q1_dot_2,
-                u2_dot_of_u1_u3,
-                c1,
-                u2_dot_of_u1_u3,
+                c2, s2, c1, s1, q1_dot_2, q1_dot_2, u2_dot_of_u1_u3, c1, u2_dot_of_u1_u3,
             ]),
         ];
         count_last = count;
@@ -471,11 +456,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -23,7 +23,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 6]; 6] {
     let Parameters { m, l, I1, I3, .. } = *p;
     let [q1, q2_minus_90deg, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
@@ -72,6 +71,7 @@ pub fn mass_matrix<S: Scalar>(
     let m56 = -l * c1_cos_q2_minus_90deg;
     // M63 = I3
     let m63 = I3;
+    let zero = S::int(0);
     [
         [zero, m12, zero, m14, m15, m16],
         [m21, zero, zero, zero, m25, m26],
@@ -90,7 +90,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     let Parameters { m, l, I1, I3, g } = *p;
     let [q1, q2_minus_90deg, _] = *q;
     let [u1, u2, u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s1, c1) = q1.sin_cos();
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
@@ -111,6 +110,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
     let f4 = -u2 * f4_of_u1_u3;
     // f5 = u1*(I3*u3 + u1*(I1 - m*l^2)/tan(q2_minus_90deg))
     let f5 = u1 * f4_of_u1_u3;
+    let zero = S::int(0);
     [f1, f2, f3, f4, f5, zero]
 }
 
@@ -183,26 +183,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q1_1,
-                q1_1,
-                q2_minus_90deg_1,
-                q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_1,
-                u1_1,
-                c1_1,
-                u2_1,
+                q1_1, q1_1, q2_minus_90deg_1, q2_minus_90deg_1, sin_q2_minus_90deg_1,
+                cos_q2_minus_90deg_1, u1_1, c1_1, u2_1,
             ]),
             padded([
-                c1_1,
-                s1_1,
-                cos_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                u2_dot_of_u1_1,
-                u2_dot_of_u1_1,
-                u2_dot_of_u1_u3_1,
-                cos_q2_minus_90deg_1,
-                u2_dot_of_u1_u3_1,
+                c1_1, s1_1, cos_q2_minus_90deg_1, sin_q2_minus_90deg_1, u2_dot_of_u1_1,
+                u2_dot_of_u1_1, u2_dot_of_u1_u3_1, cos_q2_minus_90deg_1, u2_dot_of_u1_u3_1,
             ]),
         ];
     }
@@ -338,22 +324,11 @@ pub fn taylor<S: Scalar>(
                 count * q1,
                 count * q2_minus_90deg,
                 count * q2_minus_90deg,
-                sin_q2_minus_90deg,
-                cos_q2_minus_90deg,
-                u1,
-                c1,
-                u2,
+                sin_q2_minus_90deg, cos_q2_minus_90deg, u1, c1, u2,
             ]),
             padded([
-                c1,
-                s1,
-                cos_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                u2_dot_of_u1,
-                u2_dot_of_u1,
-                u2_dot_of_u1_u3,
-                cos_q2_minus_90deg,
-                u2_dot_of_u1_u3,
+                c1, s1, cos_q2_minus_90deg, sin_q2_minus_90deg, u2_dot_of_u1, u2_dot_of_u1,
+                u2_dot_of_u1_u3, cos_q2_minus_90deg, u2_dot_of_u1_u3,
             ]),
         ];
         count_last = count;
@@ -462,11 +437,7 @@ impl<S: Scalar> System<S> for NewtonEulerQ290deg {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -15,7 +15,5 @@ pub mod waking;
 
 /// The equations of every scene.
 pub const SCENES: &[tripos_traits::CompiledScene] = &[
-    looping::SCENE,
-    sleeping::SCENE,
-    waking::SCENE,
+    looping::SCENE, sleeping::SCENE, waking::SCENE,
 ];

@@ -130,7 +130,6 @@ pub fn derivative<S: Scalar>(
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 2]; 2] {
     let Parameters { l, g, .. } = *p;
     let [theta] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (_, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -139,6 +138,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 2
     // Entries that are not zero.
     // d(theta')/d(omega) = 1
     let theta_dot_by_omega_value = S::int(1);
+    let zero = S::int(0);
     [[zero, theta_dot_by_omega_value], [omega_dot_by_theta, zero]]
 }
 
@@ -330,11 +330,7 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

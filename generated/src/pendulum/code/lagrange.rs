@@ -175,7 +175,6 @@ pub fn jacobian<S: Scalar>(
 ) -> [[S; 2]; 2] {
     let Parameters { l, g, .. } = *p;
     let [theta] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (_, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -184,6 +183,7 @@ pub fn jacobian<S: Scalar>(
     // Entries that are not zero.
     // d(theta')/d(theta') = 1
     let theta_dot_by_theta_dot_value = S::int(1);
+    let zero = S::int(0);
     [[zero, theta_dot_by_theta_dot_value], [theta_ddot_by_theta, zero]]
 }
 
@@ -377,11 +377,7 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

@@ -23,7 +23,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 3]; 3] {
     let Parameters { m, l, .. } = *p;
     let [theta] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
@@ -39,6 +38,7 @@ pub fn mass_matrix<S: Scalar>(
     let m22 = -cos_theta;
     // M33 = -1
     let m33 = -S::int(1);
+    let zero = S::int(0);
     [[m11, m12, zero], [m21, m22, zero], [zero, zero, m33]]
 }
 
@@ -50,7 +50,6 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
     let Parameters { m, l, g } = *p;
     let [theta] = *q;
     let [omega] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Shared terms.
@@ -60,6 +59,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
     let f1 = m * l_omega_sq * sin_theta;
     // f2 = -m*(g + l*omega^2*cos(theta))
     let f2 = -m * l_omega_sq.mul_add(cos_theta, g);
+    let zero = S::int(0);
     [f1, f2, zero]
 }
 
@@ -146,11 +146,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -16,7 +16,6 @@ pub fn mass_matrix<S: Scalar>(
     _u: &[S; 2],
 ) -> [[S; 2]; 2] {
     let Parameters { m, l, .. } = *p;
-    let zero = S::int(0);
     // Shared terms.
     let m_l_sq = m * l * l;
     // Entries that are not zero; upper triangle.
@@ -24,6 +23,7 @@ pub fn mass_matrix<S: Scalar>(
     let m11 = m_l_sq;
     // M22 = m*l^2
     let m22 = m_l_sq;
+    let zero = S::int(0);
     [[m11, zero], [zero, m22]]
 }
 
@@ -157,7 +157,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let Parameters { l, g, .. } = *p;
     let [theta, _] = *q;
     let [u1, u2] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -183,6 +182,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
     let phi_dot_by_theta_value = -sin_theta_inv * u2_dot_by_u1_of_u2;
     // d(phi')/d(u2) = 1/sin(theta)
     let phi_dot_by_u2_value = sin_theta_inv;
+    let zero = S::int(0);
     [
         [zero, zero, theta_dot_by_u1_value, zero],
         [phi_dot_by_theta_value, zero, zero, phi_dot_by_u2_value],
@@ -277,12 +277,7 @@ pub fn taylor<S: Scalar>(
         history[1] = [
             padded([theta_1, theta_1, sin_theta_1, cos_theta_1, u1_1, u2_1]),
             padded([
-                cos_theta_1,
-                sin_theta_1,
-                phi_dot_2_1,
-                phi_dot_2_1,
-                u2_dot_of_u2_1,
-                u2_dot_of_u2_1,
+                cos_theta_1, sin_theta_1, phi_dot_2_1, phi_dot_2_1, u2_dot_of_u2_1, u2_dot_of_u2_1,
             ]),
         ];
     }
@@ -375,12 +370,7 @@ pub fn taylor<S: Scalar>(
         history[order] = [
             padded([count * theta, count * theta, sin_theta, cos_theta, u1, u2]),
             padded([
-                cos_theta,
-                sin_theta,
-                phi_dot_2,
-                phi_dot_2,
-                u2_dot_of_u2,
-                u2_dot_of_u2,
+                cos_theta, sin_theta, phi_dot_2, phi_dot_2, u2_dot_of_u2, u2_dot_of_u2,
             ]),
         ];
         count_last = count;
@@ -486,11 +476,7 @@ impl<S: Scalar> System<S> for Kane {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

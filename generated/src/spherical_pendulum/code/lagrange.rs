@@ -20,7 +20,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 2]; 2] {
     let Parameters { m, l, .. } = *p;
     let [theta, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
     // Shared terms.
@@ -30,6 +29,7 @@ pub fn mass_matrix<S: Scalar>(
     let m11 = m_l_sq;
     // M22 = m*l^2*sin(theta)^2
     let m22 = m_l_sq * sin_theta * sin_theta;
+    let zero = S::int(0);
     [[m11, zero], [zero, m22]]
 }
 
@@ -221,7 +221,6 @@ pub fn jacobian<S: Scalar>(
     let Parameters { l, g, .. } = *p;
     let [theta, _] = *q;
     let [theta_dot, phi_dot] = *q_dot;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -232,8 +231,7 @@ pub fn jacobian<S: Scalar>(
     let phi_ddot_by_theta = sin_theta_inv * phi_dot_doubled * theta_dot_sin_theta_inv;
     let theta_ddot_by_theta_of_phi_dot = phi_dot_doubled * cos_theta;
     // theta_ddot_by_theta = phi'^2*(2*cos(theta)^2 - 1) - g*cos(theta)/l
-    let theta_ddot_by_theta = phi_dot
-        * theta_ddot_by_theta_of_phi_dot.mul_add(cos_theta, -phi_dot)
+    let theta_ddot_by_theta = phi_dot * theta_ddot_by_theta_of_phi_dot.mul_add(cos_theta, -phi_dot)
         - g * cos_theta / l;
     // phi_ddot_by_theta_dot = -2*phi'/tan(theta)
     let phi_ddot_by_theta_dot = -sin_theta_inv * theta_ddot_by_theta_of_phi_dot;
@@ -246,6 +244,7 @@ pub fn jacobian<S: Scalar>(
     let theta_dot_by_theta_dot_value = S::int(1);
     // d(phi')/d(phi') = 1
     let phi_dot_by_phi_dot_value = S::int(1);
+    let zero = S::int(0);
     [
         [zero, zero, theta_dot_by_theta_dot_value, zero],
         [zero, zero, zero, phi_dot_by_phi_dot_value],
@@ -289,8 +288,7 @@ pub fn inverse_dynamics<S: Scalar>(
     let phi_dot_cos_theta = phi_dot * cos_theta;
     // Values.
     // tau1 = m*l*sin(theta)*(g - l*phi'^2*cos(theta)) + m*l^2*theta''
-    let tau1 = m_l
-        * (sin_theta * (-(l * phi_dot)).mul_add(phi_dot_cos_theta, g) + l * theta_ddot);
+    let tau1 = m_l * (sin_theta * (-(l * phi_dot)).mul_add(phi_dot_cos_theta, g) + l * theta_ddot);
     // tau2 = 2*m*l^2*theta'*phi'*sin(theta)*cos(theta) + m*l^2*phi''*sin(theta)^2
     let tau2 = l * m_l * sin_theta
         * (theta_dot * phi_dot_cos_theta).mul_add(S::int(2), phi_ddot * sin_theta);
@@ -346,22 +344,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta_1,
-                theta_1,
-                phi_dot_1,
-                sin_theta_1,
-                phi_dot_cos_theta_1,
-                phi_dot_1,
+                theta_1, theta_1, phi_dot_1, sin_theta_1, phi_dot_cos_theta_1, phi_dot_1,
                 sin_theta_1,
             ]),
             padded([
-                cos_theta_1,
-                sin_theta_1,
-                cos_theta_1,
-                theta_dot_sin_theta_inv_1,
-                theta_dot_sin_theta_inv_1,
-                phi_dot_cos_theta_1,
-                theta_ddot_of_phi_dot_1,
+                cos_theta_1, sin_theta_1, cos_theta_1, theta_dot_sin_theta_inv_1,
+                theta_dot_sin_theta_inv_1, phi_dot_cos_theta_1, theta_ddot_of_phi_dot_1,
             ]),
         ];
     }
@@ -471,20 +459,11 @@ pub fn taylor<S: Scalar>(
             padded([
                 count * theta,
                 count * theta,
-                phi_dot,
-                sin_theta,
-                phi_dot_cos_theta,
-                phi_dot,
-                sin_theta,
+                phi_dot, sin_theta, phi_dot_cos_theta, phi_dot, sin_theta,
             ]),
             padded([
-                cos_theta,
-                sin_theta,
-                cos_theta,
-                theta_dot_sin_theta_inv,
-                theta_dot_sin_theta_inv,
-                phi_dot_cos_theta,
-                theta_ddot_of_phi_dot,
+                cos_theta, sin_theta, cos_theta, theta_dot_sin_theta_inv, theta_dot_sin_theta_inv,
+                phi_dot_cos_theta, theta_ddot_of_phi_dot,
             ]),
         ];
         count_last = count;
@@ -592,11 +571,7 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self,
-        p: &[S],
-        q: &[S],
-        v: &[S],
-        v_dot: &[S],
+        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

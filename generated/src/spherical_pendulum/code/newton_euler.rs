@@ -23,7 +23,6 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 3]; 3] {
     let Parameters { m, l, .. } = *p;
     let [theta, phi] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
@@ -47,6 +46,7 @@ pub fn mass_matrix<S: Scalar>(
     let m31 = m_l * sin_theta;
     // M33 = -cos(theta)
     let m33 = -cos_theta;
+    let zero = S::int(0);
     [[m11, m12, m13], [m21, m22, m23], [m31, zero, m33]]
 }
 
@@ -170,11 +170,7 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

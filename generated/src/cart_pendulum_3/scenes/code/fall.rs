@@ -38,30 +38,22 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            m0: p[0],
-            m1: p[1],
-            m2: p[2],
-            m3: p[3],
-            l0: p[4],
-            l1: p[5],
-            l2: p[6],
-            g: p[7],
+            m0: p[0], m1: p[1], m2: p[2], m3: p[3], l0: p[4], l1: p[5], l2: p[6], g: p[7],
             m3_l2: p[8],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 9] {
+        let Self { m0, m1, m2, m3, l0, l1, l2, g, m3_l2, .. } = self;
+        [m0, m1, m2, m3, l0, l1, l2, g, m3_l2]
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
 pub const PARAMETERS: [&str; 9] = [
-    "m0",
-    "m1",
-    "m2",
-    "m3",
-    "l0",
-    "l1",
-    "l2",
-    "g",
-    "m3_l2",
+    "m0", "m1", "m2", "m3", "l0", "l1", "l2", "g", "m3_l2",
 ];
 
 /// Names of the outputs.
@@ -97,15 +89,7 @@ pub fn constants<S: Scalar>(
     // m3_l2 = m3*l2
     let m3_l2_value = m3 * l2;
     [
-        m0_value,
-        m1_value,
-        m2_value,
-        m3_value,
-        l0_value,
-        l1_value,
-        l2_value,
-        g_value,
-        m3_l2_value,
+        m0_value, m1_value, m2_value, m3_value, l0_value, l1_value, l2_value, g_value, m3_l2_value,
     ]
 }
 
@@ -197,8 +181,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [S
     // r6 = 11/4 - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - m3_l2*(u3^2*sin(q3) +
     //   l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r6 = (-l2__m3_l2).mul_add(g_s3_2_plus_r6_of_u1_u2, S::ratio(11, 4))
-        - u3_sq_m3_l2 * s3_2 - u2_sq * s2_l1_m2_plus_m3
-        - u1_sq * s1_l0_m1_plus_m2_plus_m3;
+        - u3_sq_m3_l2 * s3_2 - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_m1_plus_m2_plus_m3;
     let m3_l2_2_d1_inv = m3_l2_2 * d1_inv;
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
     let l7 = l0_cos_q1_minus_q3 * m3_l2_2_d1_inv;
@@ -441,8 +424,7 @@ pub fn derivative<S: Scalar>(
     // r6 = 11/4 - l0*u1^2*sin(q1)*(m1 + m2 + m3) - l1*u2^2*sin(q2)*(m2 + m3) - m3_l2*(u3^2*sin(q3) +
     //   l2_*(g*sin(q3) + l0*u1^2*sin(q1 - q3) + l1*u2^2*sin(q2 - q3)))
     let r6 = (-l2__m3_l2).mul_add(g_s3_2_plus_r6_of_u1_u2, S::ratio(11, 4))
-        - u3_sq_m3_l2 * s3_2 - u2_sq * s2_l1_m2_plus_m3
-        - u1_sq * s1_l0_m1_plus_m2_plus_m3;
+        - u3_sq_m3_l2 * s3_2 - u2_sq * s2_l1_m2_plus_m3 - u1_sq * s1_l0_m1_plus_m2_plus_m3;
     let m3_l2_2_d1_inv = m3_l2_2 * d1_inv;
     // l7 = m3*l0*l2*cos(q1 - q3)/d1
     let l7 = l0_cos_q1_minus_q3 * m3_l2_2_d1_inv;
@@ -529,7 +511,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let Parameters { m0, m1, m2, m3, l0, l1, l2, g, m3_l2 } = *p;
     let [q1, q2, q3, _] = *q;
     let [u1, u2, u3, _] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s3_2, c3) = q3.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -673,8 +654,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l21*s8_by_q1 - s9_by_q1
     let l21_by_q1_of_place = l21.mul_add(s8_by_q1, -s9_by_q1);
     // l21_by_q1 = (s16*(s4_by_q1*(s4/s3 + l14) - s8_by_q1)/s15 - s5*s4_by_q1/s3 + s9_by_q1)/s15
-    let l21_by_q1 = s15_inv
-        * s4_by_q1.mul_add(l21_by_q1_of_s3_s4_s5_l21, -l21_by_q1_of_place)
+    let l21_by_q1 = s15_inv * s4_by_q1.mul_add(l21_by_q1_of_s3_s4_s5_l21, -l21_by_q1_of_place)
         + l14_s15_inv * l21_s4_by_q1;
     // s22_by_q1 = l21*(s5*s4_by_q1/s3 - s9_by_q1) - s16*l21_by_q1
     let s22_by_q1 = (-l21).mul_add(s9_by_q1, l18 * l21_s4_by_q1) - s16 * l21_by_q1;
@@ -730,8 +710,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // l18*cos(q3) - l21*u3_dot_by_q1_of_l0_q1_q3_l14
     let u3_dot_by_q1_of_place_4 = (-l21).mul_add(u3_dot_by_q1_of_l0_q1_q3_l14, l18 * c3);
     // m3_l2_2_d1_inv*(l1_cos_q2_minus_q3 + u3_dot_by_q1_of_place_4)
-    let u3_dot_by_q1_of_place_5 = m3_l2_2_d1_inv
-        * (l1_cos_q2_minus_q3 + u3_dot_by_q1_of_place_4);
+    let u3_dot_by_q1_of_place_5 = m3_l2_2_d1_inv * (l1_cos_q2_minus_q3 + u3_dot_by_q1_of_place_4);
     let u3_dot_by_q1_of_place_6 = s22_inv * u3_dot_by_q1_of_place_5;
     let cos_q1_minus_q3_u1_l0_u1 = cos_q1_minus_q3 * u1_l0_u1;
     let u3_dot_by_q1_of_place_7 = u0_dot_by_q1_of_place * m3_l2_2_d1_inv_s15_inv;
@@ -744,11 +723,9 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   s16*r23*s22_by_q1/s22^2 + s16*r23_by_q1/s22)/s15) + l1*(r23*s22_by_q1*cos(q2 - q3)/s22^2 -
     //   r23_by_q1*cos(q2 - q3)/s22))/d1
     let u3_dot_by_q1 = u0_dot_by_q1_of_place_7 * u3_dot_by_q1_of_place
-        + r6_by_q1 * u3_dot_by_q1_of_place_3
-        + u0_dot_by_q1_of_place_10 * u3_dot_by_q1_of_place_6
+        + r6_by_q1 * u3_dot_by_q1_of_place_3 + u0_dot_by_q1_of_place_10 * u3_dot_by_q1_of_place_6
         + m3_l2_2_d1_inv * cos_q1_minus_q3_u1_l0_u1
-        + u3_dot_by_q1_of_place_7
-            * s4_by_q1.mul_add(u3_dot_by_q1_of_place_2, -l0_sin_q1_minus_q3);
+        + u3_dot_by_q1_of_place_7 * s4_by_q1.mul_add(u3_dot_by_q1_of_place_2, -l0_sin_q1_minus_q3);
     let l21_s22_inv = l21 * s22_inv;
     // u1_dot_by_q1 = (r17*(s4_by_q1*(s4/s3 + l14) - s8_by_q1)/s15 - r6*s4_by_q1/s3 - l14*r6_by_q1 +
     //   r10_by_q1 - (r23*(s9_by_q1 - s5*s4_by_q1/s3 - s16*((s8_by_q1 - s4_by_q1*(s4/s3 + l14))/s15 +
@@ -834,8 +811,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let s9_by_q3 = (-l7_by_q3).mul_add(cos_q2_minus_q3_l1_m3_l2, -s9_by_q2_of_place);
     // r10_by_q3 = m3_l2*(l0*(u3^2*cos(q1 - q3) + u1^2*(l7*cos(q1 - q3) - l7_by_q3*sin(q1 - q3))) +
     //   l1*u2^2*(l7*cos(q2 - q3) - l7_by_q3*sin(q2 - q3)) - g*(l7*cos(q3) + l7_by_q3*sin(q3)))
-    let r10_by_q3 = (-l7_by_q3).mul_add(r6_of_u1_u2_2, r10_by_q1_of_u3)
-        - l7 * r6_by_q3_of_u1_u2_3;
+    let r10_by_q3 = (-l7_by_q3).mul_add(r6_of_u1_u2_2, r10_by_q1_of_u3) - l7 * r6_by_q3_of_u1_u2_3;
     // s12_by_q3 = -l1*m3_l2*(l11*sin(q2 - q3) + l11_by_q3*cos(q2 - q3))
     let s12_by_q3 = (-l11_by_q3).mul_add(cos_q2_minus_q3_l1_m3_l2, -s12_by_q2_of_place);
     // r13_by_q3 = m3_l2*(l1*(u3^2*cos(q2 - q3) + u2^2*(l11*cos(q2 - q3) - l11_by_q3*sin(q2 - q3))) +
@@ -861,8 +837,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     // s22_by_q3 = s16*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*s16_by_q3 + s19_by_q3
     let s22_by_q3 = s19_by_q3 + l21 * (s22_by_q3_of_place - s16_by_q3);
     // r23_by_q3 = r17*(s16*s15_by_q3/s15 - s16_by_q3)/s15 - l21*r17_by_q3 + r20_by_q3
-    let r23_by_q3 = (-l21).mul_add(r17_by_q3, r20_by_q3)
-        + r17_s15_inv * s22_by_q3_of_place;
+    let r23_by_q3 = (-l21).mul_add(r17_by_q3, r20_by_q3) + r17_s15_inv * s22_by_q3_of_place;
     // s15_by_q3*u0_dot_by_q1_of_place_2 - s16_by_q3*r23_s22_inv
     let u0_dot_by_q3_of_place = (-s16_by_q3)
         .mul_add(r23_s22_inv, s15_by_q3 * u0_dot_by_q1_of_place_2);
@@ -879,8 +854,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   r17*(s3_by_q3/s3 + s15_by_q3/s15) - (r23*s16_by_q3 + s16*(r23_by_q3 - r23*(s3_by_q3/s3 +
     //   s15_by_q3/s15 + s22_by_q3/s22)))/s22))/s15 - (r23*s5_by_q3 + s5*(r23_by_q3 - r23*(s3_by_q3/s3 +
     //   s22_by_q3/s22)))/s22)/s3
-    let u0_dot_by_q3 = s3_inv
-        * s4_by_q3.mul_add(u0_dot_by_q1_of_place_2, u0_dot_by_q3_of_place_5)
+    let u0_dot_by_q3 = s3_inv * s4_by_q3.mul_add(u0_dot_by_q1_of_place_2, u0_dot_by_q3_of_place_5)
         - l14_s15_inv * u0_dot_by_q3_of_place_2
         - u0_dot_by_q1_of_place_11 * u0_dot_by_q3_of_place_3;
     // u3_dot_by_q3 = m3*l2*(g*cos(q3) + (sin(q3)*(s5*r23/s22 - r6 - s4*(s16*r23/s22 - r17)/s15) +
@@ -891,8 +865,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   q3)*(r17_by_q3 - r17*s15_by_q3/s15 - (r23*s16_by_q3 + s16*(r23_by_q3 - r23*(s15_by_q3/s15 +
     //   s22_by_q3/s22)))/s22))/s15) - l1*(r23*sin(q2 - q3)/s22 + cos(q2 - q3)*(u2^2 + (r23_by_q3 -
     //   r23*s22_by_q3/s22)/s22)))/d1
-    let u3_dot_by_q3 = -l11_by_q3_r23_s22_inv
-        + l0_sin_q1_minus_q3 * u3_dot_by_q1_of_place_7
+    let u3_dot_by_q3 = -l11_by_q3_r23_s22_inv + l0_sin_q1_minus_q3 * u3_dot_by_q1_of_place_7
         + m3_l2_2_d1_inv * (-u0_dot_by_q1_of_place_4).mul_add(s3_2, r6_by_q3_of_u1_u2_2)
         - u3_dot_by_q1_of_place * u0_dot_by_q3_of_place_2
         + u3_dot_by_q1_of_place_6 * u0_dot_by_q3_of_place_3
@@ -932,8 +905,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     //   s16*(l18*r6_by_u1 - l21*(l14*r6_by_u1 - r10_by_u1) - r13_by_u1)/s22)/s15))/d1
     let u3_dot_by_u1 = (-r10_by_u1)
         .mul_add(u3_dot_by_q1_of_place, r6_by_u1 * u3_dot_by_q1_of_place_3)
-        - u2_dot_by_u1 * u3_dot_by_q1_of_place_5
-        + sin_q1_minus_q3 * m3_l2_2_d1_inv * l0_u1_doubled;
+        - u2_dot_by_u1 * u3_dot_by_q1_of_place_5 + sin_q1_minus_q3 * m3_l2_2_d1_inv * l0_u1_doubled;
     // s15_inv + l21*l21_s22_inv
     let u1_dot_by_u1_of_s15_l21_s22 = l21.mul_add(l21_s22_inv, s15_inv);
     // u1_dot_by_u1 = (r10_by_u1 - l14*r6_by_u1 + s16*(l18*r6_by_u1 - l21*(l14*r6_by_u1 - r10_by_u1) -
@@ -1018,50 +990,27 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> [[S; 8]
     let u2_dot_by_q2_value = -s22_inv * u0_dot_by_q2_of_place_3;
     // d(u2')/d(q3) = (r23_by_q3 - r23*s22_by_q3/s22)/s22
     let u2_dot_by_q3_value = -s22_inv * u0_dot_by_q3_of_place_3;
+    let zero = S::int(0);
     [
         [zero, zero, zero, zero, q1_dot_by_u1_value, zero, zero, zero],
         [zero, zero, zero, zero, zero, q2_dot_by_u2_value, zero, zero],
         [zero, zero, zero, zero, zero, zero, q3_dot_by_u3_value, zero],
         [zero, zero, zero, zero, zero, zero, zero, q0_dot_by_u0_value],
         [
-            u1_dot_by_q1,
-            u1_dot_by_q2,
-            u1_dot_by_q3,
-            zero,
-            u1_dot_by_u1,
-            u1_dot_by_u2,
-            u1_dot_by_u3,
-            zero,
+            u1_dot_by_q1, u1_dot_by_q2, u1_dot_by_q3, zero, u1_dot_by_u1, u1_dot_by_u2,
+            u1_dot_by_u3, zero,
         ],
         [
-            u2_dot_by_q1_value,
-            u2_dot_by_q2_value,
-            u2_dot_by_q3_value,
-            zero,
-            u2_dot_by_u1,
-            u2_dot_by_u2,
-            u2_dot_by_u3,
-            zero,
+            u2_dot_by_q1_value, u2_dot_by_q2_value, u2_dot_by_q3_value, zero, u2_dot_by_u1,
+            u2_dot_by_u2, u2_dot_by_u3, zero,
         ],
         [
-            u3_dot_by_q1,
-            u3_dot_by_q2,
-            u3_dot_by_q3,
-            zero,
-            u3_dot_by_u1,
-            u3_dot_by_u2,
-            u3_dot_by_u3,
-            zero,
+            u3_dot_by_q1, u3_dot_by_q2, u3_dot_by_q3, zero, u3_dot_by_u1, u3_dot_by_u2,
+            u3_dot_by_u3, zero,
         ],
         [
-            u0_dot_by_q1,
-            u0_dot_by_q2,
-            u0_dot_by_q3,
-            zero,
-            u0_dot_by_u1,
-            u0_dot_by_u2,
-            u0_dot_by_u3,
-            zero,
+            u0_dot_by_q1, u0_dot_by_q2, u0_dot_by_q3, zero, u0_dot_by_u1, u0_dot_by_u2,
+            u0_dot_by_u3, zero,
         ],
     ]
 }
@@ -1110,8 +1059,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> 
     let g_l0_m1_plus_m2_plus_m3 = g * l0_m1_plus_m2_plus_m3;
     let l2_u3_m3_l2_2 = l2 * u3_m3_l2_2;
     // l0_u1^2*m1_plus_m2_plus_m3 + u0^2*(m0 + m1_plus_m2_plus_m3)
-    let energy_of_u0_u1 = l0_u1 * l0_u1 * m1_plus_m2_plus_m3
-        + u0 * u0 * (m0 + m1_plus_m2_plus_m3);
+    let energy_of_u0_u1 = l0_u1 * l0_u1 * m1_plus_m2_plus_m3 + u0 * u0 * (m0 + m1_plus_m2_plus_m3);
     // l1_u2*m2_plus_m3_l1_u2 + u3*l2_u3_m3_l2_2
     let energy_of_u2_u3 = u3.mul_add(l2_u3_m3_l2_2, l1_u2 * m2_plus_m3_l1_u2);
     // energy_of_u0_u1 + energy_of_u2_u3
@@ -1137,13 +1085,11 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> 
     // d(T + V)/d(q1) = -l0*(g*sin(q1)*(m1 + m2 + m3) + u1*(l1*u2*sin(q1 - q2)*(m2 + m3) - u0*sin(q1)*(m1 +
     //   m2 + m3) + m3*l2*u3*sin(q1 - q3)))
     let energy_by_q1 = (-g_l0_m1_plus_m2_plus_m3)
-        .mul_add(s1, c1_l0_u1 * energy_by_q1_of_u2_u3)
-        - s1_l0_u1 * energy_by_q1_of_u0_u2_u3;
+        .mul_add(s1, c1_l0_u1 * energy_by_q1_of_u2_u3) - s1_l0_u1 * energy_by_q1_of_u0_u2_u3;
     // d(T + V)/d(q2) = -l1*(g*sin(q2)*(m2 + m3) + u2*(m3*l2*u3*sin(q2 - q3) - (m2 + m3)*(u0*sin(q2) +
     //   l0*u1*sin(q1 - q2))))
     let energy_by_q2 = (-s2_l1_u2)
-        .mul_add(energy_by_q2_of_u0_u1_u3, c2_l1_u2 * energy_of_u1_u3)
-        - g_m2_plus_m3 * l1_s2;
+        .mul_add(energy_by_q2_of_u0_u1_u3, c2_l1_u2 * energy_of_u1_u3) - g_m2_plus_m3 * l1_s2;
     // d(T + V)/d(q3) = m3*l2*(u3*(u0*sin(q3) + l0*u1*sin(q1 - q3) + l1*u2*sin(q2 - q3)) - g*sin(q3))
     let energy_by_q3 = (-c1_l0_u1_plus_c2_l1_u2)
         .mul_add(s3_2_u3_m3_l2_2, energy_of_u0_u3_2 * s3_2)
@@ -1152,30 +1098,20 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 4], u: &[S; 4]) -> 
     let energy_by_q0 = -S::ratio(11, 4);
     // d(T + V)/d(u1) = l0*((m1 + m2 + m3)*(l0*u1 - u0*cos(q1)) + l1*u2*cos(q1 - q2)*(m2 + m3) +
     //   m3*l2*u3*cos(q1 - q3))
-    let energy_by_u1 = l0
-        * energy_by_q1_of_u0_u2_u3.mul_add(c1, energy_by_q1_of_u2_u3 * s1)
+    let energy_by_u1 = l0 * energy_by_q1_of_u0_u2_u3.mul_add(c1, energy_by_q1_of_u2_u3 * s1)
         + l0_u1 * l0_m1_plus_m2_plus_m3;
     // d(T + V)/d(u2) = l1*((m2 + m3)*(l0*u1*cos(q1 - q2) - u0*cos(q2) + l1*u2) + m3*l2*u3*cos(q2 - q3))
     let energy_by_u2 = l1_c2.mul_add(energy_by_q2_of_u0_u1_u3, l1 * m2_plus_m3_l1_u2)
         + energy_of_u1_u3 * l1_s2;
     // d(T + V)/d(u3) = m3*l2*(l0*u1*cos(q1 - q3) - u0*cos(q3) + l1*u2*cos(q2 - q3) + l2*u3)
     let energy_by_u3 = l2_u3_m3_l2_2
-        + m3_l2_2
-            * (-c3 * (u0 - c1_l0_u1_plus_c2_l1_u2) + s1_l0_u1_plus_s2_l1_u2 * s3_2);
+        + m3_l2_2 * (-c3 * (u0 - c1_l0_u1_plus_c2_l1_u2) + s1_l0_u1_plus_s2_l1_u2 * s3_2);
     // d(T + V)/d(u0) = u0*(m0 + m1 + m2 + m3) - l0*u1*cos(q1)*(m1 + m2 + m3) - l1*u2*cos(q2)*(m2 + m3) -
     //   m3*l2*u3*cos(q3)
-    let energy_by_u0 = (-c1_l0_u1).mul_add(m1_plus_m2_plus_m3, m0 * u0)
-        - energy_by_q1_of_u0_u2_u3;
+    let energy_by_u0 = (-c1_l0_u1).mul_add(m1_plus_m2_plus_m3, m0 * u0) - energy_by_q1_of_u0_u2_u3;
     [
-        energy,
-        energy_by_q1,
-        energy_by_q2,
-        energy_by_q3,
-        energy_by_q0,
-        energy_by_u1,
-        energy_by_u2,
-        energy_by_u3,
-        energy_by_u0,
+        energy, energy_by_q1, energy_by_q2, energy_by_q3, energy_by_q0, energy_by_u1, energy_by_u2,
+        energy_by_u3, energy_by_u0,
     ]
 }
 
@@ -1438,8 +1374,7 @@ pub fn taylor<S: Scalar>(
                     u2_sq_s2_1.mul_add(minus_l1_m2_plus_m3, weight_2 * u1_sq_s1_1),
                 ),
         );
-    let cos_q1_minus_q3_sq_1 = cos_q1_minus_q3_1
-        * (cos_q1_minus_q3_0 + cos_q1_minus_q3_0);
+    let cos_q1_minus_q3_sq_1 = cos_q1_minus_q3_1 * (cos_q1_minus_q3_0 + cos_q1_minus_q3_0);
     let q1_minus_q2_1 = q1_1 - q2_1;
     let sin_q1_minus_q2_1 = q1_minus_q2_1 * cos_q1_minus_q2_0;
     let cos_q1_minus_q2_1 = -q1_minus_q2_1 * sin_q1_minus_q2_0;
@@ -1451,8 +1386,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(cos_q1_minus_q3_0, cos_q1_minus_q3_1 * r6_of_u1_u2_0);
     let u3_sq_sin_q1_minus_q3_1 = sin_q1_minus_q3_1
         .mul_add(u3_sq_0, u3_sq_1 * sin_q1_minus_q3_0);
-    let cos_q2_minus_q3_sq_1 = cos_q2_minus_q3_1
-        * (cos_q2_minus_q3_0 + cos_q2_minus_q3_0);
+    let cos_q2_minus_q3_sq_1 = cos_q2_minus_q3_1 * (cos_q2_minus_q3_0 + cos_q2_minus_q3_0);
     let u1_sq_sin_q1_minus_q2_1 = sin_q1_minus_q2_1
         .mul_add(u1_sq_0, u1_sq_1 * sin_q1_minus_q2_0);
     let r13_of_u1_u2_1 = r6_of_u1_u2_1
@@ -1506,8 +1440,7 @@ pub fn taylor<S: Scalar>(
     let s22_of_place_1 = l21_of_place_1
         .mul_add(s9_minus_s5_l14_0, s9_minus_s5_l14_1 * l21_of_place_0);
     let s19_minus_s16_l21_1 = s19_of_place_1
-        .mul_add(minus_l1_2, minus_l1_2_m3_l2_by_l2 * cos_q2_minus_q3_sq_1)
-        - s22_of_place_1;
+        .mul_add(minus_l1_2, minus_l1_2_m3_l2_by_l2 * cos_q2_minus_q3_sq_1) - s22_of_place_1;
     let r23_of_place_1 = l21_of_place_1
         .mul_add(r10_minus_r6_l14_0, r10_minus_r6_l14_1 * l21_of_place_0);
     let r20_minus_r17_l21_1 = r20_of_u1_u2_u3_1
@@ -1567,111 +1500,26 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q3_1,
-                q3_1,
-                c3_1,
-                q1_1,
-                q1_1,
-                q1_minus_q3_1,
-                q1_minus_q3_1,
-                cos_q1_minus_q3_1,
-                q2_1,
-                q2_1,
-                q2_minus_q3_1,
-                q2_minus_q3_1,
-                cos_q2_minus_q3_1,
-                u1_1,
-                s1_1,
-                u2_1,
-                s2_1,
-                sin_q1_minus_q3_1,
-                sin_q2_minus_q3_1,
-                r6_of_u1_u2_1,
-                u3_1,
-                s3_2_1,
-                cos_q1_minus_q3_1,
-                q1_minus_q2_1,
-                q1_minus_q2_1,
-                cos_q2_minus_q3_1,
-                sin_q1_minus_q2_1,
-                r6_of_u1_u2_1,
-                sin_q1_minus_q3_1,
-                cos_q2_minus_q3_1,
-                sin_q1_minus_q2_1,
-                r6_of_u1_u2_1,
-                sin_q2_minus_q3_1,
-                s3_of_place_1,
-                s4_of_place_1,
-                s5_of_place_1,
-                r6_of_u1_u2_u3_1,
-                s3_of_place_1,
-                s5_of_place_1,
-                r6_of_u1_u2_u3_1,
-                s8_minus_s4_l14_1,
-                s9_minus_s5_l14_1,
-                r10_minus_r6_l14_1,
-                s19_minus_s16_l21_1,
-                s9_minus_s5_l14_1,
-                s8_minus_s4_l14_1,
-                s4_of_place_1,
-                s5_of_place_1,
-                s3_of_place_1,
-                cos_q1_minus_q3_1,
-                cos_q2_minus_q3_1,
-                c3_1,
+                q3_1, q3_1, c3_1, q1_1, q1_1, q1_minus_q3_1, q1_minus_q3_1, cos_q1_minus_q3_1, q2_1,
+                q2_1, q2_minus_q3_1, q2_minus_q3_1, cos_q2_minus_q3_1, u1_1, s1_1, u2_1, s2_1,
+                sin_q1_minus_q3_1, sin_q2_minus_q3_1, r6_of_u1_u2_1, u3_1, s3_2_1,
+                cos_q1_minus_q3_1, q1_minus_q2_1, q1_minus_q2_1, cos_q2_minus_q3_1,
+                sin_q1_minus_q2_1, r6_of_u1_u2_1, sin_q1_minus_q3_1, cos_q2_minus_q3_1,
+                sin_q1_minus_q2_1, r6_of_u1_u2_1, sin_q2_minus_q3_1, s3_of_place_1, s4_of_place_1,
+                s5_of_place_1, r6_of_u1_u2_u3_1, s3_of_place_1, s5_of_place_1, r6_of_u1_u2_u3_1,
+                s8_minus_s4_l14_1, s9_minus_s5_l14_1, r10_minus_r6_l14_1, s19_minus_s16_l21_1,
+                s9_minus_s5_l14_1, s8_minus_s4_l14_1, s4_of_place_1, s5_of_place_1, s3_of_place_1,
+                cos_q1_minus_q3_1, cos_q2_minus_q3_1, c3_1,
             ]),
             padded([
-                c3_1,
-                s3_2_1,
-                c3_1,
-                c1_1,
-                s1_1,
-                cos_q1_minus_q3_1,
-                sin_q1_minus_q3_1,
-                c3_1,
-                c2_1,
-                s2_1,
-                cos_q2_minus_q3_1,
-                sin_q2_minus_q3_1,
-                c3_1,
-                u1_1,
-                u1_sq_1,
-                u2_1,
-                u2_sq_1,
-                u1_sq_1,
-                u2_sq_1,
-                c3_1,
-                u3_1,
-                u3_sq_1,
-                cos_q1_minus_q3_1,
-                cos_q1_minus_q2_1,
-                sin_q1_minus_q2_1,
-                cos_q1_minus_q3_1,
-                u2_sq_1,
-                cos_q1_minus_q3_1,
-                u3_sq_1,
-                cos_q2_minus_q3_1,
-                u1_sq_1,
-                cos_q2_minus_q3_1,
-                u3_sq_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l14_of_place_1,
-                l18_of_place_1,
-                l18_of_place_1,
-                l18_of_place_1,
-                l21_of_place_1,
-                l21_of_place_1,
-                l21_of_place_1,
-                u2_dot_2_1,
-                u2_dot_2_1,
-                u1_dot_2_1,
-                u1_dot_2_1,
-                u2_dot_2_1,
-                u0_dot_2_1,
-                u1_dot_2_1,
-                u2_dot_2_1,
+                c3_1, s3_2_1, c3_1, c1_1, s1_1, cos_q1_minus_q3_1, sin_q1_minus_q3_1, c3_1, c2_1,
+                s2_1, cos_q2_minus_q3_1, sin_q2_minus_q3_1, c3_1, u1_1, u1_sq_1, u2_1, u2_sq_1,
+                u1_sq_1, u2_sq_1, c3_1, u3_1, u3_sq_1, cos_q1_minus_q3_1, cos_q1_minus_q2_1,
+                sin_q1_minus_q2_1, cos_q1_minus_q3_1, u2_sq_1, cos_q1_minus_q3_1, u3_sq_1,
+                cos_q2_minus_q3_1, u1_sq_1, cos_q2_minus_q3_1, u3_sq_1, l14_of_place_1,
+                l14_of_place_1, l14_of_place_1, l14_of_place_1, l18_of_place_1, l18_of_place_1,
+                l18_of_place_1, l21_of_place_1, l21_of_place_1, l21_of_place_1, u2_dot_2_1,
+                u2_dot_2_1, u1_dot_2_1, u1_dot_2_1, u2_dot_2_1, u0_dot_2_1, u1_dot_2_1, u2_dot_2_1,
                 u0_dot_2_1,
             ]),
         ];
@@ -2137,8 +1985,7 @@ pub fn taylor<S: Scalar>(
         // s19_minus_s16_l21 = l1_2_m2_plus_m3 + minus_l1_2_m3_l2_by_l2*cos_q2_minus_q3_sq +
         //   minus_l1_2*s19_of_place - s22_of_place
         let s19_minus_s16_l21 = s19_of_place
-            .mul_add(minus_l1_2, minus_l1_2_m3_l2_by_l2 * cos_q2_minus_q3_sq)
-            - s22_of_place;
+            .mul_add(minus_l1_2, minus_l1_2_m3_l2_by_l2 * cos_q2_minus_q3_sq) - s22_of_place;
         // r23_of_place = r10_minus_r6_l14*l21_of_place
         let r23_of_place = l21_of_place
             .mul_add(
@@ -2237,100 +2084,25 @@ pub fn taylor<S: Scalar>(
                 count * q2,
                 count * q2_minus_q3,
                 count * q2_minus_q3,
-                cos_q2_minus_q3,
-                u1,
-                s1,
-                u2,
-                s2,
-                sin_q1_minus_q3,
-                sin_q2_minus_q3,
-                r6_of_u1_u2,
-                u3,
-                s3_2,
-                cos_q1_minus_q3,
+                cos_q2_minus_q3, u1, s1, u2, s2, sin_q1_minus_q3, sin_q2_minus_q3, r6_of_u1_u2, u3,
+                s3_2, cos_q1_minus_q3,
                 count * q1_minus_q2,
                 count * q1_minus_q2,
-                cos_q2_minus_q3,
-                sin_q1_minus_q2,
-                r6_of_u1_u2,
-                sin_q1_minus_q3,
-                cos_q2_minus_q3,
-                sin_q1_minus_q2,
-                r6_of_u1_u2,
-                sin_q2_minus_q3,
-                s3_of_place,
-                s4_of_place,
-                s5_of_place,
-                r6_of_u1_u2_u3,
-                s3_of_place,
-                s5_of_place,
-                r6_of_u1_u2_u3,
-                s8_minus_s4_l14,
-                s9_minus_s5_l14,
-                r10_minus_r6_l14,
-                s19_minus_s16_l21,
-                s9_minus_s5_l14,
-                s8_minus_s4_l14,
-                s4_of_place,
-                s5_of_place,
-                s3_of_place,
-                cos_q1_minus_q3,
-                cos_q2_minus_q3,
-                c3,
+                cos_q2_minus_q3, sin_q1_minus_q2, r6_of_u1_u2, sin_q1_minus_q3, cos_q2_minus_q3,
+                sin_q1_minus_q2, r6_of_u1_u2, sin_q2_minus_q3, s3_of_place, s4_of_place,
+                s5_of_place, r6_of_u1_u2_u3, s3_of_place, s5_of_place, r6_of_u1_u2_u3,
+                s8_minus_s4_l14, s9_minus_s5_l14, r10_minus_r6_l14, s19_minus_s16_l21,
+                s9_minus_s5_l14, s8_minus_s4_l14, s4_of_place, s5_of_place, s3_of_place,
+                cos_q1_minus_q3, cos_q2_minus_q3, c3,
             ]),
             padded([
-                c3,
-                s3_2,
-                c3,
-                c1,
-                s1,
-                cos_q1_minus_q3,
-                sin_q1_minus_q3,
-                c3,
-                c2,
-                s2,
-                cos_q2_minus_q3,
-                sin_q2_minus_q3,
-                c3,
-                u1,
-                u1_sq,
-                u2,
-                u2_sq,
-                u1_sq,
-                u2_sq,
-                c3,
-                u3,
-                u3_sq,
-                cos_q1_minus_q3,
-                cos_q1_minus_q2,
-                sin_q1_minus_q2,
-                cos_q1_minus_q3,
-                u2_sq,
-                cos_q1_minus_q3,
-                u3_sq,
-                cos_q2_minus_q3,
-                u1_sq,
-                cos_q2_minus_q3,
-                u3_sq,
-                l14_of_place,
-                l14_of_place,
-                l14_of_place,
-                l14_of_place,
-                l18_of_place,
-                l18_of_place,
-                l18_of_place,
-                l21_of_place,
-                l21_of_place,
-                l21_of_place,
-                u2_dot_2,
-                u2_dot_2,
-                u1_dot_2,
-                u1_dot_2,
-                u2_dot_2,
-                u0_dot_2,
-                u1_dot_2,
-                u2_dot_2,
-                u0_dot_2,
+                c3, s3_2, c3, c1, s1, cos_q1_minus_q3, sin_q1_minus_q3, c3, c2, s2, cos_q2_minus_q3,
+                sin_q2_minus_q3, c3, u1, u1_sq, u2, u2_sq, u1_sq, u2_sq, c3, u3, u3_sq,
+                cos_q1_minus_q3, cos_q1_minus_q2, sin_q1_minus_q2, cos_q1_minus_q3, u2_sq,
+                cos_q1_minus_q3, u3_sq, cos_q2_minus_q3, u1_sq, cos_q2_minus_q3, u3_sq,
+                l14_of_place, l14_of_place, l14_of_place, l14_of_place, l18_of_place, l18_of_place,
+                l18_of_place, l21_of_place, l21_of_place, l21_of_place, u2_dot_2, u2_dot_2,
+                u1_dot_2, u1_dot_2, u2_dot_2, u0_dot_2, u1_dot_2, u2_dot_2, u0_dot_2,
             ]),
         ];
         count_last = count;
@@ -2463,11 +2235,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

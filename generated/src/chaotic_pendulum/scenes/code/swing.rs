@@ -46,38 +46,31 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            mA: p[0],
-            lA: p[1],
-            lB: p[2],
-            IAxx: p[3],
-            IBxx: p[4],
-            IByy: p[5],
-            IBzz: p[6],
-            g: p[7],
-            lB_times_3: p[8],
-            mA_lA_times_2: p[9],
-            g_by_2: p[10],
-            mA_lA_squared: p[11],
+            mA: p[0], lA: p[1], lB: p[2], IAxx: p[3], IBxx: p[4], IByy: p[5], IBzz: p[6], g: p[7],
+            lB_times_3: p[8], mA_lA_times_2: p[9], g_by_2: p[10], mA_lA_squared: p[11],
             lB_squared_times_3_by_2: p[12],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 13] {
+        let Self {
+            mA, lA, lB, IAxx, IBxx, IByy, IBzz, g, lB_times_3, mA_lA_times_2, g_by_2, mA_lA_squared,
+            lB_squared_times_3_by_2,
+            ..
+        } = self;
+        [
+            mA, lA, lB, IAxx, IBxx, IByy, IBzz, g, lB_times_3, mA_lA_times_2, g_by_2, mA_lA_squared,
+            lB_squared_times_3_by_2,
+        ]
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
 pub const PARAMETERS: [&str; 13] = [
-    "mA",
-    "lA",
-    "lB",
-    "IAxx",
-    "IBxx",
-    "IByy",
-    "IBzz",
-    "g",
-    "lB_times_3",
-    "mA_lA_times_2",
-    "g_by_2",
-    "mA_lA_squared",
-    "lB_squared_times_3_by_2",
+    "mA", "lA", "lB", "IAxx", "IBxx", "IByy", "IBzz", "g", "lB_times_3", "mA_lA_times_2", "g_by_2",
+    "mA_lA_squared", "lB_squared_times_3_by_2",
 ];
 
 /// Names of the outputs.
@@ -123,18 +116,8 @@ pub fn constants<S: Scalar>(
     // lB_squared_times_3_by_2 = 3*lB^2/2
     let lB_squared_times_3_by_2_value = S::ratio(3, 2) * lB * lB;
     [
-        mA_value,
-        lA_value,
-        lB_value,
-        IAxx_value,
-        IBxx_value,
-        IByy_value,
-        IBzz_value,
-        g_value,
-        lB_times_3_value,
-        mA_lA_times_2_value,
-        g_by_2_value,
-        mA_lA_squared_value,
+        mA_value, lA_value, lB_value, IAxx_value, IBxx_value, IByy_value, IBzz_value, g_value,
+        lB_times_3_value, mA_lA_times_2_value, g_by_2_value, mA_lA_squared_value,
         lB_squared_times_3_by_2_value,
     ]
 }
@@ -169,14 +152,7 @@ pub fn start<S: Scalar>(
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 2] {
     let Parameters {
-        IAxx,
-        IBxx,
-        IByy,
-        IBzz,
-        lB_times_3,
-        mA_lA_times_2,
-        g_by_2,
-        mA_lA_squared,
+        IAxx, IBxx, IByy, IBzz, lB_times_3, mA_lA_times_2, g_by_2, mA_lA_squared,
         lB_squared_times_3_by_2,
         ..
     } = *p;
@@ -235,8 +211,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S
     let energy_of_place = IBxx + cos_phi * cos_phi * (IByy - IBxx);
     // Values.
     // T = omega^2*(2*mA*lA^2 + 3*lB^2 + 2*IAxx + 2*IBxx*sin(phi)^2 + 2*IByy*cos(phi)^2)/4 + IBzz*alpha^2/2
-    let energy = S::ratio(1, 2) * IBzz * alpha * alpha
-        + S::ratio(3, 4) * lB * lB * omega_sq
+    let energy = S::ratio(1, 2) * IBzz * alpha * alpha + S::ratio(3, 4) * lB * lB * omega_sq
         + S::ratio(1, 2) * omega_sq * (iaxx_plus_ma_la_sq + energy_of_place);
     energy
 }
@@ -288,14 +263,7 @@ pub fn derivative<S: Scalar>(
     u: &[S; 2],
 ) -> ([S; 2], [S; 2]) {
     let Parameters {
-        IAxx,
-        IBxx,
-        IByy,
-        IBzz,
-        lB_times_3,
-        mA_lA_times_2,
-        g_by_2,
-        mA_lA_squared,
+        IAxx, IBxx, IByy, IBzz, lB_times_3, mA_lA_times_2, g_by_2, mA_lA_squared,
         lB_squared_times_3_by_2,
         ..
     } = *p;
@@ -329,20 +297,12 @@ pub fn derivative<S: Scalar>(
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
     let Parameters {
-        IAxx,
-        IBxx,
-        IByy,
-        IBzz,
-        lB_times_3,
-        mA_lA_times_2,
-        g_by_2,
-        mA_lA_squared,
+        IAxx, IBxx, IByy, IBzz, lB_times_3, mA_lA_times_2, g_by_2, mA_lA_squared,
         lB_squared_times_3_by_2,
         ..
     } = *p;
     let [theta, phi] = *q;
     let [omega, alpha] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -386,19 +346,18 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]
         * cos_phi_sq.mul_add(S::int(2), -S::int(1));
     // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
     //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot_by_omega = -alpha * omega_dot_by_phi_of_place
-        * omega_dot_by_phi_of_place_2;
+    let omega_dot_by_omega = -alpha * omega_dot_by_phi_of_place * omega_dot_by_phi_of_place_2;
     // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
     let alpha_dot_by_omega = sin_phi_cos_phi_doubled * alpha_dot_by_phi_of_omega;
     // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
     //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot_by_alpha = -omega_dot_by_phi_of_place * sin_phi_cos_phi
-        * omega_ibxx_minus_ibyy;
+    let omega_dot_by_alpha = -omega_dot_by_phi_of_place * sin_phi_cos_phi * omega_ibxx_minus_ibyy;
     // Entries that are not zero.
     // d(theta')/d(omega) = 1
     let theta_dot_by_omega_value = S::int(1);
     // d(phi')/d(alpha) = 1
     let phi_dot_by_alpha_value = S::int(1);
+    let zero = S::int(0);
     [
         [zero, zero, theta_dot_by_omega_value, zero],
         [zero, zero, zero, phi_dot_by_alpha_value],
@@ -441,8 +400,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> 
     let energy = (-energy_of_ma_la_lb_g)
         .mul_add(
             cos_theta,
-            S::ratio(1, 2) * alpha * ibzz_alpha
-                + S::ratio(1, 4) * energy_of_place_4 * omega_sq,
+            S::ratio(1, 2) * alpha * ibzz_alpha + S::ratio(1, 4) * energy_of_place_4 * omega_sq,
         );
     // d(T + V)/d(theta) = g*sin(theta)*(2*mA*lA + 3*lB)/2
     let energy_by_theta = energy_of_ma_la_lb_g * sin_theta;
@@ -464,14 +422,7 @@ pub fn taylor<S: Scalar>(
     history: &mut [Factors<S, 16>],
 ) {
     let Parameters {
-        IAxx,
-        IBxx,
-        IByy,
-        IBzz,
-        lB_times_3,
-        mA_lA_times_2,
-        g_by_2,
-        mA_lA_squared,
+        IAxx, IBxx, IByy, IBzz, lB_times_3, mA_lA_times_2, g_by_2, mA_lA_squared,
         lB_squared_times_3_by_2,
         ..
     } = *p;
@@ -498,8 +449,7 @@ pub fn taylor<S: Scalar>(
     let over_omega_dot_of_place = S::int(1) / omega_dot_of_place_0;
     let omega_dot_of_omega_alpha_2_0 = omega_dot_of_omega_alpha_0
         .mul_add(weight_2, weight_3 * sin_theta_0);
-    let omega_dot_of_omega_alpha_3_0 = omega_dot_of_omega_alpha_2_0
-        * over_omega_dot_of_place;
+    let omega_dot_of_omega_alpha_3_0 = omega_dot_of_omega_alpha_2_0 * over_omega_dot_of_place;
     let omega_sq_sin_phi_cos_phi_0 = omega_0 * omega_sin_phi_cos_phi_0;
     // Order 1: the rates, and what follows from them.
     let theta_1 = omega_0;
@@ -534,29 +484,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                phi_1,
-                phi_1,
-                theta_1,
-                theta_1,
-                sin_phi_1,
-                cos_phi_1,
-                omega_1,
-                cos_phi_1,
-                alpha_1,
-                omega_dot_of_place_1,
-                omega_1,
+                phi_1, phi_1, theta_1, theta_1, sin_phi_1, cos_phi_1, omega_1, cos_phi_1, alpha_1,
+                omega_dot_of_place_1, omega_1,
             ]),
             padded([
-                cos_phi_1,
-                sin_phi_1,
-                cos_theta_1,
-                sin_theta_1,
-                sin_phi_1,
-                cos_phi_1,
-                sin_phi_1,
-                omega_sin_phi_1,
-                omega_sin_phi_cos_phi_1,
-                omega_dot_of_omega_alpha_3_1,
+                cos_phi_1, sin_phi_1, cos_theta_1, sin_theta_1, sin_phi_1, cos_phi_1, sin_phi_1,
+                omega_sin_phi_1, omega_sin_phi_cos_phi_1, omega_dot_of_omega_alpha_3_1,
                 omega_sin_phi_cos_phi_1,
             ]),
         ];
@@ -693,26 +626,11 @@ pub fn taylor<S: Scalar>(
                 count * phi,
                 count * theta,
                 count * theta,
-                sin_phi,
-                cos_phi,
-                omega,
-                cos_phi,
-                alpha,
-                omega_dot_of_place,
-                omega,
+                sin_phi, cos_phi, omega, cos_phi, alpha, omega_dot_of_place, omega,
             ]),
             padded([
-                cos_phi,
-                sin_phi,
-                cos_theta,
-                sin_theta,
-                sin_phi,
-                cos_phi,
-                sin_phi,
-                omega_sin_phi,
-                omega_sin_phi_cos_phi,
-                omega_dot_of_omega_alpha_3,
-                omega_sin_phi_cos_phi,
+                cos_phi, sin_phi, cos_theta, sin_theta, sin_phi, cos_phi, sin_phi, omega_sin_phi,
+                omega_sin_phi_cos_phi, omega_dot_of_omega_alpha_3, omega_sin_phi_cos_phi,
             ]),
         ];
         count_last = count;
@@ -818,11 +736,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

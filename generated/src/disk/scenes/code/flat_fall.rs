@@ -40,46 +40,35 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            g: p[0],
-            u3: p[1],
-            p_q4: p[2],
-            p_q5: p[3],
-            H_a3_there_scaled: p[4],
-            centre_q4: p[5],
-            centre_q5: p[6],
-            u3_times_4: p[7],
-            g_times_4: p[8],
-            u3_times_2: p[9],
+            g: p[0], u3: p[1], p_q4: p[2], p_q5: p[3], H_a3_there_scaled: p[4], centre_q4: p[5],
+            centre_q5: p[6], u3_times_4: p[7], g_times_4: p[8], u3_times_2: p[9],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 10] {
+        let Self {
+            g, u3, p_q4, p_q5, H_a3_there_scaled, centre_q4, centre_q5, u3_times_4, g_times_4,
+            u3_times_2,
+            ..
+        } = self;
+        [
+            g, u3, p_q4, p_q5, H_a3_there_scaled, centre_q4, centre_q5, u3_times_4, g_times_4,
+            u3_times_2,
+        ]
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
 pub const PARAMETERS: [&str; 10] = [
-    "g",
-    "u3",
-    "p_q4",
-    "p_q5",
-    "H_a3_there_scaled",
-    "centre_q4",
-    "centre_q5",
-    "u3_times_4",
-    "g_times_4",
-    "u3_times_2",
+    "g", "u3", "p_q4", "p_q5", "H_a3_there_scaled", "centre_q4", "centre_q5", "u3_times_4",
+    "g_times_4", "u3_times_2",
 ];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 10] = [
-    "q1",
-    "q2",
-    "q3",
-    "q4",
-    "q5",
-    "u1",
-    "u2",
-    "u3",
-    "u4",
-    "u5",
+    "q1", "q2", "q3", "q4", "q5", "u1", "u2", "u3", "u4", "u5",
 ];
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.
@@ -125,16 +114,8 @@ pub fn constants<S: Scalar>(
     // u3_times_2 = 2*u3
     let u3_times_2_value = u3_doubled;
     [
-        g_value,
-        u3_value,
-        p_q4_value,
-        p_q5_value,
-        H_a3_there_scaled_value,
-        centre_q4_value,
-        centre_q5_value,
-        u3_times_4_value,
-        g_times_4_value,
-        u3_times_2_value,
+        g_value, u3_value, p_q4_value, p_q5_value, H_a3_there_scaled_value, centre_q4_value,
+        centre_q5_value, u3_times_4_value, g_times_4_value, u3_times_2_value,
     ]
 }
 
@@ -177,8 +158,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = sin_q2_minus_90deg_inv
-        * (H_a3_there_scaled
-            - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
+        * (H_a3_there_scaled - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     let u1_dot_of_place = S::int(4) * sin_q2_minus_90deg;
     // u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + g_times_4) +
     //   u2*u3_times_2)/(4*sin(q2_minus_90deg)^2 - 5)
@@ -203,8 +183,7 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = sin_q2_minus_90deg_inv
-        * (H_a3_there_scaled
-            - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
+        * (H_a3_there_scaled - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     let q3_dot_value_of_place = u2 * sin_q2_minus_90deg_inv;
     // Values.
     // q2_minus_90deg' = -u1
@@ -244,8 +223,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // Elimination, step by step, each after the terms that it shares.
     // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
-    let u2 = (H_a3_there_scaled
-        - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2)
+    let u2 = (H_a3_there_scaled - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2)
         / sin_q2_minus_90deg;
     // p_q4^2 + p_q5^2
     let p_q4_sq_plus_p_q5_sq = p_q5.mul_add(p_q5, p_q4 * p_q4);
@@ -262,13 +240,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
 #[must_use]
 pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S; 10] {
     let Parameters {
-        u3,
-        p_q4,
-        p_q5,
-        H_a3_there_scaled,
-        centre_q4,
-        centre_q5,
-        u3_times_4,
+        u3, p_q4, p_q5, H_a3_there_scaled, centre_q4, centre_q5, u3_times_4,
         ..
     } = *p;
     let [q2_minus_90deg, q3, q1] = *q;
@@ -281,18 +253,15 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = sin_q2_minus_90deg_inv
-        * (H_a3_there_scaled
-            - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
+        * (H_a3_there_scaled - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     let u1_sin_q2_minus_90deg = u1 * sin_q2_minus_90deg;
     let u5_of_place = u2 * sin_q2_minus_90deg_inv;
     let s1_cos_q2_minus_90deg = s1 * cos_q2_minus_90deg;
     // u5 = p_q5 - u1*cos(q1)*sin(q2_minus_90deg) - u2*sin(q1)/tan(q2_minus_90deg)
-    let u5 = (-u1_sin_q2_minus_90deg).mul_add(c1, p_q5)
-        - u5_of_place * s1_cos_q2_minus_90deg;
+    let u5 = (-u1_sin_q2_minus_90deg).mul_add(c1, p_q5) - u5_of_place * s1_cos_q2_minus_90deg;
     let c1_cos_q2_minus_90deg = c1 * cos_q2_minus_90deg;
     // u4 = u1*sin(q1)*sin(q2_minus_90deg) - u2*cos(q1)/tan(q2_minus_90deg) + p_q4
-    let u4 = u1_sin_q2_minus_90deg.mul_add(s1, p_q4)
-        - u5_of_place * c1_cos_q2_minus_90deg;
+    let u4 = u1_sin_q2_minus_90deg.mul_add(s1, p_q4) - u5_of_place * c1_cos_q2_minus_90deg;
     // Values.
     // q1
     let q1_value = q1;
@@ -331,8 +300,7 @@ pub fn derivative<S: Scalar>(
     let (sin_q2_minus_90deg_by_2, _) = (S::ratio(1, 2) * q2_minus_90deg).sin_cos();
     // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
     let u2 = sin_q2_minus_90deg_inv
-        * (H_a3_there_scaled
-            - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
+        * (H_a3_there_scaled - u3_times_4 * sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2);
     let u1_dot_of_place = u2 * sin_q2_minus_90deg_inv;
     let u1_dot_of_place_2 = S::int(4) * sin_q2_minus_90deg;
     // u1' = (cos(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + u2^2/sin(q2_minus_90deg) + g_times_4) +
@@ -358,7 +326,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]
     let Parameters { H_a3_there_scaled, u3_times_4, g_times_4, u3_times_2, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -368,16 +335,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]
     let u2_of_place = sin_q2_minus_90deg_by_2 * sin_q2_minus_90deg_by_2;
     let sin_q2_minus_90deg_inv = S::int(1) / sin_q2_minus_90deg;
     // u2 = (H_a3_there_scaled - u3_times_4*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg)
-    let u2 = sin_q2_minus_90deg_inv
-        * (-u3_times_4).mul_add(u2_of_place, H_a3_there_scaled);
+    let u2 = sin_q2_minus_90deg_inv * (-u3_times_4).mul_add(u2_of_place, H_a3_there_scaled);
     let u2_by_q2_minus_90deg_of_place = S::int(1)
         / (sin_q2_minus_90deg_by_2 * cos_q2_minus_90deg_by_2);
     // u2_by_q2_minus_90deg = -(H_a3_there_scaled + sin(q2_minus_90deg/2)^2*(u3_times_4 -
     //   2*H_a3_there_scaled))/(4*sin(q2_minus_90deg/2)^2*cos(q2_minus_90deg/2)^2)
     let u2_by_q2_minus_90deg = -S::ratio(1, 4) * u2_by_q2_minus_90deg_of_place
         * u2_by_q2_minus_90deg_of_place
-        * (H_a3_there_scaled
-            + u2_of_place * (-H_a3_there_scaled).mul_add(S::int(2), u3_times_4));
+        * (H_a3_there_scaled + u2_of_place * (-H_a3_there_scaled).mul_add(S::int(2), u3_times_4));
     let u1_dot_by_q2_minus_90deg_of_place = S::int(4) * sin_q2_minus_90deg;
     // 1/(u1_dot_by_q2_minus_90deg_of_place*sin(q2_minus_90deg) - 5)
     let u1_dot_by_q2_minus_90deg_of_place_2 = S::int(1)
@@ -387,8 +352,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]
     // u2^2 + sin(q2_minus_90deg)*(g_times_4 + u1_dot_by_q2_minus_90deg_of_place*u1_sq)
     let u1_dot_by_q2_minus_90deg_of_u1 = sin_q2_minus_90deg
         * u1_dot_by_q2_minus_90deg_of_place.mul_add(u1_sq, g_times_4) + u2 * u2;
-    let u1_dot_by_q2_minus_90deg_of_place_4 = S::int(8)
-        * u1_dot_by_q2_minus_90deg_of_place_2;
+    let u1_dot_by_q2_minus_90deg_of_place_4 = S::int(8) * u1_dot_by_q2_minus_90deg_of_place_2;
     // u1_dot_by_q2_minus_90deg = (u2^2 + sin(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) + g_times_4) -
     //   u3_times_2*u2_by_q2_minus_90deg - cos(q2_minus_90deg)*(cos(q2_minus_90deg)*(4*u1^2 -
     //   u2^2/sin(q2_minus_90deg)^2 + 8*(u2^2 + sin(q2_minus_90deg)*(4*u1^2*sin(q2_minus_90deg) +
@@ -426,6 +390,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [[S; 4]
     let q1_dot_by_q2_minus_90deg_value = sin_q2_minus_90deg_inv
         * u1_dot_by_q2_minus_90deg_of_place_3
             .mul_add(cos_q2_minus_90deg, -u2_by_q2_minus_90deg);
+    let zero = S::int(0);
     [
         [zero, zero, zero, q2_minus_90deg_dot_by_u1_value],
         [q3_dot_by_q2_minus_90deg_value, zero, zero, zero],
@@ -456,7 +421,6 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     let Parameters { g, u3, p_q4, p_q5, H_a3_there_scaled, u3_times_4, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -469,8 +433,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     let u2 = sin_q2_minus_90deg_inv
         * (-u2_of_place).mul_add(sin_q2_minus_90deg_by_2, H_a3_there_scaled);
     // u1*(4*sin(q2_minus_90deg)^2 - 5)
-    let energy_of_u1 = u1
-        * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
+    let energy_of_u1 = u1 * (S::int(4) * sin_q2_minus_90deg * sin_q2_minus_90deg - S::int(5));
     // p_q4^2 + p_q5^2
     let p_q4_sq_plus_p_q5_sq = p_q5.mul_add(p_q5, p_q4 * p_q4);
     // u2^2 - u1*energy_of_u1
@@ -483,12 +446,12 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     // d(T + V)/d(q2_minus_90deg) = -g*cos(q2_minus_90deg) - u1^2*sin(q2_minus_90deg)*cos(q2_minus_90deg) -
     //   u2*(u3_times_4*sin(q2_minus_90deg/2)*cos(q2_minus_90deg/2)/sin(q2_minus_90deg) + (H_a3_there_scaled
     //   - u3_times_4*sin(q2_minus_90deg/2)^2)/(sin(q2_minus_90deg)*tan(q2_minus_90deg)))/4
-    let energy_by_q2_minus_90deg = -cos_q2_minus_90deg
-        * (g + u1 * u1 * sin_q2_minus_90deg)
+    let energy_by_q2_minus_90deg = -cos_q2_minus_90deg * (g + u1 * u1 * sin_q2_minus_90deg)
         - S::ratio(1, 4) * u2 * sin_q2_minus_90deg_inv
             * u2_of_place.mul_add(cos_q2_minus_90deg_by_2, u2 * cos_q2_minus_90deg);
     // d(T + V)/d(u1) = u1*(5 - 4*sin(q2_minus_90deg)^2)/4
     let energy_by_u1 = -S::ratio(1, 4) * energy_of_u1;
+    let zero = S::int(0);
     [energy, energy_by_q2_minus_90deg, zero, zero, energy_by_u1]
 }
 
@@ -517,8 +480,7 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> 
     // Sines and cosines.
     let (sin_q2_minus_90deg_from, _) = q2_minus_90deg_from.sin_cos();
     let (sin_q2_minus_90deg_to, _) = q2_minus_90deg_to.sin_cos();
-    let (_, cos_angle) = (S::ratio(1, 2) * q2_minus_90deg_from
-        + S::ratio(1, 2) * q2_minus_90deg_to)
+    let (_, cos_angle) = (S::ratio(1, 2) * q2_minus_90deg_from + S::ratio(1, 2) * q2_minus_90deg_to)
         .sin_cos();
     let (_, cos_angle_2) = (S::ratio(1, 4) * q2_minus_90deg_from
         + S::ratio(1, 4) * q2_minus_90deg_to)
@@ -543,10 +505,8 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> 
                 S::int(2),
                 S::int(2) * u3 * sin_q2_minus_90deg_from_by_2
                     * sin_q2_minus_90deg_from_by_2 - H_a3_there_scaled,
-            ) / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from)
-        - g * sinc1 * cos_angle
-        - S::ratio(1, 8) * sinc1 * cos_angle
-            * (sin_q2_minus_90deg_from + sin_q2_minus_90deg_to)
+            ) / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from) - g * sinc1 * cos_angle
+        - S::ratio(1, 8) * sinc1 * cos_angle * (sin_q2_minus_90deg_from + sin_q2_minus_90deg_to)
             * (-slope_of_place).mul_add(S::int(4), H_a3_there_scaled).powi(2)
             / (sin_q2_minus_90deg_from * sin_q2_minus_90deg_from * sin_q2_minus_90deg_to
                 * sin_q2_minus_90deg_to);
@@ -639,36 +599,17 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q2_minus_90deg_1,
-                q2_minus_90deg_1,
-                q2_minus_90deg_halved_1,
-                q2_minus_90deg_halved_1,
-                sin_q2_minus_90deg_by_2_1,
-                sin_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                u2_of_place_3_1,
-                sin_q2_minus_90deg_1,
-                u1_1,
-                sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_1,
-                u1_dot_of_place_3_1,
+                q2_minus_90deg_1, q2_minus_90deg_1, q2_minus_90deg_halved_1,
+                q2_minus_90deg_halved_1, sin_q2_minus_90deg_by_2_1, sin_q2_minus_90deg_1,
+                sin_q2_minus_90deg_1, u2_of_place_3_1, sin_q2_minus_90deg_1, u1_1,
+                sin_q2_minus_90deg_1, cos_q2_minus_90deg_1, u1_dot_of_place_3_1,
                 cos_q2_minus_90deg_1,
             ]),
             padded([
-                cos_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_by_2_1,
-                sin_q2_minus_90deg_by_2_1,
-                sin_q2_minus_90deg_by_2_1,
-                u2_of_place_3_1,
-                u1_dot_of_place_1,
-                u1_dot_of_place_1,
-                sin_q2_minus_90deg_1,
-                u1_1,
-                u1_sq_1,
-                u1_dot_of_u1_1,
-                u1_dot_2_1,
-                u1_dot_of_place_1,
+                cos_q2_minus_90deg_1, sin_q2_minus_90deg_1, cos_q2_minus_90deg_by_2_1,
+                sin_q2_minus_90deg_by_2_1, sin_q2_minus_90deg_by_2_1, u2_of_place_3_1,
+                u1_dot_of_place_1, u1_dot_of_place_1, sin_q2_minus_90deg_1, u1_1, u1_sq_1,
+                u1_dot_of_u1_1, u1_dot_2_1, u1_dot_of_place_1,
             ]),
         ];
     }
@@ -802,15 +743,13 @@ pub fn taylor<S: Scalar>(
         let u2_of_place_3 = u2_of_place_2
             .mul_add(
                 over_sin_q2_minus_90deg,
-                -(sin_q2_minus_90deg.mul_add(u2_of_place_3_0, sums[5])
-                    * over_sin_q2_minus_90deg),
+                -(sin_q2_minus_90deg.mul_add(u2_of_place_3_0, sums[5]) * over_sin_q2_minus_90deg),
             );
         // u1_dot_of_place = u2_of_place_3/sin_q2_minus_90deg
         let u1_dot_of_place = u2_of_place_3
             .mul_add(
                 over_sin_q2_minus_90deg,
-                -(sin_q2_minus_90deg.mul_add(u1_dot_of_place_0, sums[6])
-                    * over_sin_q2_minus_90deg),
+                -(sin_q2_minus_90deg.mul_add(u1_dot_of_place_0, sums[6]) * over_sin_q2_minus_90deg),
             );
         // u1_dot_of_place_2 = u2_of_place_3*u1_dot_of_place
         let u1_dot_of_place_2 = u1_dot_of_place
@@ -842,8 +781,7 @@ pub fn taylor<S: Scalar>(
         let u1_dot_2 = u1_dot_of_u1_3
             .mul_add(
                 over_u1_dot_of_place_3,
-                -(u1_dot_of_place_3.mul_add(u1_dot_2_0, sums[12])
-                    * over_u1_dot_of_place_3),
+                -(u1_dot_of_place_3.mul_add(u1_dot_2_0, sums[12]) * over_u1_dot_of_place_3),
             );
         // q3_of_place = cos_q2_minus_90deg*u1_dot_of_place
         let q3_of_place = u1_dot_of_place
@@ -864,31 +802,14 @@ pub fn taylor<S: Scalar>(
                 count * q2_minus_90deg,
                 count * q2_minus_90deg_halved,
                 count * q2_minus_90deg_halved,
-                sin_q2_minus_90deg_by_2,
-                sin_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                u2_of_place_3,
-                sin_q2_minus_90deg,
-                u1,
-                sin_q2_minus_90deg,
-                cos_q2_minus_90deg,
-                u1_dot_of_place_3,
+                sin_q2_minus_90deg_by_2, sin_q2_minus_90deg, sin_q2_minus_90deg, u2_of_place_3,
+                sin_q2_minus_90deg, u1, sin_q2_minus_90deg, cos_q2_minus_90deg, u1_dot_of_place_3,
                 cos_q2_minus_90deg,
             ]),
             padded([
-                cos_q2_minus_90deg,
-                sin_q2_minus_90deg,
-                cos_q2_minus_90deg_by_2,
-                sin_q2_minus_90deg_by_2,
-                sin_q2_minus_90deg_by_2,
-                u2_of_place_3,
-                u1_dot_of_place,
-                u1_dot_of_place,
-                sin_q2_minus_90deg,
-                u1,
-                u1_sq,
-                u1_dot_of_u1,
-                u1_dot_2,
+                cos_q2_minus_90deg, sin_q2_minus_90deg, cos_q2_minus_90deg_by_2,
+                sin_q2_minus_90deg_by_2, sin_q2_minus_90deg_by_2, u2_of_place_3, u1_dot_of_place,
+                u1_dot_of_place, sin_q2_minus_90deg, u1, u1_sq, u1_dot_of_u1, u1_dot_2,
                 u1_dot_of_place,
             ]),
         ];
@@ -1013,11 +934,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

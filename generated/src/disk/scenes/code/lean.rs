@@ -30,12 +30,15 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            g: p[0],
-            u3: p[1],
-            H_a3_scaled: p[2],
-            u3_times_2: p[3],
-            g_times_4: p[4],
+            g: p[0], u3: p[1], H_a3_scaled: p[2], u3_times_2: p[3], g_times_4: p[4],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 5] {
+        let Self { g, u3, H_a3_scaled, u3_times_2, g_times_4, .. } = self;
+        [g, u3, H_a3_scaled, u3_times_2, g_times_4]
     }
 }
 
@@ -161,8 +164,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 1]) -> S {
     let u2 = (-u3_times_2).mul_add(s2, H_a3_scaled) / c2;
     // Values.
     // V = g*(cos(q2) - 1) + u2^2/8 + u3^2/4
-    let energy = g * (c2 - S::int(1)) + S::ratio(1, 8) * u2 * u2
-        + S::ratio(1, 4) * u3 * u3;
+    let energy = g * (c2 - S::int(1)) + S::ratio(1, 8) * u2 * u2 + S::ratio(1, 4) * u3 * u3;
     energy
 }
 
@@ -218,7 +220,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [[S; 2]
     let Parameters { H_a3_scaled, u3_times_2, g_times_4, .. } = *p;
     let [q2] = *q;
     let [u1] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -254,6 +255,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [[S; 2]
     // Entries that are not zero.
     // d(q2')/d(u1) = -1
     let q2_dot_by_u1_value = -S::int(1);
+    let zero = S::int(0);
     [[zero, q2_dot_by_u1_value], [u1_dot_by_q2, u1_dot_by_u1]]
 }
 
@@ -291,8 +293,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> 
     let energy_of_u1_2 = (-u1).mul_add(energy_of_u1, u2 * u2);
     // Values.
     // T + V = g*(cos(q2) - 1) + u1^2*(5 - 4*cos(q2)^2)/8 + u2^2/8 + u3^2/4
-    let energy = g * (c2 - S::int(1)) + S::ratio(1, 4) * u3 * u3
-        + S::ratio(1, 8) * energy_of_u1_2;
+    let energy = g * (c2 - S::int(1)) + S::ratio(1, 4) * u3 * u3 + S::ratio(1, 8) * energy_of_u1_2;
     // d(T + V)/d(q2) = u1^2*sin(q2)*cos(q2) - g*sin(q2) - u2*(u3_times_2 + tan(q2)*(u3_times_2*sin(q2) -
     //   H_a3_scaled)/cos(q2))/4
     let energy_by_q2 = s2 * (u1 * u1 * c2 - g)
@@ -338,8 +339,7 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> 
         * (-u3_sin_q2_to).mul_add(S::int(2), H_a3_scaled).powi(2)
         / (cos_q2_from * cos_q2_from * cos_q2_to * cos_q2_to) - g * sinc1 * sin_angle
         + S::ratio(1, 2) * u3 * sinc1 * cos_angle
-            * (u3.mul_add(sin_q2_from, -H_a3_scaled) + u3_sin_q2_to)
-            / (cos_q2_from * cos_q2_from);
+            * (u3.mul_add(sin_q2_from, -H_a3_scaled) + u3_sin_q2_to) / (cos_q2_from * cos_q2_from);
     slope
 }
 
@@ -370,8 +370,7 @@ pub fn taylor<S: Scalar>(
     let u1_sq_c2_0 = c2_0 * u1_sq_0;
     let u1_dot_of_q2_0 = c2_sq_0.mul_add(S::int(4), -S::int(5));
     let over_u1_dot_of_q2 = S::int(1) / u1_dot_of_q2_0;
-    let u1_dot_of_u1_0 = u1_sq_c2_0.mul_add(S::int(4), minus_g_times_4)
-        + u1_dot_of_place_2_0;
+    let u1_dot_of_u1_0 = u1_sq_c2_0.mul_add(S::int(4), minus_g_times_4) + u1_dot_of_place_2_0;
     let u1_dot_of_u1_2_0 = s2_0 * u1_dot_of_u1_0;
     let u1_dot_of_u1_3_0 = minus_u3_times_2 * u2_of_place_2_0 + u1_dot_of_u1_2_0;
     let u1_dot_of_u1_4_0 = u1_dot_of_u1_3_0 * over_u1_dot_of_q2;
@@ -406,28 +405,11 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q2_1,
-                q2_1,
-                c2_1,
-                c2_1,
-                c2_1,
-                u2_of_place_2_1,
-                u1_1,
-                c2_1,
-                s2_1,
-                u1_dot_of_q2_1,
+                q2_1, q2_1, c2_1, c2_1, c2_1, u2_of_place_2_1, u1_1, c2_1, s2_1, u1_dot_of_q2_1,
             ]),
             padded([
-                c2_1,
-                s2_1,
-                u2_of_place_2_1,
-                c2_1,
-                u1_dot_of_place_1,
-                u1_dot_of_place_1,
-                u1_1,
-                u1_sq_1,
-                u1_dot_of_u1_1,
-                u1_dot_of_u1_4_1,
+                c2_1, s2_1, u2_of_place_2_1, c2_1, u1_dot_of_place_1, u1_dot_of_place_1, u1_1,
+                u1_sq_1, u1_dot_of_u1_1, u1_dot_of_u1_4_1,
             ]),
         ];
     }
@@ -540,26 +522,11 @@ pub fn taylor<S: Scalar>(
             padded([
                 count * q2,
                 count * q2,
-                c2,
-                c2,
-                c2,
-                u2_of_place_2,
-                u1,
-                c2,
-                s2,
-                u1_dot_of_q2,
+                c2, c2, c2, u2_of_place_2, u1, c2, s2, u1_dot_of_q2,
             ]),
             padded([
-                c2,
-                s2,
-                u2_of_place_2,
-                c2,
-                u1_dot_of_place,
-                u1_dot_of_place,
-                u1,
-                u1_sq,
-                u1_dot_of_u1,
-                u1_dot_of_u1_4,
+                c2, s2, u2_of_place_2, c2, u1_dot_of_place, u1_dot_of_place, u1, u1_sq,
+                u1_dot_of_u1, u1_dot_of_u1_4,
             ]),
         ];
         count_last = count;
@@ -680,11 +647,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

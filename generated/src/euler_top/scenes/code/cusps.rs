@@ -38,30 +38,22 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            m: p[0],
-            l: p[1],
-            I1: p[2],
-            I3: p[3],
-            g: p[4],
-            p_psi_there: p[5],
-            p_phi: p[6],
-            p_phi_times_2: p[7],
-            m_l_g: p[8],
+            m: p[0], l: p[1], I1: p[2], I3: p[3], g: p[4], p_psi_there: p[5], p_phi: p[6],
+            p_phi_times_2: p[7], m_l_g: p[8],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 9] {
+        let Self { m, l, I1, I3, g, p_psi_there, p_phi, p_phi_times_2, m_l_g, .. } = self;
+        [m, l, I1, I3, g, p_psi_there, p_phi, p_phi_times_2, m_l_g]
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
 pub const PARAMETERS: [&str; 9] = [
-    "m",
-    "l",
-    "I1",
-    "I3",
-    "g",
-    "p_psi_there",
-    "p_phi",
-    "p_phi_times_2",
-    "m_l_g",
+    "m", "l", "I1", "I3", "g", "p_psi_there", "p_phi", "p_phi_times_2", "m_l_g",
 ];
 
 /// Names of the outputs.
@@ -103,15 +95,8 @@ pub fn constants<S: Scalar>(
     // m_l_g = m*l*g
     let m_l_g_value = m * l * g;
     [
-        m_value,
-        l_value,
-        I1_value,
-        I3_value,
-        g_value,
-        p_psi_there_value,
-        p_phi_value,
-        p_phi_times_2_value,
-        m_l_g_value,
+        m_value, l_value, I1_value, I3_value, g_value, p_psi_there_value, p_phi_value,
+        p_phi_times_2_value, m_l_g_value,
     ]
 }
 
@@ -159,8 +144,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [
     let u3 = p_phi / I3;
     // u1' = (m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
     let u1_dot = i1_inv
-        * (u2 * (-I3).mul_add(u3, I1 * u2 * sin_theta_inv * cos_theta)
-            + m_l_g * sin_theta);
+        * (u2 * (-I3).mul_add(u3, I1 * u2 * sin_theta_inv * cos_theta) + m_l_g * sin_theta);
     [u1_dot]
 }
 
@@ -178,8 +162,7 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
     let sin_theta_inv = S::int(1) / sin_theta;
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
-    let u2 = sin_theta_inv
-        * (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2) / I1;
+    let u2 = sin_theta_inv * (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2) / I1;
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
     let u2_sin_theta_inv = u2 * sin_theta_inv;
@@ -218,8 +201,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step, each after the terms that it shares.
     // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
-    let u2 = (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2)
-        / (I1 * sin_theta);
+    let u2 = (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2) / (I1 * sin_theta);
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
     // I1*u2^2 + I3*u3^2
@@ -243,8 +225,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 3], u: &[S; 1]) -> [
     let (sin_theta_by_2, _) = (S::ratio(1, 2) * theta).sin_cos();
     // Elimination, step by step, each after the terms that it shares.
     // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
-    let u2 = (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2)
-        / (I1 * sin_theta);
+    let u2 = (p_psi_there + p_phi_times_2 * sin_theta_by_2 * sin_theta_by_2) / (I1 * sin_theta);
     // u3 = p_phi/I3
     let u3 = p_phi / I3;
     // Values.
@@ -286,8 +267,7 @@ pub fn derivative<S: Scalar>(
     let u2_sin_theta_inv = u2 * sin_theta_inv;
     let u1_dot_of_theta_u2 = u2_sin_theta_inv * cos_theta;
     // u1' = (m_l_g*sin(theta) - u2*(I3*u3 - I1*u2/tan(theta)))/I1
-    let u1_dot = i1_inv
-        * (u2 * (-I3).mul_add(u3, I1 * u1_dot_of_theta_u2) + m_l_g * sin_theta);
+    let u1_dot = i1_inv * (u2 * (-I3).mul_add(u3, I1 * u1_dot_of_theta_u2) + m_l_g * sin_theta);
     // Values.
     // theta' = u1
     let theta_dot_value = u1;
@@ -305,7 +285,6 @@ pub fn derivative<S: Scalar>(
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
     let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, m_l_g, .. } = *p;
     let [theta, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -322,8 +301,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     let u2_by_theta_of_theta = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
     // u2_by_theta = (p_psi_there*(2*sin(theta/2)^2 - 1) +
     //   p_phi_times_2*sin(theta/2)^2)/(4*I1*sin(theta/2)^2*cos(theta/2)^2)
-    let u2_by_theta = S::ratio(1, 4) * i1_inv * u2_by_theta_of_theta
-        * u2_by_theta_of_theta
+    let u2_by_theta = S::ratio(1, 4) * i1_inv * u2_by_theta_of_theta * u2_by_theta_of_theta
         * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1)) + u2_of_place);
     let u2_sin_theta_inv = u2 * sin_theta_inv;
     let cos_theta_u2_by_theta = u2_by_theta * cos_theta;
@@ -335,11 +313,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     // d(theta')/d(u1) = 1
     let theta_dot_by_u1_value = S::int(1);
     // d(phi')/d(theta) = (u2/sin(theta) - u2_by_theta*cos(theta))/sin(theta)
-    let phi_dot_by_theta_value = sin_theta_inv
-        * (u2_sin_theta_inv - cos_theta_u2_by_theta);
+    let phi_dot_by_theta_value = sin_theta_inv * (u2_sin_theta_inv - cos_theta_u2_by_theta);
     // d(psi')/d(theta) = (u2_by_theta - u2/tan(theta))/sin(theta)
     let psi_dot_by_theta_value = sin_theta_inv
         * (-u2_sin_theta_inv).mul_add(cos_theta, u2_by_theta);
+    let zero = S::int(0);
     [
         [zero, zero, zero, theta_dot_by_u1_value],
         [phi_dot_by_theta_value, zero, zero, zero],
@@ -370,7 +348,6 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     let Parameters { m, l, I1, I3, g, p_psi_there, p_phi, p_phi_times_2, .. } = *p;
     let [theta, _, _] = *q;
     let [u1] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -390,14 +367,14 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     let energy = m_l_g_2.mul_add(cos_theta, S::ratio(1, 2) * energy_of_u1);
     // d(T + V)/d(theta) = (sin(theta/2)^2*(8*m*l*g*sin(theta/2)*cos(theta/2)*(sin(theta/2)^2 - 1) +
     //   u2*(2*p_psi_there + p_phi_times_2)) - u2*p_psi_there)/(4*sin(theta/2)^2*cos(theta/2)^2)
-    let energy_by_theta = S::ratio(1, 4) * energy_by_theta_of_theta
-        * energy_by_theta_of_theta
+    let energy_by_theta = S::ratio(1, 4) * energy_by_theta_of_theta * energy_by_theta_of_theta
         * (sin_theta_by_2_sq
             * (u2 * p_psi_there.mul_add(S::int(2), p_phi_times_2)
                 + S::int(8) * m_l_g_2 * sin_theta_by_2 * cos_theta_by_2
                     * (sin_theta_by_2_sq - S::int(1))) - u2 * p_psi_there);
     // d(T + V)/d(u1) = I1*u1
     let energy_by_u1 = I1 * u1;
+    let zero = S::int(0);
     [energy, energy_by_theta, zero, zero, energy_by_u1]
 }
 
@@ -521,26 +498,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta_1,
-                theta_1,
-                theta_halved_1,
-                theta_halved_1,
-                sin_theta_by_2_1,
-                sin_theta_1,
-                sin_theta_1,
-                cos_theta_1,
-                u2_of_place_2_1,
+                theta_1, theta_1, theta_halved_1, theta_halved_1, sin_theta_by_2_1, sin_theta_1,
+                sin_theta_1, cos_theta_1, u2_of_place_2_1,
             ]),
             padded([
-                cos_theta_1,
-                sin_theta_1,
-                cos_theta_by_2_1,
-                sin_theta_by_2_1,
-                sin_theta_by_2_1,
-                u2_of_place_2_1,
-                u1_dot_of_place_1,
-                u1_dot_of_place_1,
-                u1_dot_of_place_3_1,
+                cos_theta_1, sin_theta_1, cos_theta_by_2_1, sin_theta_by_2_1, sin_theta_by_2_1,
+                u2_of_place_2_1, u1_dot_of_place_1, u1_dot_of_place_1, u1_dot_of_place_3_1,
             ]),
         ];
     }
@@ -681,22 +644,11 @@ pub fn taylor<S: Scalar>(
                 count * theta,
                 count * theta_halved,
                 count * theta_halved,
-                sin_theta_by_2,
-                sin_theta,
-                sin_theta,
-                cos_theta,
-                u2_of_place_2,
+                sin_theta_by_2, sin_theta, sin_theta, cos_theta, u2_of_place_2,
             ]),
             padded([
-                cos_theta,
-                sin_theta,
-                cos_theta_by_2,
-                sin_theta_by_2,
-                sin_theta_by_2,
-                u2_of_place_2,
-                u1_dot_of_place,
-                u1_dot_of_place,
-                u1_dot_of_place_3,
+                cos_theta, sin_theta, cos_theta_by_2, sin_theta_by_2, sin_theta_by_2, u2_of_place_2,
+                u1_dot_of_place, u1_dot_of_place, u1_dot_of_place_3,
             ]),
         ];
         count_last = count;
@@ -816,11 +768,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -44,50 +44,37 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            m: p[0],
-            l: p[1],
-            p_x: p[2],
-            p_y: p[3],
-            H_n3_scaled: p[4],
-            centre_x: p[5],
-            centre_y: p[6],
-            H_n3_scaled_per_m_per_l_squared: p[7],
-            l_by_6: p[8],
-            p_y_per_m_by_3: p[9],
-            p_x_per_m_by_3: p[10],
-            m_l_squared_by_12: p[11],
+            m: p[0], l: p[1], p_x: p[2], p_y: p[3], H_n3_scaled: p[4], centre_x: p[5],
+            centre_y: p[6], H_n3_scaled_per_m_per_l_squared: p[7], l_by_6: p[8],
+            p_y_per_m_by_3: p[9], p_x_per_m_by_3: p[10], m_l_squared_by_12: p[11],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 12] {
+        let Self {
+            m, l, p_x, p_y, H_n3_scaled, centre_x, centre_y, H_n3_scaled_per_m_per_l_squared,
+            l_by_6, p_y_per_m_by_3, p_x_per_m_by_3, m_l_squared_by_12,
+            ..
+        } = self;
+        [
+            m, l, p_x, p_y, H_n3_scaled, centre_x, centre_y, H_n3_scaled_per_m_per_l_squared,
+            l_by_6, p_y_per_m_by_3, p_x_per_m_by_3, m_l_squared_by_12,
+        ]
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
 pub const PARAMETERS: [&str; 12] = [
-    "m",
-    "l",
-    "p_x",
-    "p_y",
-    "H_n3_scaled",
-    "centre_x",
-    "centre_y",
-    "H_n3_scaled_per_m_per_l_squared",
-    "l_by_6",
-    "p_y_per_m_by_3",
-    "p_x_per_m_by_3",
+    "m", "l", "p_x", "p_y", "H_n3_scaled", "centre_x", "centre_y",
+    "H_n3_scaled_per_m_per_l_squared", "l_by_6", "p_y_per_m_by_3", "p_x_per_m_by_3",
     "m_l_squared_by_12",
 ];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 10] = [
-    "x",
-    "y",
-    "theta1",
-    "theta2",
-    "theta3",
-    "u1",
-    "u2",
-    "u3",
-    "u4",
-    "u5",
+    "x", "y", "theta1", "theta2", "theta3", "u1", "u2", "u3", "u4", "u5",
 ];
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.
@@ -134,8 +121,7 @@ pub fn constants<S: Scalar>(
         * cos_theta1.mul_add(cos_theta3, sin_theta1 * sin_theta3)
         + S::int(3) * H_n3_scaled_value_of_place;
     // H_n3_scaled_value_of_u3_u4_u5 + H_n3_scaled_value_of_place_2
-    let H_n3_scaled_value_of_place_3 = H_n3_scaled_value_of_u3_u4_u5
-        + H_n3_scaled_value_of_place_2;
+    let H_n3_scaled_value_of_place_3 = H_n3_scaled_value_of_u3_u4_u5 + H_n3_scaled_value_of_place_2;
     let l_m_l = l * m_l;
     let m_l_times_3_by_2 = S::ratio(3, 2) * m_l;
     let l_by_6_2 = S::ratio(1, 6) * l;
@@ -172,18 +158,9 @@ pub fn constants<S: Scalar>(
     // m_l_squared_by_12 = m*l^2/12
     let m_l_squared_by_12_value = S::ratio(1, 12) * l_m_l;
     [
-        m_value,
-        l_value,
-        p_x_value,
-        p_y_value,
-        H_n3_scaled_value,
-        centre_x_value,
-        centre_y_value,
-        H_n3_scaled_per_m_per_l_squared_value,
-        l_by_6_value,
-        p_y_per_m_by_3_value,
-        p_x_per_m_by_3_value,
-        m_l_squared_by_12_value,
+        m_value, l_value, p_x_value, p_y_value, H_n3_scaled_value, centre_x_value, centre_y_value,
+        H_n3_scaled_per_m_per_l_squared_value, l_by_6_value, p_y_per_m_by_3_value,
+        p_x_per_m_by_3_value, m_l_squared_by_12_value,
     ]
 }
 
@@ -239,8 +216,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     let u3_of_place_7_times_6 = S::int(6) * u3_of_place_7;
     // 1/(13 + u3_of_place*u3_of_place_5 + u3_of_place_6 + u3_of_place_7_times_6)
     let u3_of_place_8 = S::int(1)
-        / (u3_of_place.mul_add(u3_of_place_5, S::int(13)) + u3_of_place_6
-            + u3_of_place_7_times_6);
+        / (u3_of_place.mul_add(u3_of_place_5, S::int(13)) + u3_of_place_6 + u3_of_place_7_times_6);
     // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -249,8 +225,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3 = u3_of_place_8
         * (H_n3_scaled_per_m_per_l_squared
-            - u4_from_u3
-                * (u3_of_place.mul_add(u3_of_place_2, S::int(7)) + u3_of_place_4)
+            - u4_from_u3 * (u3_of_place.mul_add(u3_of_place_2, S::int(7)) + u3_of_place_4)
             - u5_from_u3
                 * (S::int(3) + cos_theta3_from_theta1 * (S::int(1) + u3_of_place_2)
                     + u3_of_place_4));
@@ -264,8 +239,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     let r1__of_motion = u5_from_u3 + u3_plus_u4_from_u3;
     let r1__of_motion_2 = u3_of_place_5 * r1__of_motion;
     // u4_from_u3 + 2*u3_plus_u5_from_u3 + r1__of_motion_2
-    let r1__of_motion_3 = u3_plus_u5_from_u3.mul_add(S::int(2), u4_from_u3)
-        + r1__of_motion_2;
+    let r1__of_motion_3 = u3_plus_u5_from_u3.mul_add(S::int(2), u4_from_u3) + r1__of_motion_2;
     let u5_from_u3_times_6 = S::int(6) * u5_from_u3;
     let r1__of_place_2 = S::int(2) * sin_theta3_from_theta1;
     // 10 + u3_of_place_2
@@ -299,8 +273,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     let u5_from_u3_doubled = S::int(2) * u5_from_u3;
     let u4_from_u3_times_14 = S::int(14) * u4_from_u3;
     // u3*(15 + u3_of_place_6) + r1__of_place_8*u5_from_u3_doubled
-    let r1__of_u5_from_u3 = u3 * (S::int(15) + u3_of_place_6)
-        + r1__of_place_8 * u5_from_u3_doubled;
+    let r1__of_u5_from_u3 = u3 * (S::int(15) + u3_of_place_6) + r1__of_place_8 * u5_from_u3_doubled;
     // u4_from_u3_times_14 + r1__of_u5_from_u3
     let r1__of_motion_9 = u4_from_u3_times_14 + r1__of_u5_from_u3;
     // u3_plus_u5_from_u3 + r1__of_motion_2
@@ -332,8 +305,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     let r1__of_place_11 = S::int(33) - u3_of_place_7 * r1__of_place_10
         + cos_theta3_from_theta1
             * (S::int(14) + r1__of_place_4
-                - r1__of_place_10
-                    * u3_of_place.mul_add(cos_theta2_from_theta1, u3_of_place_7));
+                - r1__of_place_10 * u3_of_place.mul_add(cos_theta2_from_theta1, u3_of_place_7));
     let r1__of_place_11_inv = S::int(1) / r1__of_place_11;
     // u3*(cos(theta3_from_theta1)*(u3_of_place_3*(u3*(13 + u3_of_place_5) + 6*u4_from_u3*r1__of_place +
     //   u3_of_place_6*r1__of_motion_3 + u5_from_u3_times_6) + r1__of_place_2*(9*u4_from_u3 +
@@ -350,8 +322,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     let r1__of_motion_17 = u3
         * (cos_theta3_from_theta1
             * (u3_of_place_3
-                * (u3 * (S::int(13) + u3_of_place_5)
-                    + S::int(6) * u4_from_u3 * r1__of_place
+                * (u3 * (S::int(13) + u3_of_place_5) + S::int(6) * u4_from_u3 * r1__of_place
                     + u3_of_place_6 * r1__of_motion_3 + u5_from_u3_times_6)
                 + r1__of_place_2
                     * (u3_plus_u5_from_u3.mul_add(S::int(8), S::int(9) * u4_from_u3)
@@ -362,8 +333,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
             - sin_theta3_from_theta1
                 * (u5_from_u3_times_6 + S::int(18) * u4_from_u3
                     + u3_of_place_2
-                        * (S::int(3) * u3
-                            * cos_theta2_from_theta1.mul_add(S::int(2), S::int(5))
+                        * (S::int(3) * u3 * cos_theta2_from_theta1.mul_add(S::int(2), S::int(5))
                             + u5_from_u3_times_6
                             + S::int(2) * u4_from_u3 * r1__of_place_3) + u3_times_13))
         + cos_theta3_from_theta1
@@ -377,8 +347,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
                             r1__of_motion_5 * cos_theta3_from_theta1,
                         ) + u5_from_u3_sq_times_3))
         - S::int(3) * sin_theta3_from_theta1
-            * (cos_theta2_from_theta1
-                * r1__of_place_3.mul_add(u4_from_u3_sq, u5_from_u3_sq_times_3)
+            * (cos_theta2_from_theta1 * r1__of_place_3.mul_add(u4_from_u3_sq, u5_from_u3_sq_times_3)
                 + r1__of_motion_6)
         - u3_of_place_3 * u3_of_place_2.mul_add(r1__of_motion_4, r1__of_motion_6);
     // r1_ = m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
@@ -436,8 +405,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
                     * (u3_of_place_4 - S::int(3) - u3_of_place_2
                         + cos_theta3_from_theta1
                             * (u3_of_place_2
-                                .mul_add(r1__of_place_6, u3_of_place_7_times_6)
-                                + r1__of_place_7)))
+                                .mul_add(r1__of_place_6, u3_of_place_7_times_6) + r1__of_place_7)))
             * (u3
                 * (S::int(3) * cos_theta3_from_theta1
                     * (sin_theta2_from_theta1
@@ -534,13 +502,11 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
                                         u3_of_place_3 * r1__of_motion_8,
                                     )))
             - sin_theta3_from_theta1
-                * (u4_from_u3_sq_times_9
-                    + S::int(9) * u5_from_u3_dot * sin_theta2_from_theta1
+                * (u4_from_u3_sq_times_9 + S::int(9) * u5_from_u3_dot * sin_theta2_from_theta1
                     + u5_from_u3_sq_times_7
                     + u3_of_place_2
                         * (u5_from_u3_dot * u3_of_place_3 - S::int(5) * u5_from_u3_sq
-                            - u3_of_place_2
-                                * u4_from_u3_sq.mul_add(S::int(2), u5_from_u3_sq)
+                            - u3_of_place_2 * u4_from_u3_sq.mul_add(S::int(2), u5_from_u3_sq)
                             - u3 * r1__of_motion_11 - u4_from_u3_sq_times_7)
                     + r1__of_motion_12 * u3_doubled));
     [u4_from_u3_dot, u5_from_u3_dot]
@@ -560,8 +526,7 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) ->
     // Elimination, step by step, each after the terms that it shares.
     let u3_of_place = sin_theta2_from_theta1 * sin_theta3_from_theta1;
     // cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)) + u3_of_place
-    let u3_of_place_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1)
-        + u3_of_place;
+    let u3_of_place_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1) + u3_of_place;
     // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -571,12 +536,10 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) ->
     let u3 = (H_n3_scaled_per_m_per_l_squared
         - u5_from_u3
             * (S::int(3)
-                + cos_theta3_from_theta1
-                    * cos_theta2_from_theta1.mul_add(S::int(3), S::int(1))
+                + cos_theta3_from_theta1 * cos_theta2_from_theta1.mul_add(S::int(3), S::int(1))
                 + S::int(3) * u3_of_place)
         - u4_from_u3 * u3_of_place_2.mul_add(S::int(3), S::int(7)))
-        / (cos_theta3_from_theta1.mul_add(S::int(2), S::int(13))
-            + S::int(6) * u3_of_place_2);
+        / (cos_theta3_from_theta1.mul_add(S::int(2), S::int(13)) + S::int(6) * u3_of_place_2);
     // Values.
     // theta2_from_theta1' = u4_from_u3
     let theta2_from_theta1_dot_value = u4_from_u3;
@@ -599,16 +562,13 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> S
     // Elimination, step by step, each after the terms that it shares.
     let u3_of_place = sin_theta2_from_theta1 * sin_theta3_from_theta1;
     // cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)) + u3_of_place
-    let u3_of_place_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1)
-        + u3_of_place;
+    let u3_of_place_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1) + u3_of_place;
     // u5_from_u3*(3 + cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1)) + 3*u3_of_place) +
     //   u4_from_u3*(7 + 3*u3_of_place_2)
     let u3_of_motion = u5_from_u3
         * (S::int(3)
-            + cos_theta3_from_theta1
-                * cos_theta2_from_theta1.mul_add(S::int(3), S::int(1))
-            + S::int(3) * u3_of_place)
-        + u4_from_u3 * u3_of_place_2.mul_add(S::int(3), S::int(7));
+            + cos_theta3_from_theta1 * cos_theta2_from_theta1.mul_add(S::int(3), S::int(1))
+            + S::int(3) * u3_of_place) + u4_from_u3 * u3_of_place_2.mul_add(S::int(3), S::int(7));
     // 13 + 2*cos(theta3_from_theta1) + 6*u3_of_place_2
     let u3_of_place_3 = cos_theta3_from_theta1.mul_add(S::int(2), S::int(13))
         + S::int(6) * u3_of_place_2;
@@ -630,8 +590,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> S
                 + u4_from_u3
                     * (S::int(6) * u5_from_u3
                         * cos_theta2_from_theta1
-                            .mul_add(cos_theta3_from_theta1, u3_of_place)
-                        + S::int(7) * u4_from_u3)
+                            .mul_add(cos_theta3_from_theta1, u3_of_place) + S::int(7) * u4_from_u3)
                 + u3 * u3.mul_add(u3_of_place_3, S::int(2) * u3_of_motion));
     // Values.
     // T = m*l^2*(3*u5_from_u3^2 + u3*(u3*(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -664,8 +623,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
         * (S::int(4) * p_x * p_x + S::int(4) * p_y * p_y
             + H_n3_scaled * H_n3_scaled
                 / (l * l
-                    * (S::int(13)
-                        + S::int(6) * sin_theta2_from_theta1 * sin_theta3_from_theta1
+                    * (S::int(13) + S::int(6) * sin_theta2_from_theta1 * sin_theta3_from_theta1
                         + S::int(2) * cos_theta3_from_theta1
                         + S::int(6) * cos_theta2_from_theta1
                             * (S::int(1) + cos_theta3_from_theta1)))) / m;
@@ -678,15 +636,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
 #[must_use]
 pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S; 10] {
     let Parameters {
-        m,
-        l,
-        p_x,
-        p_y,
-        centre_x,
-        centre_y,
-        H_n3_scaled_per_m_per_l_squared,
-        l_by_6,
-        p_y_per_m_by_3,
+        m, l, p_x, p_y, centre_x, centre_y, H_n3_scaled_per_m_per_l_squared, l_by_6, p_y_per_m_by_3,
         p_x_per_m_by_3,
         ..
     } = *p;
@@ -699,8 +649,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     // Elimination, step by step, each after the terms that it shares.
     let u3_of_place = sin_theta2_from_theta1 * sin_theta3_from_theta1;
     // cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)) + u3_of_place
-    let u3_of_place_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1)
-        + u3_of_place;
+    let u3_of_place_2 = cos_theta2_from_theta1 * (S::int(1) + cos_theta3_from_theta1) + u3_of_place;
     // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -710,12 +659,10 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     let u3 = (H_n3_scaled_per_m_per_l_squared
         - u5_from_u3
             * (S::int(3)
-                + cos_theta3_from_theta1
-                    * cos_theta2_from_theta1.mul_add(S::int(3), S::int(1))
+                + cos_theta3_from_theta1 * cos_theta2_from_theta1.mul_add(S::int(3), S::int(1))
                 + S::int(3) * u3_of_place)
         - u4_from_u3 * u3_of_place_2.mul_add(S::int(3), S::int(7)))
-        / (cos_theta3_from_theta1.mul_add(S::int(2), S::int(13))
-            + S::int(6) * u3_of_place_2);
+        / (cos_theta3_from_theta1.mul_add(S::int(2), S::int(13)) + S::int(6) * u3_of_place_2);
     // cos(theta1)*cos(theta3_from_theta1) - sin(theta1)*sin(theta3_from_theta1)
     let u2_of_place = (-sin_theta1)
         .mul_add(sin_theta3_from_theta1, cos_theta1 * cos_theta3_from_theta1);
@@ -724,8 +671,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
         .mul_add(sin_theta2_from_theta1, cos_theta1 * cos_theta2_from_theta1);
     let u2_of_place_2_times_3 = S::int(3) * u2_of_place_2;
     // 2*cos(theta1) + cos(theta1 + theta3_from_theta1) + u2_of_place_2_times_3
-    let u2_of_place_3 = cos_theta1.mul_add(S::int(2), u2_of_place)
-        + u2_of_place_2_times_3;
+    let u2_of_place_3 = cos_theta1.mul_add(S::int(2), u2_of_place) + u2_of_place_2_times_3;
     // u2 = p_y_per_m_by_3 - l_by_6*(u3*(2*cos(theta1) + 3*cos(theta1 + theta2_from_theta1) + cos(theta1 +
     //   theta3_from_theta1)) + 3*u4_from_u3*cos(theta1 + theta2_from_theta1) + u5_from_u3*cos(theta1 +
     //   theta3_from_theta1))
@@ -741,8 +687,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
         .mul_add(cos_theta2_from_theta1, cos_theta1 * sin_theta2_from_theta1);
     let u1_of_place_2_times_3 = S::int(3) * u1_of_place_2;
     // 2*sin(theta1) + sin(theta1 + theta3_from_theta1) + u1_of_place_2_times_3
-    let u1_of_place_3 = sin_theta1.mul_add(S::int(2), u1_of_place)
-        + u1_of_place_2_times_3;
+    let u1_of_place_3 = sin_theta1.mul_add(S::int(2), u1_of_place) + u1_of_place_2_times_3;
     // u1 = l_by_6*(u3*(2*sin(theta1) + 3*sin(theta1 + theta2_from_theta1) + sin(theta1 +
     //   theta3_from_theta1)) + 3*u4_from_u3*sin(theta1 + theta2_from_theta1) + u5_from_u3*sin(theta1 +
     //   theta3_from_theta1)) + p_x_per_m_by_3
@@ -770,16 +715,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
     // u5 = u3 + u5_from_u3
     let u5_value = u3 + u5_from_u3;
     [
-        x_value,
-        y_value,
-        theta1_value,
-        theta2_value,
-        theta3_value,
-        u1,
-        u2,
-        u3,
-        u4_value,
-        u5_value,
+        x_value, y_value, theta1_value, theta2_value, theta3_value, u1, u2, u3, u4_value, u5_value,
     ]
 }
 
@@ -811,8 +747,7 @@ pub fn derivative<S: Scalar>(
     let u3_of_place_7_times_6 = S::int(6) * u3_of_place_7;
     // 1/(13 + u3_of_place*u3_of_place_5 + u3_of_place_6 + u3_of_place_7_times_6)
     let u3_of_place_8 = S::int(1)
-        / (u3_of_place.mul_add(u3_of_place_5, S::int(13)) + u3_of_place_6
-            + u3_of_place_7_times_6);
+        / (u3_of_place.mul_add(u3_of_place_5, S::int(13)) + u3_of_place_6 + u3_of_place_7_times_6);
     // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -821,8 +756,7 @@ pub fn derivative<S: Scalar>(
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3 = u3_of_place_8
         * (H_n3_scaled_per_m_per_l_squared
-            - u4_from_u3
-                * (u3_of_place.mul_add(u3_of_place_2, S::int(7)) + u3_of_place_4)
+            - u4_from_u3 * (u3_of_place.mul_add(u3_of_place_2, S::int(7)) + u3_of_place_4)
             - u5_from_u3
                 * (S::int(3) + cos_theta3_from_theta1 * (S::int(1) + u3_of_place_2)
                     + u3_of_place_4));
@@ -836,8 +770,7 @@ pub fn derivative<S: Scalar>(
     let r1__of_motion = u5_from_u3 + u3_plus_u4_from_u3;
     let r1__of_motion_2 = u3_of_place_5 * r1__of_motion;
     // u4_from_u3 + 2*u3_plus_u5_from_u3 + r1__of_motion_2
-    let r1__of_motion_3 = u3_plus_u5_from_u3.mul_add(S::int(2), u4_from_u3)
-        + r1__of_motion_2;
+    let r1__of_motion_3 = u3_plus_u5_from_u3.mul_add(S::int(2), u4_from_u3) + r1__of_motion_2;
     let u5_from_u3_times_6 = S::int(6) * u5_from_u3;
     let r1__of_place_2 = S::int(2) * sin_theta3_from_theta1;
     // 10 + u3_of_place_2
@@ -871,8 +804,7 @@ pub fn derivative<S: Scalar>(
     let u5_from_u3_doubled = S::int(2) * u5_from_u3;
     let u4_from_u3_times_14 = S::int(14) * u4_from_u3;
     // u3*(15 + u3_of_place_6) + r1__of_place_8*u5_from_u3_doubled
-    let r1__of_u5_from_u3 = u3 * (S::int(15) + u3_of_place_6)
-        + r1__of_place_8 * u5_from_u3_doubled;
+    let r1__of_u5_from_u3 = u3 * (S::int(15) + u3_of_place_6) + r1__of_place_8 * u5_from_u3_doubled;
     // u4_from_u3_times_14 + r1__of_u5_from_u3
     let r1__of_motion_9 = u4_from_u3_times_14 + r1__of_u5_from_u3;
     // u3_plus_u5_from_u3 + r1__of_motion_2
@@ -904,8 +836,7 @@ pub fn derivative<S: Scalar>(
     let r1__of_place_11 = S::int(33) - u3_of_place_7 * r1__of_place_10
         + cos_theta3_from_theta1
             * (S::int(14) + r1__of_place_4
-                - r1__of_place_10
-                    * u3_of_place.mul_add(cos_theta2_from_theta1, u3_of_place_7));
+                - r1__of_place_10 * u3_of_place.mul_add(cos_theta2_from_theta1, u3_of_place_7));
     let r1__of_place_11_inv = S::int(1) / r1__of_place_11;
     // u3*(cos(theta3_from_theta1)*(u3_of_place_3*(u3*(13 + u3_of_place_5) + 6*u4_from_u3*r1__of_place +
     //   u3_of_place_6*r1__of_motion_3 + u5_from_u3_times_6) + r1__of_place_2*(9*u4_from_u3 +
@@ -922,8 +853,7 @@ pub fn derivative<S: Scalar>(
     let r1__of_motion_17 = u3
         * (cos_theta3_from_theta1
             * (u3_of_place_3
-                * (u3 * (S::int(13) + u3_of_place_5)
-                    + S::int(6) * u4_from_u3 * r1__of_place
+                * (u3 * (S::int(13) + u3_of_place_5) + S::int(6) * u4_from_u3 * r1__of_place
                     + u3_of_place_6 * r1__of_motion_3 + u5_from_u3_times_6)
                 + r1__of_place_2
                     * (u3_plus_u5_from_u3.mul_add(S::int(8), S::int(9) * u4_from_u3)
@@ -934,8 +864,7 @@ pub fn derivative<S: Scalar>(
             - sin_theta3_from_theta1
                 * (u5_from_u3_times_6 + S::int(18) * u4_from_u3
                     + u3_of_place_2
-                        * (S::int(3) * u3
-                            * cos_theta2_from_theta1.mul_add(S::int(2), S::int(5))
+                        * (S::int(3) * u3 * cos_theta2_from_theta1.mul_add(S::int(2), S::int(5))
                             + u5_from_u3_times_6
                             + S::int(2) * u4_from_u3 * r1__of_place_3) + u3_times_13))
         + cos_theta3_from_theta1
@@ -949,8 +878,7 @@ pub fn derivative<S: Scalar>(
                             r1__of_motion_5 * cos_theta3_from_theta1,
                         ) + u5_from_u3_sq_times_3))
         - S::int(3) * sin_theta3_from_theta1
-            * (cos_theta2_from_theta1
-                * r1__of_place_3.mul_add(u4_from_u3_sq, u5_from_u3_sq_times_3)
+            * (cos_theta2_from_theta1 * r1__of_place_3.mul_add(u4_from_u3_sq, u5_from_u3_sq_times_3)
                 + r1__of_motion_6)
         - u3_of_place_3 * u3_of_place_2.mul_add(r1__of_motion_4, r1__of_motion_6);
     // r1_ = m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
@@ -1008,8 +936,7 @@ pub fn derivative<S: Scalar>(
                     * (u3_of_place_4 - S::int(3) - u3_of_place_2
                         + cos_theta3_from_theta1
                             * (u3_of_place_2
-                                .mul_add(r1__of_place_6, u3_of_place_7_times_6)
-                                + r1__of_place_7)))
+                                .mul_add(r1__of_place_6, u3_of_place_7_times_6) + r1__of_place_7)))
             * (u3
                 * (S::int(3) * cos_theta3_from_theta1
                     * (sin_theta2_from_theta1
@@ -1106,13 +1033,11 @@ pub fn derivative<S: Scalar>(
                                         u3_of_place_3 * r1__of_motion_8,
                                     )))
             - sin_theta3_from_theta1
-                * (u4_from_u3_sq_times_9
-                    + S::int(9) * u5_from_u3_dot * sin_theta2_from_theta1
+                * (u4_from_u3_sq_times_9 + S::int(9) * u5_from_u3_dot * sin_theta2_from_theta1
                     + u5_from_u3_sq_times_7
                     + u3_of_place_2
                         * (u5_from_u3_dot * u3_of_place_3 - S::int(5) * u5_from_u3_sq
-                            - u3_of_place_2
-                                * u4_from_u3_sq.mul_add(S::int(2), u5_from_u3_sq)
+                            - u3_of_place_2 * u4_from_u3_sq.mul_add(S::int(2), u5_from_u3_sq)
                             - u3 * r1__of_motion_11 - u4_from_u3_sq_times_7)
                     + r1__of_motion_12 * u3_doubled));
     // Values.
@@ -1134,7 +1059,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let Parameters { H_n3_scaled_per_m_per_l_squared, m_l_squared_by_12, .. } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta3_from_theta1, cos_theta3_from_theta1) = theta3_from_theta1.sin_cos();
     let (sin_theta2_from_theta1, cos_theta2_from_theta1) = theta2_from_theta1.sin_cos();
@@ -1157,8 +1081,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u3_of_place_11 = u3_of_place_10 * sin_theta3_from_theta1;
     // 1/(13 + u3_of_place*u3_of_place_8 + u3_of_place_9 + u3_of_place_11)
     let u3_of_place_12 = S::int(1)
-        / (u3_of_place.mul_add(u3_of_place_8, S::int(13)) + u3_of_place_9
-            + u3_of_place_11);
+        / (u3_of_place.mul_add(u3_of_place_8, S::int(13)) + u3_of_place_9 + u3_of_place_11);
     // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -1311,8 +1234,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u5_from_u3_times_3 = S::int(3) * u5_from_u3;
     // 3*u3_plus_u4_from_u3 - r1__of_motion_28*cos(theta2_from_theta1) + u5_from_u3_times_3
     let r1__of_motion_29 = (-r1__of_motion_28)
-        .mul_add(cos_theta2_from_theta1, S::int(3) * u3_plus_u4_from_u3)
-        + u5_from_u3_times_3;
+        .mul_add(cos_theta2_from_theta1, S::int(3) * u3_plus_u4_from_u3) + u5_from_u3_times_3;
     // r1__of_motion_27*sin(theta2_from_theta1) + r1__of_place_3*r1__of_motion_29
     let r1__of_motion_30 = r1__of_place_3
         .mul_add(r1__of_motion_29, r1__of_motion_27 * sin_theta2_from_theta1);
@@ -1336,8 +1258,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u4_from_u3_sq_times_7 = S::int(7) * u4_from_u3_sq;
     // u3_of_place_2*r1__of_motion_36 + u5_from_u3_sq*r1__of_place_23 + u4_from_u3_sq_times_7
     let r1__of_motion_37 = u5_from_u3_sq
-        .mul_add(r1__of_place_23, u3_of_place_2 * r1__of_motion_36)
-        + u4_from_u3_sq_times_7;
+        .mul_add(r1__of_place_23, u3_of_place_2 * r1__of_motion_36) + u4_from_u3_sq_times_7;
     // u5_from_u3_sq - r1__of_motion_36*cos(theta3_from_theta1)
     let r1__of_motion_38 = (-r1__of_motion_36)
         .mul_add(cos_theta3_from_theta1, u5_from_u3_sq);
@@ -1420,8 +1341,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   u5_from_u3^2 + 3*cos(theta2_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let r1_ = r1__of_place_30
-        * r1__of_place_18.mul_add(r1__of_motion_43, r1__of_motion_44);
+    let r1_ = r1__of_place_30 * r1__of_place_18.mul_add(r1__of_motion_43, r1__of_motion_44);
     let u5_from_u3_dot_of_place = cos_theta2_from_theta1 * cos_theta3_from_theta1;
     // r1__of_place_24 + u5_from_u3_dot_of_place
     let u5_from_u3_dot_of_place_2 = r1__of_place_24 + u5_from_u3_dot_of_place;
@@ -1446,8 +1366,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u3_by_theta2_from_theta1_of_place = S::int(2) * H_n3_scaled_per_m_per_l_squared;
     let u5_from_u3_times_5 = S::int(5) * u5_from_u3;
     // u4_from_u3 - u3_by_theta2_from_theta1_of_place
-    let u3_by_theta2_from_theta1_of_u4_from_u3 = u4_from_u3
-        - u3_by_theta2_from_theta1_of_place;
+    let u3_by_theta2_from_theta1_of_u4_from_u3 = u4_from_u3 - u3_by_theta2_from_theta1_of_place;
     let u5_from_u3_times_7 = S::int(7) * u5_from_u3;
     // u3_by_theta2_from_theta1_of_place + u5_from_u3_times_7
     let u3_by_theta2_from_theta1_of_u5_from_u3 = u3_by_theta2_from_theta1_of_place
@@ -1477,8 +1396,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
         .mul_add(u3_of_place_6, u3_of_place_3 * r1__of_motion);
     let r1__by_theta2_from_theta1_of_place = S::int(4) * cos_theta3_from_theta1;
     let r1__by_theta2_from_theta1_of_place_2 = S::int(13) * u3_by_theta2_from_theta1;
-    let r1__by_theta2_from_theta1_of_motion_2 = r1__of_motion_11
-        * sin_theta2_from_theta1;
+    let r1__by_theta2_from_theta1_of_motion_2 = r1__of_motion_11 * sin_theta2_from_theta1;
     let r1__by_theta2_from_theta1_of_u4_from_u3 = u4_from_u3_sq * sin_theta2_from_theta1;
     let r1__by_theta2_from_theta1_of_place_3 = u3_by_theta2_from_theta1 * u3_of_place;
     let r1__by_theta2_from_theta1_of_place_4 = S::int(12) * cos_theta2_from_theta1;
@@ -1488,8 +1406,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let r1__by_theta2_from_theta1_of_motion_3 = (-u3_by_theta2_from_theta1)
         .mul_add(r1__by_theta2_from_theta1_of_place_5, u3_of_place_10 * r1__of_motion);
     // 13 + r1__by_theta2_from_theta1_of_place_4
-    let r1__by_theta2_from_theta1_of_place_6 = S::int(13)
-        + r1__by_theta2_from_theta1_of_place_4;
+    let r1__by_theta2_from_theta1_of_place_6 = S::int(13) + r1__by_theta2_from_theta1_of_place_4;
     // u3_by_theta2_from_theta1*r1__by_theta2_from_theta1_of_place_6 - u3_of_place_10*r1__of_motion_20
     let r1__by_theta2_from_theta1_of_motion_4 = (-u3_of_place_10)
         .mul_add(
@@ -1525,8 +1442,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                     cos_theta2_from_theta1,
                     r1__of_place_25 * sin_theta2_from_theta1,
                 );
-    let r1__by_theta2_from_theta1_of_place_12 = S::int(18)
-        * r1__by_theta2_from_theta1_of_place_11;
+    let r1__by_theta2_from_theta1_of_place_12 = S::int(18) * r1__by_theta2_from_theta1_of_place_11;
     let r1__by_theta2_from_theta1_of_motion_6 = r1__of_motion_43
         * r1__by_theta2_from_theta1_of_place_8;
     let r1__u3_of_place_12 = r1_ * u3_of_place_12;
@@ -1773,8 +1689,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                     - u3_of_place_3
                         * r1__of_motion_35
                             .mul_add(
-                                sin_theta2_from_theta1,
-                                r1__by_theta2_from_theta1_of_u4_from_u3,
+                                sin_theta2_from_theta1, r1__by_theta2_from_theta1_of_u4_from_u3,
                             ))
             + r1__of_place_7
                 * u3_of_place_2
@@ -1817,15 +1732,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                                     sin_theta2_from_theta1,
                                     S::int(6) * u3_by_theta2_from_theta1,
                                 )
-                                - r1__by_theta2_from_theta1_of_motion_4
-                                    * cos_theta2_from_theta1)
-                        + r1__by_theta2_from_theta1_of_u5_from_u3
-                            * sin_theta2_from_theta1))
+                                - r1__by_theta2_from_theta1_of_motion_4 * cos_theta2_from_theta1)
+                        + r1__by_theta2_from_theta1_of_u5_from_u3 * sin_theta2_from_theta1))
         + S::int(3) * r1__by_theta2_from_theta1_of_motion_5
-            * (r1__of_place_16 * sin_theta2_from_theta1
-                + r1__of_place_27 * cos_theta3_from_theta1
-                + u3_of_place_2
-                    * (sin_theta3_from_theta1 + r1__by_theta2_from_theta1_of_place_9))
+            * (r1__of_place_16 * sin_theta2_from_theta1 + r1__of_place_27 * cos_theta3_from_theta1
+                + u3_of_place_2 * (sin_theta3_from_theta1 + r1__by_theta2_from_theta1_of_place_9))
         - r1__by_theta2_from_theta1_of_place_12 * r1__by_theta2_from_theta1_of_motion_6
         - S::int(6) * r1__by_theta2_from_theta1_of_place_10 * r1__u3_of_place_12;
     let u5_from_u3_dot_by_theta2_from_theta1_of_place = sin_theta2_from_theta1
@@ -1833,10 +1744,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     // r1__of_place_27 - u5_from_u3_dot_by_theta2_from_theta1_of_place
     let u5_from_u3_dot_by_theta2_from_theta1_of_place_2 = r1__of_place_27
         - u5_from_u3_dot_by_theta2_from_theta1_of_place;
-    let u5_from_u3_dot_by_theta2_from_theta1_of_place_3 = r1_
-        * u5_from_u3_dot_of_place_5;
-    let u5_from_u3_dot_by_theta2_from_theta1_of_place_4 = r1_
-        * u5_from_u3_dot_of_place_6;
+    let u5_from_u3_dot_by_theta2_from_theta1_of_place_3 = r1_ * u5_from_u3_dot_of_place_5;
+    let u5_from_u3_dot_by_theta2_from_theta1_of_place_4 = r1_ * u5_from_u3_dot_of_place_6;
     // u5_from_u3_dot_by_theta2_from_theta1 =
     //   9*r1_*cos(theta3_from_theta1)*(18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1)
     //   - 33 - cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
@@ -1876,10 +1785,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
             * u5_from_u3_dot_by_theta2_from_theta1_of_place_4;
     // u3 + r1__of_motion
     let u3_plus_r1__of_motion = u3 + r1__of_motion;
-    let u4_from_u3_dot_by_theta2_from_theta1_of_place = S::int(18)
-        * sin_theta3_from_theta1;
-    let u4_from_u3_dot_by_theta2_from_theta1_of_motion = u5_from_u3_dot
-        * sin_theta3_from_theta1;
+    let u4_from_u3_dot_by_theta2_from_theta1_of_place = S::int(18) * sin_theta3_from_theta1;
+    let u4_from_u3_dot_by_theta2_from_theta1_of_motion = u5_from_u3_dot * sin_theta3_from_theta1;
     // u3*r1__of_motion_26 + r1__of_motion_40 + u4_from_u3_dot_by_theta2_from_theta1_of_motion
     let u4_from_u3_dot_by_theta2_from_theta1_of_motion_2 = u3
         .mul_add(r1__of_motion_26, r1__of_motion_40)
@@ -1906,8 +1813,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   r1__by_theta2_from_theta1_of_motion_3*sin(theta3_from_theta1)) +
     //   u3_by_theta2_from_theta1*u4_from_u3_dot_by_theta2_from_theta1_of_motion_7
     let u4_from_u3_dot_by_theta2_from_theta1_of_motion_8 = u5_from_u3_dot_by_theta2_from_theta1
-        * r1__of_place_15
-        + u3_of_place_2 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_4
+        * r1__of_place_15 + u3_of_place_2 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_4
         + u3_of_place_3 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_5
         + u3_doubled
             * (u3_of_place_10
@@ -1916,8 +1822,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                     u3_of_place_2 * r1__of_motion_24,
                 ) + r1__by_theta2_from_theta1_of_motion_3 * sin_theta3_from_theta1)
         + u3_by_theta2_from_theta1 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_7;
-    let u4_from_u3_dot_by_theta2_from_theta1_of_u5_from_u3 = u5_from_u3_sq
-        * sin_theta3_from_theta1;
+    let u4_from_u3_dot_by_theta2_from_theta1_of_u5_from_u3 = u5_from_u3_sq * sin_theta3_from_theta1;
     // u3_of_place_2*u4_from_u3_dot_by_theta2_from_theta1_of_motion_5 - u5_from_u3'*r1__of_place_13 -
     //   u3_of_place_3*u4_from_u3_dot_by_theta2_from_theta1_of_motion_4 -
     //   u3_doubled*u4_from_u3_dot_by_theta2_from_theta1_of_motion_6 +
@@ -1948,8 +1853,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let u4_from_u3_dot_by_theta2_from_theta1_of_motion_14 = S::int(2)
         * u4_from_u3_dot_by_theta2_from_theta1_of_motion_13;
     // 1 + cos(theta2_from_theta1)
-    let u4_from_u3_dot_by_theta2_from_theta1_of_place_2 = S::int(1)
-        + cos_theta2_from_theta1;
+    let u4_from_u3_dot_by_theta2_from_theta1_of_place_2 = S::int(1) + cos_theta2_from_theta1;
     // u3*r1__of_motion_23 - u5_from_u3_sq*minus_r1__of_place_19 + u4_from_u3_sq_times_7
     let u4_from_u3_dot_by_theta2_from_theta1_of_motion_15 = (-u5_from_u3_sq)
         .mul_add(minus_r1__of_place_19, u3 * r1__of_motion_23) + u4_from_u3_sq_times_7;
@@ -1961,8 +1865,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     // r1__of_motion_11 + r1__of_motion*u3_doubled
     let u4_from_u3_dot_by_theta2_from_theta1_of_motion_16 = r1__of_motion
         .mul_add(u3_doubled, r1__of_motion_11);
-    let u4_from_u3_dot_by_theta2_from_theta1_of_place_5 = S::int(9)
-        * sin_theta3_from_theta1;
+    let u4_from_u3_dot_by_theta2_from_theta1_of_place_5 = S::int(9) * sin_theta3_from_theta1;
     // u3_of_place_3*u4_from_u3_dot_by_theta2_from_theta1_of_motion_2 - u5_from_u3'*r1__of_place_9 -
     //   u3_of_place_2*u4_from_u3_dot_by_theta2_from_theta1_of_motion_9 +
     //   u4_from_u3_dot_by_theta2_from_theta1_of_motion_16*u4_from_u3_dot_by_theta2_from_theta1_of_place_5
@@ -1990,10 +1893,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
             .mul_add(
                 u4_from_u3_dot_by_theta2_from_theta1_of_place_4,
                 u3_of_place_3 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_15,
-            )
-            + u4_from_u3_dot_by_theta2_from_theta1_of_motion_17 * cos_theta3_from_theta1
-            + u4_from_u3_dot_by_theta2_from_theta1_of_motion_18
-                * sin_theta3_from_theta1);
+            ) + u4_from_u3_dot_by_theta2_from_theta1_of_motion_17 * cos_theta3_from_theta1
+            + u4_from_u3_dot_by_theta2_from_theta1_of_motion_18 * sin_theta3_from_theta1);
     // u4_from_u3_dot_by_theta2_from_theta1 = 18*(sin(theta2_from_theta1)^2*sin(theta3_from_theta1) -
     //   cos(theta2_from_theta1)^2*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(sin(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -2092,24 +1993,19 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                     + u3 * r1__by_theta2_from_theta1_of_u5_from_u3)
             + sin_theta3_from_theta1
                 * (u3_of_place_2
-                    * (u3_by_theta2_from_theta1 * r1__of_motion_21
-                        - u5_from_u3_dot * u3_of_place_2
-                        - u3_of_place_3
-                            * (u5_from_u3_dot_by_theta2_from_theta1 + r1__of_motion_34)
+                    * (u3_by_theta2_from_theta1 * r1__of_motion_21 - u5_from_u3_dot * u3_of_place_2
+                        - u3_of_place_3 * (u5_from_u3_dot_by_theta2_from_theta1 + r1__of_motion_34)
                         + u3 * r1__by_theta2_from_theta1_of_motion_4)
                     - u5_from_u3_dot_by_theta2_from_theta1 * r1__of_place_17
                     - u5_from_u3_dot * u5_from_u3_dot_of_place_3
                     - u3_of_place_3 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_11
-                    - u3_by_theta2_from_theta1
-                        * u4_from_u3_dot_by_theta2_from_theta1_of_motion_14)
+                    - u3_by_theta2_from_theta1 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_14)
             - S::int(9) * u5_from_u3_dot * sin_theta2_from_theta1
-                * (cos_theta2_from_theta1
-                    + u4_from_u3_dot_by_theta2_from_theta1_of_place_2)
+                * (cos_theta2_from_theta1 + u4_from_u3_dot_by_theta2_from_theta1_of_place_2)
             - u3_of_place_2 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_15
             + u5_from_u3_dot_by_theta2_from_theta1
                 * u4_from_u3_dot_by_theta2_from_theta1_of_place_4)
-        + r1__by_theta2_from_theta1_of_place_12
-            * u4_from_u3_dot_by_theta2_from_theta1_of_motion_19;
+        + r1__by_theta2_from_theta1_of_place_12 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_19;
     // 7 + u3_of_place_8
     let u3_by_theta3_from_theta1_of_place = S::int(7) + u3_of_place_8;
     // u3_by_theta3_from_theta1 = -(sin(theta3_from_theta1)*(14*u4_from_u3 - 7*u5_from_u3 -
@@ -2123,8 +2019,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
         * (sin_theta3_from_theta1
             * (u4_from_u3_times_14
                 + u3_of_place_2
-                    * (u4_from_u3_times_3
-                        - u5_from_u3_times_3 * (S::int(3) + r1__of_place_4)
+                    * (u4_from_u3_times_3 - u5_from_u3_times_3 * (S::int(3) + r1__of_place_4)
                         - u3_by_theta2_from_theta1_of_place)
                 - u3_by_theta2_from_theta1_of_u5_from_u3)
             + u3_of_place_3
@@ -2163,8 +2058,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     // 6*u3_by_theta3_from_theta1 - r1__by_theta3_from_theta1_of_place_4*cos(theta2_from_theta1)
     let r1__by_theta3_from_theta1_of_place_5 = (-r1__by_theta3_from_theta1_of_place_4)
         .mul_add(cos_theta2_from_theta1, S::int(6) * u3_by_theta3_from_theta1);
-    let r1__by_theta3_from_theta1_of_motion_3 = r1__of_motion_11
-        * sin_theta3_from_theta1;
+    let r1__by_theta3_from_theta1_of_motion_3 = r1__of_motion_11 * sin_theta3_from_theta1;
     let r1__by_theta3_from_theta1_of_place_6 = u3_of_place_10 * cos_theta3_from_theta1;
     let r1__by_theta3_from_theta1_of_place_7 = u3_of_place_3 * cos_theta3_from_theta1;
     // r1__of_place_26*sin(theta3_from_theta1) + r1__of_place_28*u5_from_u3_dot_of_place +
@@ -2175,8 +2069,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
         + r1__of_place_8
             * (-r1__of_place_4)
                 .mul_add(
-                    u5_from_u3_dot_by_theta2_from_theta1_of_place_2,
-                    sin_theta3_from_theta1,
+                    u5_from_u3_dot_by_theta2_from_theta1_of_place_2, sin_theta3_from_theta1,
                 );
     // r1__by_theta3_from_theta1 = 2*m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) -
     //   12 + 3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
@@ -2389,8 +2282,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
             * (-r1__of_motion_13)
                 .mul_add(cos_theta3_from_theta1, u3_of_place_4 * r1__of_motion_12)
             + u3_by_theta3_from_theta1 * r1__of_motion_10
-            - r1__of_motion_15 * sin_theta3_from_theta1
-            - r1__of_motion_19 * r1__of_place_22
+            - r1__of_motion_15 * sin_theta3_from_theta1 - r1__of_motion_19 * r1__of_place_22
             - u3
                 * (sin_theta3_from_theta1
                     * (r1__of_motion_6
@@ -2440,16 +2332,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                             * (r1__of_motion_35 + r1__of_motion_36)
                         - r1__of_motion_37 * cos_theta3_from_theta1))
         + r1__by_theta2_from_theta1_of_motion_5
-            * (r1__of_place_8 * sin_theta2_from_theta1
-                + r1__of_place_10 * sin_theta3_from_theta1
-                + r1__of_place_22
-                    * (r1__of_place_7 + u5_from_u3_dot_by_theta2_from_theta1_of_place)
+            * (r1__of_place_8 * sin_theta2_from_theta1 + r1__of_place_10 * sin_theta3_from_theta1
+                + r1__of_place_22 * (r1__of_place_7 + u5_from_u3_dot_by_theta2_from_theta1_of_place)
                 + u3_of_place_2
                     * (cos_theta3_from_theta1
                         * (-r1__by_theta2_from_theta1_of_place_5)
                             .mul_add(
-                                sin_theta3_from_theta1,
-                                r1__by_theta3_from_theta1_of_place_6,
+                                sin_theta3_from_theta1, r1__by_theta3_from_theta1_of_place_6,
                             ) - r1__of_place_15 * sin_theta3_from_theta1
                         + r1__by_theta3_from_theta1_of_place_7))
         + S::int(2) * r1__u3_of_place_12
@@ -2530,26 +2419,22 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                 - u3_of_place_2
                     * (-u5_from_u3_dot_by_theta3_from_theta1)
                         .mul_add(
-                            r1__of_place_11,
-                            u4_from_u3_dot_by_theta2_from_theta1_of_motion_3,
+                            r1__of_place_11, u4_from_u3_dot_by_theta2_from_theta1_of_motion_3,
                         )
-                + u3_by_theta3_from_theta1
-                    * u4_from_u3_dot_by_theta2_from_theta1_of_motion_7
+                + u3_by_theta3_from_theta1 * u4_from_u3_dot_by_theta2_from_theta1_of_motion_7
                 - u3_doubled
                     * (u3_of_place_10
                         .mul_add(
                             r1__by_theta3_from_theta1_of_motion_2,
                             r1__of_motion_28 * cos_theta3_from_theta1,
-                        )
-                        + r1__by_theta3_from_theta1_of_place_3 * sin_theta3_from_theta1)
+                        ) + r1__by_theta3_from_theta1_of_place_3 * sin_theta3_from_theta1)
                 - u3_of_place_10
                     * (r1__by_theta3_from_theta1_of_motion_3
                         - u4_from_u3_dot_by_theta3_from_theta1_of_motion))
         + u3_of_place_3
             * (u3_by_theta3_from_theta1
                 .mul_add(
-                    r1__of_motion_26,
-                    -u4_from_u3_dot_by_theta2_from_theta1_of_u5_from_u3,
+                    r1__of_motion_26, -u4_from_u3_dot_by_theta2_from_theta1_of_u5_from_u3,
                 ) + u3 * r1__by_theta3_from_theta1_of_u5_from_u3
                 + u4_from_u3_dot_by_theta3_from_theta1_of_motion);
     // u5_from_u3_dot_by_theta3_from_theta1*r1__of_place_17 +
@@ -2651,23 +2536,20 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))
     let u4_from_u3_dot_by_theta3_from_theta1 = r1__of_place_29_inv
         * (-u3_by_theta3_from_theta1 * u3_of_place_3 * (u3_times_13 + r1__of_motion_23)
-            + u5_from_u3_dot_by_theta3_from_theta1
-                * u4_from_u3_dot_by_theta2_from_theta1_of_place_4
+            + u5_from_u3_dot_by_theta3_from_theta1 * u4_from_u3_dot_by_theta2_from_theta1_of_place_4
             - cos_theta3_from_theta1
                 * (u4_from_u3_dot_by_theta2_from_theta1_of_motion_18
                     + u4_from_u3_dot_by_theta3_from_theta1_of_motion_2)
             - sin_theta3_from_theta1
                 * (u4_from_u3_dot_by_theta3_from_theta1_of_motion_3
                     - u4_from_u3_dot_by_theta2_from_theta1_of_motion_17))
-        - u4_from_u3_dot_by_theta2_from_theta1_of_motion_19
-            * r1__by_theta3_from_theta1_of_place_8;
+        - u4_from_u3_dot_by_theta2_from_theta1_of_motion_19 * r1__by_theta3_from_theta1_of_place_8;
     // u3_by_u4_from_u3 = -(7 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   3*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
     let u3_by_u4_from_u3 = -u3_of_place_5 * u3_of_place_12;
-    let r1__by_u4_from_u3_of_u4_from_u3 = u4_from_u3
-        * r1__by_theta2_from_theta1_of_place_5;
+    let r1__by_u4_from_u3_of_u4_from_u3 = u4_from_u3 * r1__by_theta2_from_theta1_of_place_5;
     let u3_by_u4_from_u3_doubled = S::int(2) * u3_by_u4_from_u3;
     // 1 + u3_by_u4_from_u3
     let r1__by_u4_from_u3_of_place = S::int(1) + u3_by_u4_from_u3;
@@ -2741,8 +2623,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))))))
     let r1__by_u4_from_u3 = r1__of_place_30
         * (u3_by_u4_from_u3 * r1__of_motion_10
-            - u4_from_u3 * r1__of_place_28
-                * u4_from_u3_dot_by_theta2_from_theta1_of_place_2
+            - u4_from_u3 * r1__of_place_28 * u4_from_u3_dot_by_theta2_from_theta1_of_place_2
             + S::int(6) * cos_theta3_from_theta1
                 * (sin_theta2_from_theta1
                     * r1__by_u4_from_u3_of_u4_from_u3
@@ -2802,8 +2683,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                             * (-cos_theta2_from_theta1
                                 * r1__by_theta2_from_theta1_of_place_4
                                     .mul_add(
-                                        r1__by_u4_from_u3_of_place,
-                                        r1__by_u4_from_u3_of_place_6,
+                                        r1__by_u4_from_u3_of_place, r1__by_u4_from_u3_of_place_6,
                                     ) + S::int(6) * r1__by_u4_from_u3_of_place)));
     // u5_from_u3_dot_by_u4_from_u3 = r1__by_u4_from_u3*(33 -
     //   18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -2827,8 +2707,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     // u3_of_place_9*u4_from_u3_dot_by_u4_from_u3_of_motion + u4_from_u3_dot_by_u4_from_u3_of_motion_2
     let u4_from_u3_dot_by_u4_from_u3_of_motion_3 = u3_of_place_9
         .mul_add(
-            u4_from_u3_dot_by_u4_from_u3_of_motion,
-            u4_from_u3_dot_by_u4_from_u3_of_motion_2,
+            u4_from_u3_dot_by_u4_from_u3_of_motion, u4_from_u3_dot_by_u4_from_u3_of_motion_2,
         );
     let u4_from_u3_dot_by_u4_from_u3_of_place_2 = u5_from_u3_dot_by_u4_from_u3
         * sin_theta3_from_theta1;
@@ -2880,8 +2759,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                     * (r1__of_place_3
                         * (u3_by_u4_from_u3 * (u5_from_u3 + u3_doubled)
                             + u3_of_place_8 * u4_from_u3_dot_by_u4_from_u3_of_motion_4)
-                        - u5_from_u3_dot_by_u4_from_u3
-                            * u4_from_u3_dot_by_u4_from_u3_of_place
+                        - u5_from_u3_dot_by_u4_from_u3 * u4_from_u3_dot_by_u4_from_u3_of_place
                         - u3_of_place_10
                             * (u3_by_u4_from_u3
                                 .mul_add(
@@ -2891,10 +2769,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                 - u3_of_place_3
                     * (u3_plus_u4_from_u3
                         .mul_add(S::int(14), u4_from_u3_dot_by_u4_from_u3_of_place_2)
-                        + u3_by_u4_from_u3_doubled
-                            * u4_from_u3_dot_by_u4_from_u3_of_motion_5))
-            + u5_from_u3_dot_by_u4_from_u3
-                * u4_from_u3_dot_by_theta2_from_theta1_of_place_4
+                        + u3_by_u4_from_u3_doubled * u4_from_u3_dot_by_u4_from_u3_of_motion_5))
+            + u5_from_u3_dot_by_u4_from_u3 * u4_from_u3_dot_by_theta2_from_theta1_of_place_4
             - u3_of_place_10
                 * (u3_by_u4_from_u3
                     * (u4_from_u3_dot_by_u4_from_u3_of_u4_from_u3_2
@@ -2907,10 +2783,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                                 u3_by_theta3_from_theta1_of_place,
                                 u5_from_u3_dot_by_u4_from_u3 * u3_of_place_3,
                             )
-                            - u3_by_u4_from_u3_doubled
-                                * u4_from_u3_dot_by_u4_from_u3_of_motion_6)
-                    + u3_by_u4_from_u3_doubled
-                        * u4_from_u3_dot_by_u4_from_u3_of_motion_7));
+                            - u3_by_u4_from_u3_doubled * u4_from_u3_dot_by_u4_from_u3_of_motion_6)
+                    + u3_by_u4_from_u3_doubled * u4_from_u3_dot_by_u4_from_u3_of_motion_7));
     // u3_by_u5_from_u3 = -(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
@@ -2990,8 +2864,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
             * (cos_theta3_from_theta1
                 * (u3_of_place_3
                     * (u3_by_u5_from_u3.mul_add(r1__of_place, S::int(6))
-                        + r1__by_theta2_from_theta1_of_place
-                            * r1__by_u5_from_u3_of_place_2)
+                        + r1__by_theta2_from_theta1_of_place * r1__by_u5_from_u3_of_place_2)
                     + r1__by_theta3_from_theta1_of_place_2
                         * (-u3_of_place_2)
                             .mul_add(
@@ -3002,8 +2875,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                     * (S::int(6)
                         + u5_from_u3_dot_of_place_3
                             * u3_by_u5_from_u3.mul_add(r1__of_place_5, S::int(2))
-                        + r1__by_u5_from_u3_of_place_3))
-            + u3_by_u5_from_u3 * r1__of_motion_10
+                        + r1__by_u5_from_u3_of_place_3)) + u3_by_u5_from_u3 * r1__of_motion_10
             - u5_from_u3_u3_of_place_6 * (u3_of_place_10 + r1__by_u4_from_u3_of_place_5)
             + u3_of_place_9
                 * (u3_of_place_3
@@ -3012,13 +2884,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                         * (-u3_of_place_2)
                             .mul_add(u5_from_u3_u3_of_place_6, S::int(4) * u5_from_u3)))
         + r1__by_theta2_from_theta1_of_place_8
-            * (u3_of_place_10
-                * r1__of_u5_from_u3_3.mul_add(cos_theta3_from_theta1, u5_from_u3)
+            * (u3_of_place_10 * r1__of_u5_from_u3_3.mul_add(cos_theta3_from_theta1, u5_from_u3)
                 + u3_by_u5_from_u3 * r1__of_motion_31
                 + r1__of_place_3 * u5_from_u3.mul_add(r1__of_place_8, u5_from_u3_times_7)
                 + u3
-                    * (u3_of_place_3
-                        * (S::int(2) - u3_of_place_8 + r1__by_u5_from_u3_of_place_3)
+                    * (u3_of_place_3 * (S::int(2) - u3_of_place_8 + r1__by_u5_from_u3_of_place_3)
                         + sin_theta3_from_theta1
                             * (S::int(14) + S::int(18) * u3_by_u5_from_u3
                                 - u3_of_place_2
@@ -3099,17 +2969,14 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
             * (u3_by_u5_from_u3 * u4_from_u3_times_7
                 + u5_from_u3 * r1__of_place_19 * r1__by_u5_from_u3_of_place
                 + u3 * (r1__of_place_19 + r1__by_u5_from_u3_of_place_3))
-            + u5_from_u3_dot_by_u5_from_u3
-                * u4_from_u3_dot_by_theta2_from_theta1_of_place_4
+            + u5_from_u3_dot_by_u5_from_u3 * u4_from_u3_dot_by_theta2_from_theta1_of_place_4
             - sin_theta3_from_theta1
-                * (S::int(14) * u3_plus_u5_from_u3
-                    + u5_from_u3_dot_by_u5_from_u3 * r1__of_place_17
+                * (S::int(14) * u3_plus_u5_from_u3 + u5_from_u3_dot_by_u5_from_u3 * r1__of_place_17
                     + u4_from_u3_dot_by_u4_from_u3_of_motion_7 * u3_by_u5_from_u3_doubled
                     + u3_of_place_2
                         * (-r1__of_u5_from_u3 * (S::int(5) + u3_of_place_2)
                             + u5_from_u3_dot_by_u5_from_u3 * u3_of_place_3
-                            - u4_from_u3_dot_by_u4_from_u3_of_motion_6
-                                * u3_by_u5_from_u3_doubled))
+                            - u4_from_u3_dot_by_u4_from_u3_of_motion_6 * u3_by_u5_from_u3_doubled))
             + cos_theta3_from_theta1
                 * (-u3_of_place_3
                     * (u4_from_u3_dot_by_u4_from_u3_of_motion_5
@@ -3127,8 +2994,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
                                     r1__by_u5_from_u3_of_place_4,
                                     u5_from_u3 * r1__by_u5_from_u3_of_place,
                                 ) + u3_of_place_8 * u4_from_u3_dot_by_u5_from_u3_of_motion)
-                            - u5_from_u3_dot_by_u5_from_u3
-                                * u4_from_u3_dot_by_u4_from_u3_of_place
+                            - u5_from_u3_dot_by_u5_from_u3 * u4_from_u3_dot_by_u4_from_u3_of_place
                             - u3_of_place_10
                                 * (u3_by_u5_from_u3
                                     .mul_add(
@@ -3140,29 +3006,21 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let theta2_from_theta1_dot_by_u4_from_u3_value = S::int(1);
     // d(theta3_from_theta1')/d(u5_from_u3) = 1
     let theta3_from_theta1_dot_by_u5_from_u3_value = S::int(1);
+    let zero = S::int(0);
     [
         [zero, zero, zero, theta2_from_theta1_dot_by_u4_from_u3_value, zero],
         [zero, zero, zero, zero, theta3_from_theta1_dot_by_u5_from_u3_value],
         [
-            u3_by_theta2_from_theta1,
-            u3_by_theta3_from_theta1,
-            zero,
-            u3_by_u4_from_u3,
+            u3_by_theta2_from_theta1, u3_by_theta3_from_theta1, zero, u3_by_u4_from_u3,
             u3_by_u5_from_u3,
         ],
         [
-            u4_from_u3_dot_by_theta2_from_theta1,
-            u4_from_u3_dot_by_theta3_from_theta1,
-            zero,
-            u4_from_u3_dot_by_u4_from_u3,
-            u4_from_u3_dot_by_u5_from_u3,
+            u4_from_u3_dot_by_theta2_from_theta1, u4_from_u3_dot_by_theta3_from_theta1, zero,
+            u4_from_u3_dot_by_u4_from_u3, u4_from_u3_dot_by_u5_from_u3,
         ],
         [
-            u5_from_u3_dot_by_theta2_from_theta1,
-            u5_from_u3_dot_by_theta3_from_theta1,
-            zero,
-            u5_from_u3_dot_by_u4_from_u3,
-            u5_from_u3_dot_by_u5_from_u3,
+            u5_from_u3_dot_by_theta2_from_theta1, u5_from_u3_dot_by_theta3_from_theta1, zero,
+            u5_from_u3_dot_by_u4_from_u3, u5_from_u3_dot_by_u5_from_u3,
         ],
     ]
 }
@@ -3195,17 +3053,11 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], _u: &[S; 2]) -> [S; 1
 #[must_use]
 pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 6] {
     let Parameters {
-        m,
-        l,
-        p_x,
-        p_y,
-        H_n3_scaled,
-        H_n3_scaled_per_m_per_l_squared,
+        m, l, p_x, p_y, H_n3_scaled, H_n3_scaled_per_m_per_l_squared,
         ..
     } = *p;
     let [theta2_from_theta1, theta3_from_theta1, _] = *q;
     let [u4_from_u3, u5_from_u3] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta3_from_theta1, cos_theta3_from_theta1) = theta3_from_theta1.sin_cos();
     let (sin_theta2_from_theta1, cos_theta2_from_theta1) = theta2_from_theta1.sin_cos();
@@ -3229,8 +3081,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
         + S::int(6) * u3_of_place_3;
     let u3_of_place_7_inv = S::int(1) / u3_of_place_7;
     // u3_of_place_7_inv*(u3_of_motion - H_n3_scaled_per_m_per_l_squared)
-    let u3_of_motion_2 = u3_of_place_7_inv
-        * (u3_of_motion - H_n3_scaled_per_m_per_l_squared);
+    let u3_of_motion_2 = u3_of_place_7_inv * (u3_of_motion - H_n3_scaled_per_m_per_l_squared);
     // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -3253,10 +3104,8 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     let p_x_sq_plus_p_y_sq = p_y.mul_add(p_y, p_x * p_x);
     // energy_of_place_2 + 4*p_x_sq_plus_p_y_sq
     let energy_of_place_3 = p_x_sq_plus_p_y_sq.mul_add(S::int(4), energy_of_place_2);
-    let energy_by_theta2_from_theta1_of_place = cos_theta2_from_theta1
-        * sin_theta3_from_theta1;
-    let energy_by_theta2_from_theta1_of_place_2 = sin_theta2_from_theta1
-        * cos_theta3_from_theta1;
+    let energy_by_theta2_from_theta1_of_place = cos_theta2_from_theta1 * sin_theta3_from_theta1;
+    let energy_by_theta2_from_theta1_of_place_2 = sin_theta2_from_theta1 * cos_theta3_from_theta1;
     // energy_by_theta2_from_theta1_of_place_2 - energy_by_theta2_from_theta1_of_place
     let energy_by_theta2_from_theta1_of_place_3 = energy_by_theta2_from_theta1_of_place_2
         - energy_by_theta2_from_theta1_of_place;
@@ -3272,8 +3121,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
             energy_by_theta2_from_theta1_of_place_5,
             u5_from_u3 * energy_by_theta2_from_theta1_of_place_4,
         );
-    let energy_by_theta2_from_theta1_of_motion_2 = S::int(2) * u3_of_place_7_inv
-        * u3_of_motion_2;
+    let energy_by_theta2_from_theta1_of_motion_2 = S::int(2) * u3_of_place_7_inv * u3_of_motion_2;
     // u3_of_place_7_inv*energy_by_theta2_from_theta1_of_motion -
     //   energy_by_theta2_from_theta1_of_place_5*energy_by_theta2_from_theta1_of_motion_2
     let energy_by_theta2_from_theta1_of_motion_3 = (-energy_by_theta2_from_theta1_of_place_5)
@@ -3444,13 +3292,10 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     let energy_by_u5_from_u3 = m_l_sq_by_24
         * ((u4_from_u3 * energy_of_place).mul_add(S::int(6), u5_from_u3_times_6)
             - u3_of_place_6 * energy_by_u4_from_u3_of_motion);
+    let zero = S::int(0);
     [
-        energy,
-        energy_by_theta2_from_theta1,
-        energy_by_theta3_from_theta1,
-        zero,
-        energy_by_u4_from_u3,
-        energy_by_u5_from_u3,
+        energy, energy_by_theta2_from_theta1, energy_by_theta3_from_theta1, zero,
+        energy_by_u4_from_u3, energy_by_u5_from_u3,
     ]
 }
 
@@ -3491,8 +3336,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(S::int(3), u3_of_place_3_0.mul_add(S::int(3), S::int(7)));
     let u3_of_place_5_0 = cos_theta2_from_theta1_0.mul_add(S::int(3), S::int(1));
     let u3_of_place_6_0 = cos_theta3_from_theta1_0 * u3_of_place_5_0;
-    let u3_of_place_7_0 = u3_of_place_3_0.mul_add(S::int(3), S::int(3))
-        + u3_of_place_6_0;
+    let u3_of_place_7_0 = u3_of_place_3_0.mul_add(S::int(3), S::int(3)) + u3_of_place_6_0;
     let u3_of_place_8_0 = u3_of_place_2_0
         .mul_add(
             S::int(6),
@@ -3521,8 +3365,7 @@ pub fn taylor<S: Scalar>(
         .mul_add(-S::int(18), cos_theta3_from_theta1_0.mul_add(S::int(9), S::int(14)));
     let r1__of_place_5_0 = cos_theta3_from_theta1_0 * r1__of_place_4_0;
     let r1__of_place_6_0 = cos_theta2_from_theta1_0 * u3_of_place_3_0;
-    let r1__of_place_7_0 = r1__of_place_6_0.mul_add(-S::int(18), S::int(33))
-        + r1__of_place_5_0;
+    let r1__of_place_7_0 = r1__of_place_6_0.mul_add(-S::int(18), S::int(33)) + r1__of_place_5_0;
     let over_r1__of_place_7 = S::int(1) / r1__of_place_7_0;
     let r1__of_place_8_0 = cos_theta3_from_theta1_0.mul_add(S::int(2), S::int(1));
     let r1__of_place_9_0 = cos_theta2_from_theta1_0 * r1__of_place_8_0;
@@ -3559,8 +3402,7 @@ pub fn taylor<S: Scalar>(
     let r1__of_motion_10_0 = r1__of_motion_8_0
         .mul_add(
             S::int(6),
-            r1__of_u5_from_u3_0.mul_add(S::int(2), S::int(14) * u4_from_u3_0)
-                - r1__of_motion_9_0,
+            r1__of_u5_from_u3_0.mul_add(S::int(2), S::int(14) * u4_from_u3_0) - r1__of_motion_9_0,
         );
     let r1__of_motion_11_0 = sin_theta2_from_theta1_0 * r1__of_motion_10_0;
     let r1__of_motion_12_0 = cos_theta2_from_theta1_0 * r1__of_motion_3_0;
@@ -3621,8 +3463,7 @@ pub fn taylor<S: Scalar>(
     let r1__of_u5_from_u3_4_0 = r1__of_place_18_0 * u5_from_u3_sq_0;
     let r1__of_motion_37_0 = S::int(7) * u4_from_u3_sq_0 + r1__of_u5_from_u3_4_0;
     let r1__of_motion_38_0 = cos_theta3_from_theta1_0 * r1__of_motion_37_0;
-    let r1__of_motion_39_0 = S::int(7) * u4_from_u3_sq_0 + u5_from_u3_sq_0
-        + r1__of_motion_38_0;
+    let r1__of_motion_39_0 = S::int(7) * u4_from_u3_sq_0 + u5_from_u3_sq_0 + r1__of_motion_38_0;
     let r1__of_motion_40_0 = sin_theta2_from_theta1_0 * r1__of_motion_39_0;
     let r1__of_motion_41_0 = r1__of_motion_5_0
         .mul_add(
@@ -3647,8 +3488,7 @@ pub fn taylor<S: Scalar>(
     let r1__of_motion_47_0 = r1__of_motion_45_0
         .mul_add(
             S::int(2),
-            r1__of_u4_from_u3_0.mul_add(S::int(6), S::int(6) * u5_from_u3_0)
-                - r1__of_motion_46_0,
+            r1__of_u4_from_u3_0.mul_add(S::int(6), S::int(6) * u5_from_u3_0) - r1__of_motion_46_0,
         );
     let r1__of_motion_48_0 = sin_theta2_from_theta1_0 * r1__of_motion_47_0;
     let r1__of_motion_49_0 = cos_theta2_from_theta1_0 * r1__of_motion_44_0;
@@ -3709,8 +3549,7 @@ pub fn taylor<S: Scalar>(
     let r1__of_u4_from_u3_4_0 = r1__of_place_23_0 * u4_from_u3_sq_0;
     let r1__of_motion_72_0 = S::int(3) * u5_from_u3_sq_0 + r1__of_u4_from_u3_4_0;
     let r1__of_motion_73_0 = cos_theta2_from_theta1_0 * r1__of_motion_72_0;
-    let r1__of_motion_74_0 = S::int(3) * u4_from_u3_sq_0 + u5_from_u3_sq_0
-        + r1__of_motion_73_0;
+    let r1__of_motion_74_0 = S::int(3) * u4_from_u3_sq_0 + u5_from_u3_sq_0 + r1__of_motion_73_0;
     let r1__of_motion_75_0 = sin_theta3_from_theta1_0 * r1__of_motion_74_0;
     let r1__of_motion_76_0 = r1__of_motion_62_0
         .mul_add(S::int(3), S::int(3) * u4_from_u3_sq_0 + u5_from_u3_sq_0);
@@ -3726,12 +3565,10 @@ pub fn taylor<S: Scalar>(
         .mul_add(m_l_squared_by_12, m_l_squared_by_12 * r1__of_motion_79_0);
     let u5_from_u3_dot_of_place_0 = cos_theta2_from_theta1_0 * cos_theta3_from_theta1_0;
     let u5_from_u3_dot_of_place_2_0 = u3_of_place_3_0 + u5_from_u3_dot_of_place_0;
-    let u5_from_u3_dot_of_place_3_0 = cos_theta2_from_theta1_0
-        * u5_from_u3_dot_of_place_2_0;
+    let u5_from_u3_dot_of_place_3_0 = cos_theta2_from_theta1_0 * u5_from_u3_dot_of_place_2_0;
     let u5_from_u3_dot_of_place_4_0 = u5_from_u3_dot_of_place_3_0
         .mul_add(-S::int(9), S::int(5) * cos_theta3_from_theta1_0);
-    let u5_from_u3_dot_of_place_5_0 = cos_theta3_from_theta1_0
-        * u5_from_u3_dot_of_place_4_0;
+    let u5_from_u3_dot_of_place_5_0 = cos_theta3_from_theta1_0 * u5_from_u3_dot_of_place_4_0;
     let u5_from_u3_dot_of_place_6_0 = S::int(9) + u5_from_u3_dot_of_place_5_0;
     let over_u5_from_u3_dot_of_place_6 = S::int(1) / u5_from_u3_dot_of_place_6_0;
     let u5_from_u3_dot_of_place_7_0 = r1__of_place_7_0 * over_u5_from_u3_dot_of_place_6;
@@ -3742,23 +3579,18 @@ pub fn taylor<S: Scalar>(
     let u4_from_u3_dot_of_motion_0 = u3_of_motion_2_0 * r1__of_motion_3_0;
     let u4_from_u3_dot_of_motion_2_0 = u4_from_u3_dot_of_motion_0
         .mul_add(-S::int(2), u4_from_u3_sq_0 + u5_from_u3_sq_0);
-    let u4_from_u3_dot_of_motion_3_0 = sin_theta3_from_theta1_0
-        * u4_from_u3_dot_of_motion_2_0;
-    let u4_from_u3_dot_of_motion_4_0 = sin_theta3_from_theta1_0
-        * u5_from_u3_dot_of_motion_0;
+    let u4_from_u3_dot_of_motion_3_0 = sin_theta3_from_theta1_0 * u4_from_u3_dot_of_motion_2_0;
+    let u4_from_u3_dot_of_motion_4_0 = sin_theta3_from_theta1_0 * u5_from_u3_dot_of_motion_0;
     let u4_from_u3_dot_of_motion_5_0 = u3_of_motion_2_0 * u3_plus_u5_from_u3_0;
     let u4_from_u3_dot_of_motion_6_0 = u3_of_motion_2_0
         .mul_add(-S::int(9), u5_from_u3_0.mul_add(S::int(7), S::int(9) * u4_from_u3_0));
     let u4_from_u3_dot_of_motion_7_0 = S::int(2) * u4_from_u3_sq_0 + u5_from_u3_sq_0;
-    let u4_from_u3_dot_of_motion_8_0 = sin_theta2_from_theta1_0
-        * u5_from_u3_dot_of_motion_0;
-    let u4_from_u3_dot_of_motion_9_0 = cos_theta2_from_theta1_0
-        * u4_from_u3_dot_of_motion_7_0;
+    let u4_from_u3_dot_of_motion_8_0 = sin_theta2_from_theta1_0 * u5_from_u3_dot_of_motion_0;
+    let u4_from_u3_dot_of_motion_9_0 = cos_theta2_from_theta1_0 * u4_from_u3_dot_of_motion_7_0;
     let u4_from_u3_dot_of_motion_10_0 = u3_of_motion_2_0 * u4_from_u3_dot_of_motion_6_0;
     let u4_from_u3_dot_of_place_2_0 = cos_theta3_from_theta1_0
         .mul_add(S::int(9), S::int(7));
-    let u4_from_u3_dot_of_motion_11_0 = u5_from_u3_dot_of_motion_0
-        * u4_from_u3_dot_of_place_2_0;
+    let u4_from_u3_dot_of_motion_11_0 = u5_from_u3_dot_of_motion_0 * u4_from_u3_dot_of_place_2_0;
     let u4_from_u3_dot_of_motion_12_0 = u3_of_motion_2_0 * r1__of_motion_20_0;
     let u4_from_u3_dot_of_motion_13_0 = u4_from_u3_dot_of_motion_8_0
         .mul_add(
@@ -3769,8 +3601,7 @@ pub fn taylor<S: Scalar>(
                     u5_from_u3_sq_0.mul_add(S::int(5), S::int(7) * u4_from_u3_sq_0),
                 ) - u4_from_u3_dot_of_motion_12_0,
         );
-    let u4_from_u3_dot_of_motion_14_0 = cos_theta2_from_theta1_0
-        * u4_from_u3_dot_of_motion_13_0;
+    let u4_from_u3_dot_of_motion_14_0 = cos_theta2_from_theta1_0 * u4_from_u3_dot_of_motion_13_0;
     let u4_from_u3_dot_of_motion_15_0 = u4_from_u3_dot_of_motion_14_0
         .mul_add(
             -S::int(3),
@@ -3785,25 +3616,20 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let u4_from_u3_dot_of_motion_16_0 = sin_theta3_from_theta1_0
-        * u4_from_u3_dot_of_motion_15_0;
+    let u4_from_u3_dot_of_motion_16_0 = sin_theta3_from_theta1_0 * u4_from_u3_dot_of_motion_15_0;
     let u4_from_u3_dot_of_motion_17_0 = u3_of_motion_2_0 * r1__of_motion_24_0;
     let u4_from_u3_dot_of_u5_from_u3_2_0 = r1__of_place_19_0 * u5_from_u3_sq_0;
     let u4_from_u3_dot_of_motion_18_0 = S::int(7) * u4_from_u3_sq_0
         - u4_from_u3_dot_of_u5_from_u3_2_0 - u4_from_u3_dot_of_motion_17_0;
-    let u4_from_u3_dot_of_motion_19_0 = sin_theta2_from_theta1_0
-        * u4_from_u3_dot_of_motion_18_0;
-    let u4_from_u3_dot_of_place_3_0 = cos_theta2_from_theta1_0
-        * u4_from_u3_dot_of_place_0;
+    let u4_from_u3_dot_of_motion_19_0 = sin_theta2_from_theta1_0 * u4_from_u3_dot_of_motion_18_0;
+    let u4_from_u3_dot_of_place_3_0 = cos_theta2_from_theta1_0 * u4_from_u3_dot_of_place_0;
     let u4_from_u3_dot_of_place_4_0 = u4_from_u3_dot_of_place_3_0
         .mul_add(S::int(3), S::int(4));
-    let u4_from_u3_dot_of_motion_20_0 = u5_from_u3_dot_of_motion_0
-        * u4_from_u3_dot_of_place_4_0;
+    let u4_from_u3_dot_of_motion_20_0 = u5_from_u3_dot_of_motion_0 * u4_from_u3_dot_of_place_4_0;
     let u4_from_u3_dot_of_motion_21_0 = u3_of_motion_2_0 * r1__of_motion_7_0;
     let u4_from_u3_dot_of_place_5_0 = r1__of_place_9_0
         .mul_add(S::int(3), S::int(2) + cos_theta3_from_theta1_0);
-    let u4_from_u3_dot_of_motion_22_0 = cos_theta2_from_theta1_0
-        * u4_from_u3_dot_of_motion_2_0;
+    let u4_from_u3_dot_of_motion_22_0 = cos_theta2_from_theta1_0 * u4_from_u3_dot_of_motion_2_0;
     let u4_from_u3_dot_of_motion_23_0 = u4_from_u3_dot_of_motion_4_0
         .mul_add(
             weight_4,
@@ -3817,25 +3643,21 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let u4_from_u3_dot_of_motion_24_0 = sin_theta2_from_theta1_0
-        * u4_from_u3_dot_of_motion_23_0;
+    let u4_from_u3_dot_of_motion_24_0 = sin_theta2_from_theta1_0 * u4_from_u3_dot_of_motion_23_0;
     let u4_from_u3_dot_of_motion_25_0 = u4_from_u3_dot_of_motion_22_0
         .mul_add(
             S::int(6),
             u4_from_u3_dot_of_motion_5_0.mul_add(-S::int(2), u5_from_u3_sq_0),
         );
-    let u4_from_u3_dot_of_motion_26_0 = sin_theta3_from_theta1_0
-        * u4_from_u3_dot_of_motion_25_0;
-    let u4_from_u3_dot_of_motion_27_0 = u5_from_u3_dot_of_motion_0
-        * u4_from_u3_dot_of_place_5_0;
+    let u4_from_u3_dot_of_motion_26_0 = sin_theta3_from_theta1_0 * u4_from_u3_dot_of_motion_25_0;
+    let u4_from_u3_dot_of_motion_27_0 = u5_from_u3_dot_of_motion_0 * u4_from_u3_dot_of_place_5_0;
     let u4_from_u3_dot_of_motion_28_0 = u4_from_u3_dot_of_motion_24_0
         .mul_add(
             S::int(3),
             u4_from_u3_dot_of_motion_27_0
                 .mul_add(weight_5, -u4_from_u3_dot_of_motion_26_0),
         );
-    let u4_from_u3_dot_of_motion_29_0 = cos_theta2_from_theta1_0
-        * u4_from_u3_dot_of_motion_28_0;
+    let u4_from_u3_dot_of_motion_29_0 = cos_theta2_from_theta1_0 * u4_from_u3_dot_of_motion_28_0;
     let u4_from_u3_dot_of_motion_30_0 = u4_from_u3_dot_of_u5_from_u3_0
         .mul_add(
             S::int(2),
@@ -3849,11 +3671,9 @@ pub fn taylor<S: Scalar>(
     let u4_from_u3_dot_of_motion_32_0 = u4_from_u3_dot_of_motion_4_0
         .mul_add(
             weight_5,
-            S::int(7) * u4_from_u3_sq_0 + r1__of_u5_from_u3_4_0
-                - u4_from_u3_dot_of_motion_31_0,
+            S::int(7) * u4_from_u3_sq_0 + r1__of_u5_from_u3_4_0 - u4_from_u3_dot_of_motion_31_0,
         );
-    let u4_from_u3_dot_of_motion_33_0 = sin_theta2_from_theta1_0
-        * u4_from_u3_dot_of_motion_32_0;
+    let u4_from_u3_dot_of_motion_33_0 = sin_theta2_from_theta1_0 * u4_from_u3_dot_of_motion_32_0;
     let u4_from_u3_dot_of_motion_34_0 = u4_from_u3_dot_of_motion_29_0
         .mul_add(
             S::int(3),
@@ -3864,13 +3684,11 @@ pub fn taylor<S: Scalar>(
                         .mul_add(weight_6, S::int(9) * u4_from_u3_dot_of_motion_3_0),
                 ),
         );
-    let u4_from_u3_dot_of_motion_35_0 = cos_theta3_from_theta1_0
-        * u4_from_u3_dot_of_motion_34_0;
+    let u4_from_u3_dot_of_motion_35_0 = cos_theta3_from_theta1_0 * u4_from_u3_dot_of_motion_34_0;
     let u4_from_u3_dot_of_motion_36_0 = u4_from_u3_dot_of_motion_20_0
         .mul_add(weight_2, S::int(3) * u4_from_u3_dot_of_motion_19_0)
         + u4_from_u3_dot_of_motion_16_0 + u4_from_u3_dot_of_motion_35_0;
-    let u4_from_u3_dot_of_motion_37_0 = u4_from_u3_dot_of_motion_36_0
-        * over_r1__of_place_7;
+    let u4_from_u3_dot_of_motion_37_0 = u4_from_u3_dot_of_motion_36_0 * over_r1__of_place_7;
     // Order 1: the rates, and what follows from them.
     let theta2_from_theta1_1 = u4_from_u3_0;
     let theta3_from_theta1_1 = u5_from_u3_0;
@@ -3879,11 +3697,7 @@ pub fn taylor<S: Scalar>(
     let u5_from_u3_1 = weight_5 * u5_from_u3_dot_of_motion_0;
     if series.len() > 1 {
         series[1] = [
-            theta2_from_theta1_1,
-            theta3_from_theta1_1,
-            theta1_1,
-            u4_from_u3_1,
-            u5_from_u3_1,
+            theta2_from_theta1_1, theta3_from_theta1_1, theta1_1, u4_from_u3_1, u5_from_u3_1,
         ];
     }
     let sin_theta2_from_theta1_1 = theta2_from_theta1_1 * cos_theta2_from_theta1_0;
@@ -3978,8 +3792,7 @@ pub fn taylor<S: Scalar>(
     let r1__of_motion_10_1 = r1__of_motion_8_1
         .mul_add(
             S::int(6),
-            r1__of_u5_from_u3_1.mul_add(S::int(2), S::int(14) * u4_from_u3_1)
-                - r1__of_motion_9_1,
+            r1__of_u5_from_u3_1.mul_add(S::int(2), S::int(14) * u4_from_u3_1) - r1__of_motion_9_1,
         );
     let r1__of_motion_11_1 = r1__of_motion_10_1
         .mul_add(
@@ -4098,8 +3911,7 @@ pub fn taylor<S: Scalar>(
             cos_theta3_from_theta1_0,
             cos_theta3_from_theta1_1 * r1__of_motion_37_0,
         );
-    let r1__of_motion_39_1 = S::int(7) * u4_from_u3_sq_1 + u5_from_u3_sq_1
-        + r1__of_motion_38_1;
+    let r1__of_motion_39_1 = S::int(7) * u4_from_u3_sq_1 + u5_from_u3_sq_1 + r1__of_motion_38_1;
     let r1__of_motion_40_1 = r1__of_motion_39_1
         .mul_add(
             sin_theta2_from_theta1_0,
@@ -4138,8 +3950,7 @@ pub fn taylor<S: Scalar>(
     let r1__of_motion_47_1 = r1__of_motion_45_1
         .mul_add(
             S::int(2),
-            r1__of_u4_from_u3_1.mul_add(S::int(6), S::int(6) * u5_from_u3_1)
-                - r1__of_motion_46_1,
+            r1__of_u4_from_u3_1.mul_add(S::int(6), S::int(6) * u5_from_u3_1) - r1__of_motion_46_1,
         );
     let r1__of_motion_48_1 = r1__of_motion_47_1
         .mul_add(
@@ -4257,8 +4068,7 @@ pub fn taylor<S: Scalar>(
             cos_theta2_from_theta1_0,
             cos_theta2_from_theta1_1 * r1__of_motion_72_0,
         );
-    let r1__of_motion_74_1 = S::int(3) * u4_from_u3_sq_1 + u5_from_u3_sq_1
-        + r1__of_motion_73_1;
+    let r1__of_motion_74_1 = S::int(3) * u4_from_u3_sq_1 + u5_from_u3_sq_1 + r1__of_motion_73_1;
     let r1__of_motion_75_1 = r1__of_motion_74_1
         .mul_add(
             sin_theta3_from_theta1_0,
@@ -4490,8 +4300,7 @@ pub fn taylor<S: Scalar>(
     let u4_from_u3_dot_of_motion_32_1 = u4_from_u3_dot_of_motion_4_1
         .mul_add(
             weight_5,
-            S::int(7) * u4_from_u3_sq_1 + r1__of_u5_from_u3_4_1
-                - u4_from_u3_dot_of_motion_31_1,
+            S::int(7) * u4_from_u3_sq_1 + r1__of_u5_from_u3_4_1 - u4_from_u3_dot_of_motion_31_1,
         );
     let u4_from_u3_dot_of_motion_33_1 = u4_from_u3_dot_of_motion_32_1
         .mul_add(
@@ -4525,218 +4334,72 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta2_from_theta1_1,
-                theta2_from_theta1_1,
-                theta3_from_theta1_1,
-                theta3_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                sin_theta2_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                u3_of_place_4_1,
-                u3_of_place_7_1,
-                u3_of_place_8_1,
-                u4_from_u3_1,
-                u5_from_u3_1,
-                u3_of_motion_2_1,
-                cos_theta3_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                u3_of_motion_2_1,
-                u5_from_u3_1,
-                sin_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                u5_from_u3_1,
-                sin_theta2_from_theta1_1,
-                u3_of_motion_2_1,
-                cos_theta2_from_theta1_1,
-                r1__of_place_20_1,
-                sin_theta3_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                sin_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                r1__of_place_18_1,
-                cos_theta3_from_theta1_1,
-                sin_theta2_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                u3_of_motion_2_1,
-                u4_from_u3_1,
-                sin_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                u4_from_u3_1,
-                cos_theta2_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                sin_theta2_from_theta1_1,
-                u3_of_motion_2_1,
-                cos_theta2_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                r1__of_place_22_1,
-                sin_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                r1__of_place_23_1,
-                cos_theta2_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                sin_theta2_from_theta1_1,
-                u3_of_place_8_1,
-                u3_of_place_8_1,
-                r1__of_place_7_1,
-                r1__of_motion_43_1,
-                cos_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                u5_from_u3_dot_of_place_6_1,
-                r1__of_motion_81_1,
-                cos_theta3_from_theta1_1,
-                u3_of_motion_2_1,
-                sin_theta3_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                u3_of_motion_2_1,
-                sin_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                u3_of_motion_2_1,
-                u5_from_u3_dot_of_motion_1,
-                u3_of_motion_2_1,
-                cos_theta2_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                u3_of_motion_2_1,
-                r1__of_place_19_1,
-                sin_theta2_from_theta1_1,
-                cos_theta2_from_theta1_1,
-                u5_from_u3_dot_of_motion_1,
-                u3_of_motion_2_1,
-                cos_theta2_from_theta1_1,
-                sin_theta2_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                u5_from_u3_dot_of_motion_1,
-                cos_theta2_from_theta1_1,
-                u3_of_motion_2_1,
-                sin_theta2_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                r1__of_place_7_1,
+                theta2_from_theta1_1, theta2_from_theta1_1, theta3_from_theta1_1,
+                theta3_from_theta1_1, cos_theta2_from_theta1_1, sin_theta2_from_theta1_1,
+                cos_theta3_from_theta1_1, u3_of_place_4_1, u3_of_place_7_1, u3_of_place_8_1,
+                u4_from_u3_1, u5_from_u3_1, u3_of_motion_2_1, cos_theta3_from_theta1_1,
+                cos_theta3_from_theta1_1, cos_theta2_from_theta1_1, cos_theta3_from_theta1_1,
+                cos_theta2_from_theta1_1, cos_theta2_from_theta1_1, cos_theta3_from_theta1_1,
+                cos_theta2_from_theta1_1, cos_theta3_from_theta1_1, cos_theta2_from_theta1_1,
+                u3_of_motion_2_1, u5_from_u3_1, sin_theta2_from_theta1_1, cos_theta2_from_theta1_1,
+                cos_theta2_from_theta1_1, sin_theta3_from_theta1_1, cos_theta3_from_theta1_1,
+                cos_theta2_from_theta1_1, cos_theta2_from_theta1_1, sin_theta3_from_theta1_1,
+                u5_from_u3_1, sin_theta2_from_theta1_1, u3_of_motion_2_1, cos_theta2_from_theta1_1,
+                r1__of_place_20_1, sin_theta3_from_theta1_1, cos_theta3_from_theta1_1,
+                sin_theta2_from_theta1_1, cos_theta2_from_theta1_1, r1__of_place_18_1,
+                cos_theta3_from_theta1_1, sin_theta2_from_theta1_1, sin_theta3_from_theta1_1,
+                cos_theta3_from_theta1_1, u3_of_motion_2_1, u4_from_u3_1, sin_theta2_from_theta1_1,
+                cos_theta2_from_theta1_1, sin_theta3_from_theta1_1, cos_theta3_from_theta1_1,
+                u4_from_u3_1, cos_theta2_from_theta1_1, sin_theta3_from_theta1_1,
+                sin_theta2_from_theta1_1, u3_of_motion_2_1, cos_theta2_from_theta1_1,
+                cos_theta3_from_theta1_1, r1__of_place_22_1, sin_theta2_from_theta1_1,
+                cos_theta2_from_theta1_1, sin_theta3_from_theta1_1, cos_theta3_from_theta1_1,
+                r1__of_place_23_1, cos_theta2_from_theta1_1, sin_theta3_from_theta1_1,
+                sin_theta2_from_theta1_1, u3_of_place_8_1, u3_of_place_8_1, r1__of_place_7_1,
+                r1__of_motion_43_1, cos_theta2_from_theta1_1, cos_theta2_from_theta1_1,
+                cos_theta3_from_theta1_1, u5_from_u3_dot_of_place_6_1, r1__of_motion_81_1,
+                cos_theta3_from_theta1_1, u3_of_motion_2_1, sin_theta3_from_theta1_1,
+                sin_theta3_from_theta1_1, u3_of_motion_2_1, sin_theta2_from_theta1_1,
+                cos_theta2_from_theta1_1, u3_of_motion_2_1, u5_from_u3_dot_of_motion_1,
+                u3_of_motion_2_1, cos_theta2_from_theta1_1, sin_theta3_from_theta1_1,
+                u3_of_motion_2_1, r1__of_place_19_1, sin_theta2_from_theta1_1,
+                cos_theta2_from_theta1_1, u5_from_u3_dot_of_motion_1, u3_of_motion_2_1,
+                cos_theta2_from_theta1_1, sin_theta2_from_theta1_1, sin_theta3_from_theta1_1,
+                u5_from_u3_dot_of_motion_1, cos_theta2_from_theta1_1, u3_of_motion_2_1,
+                sin_theta2_from_theta1_1, cos_theta3_from_theta1_1, r1__of_place_7_1,
             ]),
             padded([
-                cos_theta2_from_theta1_1,
-                sin_theta2_from_theta1_1,
-                cos_theta3_from_theta1_1,
-                sin_theta3_from_theta1_1,
-                u3_of_place_1,
-                sin_theta3_from_theta1_1,
-                u3_of_place_5_1,
-                u4_from_u3_1,
-                u5_from_u3_1,
-                u3_of_motion_2_1,
-                u4_from_u3_1,
-                u5_from_u3_1,
-                r1__of_place_1,
-                r1__of_motion_3_1,
-                r1__of_motion_2_1,
-                r1__of_place_2_1,
-                r1__of_place_4_1,
-                u3_of_place_3_1,
-                r1__of_place_8_1,
-                r1__of_place_10_1,
-                r1__of_place_12_1,
-                r1__of_place_14_1,
-                r1__of_motion_7_1,
-                r1__of_place_17_1,
-                r1__of_place_18_1,
-                r1__of_motion_10_1,
-                r1__of_motion_3_1,
-                r1__of_motion_13_1,
-                r1__of_motion_15_1,
-                r1__of_motion_17_1,
-                r1__of_motion_6_1,
-                r1__of_motion_20_1,
-                r1__of_motion_22_1,
-                r1__of_place_19_1,
-                r1__of_motion_24_1,
-                r1__of_motion_26_1,
-                r1__of_motion_28_1,
-                u5_from_u3_sq_1,
-                r1__of_motion_30_1,
-                r1__of_motion_28_1,
-                r1__of_motion_33_1,
-                r1__of_motion_35_1,
-                u5_from_u3_sq_1,
-                r1__of_motion_37_1,
-                r1__of_motion_39_1,
-                r1__of_motion_41_1,
-                r1__of_motion_44_1,
-                r1__of_place_21_1,
-                r1__of_place_22_1,
-                r1__of_motion_47_1,
-                r1__of_motion_44_1,
-                r1__of_motion_50_1,
-                r1__of_motion_52_1,
-                r1__of_place_23_1,
-                r1__of_motion_54_1,
-                r1__of_motion_56_1,
-                r1__of_motion_58_1,
-                r1__of_motion_60_1,
-                r1__of_motion_2_1,
-                r1__of_motion_63_1,
-                u4_from_u3_sq_1,
-                r1__of_motion_65_1,
-                r1__of_motion_63_1,
-                r1__of_motion_68_1,
-                r1__of_motion_70_1,
-                u4_from_u3_sq_1,
-                r1__of_motion_72_1,
-                r1__of_motion_74_1,
-                r1__of_motion_76_1,
-                r1__of_motion_79_1,
-                r1__of_place_24_1,
-                r1__of_place_25_1,
-                r1__of_place_25_1,
-                cos_theta3_from_theta1_1,
-                u5_from_u3_dot_of_place_2_1,
-                u5_from_u3_dot_of_place_4_1,
-                u5_from_u3_dot_of_place_7_1,
-                u5_from_u3_dot_of_place_7_1,
-                u3_plus_u5_from_u3_1,
-                r1__of_motion_3_1,
-                u4_from_u3_dot_of_motion_2_1,
-                u5_from_u3_dot_of_motion_1,
-                u3_plus_u5_from_u3_1,
-                u5_from_u3_dot_of_motion_1,
-                u4_from_u3_dot_of_motion_7_1,
-                u4_from_u3_dot_of_motion_6_1,
-                u4_from_u3_dot_of_place_2_1,
-                r1__of_motion_20_1,
-                u4_from_u3_dot_of_motion_13_1,
-                u4_from_u3_dot_of_motion_15_1,
-                r1__of_motion_24_1,
-                u5_from_u3_sq_1,
-                u4_from_u3_dot_of_motion_18_1,
-                u4_from_u3_dot_of_place_1,
-                u4_from_u3_dot_of_place_4_1,
-                r1__of_motion_7_1,
-                u4_from_u3_dot_of_motion_2_1,
-                u4_from_u3_dot_of_motion_23_1,
-                u4_from_u3_dot_of_motion_25_1,
-                u4_from_u3_dot_of_place_5_1,
-                u4_from_u3_dot_of_motion_28_1,
-                u4_from_u3_dot_of_motion_30_1,
-                u4_from_u3_dot_of_motion_32_1,
-                u4_from_u3_dot_of_motion_34_1,
-                u4_from_u3_dot_of_motion_37_1,
+                cos_theta2_from_theta1_1, sin_theta2_from_theta1_1, cos_theta3_from_theta1_1,
+                sin_theta3_from_theta1_1, u3_of_place_1, sin_theta3_from_theta1_1, u3_of_place_5_1,
+                u4_from_u3_1, u5_from_u3_1, u3_of_motion_2_1, u4_from_u3_1, u5_from_u3_1,
+                r1__of_place_1, r1__of_motion_3_1, r1__of_motion_2_1, r1__of_place_2_1,
+                r1__of_place_4_1, u3_of_place_3_1, r1__of_place_8_1, r1__of_place_10_1,
+                r1__of_place_12_1, r1__of_place_14_1, r1__of_motion_7_1, r1__of_place_17_1,
+                r1__of_place_18_1, r1__of_motion_10_1, r1__of_motion_3_1, r1__of_motion_13_1,
+                r1__of_motion_15_1, r1__of_motion_17_1, r1__of_motion_6_1, r1__of_motion_20_1,
+                r1__of_motion_22_1, r1__of_place_19_1, r1__of_motion_24_1, r1__of_motion_26_1,
+                r1__of_motion_28_1, u5_from_u3_sq_1, r1__of_motion_30_1, r1__of_motion_28_1,
+                r1__of_motion_33_1, r1__of_motion_35_1, u5_from_u3_sq_1, r1__of_motion_37_1,
+                r1__of_motion_39_1, r1__of_motion_41_1, r1__of_motion_44_1, r1__of_place_21_1,
+                r1__of_place_22_1, r1__of_motion_47_1, r1__of_motion_44_1, r1__of_motion_50_1,
+                r1__of_motion_52_1, r1__of_place_23_1, r1__of_motion_54_1, r1__of_motion_56_1,
+                r1__of_motion_58_1, r1__of_motion_60_1, r1__of_motion_2_1, r1__of_motion_63_1,
+                u4_from_u3_sq_1, r1__of_motion_65_1, r1__of_motion_63_1, r1__of_motion_68_1,
+                r1__of_motion_70_1, u4_from_u3_sq_1, r1__of_motion_72_1, r1__of_motion_74_1,
+                r1__of_motion_76_1, r1__of_motion_79_1, r1__of_place_24_1, r1__of_place_25_1,
+                r1__of_place_25_1, cos_theta3_from_theta1_1, u5_from_u3_dot_of_place_2_1,
+                u5_from_u3_dot_of_place_4_1, u5_from_u3_dot_of_place_7_1,
+                u5_from_u3_dot_of_place_7_1, u3_plus_u5_from_u3_1, r1__of_motion_3_1,
+                u4_from_u3_dot_of_motion_2_1, u5_from_u3_dot_of_motion_1, u3_plus_u5_from_u3_1,
+                u5_from_u3_dot_of_motion_1, u4_from_u3_dot_of_motion_7_1,
+                u4_from_u3_dot_of_motion_6_1, u4_from_u3_dot_of_place_2_1, r1__of_motion_20_1,
+                u4_from_u3_dot_of_motion_13_1, u4_from_u3_dot_of_motion_15_1, r1__of_motion_24_1,
+                u5_from_u3_sq_1, u4_from_u3_dot_of_motion_18_1, u4_from_u3_dot_of_place_1,
+                u4_from_u3_dot_of_place_4_1, r1__of_motion_7_1, u4_from_u3_dot_of_motion_2_1,
+                u4_from_u3_dot_of_motion_23_1, u4_from_u3_dot_of_motion_25_1,
+                u4_from_u3_dot_of_place_5_1, u4_from_u3_dot_of_motion_28_1,
+                u4_from_u3_dot_of_motion_30_1, u4_from_u3_dot_of_motion_32_1,
+                u4_from_u3_dot_of_motion_34_1, u4_from_u3_dot_of_motion_37_1,
             ]),
         ];
     }
@@ -4851,11 +4514,7 @@ pub fn taylor<S: Scalar>(
         let u4_from_u3 = u4_from_u3_rate * over_k;
         let u5_from_u3 = u5_from_u3_rate * over_k;
         series[order] = [
-            theta2_from_theta1,
-            theta3_from_theta1,
-            theta1,
-            u4_from_u3,
-            u5_from_u3,
+            theta2_from_theta1, theta3_from_theta1, theta1, u4_from_u3, u5_from_u3,
         ];
         if order + 1 == series.len() {
             break;
@@ -5601,8 +5260,7 @@ pub fn taylor<S: Scalar>(
         let r1__of_motion_10 = r1__of_motion_8
             .mul_add(
                 S::int(6),
-                r1__of_u5_from_u3.mul_add(S::int(2), S::int(14) * u4_from_u3)
-                    - r1__of_motion_9,
+                r1__of_u5_from_u3.mul_add(S::int(2), S::int(14) * u4_from_u3) - r1__of_motion_9,
             );
         // r1__of_motion_11 = sin_theta2_from_theta1*r1__of_motion_10
         let r1__of_motion_11 = r1__of_motion_10
@@ -5770,8 +5428,7 @@ pub fn taylor<S: Scalar>(
                 cos_theta3_from_theta1.mul_add(r1__of_motion_37_0, sums[43]),
             );
         // r1__of_motion_39 = 7*u4_from_u3_sq + u5_from_u3_sq + r1__of_motion_38
-        let r1__of_motion_39 = S::int(7) * u4_from_u3_sq + u5_from_u3_sq
-            + r1__of_motion_38;
+        let r1__of_motion_39 = S::int(7) * u4_from_u3_sq + u5_from_u3_sq + r1__of_motion_38;
         // r1__of_motion_40 = sin_theta2_from_theta1*r1__of_motion_39
         let r1__of_motion_40 = r1__of_motion_39
             .mul_add(
@@ -5825,8 +5482,7 @@ pub fn taylor<S: Scalar>(
         let r1__of_motion_47 = r1__of_motion_45
             .mul_add(
                 S::int(2),
-                r1__of_u4_from_u3.mul_add(S::int(6), S::int(6) * u5_from_u3)
-                    - r1__of_motion_46,
+                r1__of_u4_from_u3.mul_add(S::int(6), S::int(6) * u5_from_u3) - r1__of_motion_46,
             );
         // r1__of_motion_48 = sin_theta2_from_theta1*r1__of_motion_47
         let r1__of_motion_48 = r1__of_motion_47
@@ -5908,8 +5564,7 @@ pub fn taylor<S: Scalar>(
                 sin_theta2_from_theta1.mul_add(r1__of_motion_58_0, sums[56]),
             );
         // r1__of_motion_60 = r1__of_motion_53 - r1__of_motion_57 - 6*r1__of_motion_59
-        let r1__of_motion_60 = -S::int(6) * r1__of_motion_59 - r1__of_motion_57
-            + r1__of_motion_53;
+        let r1__of_motion_60 = -S::int(6) * r1__of_motion_59 - r1__of_motion_57 + r1__of_motion_53;
         // r1__of_motion_61 = u3_of_motion_2*r1__of_motion_60
         let r1__of_motion_61 = r1__of_motion_60
             .mul_add(
@@ -5987,8 +5642,7 @@ pub fn taylor<S: Scalar>(
                 cos_theta2_from_theta1.mul_add(r1__of_motion_72_0, sums[66]),
             );
         // r1__of_motion_74 = 3*u4_from_u3_sq + u5_from_u3_sq + r1__of_motion_73
-        let r1__of_motion_74 = S::int(3) * u4_from_u3_sq + u5_from_u3_sq
-            + r1__of_motion_73;
+        let r1__of_motion_74 = S::int(3) * u4_from_u3_sq + u5_from_u3_sq + r1__of_motion_73;
         // r1__of_motion_75 = sin_theta3_from_theta1*r1__of_motion_74
         let r1__of_motion_75 = r1__of_motion_74
             .mul_add(
@@ -6013,22 +5667,19 @@ pub fn taylor<S: Scalar>(
         let r1__of_motion_79 = r1__of_motion_78
             .mul_add(
                 over_u3_of_place_8,
-                -(u3_of_place_8.mul_add(r1__of_motion_79_0, sums[69])
-                    * over_u3_of_place_8),
+                -(u3_of_place_8.mul_add(r1__of_motion_79_0, sums[69]) * over_u3_of_place_8),
             );
         // r1__of_place_24 = r1__of_place_16/u3_of_place_8
         let r1__of_place_24 = r1__of_place_16
             .mul_add(
                 over_u3_of_place_8,
-                -(u3_of_place_8.mul_add(r1__of_place_24_0, sums[70])
-                    * over_u3_of_place_8),
+                -(u3_of_place_8.mul_add(r1__of_place_24_0, sums[70]) * over_u3_of_place_8),
             );
         // r1__of_place_25 = r1__of_place_24/r1__of_place_7
         let r1__of_place_25 = r1__of_place_24
             .mul_add(
                 over_r1__of_place_7,
-                -(r1__of_place_7.mul_add(r1__of_place_25_0, sums[71])
-                    * over_r1__of_place_7),
+                -(r1__of_place_7.mul_add(r1__of_place_25_0, sums[71]) * over_r1__of_place_7),
             );
         // r1__of_motion_80 = r1__of_motion_43*r1__of_place_25
         let r1__of_motion_80 = r1__of_motion_43
@@ -6318,8 +5969,7 @@ pub fn taylor<S: Scalar>(
         let u4_from_u3_dot_of_motion_32 = u4_from_u3_dot_of_motion_4
             .mul_add(
                 weight_5,
-                S::int(7) * u4_from_u3_sq + r1__of_u5_from_u3_4
-                    - u4_from_u3_dot_of_motion_31,
+                S::int(7) * u4_from_u3_sq + r1__of_u5_from_u3_4 - u4_from_u3_dot_of_motion_31,
             );
         // u4_from_u3_dot_of_motion_33 = sin_theta2_from_theta1*u4_from_u3_dot_of_motion_32
         let u4_from_u3_dot_of_motion_33 = u4_from_u3_dot_of_motion_32
@@ -6370,214 +6020,67 @@ pub fn taylor<S: Scalar>(
                 count * theta2_from_theta1,
                 count * theta3_from_theta1,
                 count * theta3_from_theta1,
-                cos_theta2_from_theta1,
-                sin_theta2_from_theta1,
-                cos_theta3_from_theta1,
-                u3_of_place_4,
-                u3_of_place_7,
-                u3_of_place_8,
-                u4_from_u3,
-                u5_from_u3,
-                u3_of_motion_2,
-                cos_theta3_from_theta1,
-                cos_theta3_from_theta1,
-                cos_theta2_from_theta1,
-                cos_theta3_from_theta1,
-                cos_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                cos_theta3_from_theta1,
-                cos_theta2_from_theta1,
-                cos_theta3_from_theta1,
-                cos_theta2_from_theta1,
-                u3_of_motion_2,
-                u5_from_u3,
-                sin_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                sin_theta3_from_theta1,
-                cos_theta3_from_theta1,
-                cos_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                sin_theta3_from_theta1,
-                u5_from_u3,
-                sin_theta2_from_theta1,
-                u3_of_motion_2,
-                cos_theta2_from_theta1,
-                r1__of_place_20,
-                sin_theta3_from_theta1,
-                cos_theta3_from_theta1,
-                sin_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                r1__of_place_18,
-                cos_theta3_from_theta1,
-                sin_theta2_from_theta1,
-                sin_theta3_from_theta1,
-                cos_theta3_from_theta1,
-                u3_of_motion_2,
-                u4_from_u3,
-                sin_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                sin_theta3_from_theta1,
-                cos_theta3_from_theta1,
-                u4_from_u3,
-                cos_theta2_from_theta1,
-                sin_theta3_from_theta1,
-                sin_theta2_from_theta1,
-                u3_of_motion_2,
-                cos_theta2_from_theta1,
-                cos_theta3_from_theta1,
-                r1__of_place_22,
-                sin_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                sin_theta3_from_theta1,
-                cos_theta3_from_theta1,
-                r1__of_place_23,
-                cos_theta2_from_theta1,
-                sin_theta3_from_theta1,
-                sin_theta2_from_theta1,
-                u3_of_place_8,
-                u3_of_place_8,
-                r1__of_place_7,
-                r1__of_motion_43,
-                cos_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                cos_theta3_from_theta1,
-                u5_from_u3_dot_of_place_6,
-                r1__of_motion_81,
-                cos_theta3_from_theta1,
-                u3_of_motion_2,
-                sin_theta3_from_theta1,
-                sin_theta3_from_theta1,
-                u3_of_motion_2,
-                sin_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                u3_of_motion_2,
-                u5_from_u3_dot_of_motion,
-                u3_of_motion_2,
-                cos_theta2_from_theta1,
-                sin_theta3_from_theta1,
-                u3_of_motion_2,
-                r1__of_place_19,
-                sin_theta2_from_theta1,
-                cos_theta2_from_theta1,
-                u5_from_u3_dot_of_motion,
-                u3_of_motion_2,
-                cos_theta2_from_theta1,
-                sin_theta2_from_theta1,
-                sin_theta3_from_theta1,
-                u5_from_u3_dot_of_motion,
-                cos_theta2_from_theta1,
-                u3_of_motion_2,
-                sin_theta2_from_theta1,
-                cos_theta3_from_theta1,
-                r1__of_place_7,
+                cos_theta2_from_theta1, sin_theta2_from_theta1, cos_theta3_from_theta1,
+                u3_of_place_4, u3_of_place_7, u3_of_place_8, u4_from_u3, u5_from_u3, u3_of_motion_2,
+                cos_theta3_from_theta1, cos_theta3_from_theta1, cos_theta2_from_theta1,
+                cos_theta3_from_theta1, cos_theta2_from_theta1, cos_theta2_from_theta1,
+                cos_theta3_from_theta1, cos_theta2_from_theta1, cos_theta3_from_theta1,
+                cos_theta2_from_theta1, u3_of_motion_2, u5_from_u3, sin_theta2_from_theta1,
+                cos_theta2_from_theta1, cos_theta2_from_theta1, sin_theta3_from_theta1,
+                cos_theta3_from_theta1, cos_theta2_from_theta1, cos_theta2_from_theta1,
+                sin_theta3_from_theta1, u5_from_u3, sin_theta2_from_theta1, u3_of_motion_2,
+                cos_theta2_from_theta1, r1__of_place_20, sin_theta3_from_theta1,
+                cos_theta3_from_theta1, sin_theta2_from_theta1, cos_theta2_from_theta1,
+                r1__of_place_18, cos_theta3_from_theta1, sin_theta2_from_theta1,
+                sin_theta3_from_theta1, cos_theta3_from_theta1, u3_of_motion_2, u4_from_u3,
+                sin_theta2_from_theta1, cos_theta2_from_theta1, sin_theta3_from_theta1,
+                cos_theta3_from_theta1, u4_from_u3, cos_theta2_from_theta1, sin_theta3_from_theta1,
+                sin_theta2_from_theta1, u3_of_motion_2, cos_theta2_from_theta1,
+                cos_theta3_from_theta1, r1__of_place_22, sin_theta2_from_theta1,
+                cos_theta2_from_theta1, sin_theta3_from_theta1, cos_theta3_from_theta1,
+                r1__of_place_23, cos_theta2_from_theta1, sin_theta3_from_theta1,
+                sin_theta2_from_theta1, u3_of_place_8, u3_of_place_8, r1__of_place_7,
+                r1__of_motion_43, cos_theta2_from_theta1, cos_theta2_from_theta1,
+                cos_theta3_from_theta1, u5_from_u3_dot_of_place_6, r1__of_motion_81,
+                cos_theta3_from_theta1, u3_of_motion_2, sin_theta3_from_theta1,
+                sin_theta3_from_theta1, u3_of_motion_2, sin_theta2_from_theta1,
+                cos_theta2_from_theta1, u3_of_motion_2, u5_from_u3_dot_of_motion, u3_of_motion_2,
+                cos_theta2_from_theta1, sin_theta3_from_theta1, u3_of_motion_2, r1__of_place_19,
+                sin_theta2_from_theta1, cos_theta2_from_theta1, u5_from_u3_dot_of_motion,
+                u3_of_motion_2, cos_theta2_from_theta1, sin_theta2_from_theta1,
+                sin_theta3_from_theta1, u5_from_u3_dot_of_motion, cos_theta2_from_theta1,
+                u3_of_motion_2, sin_theta2_from_theta1, cos_theta3_from_theta1, r1__of_place_7,
             ]),
             padded([
-                cos_theta2_from_theta1,
-                sin_theta2_from_theta1,
-                cos_theta3_from_theta1,
-                sin_theta3_from_theta1,
-                u3_of_place,
-                sin_theta3_from_theta1,
-                u3_of_place_5,
-                u4_from_u3,
-                u5_from_u3,
-                u3_of_motion_2,
-                u4_from_u3,
-                u5_from_u3,
-                r1__of_place,
-                r1__of_motion_3,
-                r1__of_motion_2,
-                r1__of_place_2,
-                r1__of_place_4,
-                u3_of_place_3,
-                r1__of_place_8,
-                r1__of_place_10,
-                r1__of_place_12,
-                r1__of_place_14,
-                r1__of_motion_7,
-                r1__of_place_17,
-                r1__of_place_18,
-                r1__of_motion_10,
-                r1__of_motion_3,
-                r1__of_motion_13,
-                r1__of_motion_15,
-                r1__of_motion_17,
-                r1__of_motion_6,
-                r1__of_motion_20,
-                r1__of_motion_22,
-                r1__of_place_19,
-                r1__of_motion_24,
-                r1__of_motion_26,
-                r1__of_motion_28,
-                u5_from_u3_sq,
-                r1__of_motion_30,
-                r1__of_motion_28,
-                r1__of_motion_33,
-                r1__of_motion_35,
-                u5_from_u3_sq,
-                r1__of_motion_37,
-                r1__of_motion_39,
-                r1__of_motion_41,
-                r1__of_motion_44,
-                r1__of_place_21,
-                r1__of_place_22,
-                r1__of_motion_47,
-                r1__of_motion_44,
-                r1__of_motion_50,
-                r1__of_motion_52,
-                r1__of_place_23,
-                r1__of_motion_54,
-                r1__of_motion_56,
-                r1__of_motion_58,
-                r1__of_motion_60,
-                r1__of_motion_2,
-                r1__of_motion_63,
-                u4_from_u3_sq,
-                r1__of_motion_65,
-                r1__of_motion_63,
-                r1__of_motion_68,
-                r1__of_motion_70,
-                u4_from_u3_sq,
-                r1__of_motion_72,
-                r1__of_motion_74,
-                r1__of_motion_76,
-                r1__of_motion_79,
-                r1__of_place_24,
-                r1__of_place_25,
-                r1__of_place_25,
-                cos_theta3_from_theta1,
-                u5_from_u3_dot_of_place_2,
-                u5_from_u3_dot_of_place_4,
-                u5_from_u3_dot_of_place_7,
-                u5_from_u3_dot_of_place_7,
-                u3_plus_u5_from_u3,
-                r1__of_motion_3,
-                u4_from_u3_dot_of_motion_2,
-                u5_from_u3_dot_of_motion,
-                u3_plus_u5_from_u3,
-                u5_from_u3_dot_of_motion,
-                u4_from_u3_dot_of_motion_7,
-                u4_from_u3_dot_of_motion_6,
-                u4_from_u3_dot_of_place_2,
-                r1__of_motion_20,
-                u4_from_u3_dot_of_motion_13,
-                u4_from_u3_dot_of_motion_15,
-                r1__of_motion_24,
-                u5_from_u3_sq,
-                u4_from_u3_dot_of_motion_18,
-                u4_from_u3_dot_of_place,
-                u4_from_u3_dot_of_place_4,
-                r1__of_motion_7,
-                u4_from_u3_dot_of_motion_2,
-                u4_from_u3_dot_of_motion_23,
-                u4_from_u3_dot_of_motion_25,
-                u4_from_u3_dot_of_place_5,
-                u4_from_u3_dot_of_motion_28,
-                u4_from_u3_dot_of_motion_30,
-                u4_from_u3_dot_of_motion_32,
-                u4_from_u3_dot_of_motion_34,
-                u4_from_u3_dot_of_motion_37,
+                cos_theta2_from_theta1, sin_theta2_from_theta1, cos_theta3_from_theta1,
+                sin_theta3_from_theta1, u3_of_place, sin_theta3_from_theta1, u3_of_place_5,
+                u4_from_u3, u5_from_u3, u3_of_motion_2, u4_from_u3, u5_from_u3, r1__of_place,
+                r1__of_motion_3, r1__of_motion_2, r1__of_place_2, r1__of_place_4, u3_of_place_3,
+                r1__of_place_8, r1__of_place_10, r1__of_place_12, r1__of_place_14, r1__of_motion_7,
+                r1__of_place_17, r1__of_place_18, r1__of_motion_10, r1__of_motion_3,
+                r1__of_motion_13, r1__of_motion_15, r1__of_motion_17, r1__of_motion_6,
+                r1__of_motion_20, r1__of_motion_22, r1__of_place_19, r1__of_motion_24,
+                r1__of_motion_26, r1__of_motion_28, u5_from_u3_sq, r1__of_motion_30,
+                r1__of_motion_28, r1__of_motion_33, r1__of_motion_35, u5_from_u3_sq,
+                r1__of_motion_37, r1__of_motion_39, r1__of_motion_41, r1__of_motion_44,
+                r1__of_place_21, r1__of_place_22, r1__of_motion_47, r1__of_motion_44,
+                r1__of_motion_50, r1__of_motion_52, r1__of_place_23, r1__of_motion_54,
+                r1__of_motion_56, r1__of_motion_58, r1__of_motion_60, r1__of_motion_2,
+                r1__of_motion_63, u4_from_u3_sq, r1__of_motion_65, r1__of_motion_63,
+                r1__of_motion_68, r1__of_motion_70, u4_from_u3_sq, r1__of_motion_72,
+                r1__of_motion_74, r1__of_motion_76, r1__of_motion_79, r1__of_place_24,
+                r1__of_place_25, r1__of_place_25, cos_theta3_from_theta1, u5_from_u3_dot_of_place_2,
+                u5_from_u3_dot_of_place_4, u5_from_u3_dot_of_place_7, u5_from_u3_dot_of_place_7,
+                u3_plus_u5_from_u3, r1__of_motion_3, u4_from_u3_dot_of_motion_2,
+                u5_from_u3_dot_of_motion, u3_plus_u5_from_u3, u5_from_u3_dot_of_motion,
+                u4_from_u3_dot_of_motion_7, u4_from_u3_dot_of_motion_6, u4_from_u3_dot_of_place_2,
+                r1__of_motion_20, u4_from_u3_dot_of_motion_13, u4_from_u3_dot_of_motion_15,
+                r1__of_motion_24, u5_from_u3_sq, u4_from_u3_dot_of_motion_18,
+                u4_from_u3_dot_of_place, u4_from_u3_dot_of_place_4, r1__of_motion_7,
+                u4_from_u3_dot_of_motion_2, u4_from_u3_dot_of_motion_23,
+                u4_from_u3_dot_of_motion_25, u4_from_u3_dot_of_place_5, u4_from_u3_dot_of_motion_28,
+                u4_from_u3_dot_of_motion_30, u4_from_u3_dot_of_motion_32,
+                u4_from_u3_dot_of_motion_34, u4_from_u3_dot_of_motion_37,
             ]),
         ];
         count_last = count;
@@ -6774,11 +6277,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -46,54 +46,36 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            I1: p[0],
-            p_x: p[1],
-            p_y: p[2],
-            p_z: p[3],
-            p_psi_there: p[4],
-            w3: p[5],
-            centre_x: p[6],
-            centre_y: p[7],
-            centre_z: p[8],
-            p_z_by_2: p[9],
-            p_y_by_2: p[10],
-            p_x_by_2: p[11],
+            I1: p[0], p_x: p[1], p_y: p[2], p_z: p[3], p_psi_there: p[4], w3: p[5], centre_x: p[6],
+            centre_y: p[7], centre_z: p[8], p_z_by_2: p[9], p_y_by_2: p[10], p_x_by_2: p[11],
             w3_per_I1: p[12],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 13] {
+        let Self {
+            I1, p_x, p_y, p_z, p_psi_there, w3, centre_x, centre_y, centre_z, p_z_by_2, p_y_by_2,
+            p_x_by_2, w3_per_I1,
+            ..
+        } = self;
+        [
+            I1, p_x, p_y, p_z, p_psi_there, w3, centre_x, centre_y, centre_z, p_z_by_2, p_y_by_2,
+            p_x_by_2, w3_per_I1,
+        ]
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
 pub const PARAMETERS: [&str; 13] = [
-    "I1",
-    "p_x",
-    "p_y",
-    "p_z",
-    "p_psi_there",
-    "w3",
-    "centre_x",
-    "centre_y",
-    "centre_z",
-    "p_z_by_2",
-    "p_y_by_2",
-    "p_x_by_2",
-    "w3_per_I1",
+    "I1", "p_x", "p_y", "p_z", "p_psi_there", "w3", "centre_x", "centre_y", "centre_z", "p_z_by_2",
+    "p_y_by_2", "p_x_by_2", "w3_per_I1",
 ];
 
 /// Names of the outputs.
 pub const OUTPUTS: [&str; 12] = [
-    "x",
-    "y",
-    "z",
-    "psi",
-    "theta",
-    "phi",
-    "v1",
-    "v2",
-    "v3",
-    "w1",
-    "w2",
-    "w3",
+    "x", "y", "z", "psi", "theta", "phi", "v1", "v2", "v3", "w1", "w2", "w3",
 ];
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.
@@ -120,8 +102,7 @@ pub fn constants<S: Scalar>(
     // p_z = 2*v3
     let p_z_value = S::int(2) * v3;
     // p_psi_there = I1*w2*sin(theta) + w3*(cos(theta) - 1)/2
-    let p_psi_there_value = S::ratio(1, 2) * w3 * (cos_theta - S::int(1))
-        + I1 * w2 * sin_theta;
+    let p_psi_there_value = S::ratio(1, 2) * w3 * (cos_theta - S::int(1)) + I1 * w2 * sin_theta;
     // w3
     let w3_value = w3;
     // centre_x = 2*x
@@ -139,18 +120,8 @@ pub fn constants<S: Scalar>(
     // w3_per_I1 = w3/I1
     let w3_per_I1_value = w3 / I1;
     [
-        I1_value,
-        p_x_value,
-        p_y_value,
-        p_z_value,
-        p_psi_there_value,
-        w3_value,
-        centre_x_value,
-        centre_y_value,
-        centre_z_value,
-        p_z_by_2_value,
-        p_y_by_2_value,
-        p_x_by_2_value,
+        I1_value, p_x_value, p_y_value, p_z_value, p_psi_there_value, w3_value, centre_x_value,
+        centre_y_value, centre_z_value, p_z_by_2_value, p_y_by_2_value, p_x_by_2_value,
         w3_per_I1_value,
     ]
 }
@@ -270,17 +241,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 3]) -> S {
 #[must_use]
 pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S; 12] {
     let Parameters {
-        I1,
-        p_x,
-        p_y,
-        p_z,
-        p_psi_there,
-        w3,
-        centre_x,
-        centre_y,
-        centre_z,
-        p_z_by_2,
-        p_y_by_2,
+        I1, p_x, p_y, p_z, p_psi_there, w3, centre_x, centre_y, centre_z, p_z_by_2, p_y_by_2,
         p_x_by_2,
         ..
     } = *p;
@@ -317,17 +278,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 1]) -> [S
     // w3
     let w3_value = w3;
     [
-        x_value,
-        y_value,
-        z_value,
-        psi_value,
-        theta_value,
-        phi_value,
-        v1,
-        v2,
-        v3,
-        w1_value,
-        w2,
+        x_value, y_value, z_value, psi_value, theta_value, phi_value, v1, v2, v3, w1_value, w2,
         w3_value,
     ]
 }
@@ -373,7 +324,6 @@ pub fn derivative<S: Scalar>(
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
     let Parameters { I1, p_psi_there, w3, w3_per_I1, .. } = *p;
     let [theta, _, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -388,10 +338,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     let w2_by_theta_of_theta = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
     // w2_by_theta = (w3*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
     //   1))/(4*I1*sin(theta/2)^2*cos(theta/2)^2)
-    let w2_by_theta = S::ratio(1, 4) * i1_inv * w2_by_theta_of_theta
-        * w2_by_theta_of_theta
-        * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1))
-            + w3_sin_theta_by_2_sq);
+    let w2_by_theta = S::ratio(1, 4) * i1_inv * w2_by_theta_of_theta * w2_by_theta_of_theta
+        * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1)) + w3_sin_theta_by_2_sq);
     let w2_sin_theta_inv = w2 * sin_theta_inv;
     let cos_theta_w2_by_theta = w2_by_theta * cos_theta;
     // w1_dot_by_theta = w2*(2*w2_by_theta*cos(theta) - w2/sin(theta))/sin(theta) - w3_per_I1*w2_by_theta/2
@@ -402,11 +350,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4
     // d(theta')/d(w1) = 1
     let theta_dot_by_w1_value = S::int(1);
     // d(phi')/d(theta) = (w2/sin(theta) - w2_by_theta*cos(theta))/sin(theta)
-    let phi_dot_by_theta_value = sin_theta_inv
-        * (w2_sin_theta_inv - cos_theta_w2_by_theta);
+    let phi_dot_by_theta_value = sin_theta_inv * (w2_sin_theta_inv - cos_theta_w2_by_theta);
     // d(psi')/d(theta) = (w2_by_theta - w2/tan(theta))/sin(theta)
     let psi_dot_by_theta_value = sin_theta_inv
         * (-w2_sin_theta_inv).mul_add(cos_theta, w2_by_theta);
+    let zero = S::int(0);
     [
         [zero, zero, zero, theta_dot_by_w1_value],
         [phi_dot_by_theta_value, zero, zero, zero],
@@ -437,7 +385,6 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
     let Parameters { I1, p_psi_there, w3, p_z_by_2, p_y_by_2, p_x_by_2, .. } = *p;
     let [theta, _, _] = *q;
     let [w1] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, _) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -460,12 +407,11 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
         + S::ratio(1, 2) * I1 * w2.mul_add(w2, w1 * w1) + S::ratio(1, 4) * w3 * w3;
     // d(T + V)/d(theta) = w2*(w3*sin(theta/2)^2 + p_psi_there*(2*sin(theta/2)^2 -
     //   1))/(4*sin(theta/2)^2*cos(theta/2)^2)
-    let energy_by_theta = S::ratio(1, 4) * w2 * energy_by_theta_of_theta
-        * energy_by_theta_of_theta
-        * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1))
-            + w3_sin_theta_by_2_sq);
+    let energy_by_theta = S::ratio(1, 4) * w2 * energy_by_theta_of_theta * energy_by_theta_of_theta
+        * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1)) + w3_sin_theta_by_2_sq);
     // d(T + V)/d(w1) = I1*w1
     let energy_by_w1 = I1 * w1;
+    let zero = S::int(0);
     [energy, energy_by_theta, zero, zero, energy_by_w1]
 }
 
@@ -586,26 +532,12 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta_1,
-                theta_1,
-                theta_halved_1,
-                theta_halved_1,
-                sin_theta_by_2_1,
-                sin_theta_1,
-                sin_theta_1,
-                cos_theta_1,
-                w2_of_place_2_1,
+                theta_1, theta_1, theta_halved_1, theta_halved_1, sin_theta_by_2_1, sin_theta_1,
+                sin_theta_1, cos_theta_1, w2_of_place_2_1,
             ]),
             padded([
-                cos_theta_1,
-                sin_theta_1,
-                cos_theta_by_2_1,
-                sin_theta_by_2_1,
-                sin_theta_by_2_1,
-                w2_of_place_2_1,
-                w1_dot_of_place_1,
-                w1_dot_of_place_1,
-                w1_dot_of_place_3_1,
+                cos_theta_1, sin_theta_1, cos_theta_by_2_1, sin_theta_by_2_1, sin_theta_by_2_1,
+                w2_of_place_2_1, w1_dot_of_place_1, w1_dot_of_place_1, w1_dot_of_place_3_1,
             ]),
         ];
     }
@@ -743,22 +675,11 @@ pub fn taylor<S: Scalar>(
                 count * theta,
                 count * theta_halved,
                 count * theta_halved,
-                sin_theta_by_2,
-                sin_theta,
-                sin_theta,
-                cos_theta,
-                w2_of_place_2,
+                sin_theta_by_2, sin_theta, sin_theta, cos_theta, w2_of_place_2,
             ]),
             padded([
-                cos_theta,
-                sin_theta,
-                cos_theta_by_2,
-                sin_theta_by_2,
-                sin_theta_by_2,
-                w2_of_place_2,
-                w1_dot_of_place,
-                w1_dot_of_place,
-                w1_dot_of_place_3,
+                cos_theta, sin_theta, cos_theta_by_2, sin_theta_by_2, sin_theta_by_2, w2_of_place_2,
+                w1_dot_of_place, w1_dot_of_place, w1_dot_of_place_3,
             ]),
         ];
         count_last = count;
@@ -878,11 +799,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

@@ -34,14 +34,15 @@ impl<S: Scalar> Parameters<S> {
     #[inline(always)]
     pub fn from_slice(p: &[S]) -> Self {
         Self {
-            m: p[0],
-            l: p[1],
-            I1: p[2],
-            I3: p[3],
-            g: p[4],
-            p_q3: p[5],
-            m_l_g: p[6],
+            m: p[0], l: p[1], I1: p[2], I3: p[3], g: p[4], p_q3: p[5], m_l_g: p[6],
         }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 7] {
+        let Self { m, l, I1, I3, g, p_q3, m_l_g, .. } = self;
+        [m, l, I1, I3, g, p_q3, m_l_g]
     }
 }
 
@@ -260,7 +261,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let Parameters { I1, I3, p_q3, m_l_g, .. } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -300,6 +300,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]
     let q3_dot_by_q2_value = -c2_inv_u1_c2_inv;
     // d(q3')/d(u1) = -tan(q2)
     let q3_dot_by_u1_value = -s2_c2_inv;
+    let zero = S::int(0);
     [
         [zero, q1_dot_by_q2_value, zero, q1_dot_by_u1_value, zero],
         [zero, zero, zero, zero, q2_dot_by_u2_value],
@@ -331,7 +332,6 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     let Parameters { m, l, I1, I3, g, p_q3, .. } = *p;
     let [q1, q2, _] = *q;
     let [u1, u2] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (s2, c2) = q2.sin_cos();
     let (s1, c1) = q1.sin_cos();
@@ -353,6 +353,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     let energy_by_u1 = I1 * u1;
     // d(T + V)/d(u2) = I1*u2
     let energy_by_u2 = I1 * u2;
+    let zero = S::int(0);
     [energy, energy_by_q1, energy_by_q2, zero, energy_by_u1, energy_by_u2]
 }
 
@@ -419,14 +420,7 @@ pub fn taylor<S: Scalar>(
         history[1] = [
             padded([q2_1, q2_1, q1_1, q1_1, c2_1, s2_1, u1_1, s2_1, u2_1]),
             padded([
-                c2_1,
-                s2_1,
-                c1_1,
-                s1_1,
-                q1_dot_2_1,
-                q1_dot_2_1,
-                u2_dot_of_u1_1,
-                c1_1,
+                c2_1, s2_1, c1_1, s1_1, q1_dot_2_1, q1_dot_2_1, u2_dot_of_u1_1, c1_1,
                 u2_dot_of_u1_1,
             ]),
         ];
@@ -634,11 +628,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

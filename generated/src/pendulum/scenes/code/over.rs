@@ -23,6 +23,13 @@ impl<S: Scalar> Parameters<S> {
     pub fn from_slice(p: &[S]) -> Self {
         Self { g: p[0] }
     }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 1] {
+        let Self { g, .. } = self;
+        [g]
+    }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
@@ -171,7 +178,6 @@ pub fn derivative<S: Scalar>(
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 2]; 2] {
     let Parameters { g } = *p;
     let [theta] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (_, cos_theta) = theta.sin_cos();
     // Entries that are not zero.
@@ -179,6 +185,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 2
     let theta_dot_by_omega_value = S::int(1);
     // d(omega')/d(theta) = -g*cos(theta)
     let omega_dot_by_theta_value = -g * cos_theta;
+    let zero = S::int(0);
     [[zero, theta_dot_by_omega_value], [omega_dot_by_theta_value, zero]]
 }
 
@@ -410,11 +417,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);

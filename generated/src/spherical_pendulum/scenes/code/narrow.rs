@@ -25,6 +25,13 @@ impl<S: Scalar> Parameters<S> {
     pub fn from_slice(p: &[S]) -> Self {
         Self { g: p[0], p_phi: p[1] }
     }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 2] {
+        let Self { g, p_phi, .. } = self;
+        [g, p_phi]
+    }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
@@ -207,7 +214,6 @@ pub fn derivative<S: Scalar>(
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [[S; 3]; 3] {
     let Parameters { g, p_phi } = *p;
     let [theta, _] = *q;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -220,13 +226,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [[S; 3
     let u2_by_theta = -u2_by_theta_of_theta_u2;
     // u1_dot_by_theta = u2*(2*u2_by_theta*cos(theta) - u2/sin(theta))/sin(theta) - g*cos(theta)
     let u1_dot_by_theta = u2_sin_theta_inv
-        * (u2_by_theta * cos_theta).mul_add(S::int(2), -u2_sin_theta_inv)
-        - g * cos_theta;
+        * (u2_by_theta * cos_theta).mul_add(S::int(2), -u2_sin_theta_inv) - g * cos_theta;
     // Entries that are not zero.
     // d(theta')/d(u1) = 1
     let theta_dot_by_u1_value = S::int(1);
     // d(phi')/d(theta) = (u2_by_theta - u2/tan(theta))/sin(theta)
     let phi_dot_by_theta_value = sin_theta_inv * (u2_by_theta - u2_by_theta_of_theta_u2);
+    let zero = S::int(0);
     [
         [zero, zero, theta_dot_by_u1_value],
         [phi_dot_by_theta_value, zero, zero],
@@ -256,7 +262,6 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> 
     let Parameters { g, p_phi } = *p;
     let [theta, _] = *q;
     let [u1] = *u;
-    let zero = S::int(0);
     // Sines and cosines.
     let (sin_theta, cos_theta) = theta.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -273,6 +278,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> 
     let energy_by_theta = (-(sin_theta_inv * u2_sq)).mul_add(cos_theta, g * sin_theta);
     // d(T + V)/d(u1) = u1
     let energy_by_u1 = u1;
+    let zero = S::int(0);
     [energy, energy_by_theta, zero, energy_by_u1]
 }
 
@@ -308,8 +314,7 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> 
     //   theta_to/2)*(sin(theta_from) + sin(theta_to))/(2*sin(theta_from)^2*sin(theta_to)^2)
     let slope = -S::ratio(1, 2) * p_phi * p_phi * sinc1 * cos_angle
         * (sin_theta_from + sin_theta_to)
-        / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to)
-        + g * sinc1 * sin_angle;
+        / (sin_theta_from * sin_theta_from * sin_theta_to * sin_theta_to) + g * sinc1 * sin_angle;
     slope
 }
 
@@ -357,19 +362,10 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                theta_1,
-                theta_1,
-                sin_theta_1,
-                sin_theta_1,
-                sin_theta_inv_1,
-                sin_theta_inv2_1,
+                theta_1, theta_1, sin_theta_1, sin_theta_1, sin_theta_inv_1, sin_theta_inv2_1,
             ]),
             padded([
-                cos_theta_1,
-                sin_theta_1,
-                sin_theta_inv_1,
-                sin_theta_inv2_1,
-                cos_theta_1,
+                cos_theta_1, sin_theta_1, sin_theta_inv_1, sin_theta_inv2_1, cos_theta_1,
                 sin_theta_inv_cos_theta_1,
             ]),
         ];
@@ -470,17 +466,10 @@ pub fn taylor<S: Scalar>(
             padded([
                 count * theta,
                 count * theta,
-                sin_theta,
-                sin_theta,
-                sin_theta_inv,
-                sin_theta_inv2,
+                sin_theta, sin_theta, sin_theta_inv, sin_theta_inv2,
             ]),
             padded([
-                cos_theta,
-                sin_theta,
-                sin_theta_inv,
-                sin_theta_inv2,
-                cos_theta,
+                cos_theta, sin_theta, sin_theta_inv, sin_theta_inv2, cos_theta,
                 sin_theta_inv_cos_theta,
             ]),
         ];
@@ -598,11 +587,7 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self,
-        _p: &[S],
-        _q: &[S],
-        _v: &[S],
-        v_dot: &[S],
+        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);
