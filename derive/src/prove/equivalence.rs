@@ -6,7 +6,7 @@
 //! are reactions form a regular matrix, so Kane's equations and those rows, which give the reactions, are
 //! Newton–Euler again.
 
-use super::verdicts::all;
+use super::verdicts::{all, all_equal};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::linear::solve;
@@ -248,15 +248,13 @@ fn equal_systems(
     expected: &Equations,
     extra: usize,
 ) -> Verdict {
-    let mut verdicts = Vec::new();
+    let mut pairs = Vec::new();
     for (at, (row, value)) in matrix.iter().zip(right).enumerate() {
         let wanted = expected.matrix[at].iter().copied().chain(std::iter::repeat_n(Expr::ZERO, extra));
-        for (entry, wanted) in row.iter().zip(wanted) {
-            verdicts.push(comparer.compare(arena, *entry, wanted));
-        }
-        verdicts.push(comparer.compare(arena, *value, expected.forcing[at]));
+        pairs.extend(row.iter().copied().zip(wanted));
+        pairs.push((*value, expected.forcing[at]));
     }
-    all(verdicts)
+    all_equal(arena, comparer, &pairs)
 }
 
 /// The balances that are rows of Newton–Euler: those that are not 0 = 0.

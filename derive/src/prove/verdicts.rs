@@ -1,6 +1,35 @@
 //! Many verdicts as one.
 
-use crate::algebra::compare::{Engine, Verdict};
+use crate::algebra::compare::{Comparer, Engine, Verdict};
+use crate::algebra::modular::{ZeroTest, bounded_zero_test};
+use crate::algebra::steps::fresh_symbol;
+use crate::algebra::{Arena, Expr};
+
+/// Terms times questions above which one question is asked for all.
+const MOST_SINGLE: usize = 2_000_000;
+
+/// Whether both of each pair mean the same. Of large systems, whose entries share most terms, it is asked once: whether
+/// Σ w_i d_i is zero for the differences d_i with a new symbol w_i for each, which it is if and only if all are.
+pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Expr)]) -> Verdict {
+    let differences: Vec<Expr> = pairs.iter().map(|(left, right)| arena.sub(*left, *right)).collect();
+    let differences: Vec<Expr> = differences.into_iter().filter(|e| *e != Expr::ZERO).collect();
+    if differences.len() * arena.reachable(&differences).len() > MOST_SINGLE {
+        let weighted: Vec<Expr> = differences
+            .iter()
+            .enumerate()
+            .map(|(at, e)| {
+                let weight = fresh_symbol(arena, &format!("weight_{at}"));
+                arena.mul(weight, *e)
+            })
+            .collect();
+        let sum = arena.sum(&weighted);
+        let sum = comparer.with_plain_angles(arena, sum);
+        if let (ZeroTest::Zero, exponent) = bounded_zero_test(arena, sum) {
+            return Verdict::Equal(Engine::Modular { exponent });
+        }
+    }
+    all(pairs.iter().map(|(left, right)| comparer.compare(arena, *left, *right)))
+}
 
 /// One verdict for many: the first that is not "equal", else the weakest engine.
 pub fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
