@@ -1,7 +1,7 @@
 //! Large models: what grows is named, means the same, grows as it must, and is proved at its size.
 
 use crate::arm::{arm, tree};
-use crate::chain::chain;
+use crate::chain::{chain, relative_chain};
 use std::collections::HashSet;
 use std::path::Path;
 use tripos_derive::algebra::adjoint::transposed_product;
@@ -115,13 +115,15 @@ fn arms_and_chains_divide_by_nothing_that_vanishes() {
 }
 
 /// Goal: forces and the accelerations of long arms and chains grow with their length, matrices with its square. Method:
-/// exponents between two lengths, of arms whose frames follow one another and of chains whose angles are all from one
-/// frame.
+/// exponents between two lengths, of arms, of chains whose angles are all from one frame, and of those whose angles are
+/// from the link before.
 #[test]
 fn operations_grow_as_they_must() {
-    for (what, [short, long]) in
-        [("arms", [20, 40].map(|n| counts(&arm(n, false)))), ("chains", [20, 40].map(|n| counts(&chain(n))))]
-    {
+    for (what, [short, long]) in [
+        ("arms", [20, 40].map(|n| counts(&arm(n, false)))),
+        ("chains", [20, 40].map(|n| counts(&chain(n)))),
+        ("chains with relative angles", [20, 40].map(|n| counts(&relative_chain(n)))),
+    ] {
         let exponent = |at: usize| (long[at] as f64 / short[at] as f64).log2();
         let found = [exponent(0), exponent(1), exponent(2), exponent(3)];
         assert!(
@@ -136,7 +138,9 @@ fn operations_grow_as_they_must() {
 #[test]
 fn recursions_solve_the_equations() {
     let slide = |i: usize| i == 2;
-    for model in [arm(3, false), tree(4, |i| i / 2, slide, false), tree(5, |i| i / 3, slide, false), chain(8)] {
+    for model in
+        [arm(3, false), tree(4, |i| i / 2, slide, false), tree(5, |i| i / 3, slide, false), chain(8), relative_chain(6)]
+    {
         let Derivation { mut arena, equations } = derive(&model, Formulation::Kane).unwrap();
         let gauss = equations.gauss.as_ref().unwrap();
         let recursion = least(&mut arena, &mut Simplifier::default(), gauss, &equations.unknowns).unwrap();

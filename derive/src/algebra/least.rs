@@ -17,7 +17,7 @@ use super::steps::Definition;
 use super::{Arena, Expr, Node, Rational};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// ½ Σ K_ij e_i e_j + Σ b_i e_i, with K symmetric.
 #[derive(Clone, Debug)]
@@ -42,11 +42,15 @@ pub struct Sum {
 /// What is taken out of the form first.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Order {
-    /// What most names lie between and the unknowns: on an arm all of its last body, then all of the one before it.
+    /// What depends on most unknowns, and of that what most names lie between and them: on an arm all of its last body,
+    /// then all of the one before it.
     Farthest,
     /// What has fewest terms beside it: on a chain whose angles all are from one frame.
     Fewest,
 }
+
+/// How many unknowns a name depends on, and how many names lie between it and them.
+type Depth = (usize, usize);
 
 /// The unknowns that make a sum least, in the order in which they are to be
 /// computed, in terms of names and of unknowns before them: by the order of elimination that costs less. `None` if a
@@ -103,16 +107,14 @@ fn least_in(
     // How many names each end is left in: what is left in none can be taken out.
     let mut left: FxHashMap<Expr, usize> = FxHashMap::default();
     let mut parts: FxHashMap<Expr, Part> = FxHashMap::default();
-    // How many names lie between each and the unknowns.
-    let mut depth: FxHashMap<Expr, usize> = FxHashMap::default();
+    let mut reach: FxHashMap<Expr, BTreeSet<Expr>> = unknowns.iter().map(|e| (*e, BTreeSet::from([*e]))).collect();
+    let mut depth: FxHashMap<Expr, Depth> = FxHashMap::default();
     for e in &named {
         let part = form.part(form.arena.behind(*e)?)?;
-        let below = part.terms.iter().filter_map(|(of, _)| depth.get(of)).max();
-        if order == Order::Farthest {
-            depth.insert(*e, below.map_or(0, |below| below + 1));
-        } else {
-            depth.insert(*e, 0);
-        }
+        let found: BTreeSet<Expr> = part.terms.iter().flat_map(|(of, _)| &reach[of]).copied().collect();
+        let names = part.terms.iter().filter_map(|(of, _)| depth.get(of)).map(|below| below.1 + 1).max().unwrap_or(0);
+        depth.insert(*e, if order == Order::Farthest { (found.len(), names) } else { (0, 0) });
+        reach.insert(*e, found);
         for (of, _) in &part.terms {
             *left.entry(*of).or_default() += 1;
         }
@@ -264,7 +266,7 @@ impl Form<'_> {
 
     /// The place of what is to be taken out next: an unknown, else what is farthest from the unknowns, with the fewest
     /// terms beside it.
-    fn next(&self, ready: &[Expr], depth: &FxHashMap<Expr, usize>) -> Option<usize> {
+    fn next(&self, ready: &[Expr], depth: &FxHashMap<Expr, Depth>) -> Option<usize> {
         let key = |e: &Expr| {
             (depth.get(e).map(|depth| Reverse(*depth)), self.rows.get(e).map_or(0, BTreeMap::len), Reverse(*e))
         };

@@ -5,7 +5,7 @@ use crate::algebra::calculus::Differential;
 use crate::algebra::elimination::{Elimination, LinearSystem, divisors, eliminate};
 use crate::algebra::least::least;
 use crate::algebra::linear::Singular;
-use crate::algebra::simplify::{Simplifier, cost};
+use crate::algebra::simplify::{Simplifier, cost, cost_of_all};
 use crate::algebra::steps::{Definition, fresh_symbol, needed};
 use crate::algebra::written::written;
 use crate::algebra::{Arena, Expr};
@@ -63,6 +63,12 @@ pub fn accelerations(
     let known: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     steps.extend(recursion.into_iter().filter(|step| !known.contains(&step.symbol)));
     let recursive = operations(&other, &steps, unknowns);
+    let divisors = divisors(&other, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
+    let recursion = Elimination { steps, divisors };
+    if pivoting(&equations.matrix) > MOST_TIMES * recursive {
+        *arena = other;
+        return Ok(recursion);
+    }
     let (mut store, mut its_simplifier) = (arena.clone(), simplifier.clone());
     let solved = eliminated(&mut store, &mut its_simplifier, equations)?;
     if recursive >= operations(&store, &solved.steps, unknowns) {
@@ -70,8 +76,29 @@ pub fn accelerations(
         return Ok(solved);
     }
     *arena = other;
-    let divisors = divisors(arena, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
-    Ok(Elimination { steps, divisors })
+    Ok(recursion)
+}
+
+/// Multiplications and subtractions in full entries of a symmetric matrix, for one operation of the recursion, above
+/// which no elimination is tried: what cancels in it has never been so much.
+const MOST_TIMES: usize = 2;
+
+/// Multiplications and subtractions of an elimination without square roots of a symmetric matrix with these zeros, from
+/// the last unknown, which a tree has outside, to the first.
+fn pivoting(matrix: &[Vec<Expr>]) -> usize {
+    let mut is_full: Vec<Vec<bool>> = matrix.iter().map(|row| row.iter().map(|e| *e != Expr::ZERO).collect()).collect();
+    let mut count = 0;
+    for pivot in (0..matrix.len()).rev() {
+        let row: Vec<usize> = (0..pivot).filter(|at| is_full[pivot][*at]).collect();
+        for (at, i) in row.iter().enumerate() {
+            for j in &row[..=at] {
+                is_full[*i][*j] = true;
+                count += 2;
+            }
+            is_full[*i][pivot] = true;
+        }
+    }
+    count
 }
 
 /// The definitions that do not need v̇ itself, as those of inverse dynamics do.
@@ -88,9 +115,9 @@ fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
     list
 }
 
-/// Operations of the steps that these symbols need.
+/// Operations of the steps that these symbols need, each that stands in several once.
 fn operations(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
-    needed(arena, steps, symbols).iter().map(|step| cost(arena, step.value)).sum()
+    cost_of_all(arena, &needed(arena, steps, symbols).iter().map(|step| step.value).collect::<Vec<_>>())
 }
 
 /// v̇ by elimination of the linear system.

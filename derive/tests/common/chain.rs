@@ -57,6 +57,16 @@ pub fn chain(n: usize) -> Model {
     load(&Source::from_text("chain/model.toml", &chain_text(n))).unwrap_or_else(|e| panic!("{e}"))
 }
 
+/// The chain of [`chain_text`] with every angle from the link before.
+pub fn relative_chain(n: usize) -> Model {
+    let mut text = chain_text(n);
+    for i in 2..=n {
+        let [absolute, relative] = ["N", &format!("B{}", i - 1)].map(|from| format!("B{i} = {{ from = \"{from}\""));
+        text = text.replace(&absolute, &relative);
+    }
+    load(&Source::from_text("chain/model.toml", &text)).unwrap_or_else(|e| panic!("{e}"))
+}
+
 /// Row by row, M and f of [`chain`] as Lagrange's equations give them by hand, in u_i = q_i'. With μ_i the mass of link
 /// i and all beyond it, l_0 = 1 and the cart moving along the first axis:
 /// M_ij = μ_j l_i l_j cos(q_i − q_j),  M_0j = −μ_j l_j cos q_j  for i ≤ j,
