@@ -79,6 +79,11 @@ fn right_hand_sides_are_measured() {
 }
 
 #[test]
+fn arms_are_measured() {
+    has_figures_of("arms", &["Tripos, default build"]);
+}
+
+#[test]
 fn whole_runs_are_measured_by_all_equations_and_by_those_of_the_scenes() {
     let rows = [
         "Tripos, Lagrange, default build",

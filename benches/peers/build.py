@@ -25,6 +25,8 @@ PROFILE, PROFILE_FOLDER = size.of(("release", "release"), ("test", "debug"))
 NATIVE = size.of(True, False)
 BUILD = size.of("native", "default build")
 REQUIREMENTS = HERE / "requirements.txt"
+# Headers that come as packages of Python, in a folder of their own: these ask for other versions of what the environment has.
+HEADERS, HEADERS_FOLDER = HERE / "headers.txt", TARGET / "peers/headers"
 C_FLAGS = ["-std=gnu17", "-O3", "-march=native"]
 CPP_FLAGS = ["-std=c++17", "-O3", "-march=native", "-DNDEBUG"]
 # Without leave to fuse a multiplication and an addition, which rustc does only where a program asks for it.
@@ -46,6 +48,20 @@ def python(install):
     call([program, *pip, "-r", REQUIREMENTS])
     stamp.write_text(wanted)
     return program
+
+
+def headers(python, install):
+    """The folder of Pinocchio's headers and of those that they include; none if there are none and they may not be fetched."""
+    stamp, wanted = HEADERS_FOLDER / "made-for.txt", HEADERS.read_text()
+    if not (stamp.exists() and stamp.read_text() == wanted):
+        if not install:
+            return None
+        say("the packages of headers.txt (once; needs a network)")
+        shutil.rmtree(HEADERS_FOLDER, ignore_errors=True)
+        pip = ["-m", "pip", "install", "--quiet", "--no-input", "--disable-pip-version-check", "--no-deps"]
+        call([python, *pip, "--target", HEADERS_FOLDER, "-r", HEADERS])
+        stamp.write_text(wanted)
+    return HEADERS_FOLDER / "cmeel.prefix/include"
 
 
 def c_program(name, *more):
@@ -71,6 +87,18 @@ def rates_program(source, lengths, include=None):
     linker = compiler_plus() if plus else compiler()
     call([linker, f"{program}-loops.o", f"{program}.o", "-o", program, "-lm"])
     return program, seconds
+
+
+def pinocchio_program(headers):
+    """The worker around Pinocchio, and the seconds that compiling it took."""
+    PLACE.mkdir(parents=True, exist_ok=True)
+    program = PLACE / "arms-pinocchio"
+    say("arms.cpp -> arms-pinocchio")
+    # Headers alone: what is called is compiled here, with the flags of the other programs.
+    includes = ["-isystem", headers, "-isystem", headers / "eigen3"]
+    begin = time.perf_counter()
+    call([compiler_plus(), *CPP_FLAGS, "-w", *includes, WORKERS / "arms.cpp", "-o", program])
+    return program, time.perf_counter() - begin
 
 
 def eigen():
@@ -104,17 +132,18 @@ def selected(package):
     return size.of(["-p", package], ["--workspace"])
 
 
-def rates_crate(folders):
-    """A crate around the modules that `tripos emit` writes of these problems, and the seconds that emitting each took."""
-    place = PLACE / "emitted"
+def emitted_crate(worker, formulation, models):
+    """A crate around the modules that `tripos emit` writes of these model files, for a worker in Rust, and the seconds that emitting
+    each took."""
+    place = PLACE / f"emitted-{worker}"
     tripos, seconds = command(), {}
-    for problem, folder in folders.items():
-        say(f"tripos emit {folder.name} --formulation lagrange")
+    for problem, path in models.items():
+        say(f"tripos emit {problem} --formulation {formulation}")
         begin = time.perf_counter()
-        call([tripos, "emit", folder, "--out", place / "src" / problem, "--formulation", "lagrange"], quiet=True)
+        call([tripos, "emit", path, "--out", place / "src" / problem, "--formulation", formulation], quiet=True)
         seconds[problem] = time.perf_counter() - begin
-    manifest = EMITTED.format(traits=ROOT / "sim/traits", rates=WORKERS / "rates.rs")
-    write_crate(place, manifest, {"src/lib.rs": emitted_library(folders)})
+    manifest = EMITTED.format(traits=ROOT / "sim/traits", worker=worker, path=WORKERS / f"{worker}.rs")
+    write_crate(place, manifest, {"src/lib.rs": emitted_library(models)})
     return seconds
 
 
@@ -141,15 +170,15 @@ def write_text(path, text):
         path.write_text(text)
 
 
-def rates_of_emitted(native):
+def program_of_emitted(worker, native):
     """The program that times the modules of that crate, and the seconds that compiling them took."""
-    manifest = ["--manifest-path", PLACE / "emitted/Cargo.toml"]
+    manifest = ["--manifest-path", PLACE / f"emitted-{worker}/Cargo.toml"]
     environment = rust_environment(native)
     call(["cargo", "clean", "--quiet", *manifest, "--profile", PROFILE, "-p", "emitted"], environment)
     begin = time.perf_counter()
     cargo(manifest, native)
     seconds = time.perf_counter() - begin
-    return rust_target(native) / PROFILE_FOLDER / executable("rates"), seconds
+    return rust_target(native) / PROFILE_FOLDER / executable(worker), seconds
 
 
 CHOOSING = """
@@ -168,8 +197,8 @@ version = "0.0.0"
 edition = "2024"
 
 [[bin]]
-name = "rates"
-path = '{rates}'
+name = "{worker}"
+path = '{path}'
 
 [dependencies]
 tripos-traits = {{ path = '{traits}' }}

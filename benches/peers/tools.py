@@ -17,6 +17,7 @@ PACKAGES = "all"
 LEFT_OUT = {}
 
 C, CPP, EIGEN = "a C compiler", "a C++ compiler", "Eigen (`libeigen3-dev`, or the folder of its headers in `EIGEN`)"
+PINOCCHIO = "Pinocchio's headers (headers.txt)"
 NAMES = ("numpy", "scipy", "numba", "llvmlite", "heyoka", "casadi", "sympy", "symengine", "symforce", "pydy", "cython")
 HEYOKA, NUMBA = ("numpy", "heyoka"), ("numpy", "numba")
 # A Python says which it has; a folder of that name is none.
@@ -38,6 +39,8 @@ def has(row, *needs):
 def here(need):
     if need in (C, CPP):
         return shutil.which(build.compiler() if need == C else build.compiler_plus()) is not None
+    if need == PINOCCHIO:
+        return pinocchio() is not None
     return build.eigen() is not None if need == EIGEN else need in packages()
 
 
@@ -54,6 +57,12 @@ def packages():
         return {}
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     return json.loads(build.lines([python(), "-c", VERSIONS, *NAMES], environment)[-1])
+
+
+@functools.cache
+def pinocchio():
+    """The folder of Pinocchio's headers; none if they are not here."""
+    return None if PACKAGES == "none" else build.headers(python(), install=PACKAGES == "all")
 
 
 def worker(name, *words):

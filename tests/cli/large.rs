@@ -91,6 +91,19 @@ fn scenes_of_large_models_run_by_whole_equations() {
     }
 }
 
+/// Goal: what is too large is refused at once, with its counts. Method: a chain of 300 links.
+#[test]
+fn a_model_that_is_too_large_is_refused_with_its_counts() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.toml");
+    std::fs::write(&path, tree_text(300, |i| i - 1, |_| false, false)).unwrap();
+    let (status, out, err) = tripos_in(&root(), &["derive", path.to_str().unwrap()]);
+    assert_eq!((status, out.as_str()), (2, ""), "{err}");
+    let wanted = "the equations are too large: 300 bodies and 300 coordinates make 91200 frames and points between its \
+                  bodies and the ground, more than 25000";
+    assert!(err.contains(wanted) && err.contains("help: join bodies"), "{err}");
+}
+
 /// Goal: a difference of large models tells the old terms from the new. Method: an arm with a link moved; no difference
 /// that is printed is that of a name and itself.
 #[test]

@@ -39,8 +39,8 @@ PASSES, COMPARED, AGREEMENT = size.of(200, 2), 8, 1e-9
 
 def section(rounds):
     folders = {problem: problems.write(problem) for problem in PROBLEMS}
-    emitted = build.rates_crate(folders)
-    builds = {name: build.rates_of_emitted(native) for name, native in BUILDS.items()}
+    emitted = build.emitted_crate("rates", "lagrange", folders)
+    builds = {name: build.program_of_emitted("rates", native) for name, native in BUILDS.items()}
     kinds = build.lines([builds[OURS][0], "kinds"])
     lines = ["## Right-hand side", "", *ABOUT, ""]
     results, made = {}, {}

@@ -129,7 +129,8 @@ fn side_by_side(body: &str) -> String {
     let is_short = |item: &str| {
         // Of fields, those that take an entry of an array.
         let item = if item.ends_with("],") { item.replacen(": ", "", 1) } else { item.to_owned() };
-        item.len() > 1 && item.ends_with(',') && !item.contains([' ', '(', ')', '{', '}', '|'])
+        let opens = item.starts_with(|c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '"'));
+        opens && item.ends_with(',') && !item.contains([' ', '(', ')', '{', '}', '|', '&'])
     };
     let goes_on = |item: &str| ["+ ", "- ", "* ", "/ "].iter().any(|operator| item.starts_with(operator));
     let mut out = String::with_capacity(body.len());

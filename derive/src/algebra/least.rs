@@ -49,6 +49,9 @@ enum Order {
     Fewest,
 }
 
+/// Terms of an entry up to which a shorter form is looked for.
+const MOST_SHORTENED: usize = 20;
+
 /// How many unknowns a name depends on, and how many names lie between it and them.
 type Depth = (usize, usize);
 
@@ -154,16 +157,12 @@ fn least_in(
 /// The names behind these terms that depend on the unknowns, operands first.
 fn depending(arena: &Arena, terms: &[Expr], unknowns: &[Expr]) -> Vec<Expr> {
     let mut varying: FxHashSet<Expr> = unknowns.iter().copied().collect();
-    let mut named = Vec::new();
-    for e in arena.reachable(terms) {
-        if arena.operands(e).any(|operand| varying.contains(&operand)) {
-            varying.insert(e);
-            if arena.behind(e).is_some() {
-                named.push(e);
-            }
-        }
-    }
-    named
+    let mut parts = arena.reachable(terms);
+    parts.retain(|e| {
+        let varies = arena.operands(*e).any(|operand| varying.contains(&operand));
+        varies && varying.insert(*e) && arena.behind(*e).is_some()
+    });
+    parts
 }
 
 /// Σ coefficient · end + rest.
@@ -244,8 +243,7 @@ impl Form<'_> {
         let parts: Option<Vec<Part>> = block.components.iter().map(|e| self.part(*e)).collect();
         let parts = parts?;
         for (i, part) in parts.iter().enumerate() {
-            for (j, other) in parts.iter().enumerate() {
-                let k = block.tensor[i][j];
+            for (other, k) in parts.iter().zip(block.tensor[i]) {
                 for (a, by_a) in &part.terms {
                     let to_rest = self.arena.product(&[k, *by_a, other.rest]);
                     self.add_linear(*a, to_rest);
@@ -276,7 +274,8 @@ impl Form<'_> {
     /// The sum of terms, short, by a name where it has several.
     fn read(&mut self, terms: &[Expr], wanted: &str) -> Expr {
         let sum = self.arena.sum(terms);
-        let sum = self.simplifier.simplify(self.arena, sum);
+        // Of many terms an order gathers that will lose to the other.
+        let sum = if terms.len() > MOST_SHORTENED { sum } else { self.simplifier.simplify(self.arena, sum) };
         if matches!(self.arena.node(sum), Node::Sum(..)) { self.arena.name(sum, wanted) } else { sum }
     }
 

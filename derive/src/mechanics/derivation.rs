@@ -1,5 +1,6 @@
 //! Deriving a model: one formulation, one with its steps, or all of them over one store of terms.
 
+use super::budget::check_terms;
 use super::equations::{Equations, complete};
 use super::error::DeriveError;
 use super::formulation::Formulation;
@@ -118,6 +119,7 @@ pub fn derive_all_with(model: &Model, mut kinematics: Kinematics) -> Result<Deri
 
 fn derive_with(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Result<Equations, DeriveError> {
     let rows = (formulation.method().derive)(model, kinematics)?;
+    check_terms(model, &kinematics.arena)?;
     let equations = complete(model, kinematics, formulation, rows)?;
     match rank(&kinematics.arena, &equations.matrix).and_then(|rank| rank.dependent) {
         Some(row) => Err(singular(model, &equations.rows[row])),

@@ -83,6 +83,19 @@ pub enum DeriveError {
         /// The torque.
         torque: String,
     },
+    /// The equations would be too many to be derived.
+    TooLarge {
+        /// Bodies of the model.
+        bodies: usize,
+        /// Its coordinates.
+        coordinates: usize,
+        /// How many there are of what is counted.
+        count: usize,
+        /// What is counted.
+        what: &'static str,
+        /// How many are derived.
+        most: usize,
+    },
     /// A scene's own equations are not known to give what the model's give.
     ReductionNotProved {
         /// What is not known.
@@ -140,6 +153,10 @@ impl DeriveError {
             ),
             Self::MotionConstraint { constraint } => (Some(constraint), "use kane, which needs no multiplier"),
             Self::TorqueOnNothing { torque } => (Some(torque), "let it act on a rigid body, or use kane or lagrange"),
+            Self::TooLarge { .. } => (
+                None,
+                "join bodies that hardly move against one another, or cut long branches: each body counts all that lies between it and the ground",
+            ),
             Self::ReductionNotProved { .. } => (None, "run the scene by one of the model's formulations"),
         }
     }
@@ -211,6 +228,10 @@ impl fmt::Display for DeriveError {
             Self::TorqueOnNothing { torque } => {
                 write!(f, "newton-euler is not possible: the torque `{torque}` acts on a frame without a body")
             }
+            Self::TooLarge { bodies, coordinates, count, what, most } => write!(
+                f,
+                "the equations are too large: {bodies} bodies and {coordinates} coordinates make {count} {what}, more than {most}"
+            ),
             Self::ReductionNotProved { what } => write!(f, "the reduced equations of the scene are not proved: {what}"),
         }
     }

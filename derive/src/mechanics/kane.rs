@@ -177,7 +177,11 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
     Ok(steps)
 }
 
-/// The components of a velocity, then its partial velocities that are not zero.
+/// Pairs of a body and a speed above which partial velocities are not listed: a person reads none of them, and the
+/// equations are derived without.
+const MOST_PAIRS: usize = 1000;
+
+/// The components of a velocity, then its partial velocities that are not zero, of models that are not too large.
 fn velocity_step(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -187,7 +191,8 @@ fn velocity_step(
     let Kinematics { arena, frames, simplifier, .. } = kinematics;
     let total = frames.express(arena, value, frame).map(|e| simplifier.simplify(arena, e));
     let mut lines: Vec<(LineName, Expr)> = component_lines((vector, of, frame), total).collect();
-    for (speed, symbol) in model.u().into_iter().enumerate() {
+    let listed = if model.bodies.len() * model.speeds.len() > MOST_PAIRS { Vec::new() } else { model.u() };
+    for (speed, symbol) in listed.into_iter().enumerate() {
         let mut partial = Differential::partial(symbol);
         for (axis, e) in total.iter().enumerate() {
             let slope = partial.apply(arena, *e);

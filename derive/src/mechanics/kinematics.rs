@@ -3,6 +3,7 @@
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
 //! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
 
+use super::budget::check_tree;
 use super::carry::is_large;
 use super::error::DeriveError;
 use super::vector::{Components, Frames, Vector, apply_tensor};
@@ -67,6 +68,7 @@ impl Kinematics {
     /// # Errors
     /// As [`Self::new`].
     pub fn in_form(model: &Model, named: bool) -> Result<Self, DeriveError> {
+        check_tree(model)?;
         let mut arena = model.arena.clone();
         let mut frames = Frames::new(&model.frames);
         frames.carries = named;

@@ -1,6 +1,7 @@
 //! Equations of motion by several methods that share nothing but the kinematics: see [`Formulation`].
 
 mod accelerations;
+mod budget;
 mod by;
 mod carried;
 mod carry;

@@ -724,7 +724,11 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn generalized_speed_rates(
-        &self, p: &[S], q: &[S], v: &[S], v_dot: &[S],
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(

@@ -456,7 +456,11 @@ impl<S: Scalar> System<S> for NewtonEuler {
         out.copy_from_slice(v);
     }
     fn generalized_speed_rates(
-        &self, _p: &[S], _q: &[S], _v: &[S], v_dot: &[S],
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
         out: &mut [S],
     ) {
         out.copy_from_slice(v_dot);
