@@ -82,7 +82,7 @@ fn long_names_and_many_entries_are_refused() {
     assert!(refused(&with_length(&"l".repeat(1_000_000))).contains("unknown name"));
     let points: String =
         (0..20_000).map(|i| format!("P{i} = {{ from = \"O\", frame = \"N\", position = [0, 0, 0] }}\n")).collect();
-    assert!(refused(&BASE.replace("[points]\n", &format!("[points]\n{points}"))).contains("more than 1000"));
+    assert!(refused(&BASE.replace("[points]\n", &format!("[points]\n{points}"))).contains("more than 5000"));
     let forces: String = (0..100_000).map(|i| format!("f{i} = 3\n")).collect();
     assert!(refused(&format!("{BASE}[forces]\n{forces}")).contains("more errors"));
 }
