@@ -72,8 +72,8 @@ def worker(name, *words):
 
 def left_out():
     """What the section at hand did without, in words."""
-    if PACKAGES == "none" and (rows := [row for need in NAMES for row in LEFT_OUT.get(need, [])]):
+    if PACKAGES == "none" and (rows := [row for need in (*NAMES, PINOCCHIO) for row in LEFT_OUT.get(need, [])]):
         yield f"- Left out, since packages of Python were not asked for: {'; '.join(dict.fromkeys(rows))}."
     for need, rows in LEFT_OUT.items():
-        if PACKAGES != "none" or need not in NAMES:
+        if PACKAGES != "none" or need not in (*NAMES, PINOCCHIO):
             yield f"- Left out, since {need} is not here: {'; '.join(rows)}."

@@ -224,7 +224,7 @@ impl<'a> ModuleText<'a> {
         let file = format!("{}.rs", module_name(&name));
         self.files.push((format!("code/{file}"), code));
         self.files.extend(shown.then_some((file, equations)));
-        self.entries.push(Entry { name, title, solved: plan.solved_cost(), shown });
+        self.entries.push(Entry { name, title, solved: plan.solved_cost, shown });
     }
 }
 

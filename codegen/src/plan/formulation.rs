@@ -28,6 +28,8 @@ pub struct FormulationPlan<'a> {
     pub divisors: Vec<String>,
     /// The recurrences of its Taylor coefficients.
     pub taylor: Option<TaylorPlan<'a>>,
+    /// Operations of the accelerations, if they were solved for.
+    pub solved_cost: Option<usize>,
     /// What its header says of it, line by line.
     pub facts: Vec<String>,
 }
@@ -37,7 +39,9 @@ impl<'a> FormulationPlan<'a> {
     #[must_use]
     pub fn new(planner: &'a Planner<'a>, solved: Option<&Solved>, recurrences: Option<&'a Recurrences>) -> Self {
         let mut equations = linear_system(planner);
-        equations.extend(solved.map(|solved| accelerations(planner, &solved.accelerations.steps)));
+        let solution = solved.map(|solved| accelerations(planner, &solved.accelerations.steps));
+        let solved_cost = solution.as_ref().map(|planned| planned.cost.operations);
+        equations.extend(solution);
         equations.extend(kinematics_and_energies(planner));
         if planner.equations.formulation.is_in_rates() {
             equations.extend(conversions(planner));
@@ -53,16 +57,7 @@ impl<'a> FormulationPlan<'a> {
         // What matrix and forcing say already is no equation of its own.
         machine.extend(inverse_dynamics(planner));
         let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
-        Self { planner, equations, machine, divisors: names, taylor, facts: facts(planner, solved) }
-    }
-}
-
-impl FormulationPlan<'_> {
-    /// Operations of the accelerations, if they were solved for.
-    #[must_use]
-    pub fn solved_cost(&self) -> Option<usize> {
-        let accelerations = self.equations.iter().find(|planned| planned.name == "accelerations");
-        accelerations.map(|planned| planned.cost.operations)
+        Self { planner, equations, machine, divisors: names, taylor, solved_cost, facts: facts(planner, solved) }
     }
 }
 

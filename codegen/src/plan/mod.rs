@@ -5,6 +5,7 @@
 //! that program. A target, such as `rust`, renders it and decides nothing. The one thing that it states beforehand is a
 //! [`Language`]: which names it cannot use. Absent on purpose: syntax.
 
+mod arguments;
 mod cost;
 mod form;
 mod formulation;
@@ -15,10 +16,11 @@ mod program;
 mod scene;
 mod taylor;
 
+pub use arguments::{Argument, Entry};
 pub use cost::Cost;
 pub use form::{constant_and_factors, is_flat, is_plain_product, led};
 pub use formulation::{FormulationPlan, derivative};
-pub use function::{Argument, Arguments, Entry, Function, Planner, Returns, Value};
+pub use function::{Arguments, Function, Planner, Returns, Value};
 pub use names::{Allocator, Language, Names, Variables, identifier, module_name, spelled, type_name};
 pub use parts::{Part, Parts};
 pub use program::{Line, Output, Program, Statement, program};

@@ -1,7 +1,7 @@
 //! A long program in parts: compilers take a function of n lines in a time that grows with n², and fill its registers
 //! no better than those of a short one.
 
-use super::function::{Argument, Entry};
+use super::arguments::{Argument, Entry};
 use super::program::Program;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;

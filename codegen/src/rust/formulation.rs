@@ -32,7 +32,7 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
 
     let mut parts = vec![Part::LinearSystem, Part::WholeState(model.coordinates.len() + model.speeds.len())];
     let has = |name: &str| plan.machine.iter().any(|planned| planned.name == name);
-    let is_solved = plan.solved_cost().is_some();
+    let is_solved = plan.solved_cost.is_some();
     let (product, together) = (is_solved && !has("jacobian"), has("derivative"));
     parts.extend(is_solved.then_some(Part::Eliminated { product, together }));
     parts.extend((plan.planner.equations.power != Expr::ZERO).then_some(Part::Power));
