@@ -74,14 +74,15 @@ fn compare_with_interpreter(
         let p: Vec<f64> = model.parameters.iter().map(|_| random.between(0.1, 10.0)).collect();
         let q: Vec<f64> = model.coordinates.iter().map(|_| random.between(-7.0, 7.0)).collect();
         let v: Vec<f64> = e.variables.iter().map(|_| random.between(-5.0, 5.0)).collect();
-        let mut compiled = vec![0.0; n * n + n + q.len() + v.len() + 2];
+        let speeds = system.lengths().speeds;
+        let mut compiled = vec![0.0; n * n + n + q.len() + speeds + 2];
         let (matrix, rest) = compiled.split_at_mut(n * n);
         system.mass_matrix(&p, &q, &v, matrix);
         let (forcing, rest) = rest.split_at_mut(n);
         system.forcing(&p, &q, &v, forcing);
         let (rates, rest) = rest.split_at_mut(q.len());
         system.coordinate_rates(&p, &q, &v, rates);
-        let (speeds, energies) = rest.split_at_mut(v.len());
+        let (speeds, energies) = rest.split_at_mut(speeds);
         system.generalized_speeds(&p, &q, &v, speeds);
         energies[0] = system.kinetic_energy(&p, &q, &v);
         energies[1] = system.potential_energy(&p, &q);
@@ -173,8 +174,10 @@ fn generated_accelerations_derivatives_and_jacobians_agree() {
             for _ in 0..20 {
                 let p: Vec<f64> = (0..double.lengths().parameters).map(|_| random.between(0.5, 2.0)).collect();
                 let q: Vec<f64> = (0..n).map(|_| random.between(0.2, 1.2)).collect();
-                let v: Vec<f64> = (0..m).map(|_| random.between(-2.0, 2.0)).collect();
-                let mut found = vec![0.0; m];
+                // Rates that the constraints permit: of others the two ways make what they like.
+                let u: Vec<f64> = (0..double.lengths().speeds).map(|_| random.between(-2.0, 2.0)).collect();
+                let (mut v, mut found) = (vec![0.0; m], vec![0.0; m]);
+                double.motion_variables(&p, &q, &u, &mut v);
                 double.accelerations(&p, &q, &v, &mut found);
                 let solved = Dynamics::new(double, &p).unwrap().unknowns(&q, &v).unwrap()[..m].to_vec();
                 let largest = found.iter().fold(1.0_f64, |most, a| most.max(a.abs()));

@@ -27,7 +27,7 @@ fn agrees(name: &str, system: &CompiledSystem, InLanes { four, eight }: InLanes<
     let lengths = four.lengths();
     let eight = eight.expect("the models of the library are short");
     assert_eq!(lengths, eight.lengths());
-    let (np, nq, nv) = (lengths.parameters, lengths.coordinates, lengths.speeds);
+    let (np, nq, nv) = (lengths.parameters, lengths.coordinates, lengths.variables);
     let mut random = Random(3);
     for _ in 0..100 {
         let mut state = || -> Vec<f64> {

@@ -11,6 +11,7 @@ mod exact_motions;
 mod fresh;
 mod interpreted;
 mod lanes;
+mod loops;
 #[path = "support/mechanism.rs"]
 #[allow(dead_code, reason = "the battery uses its part")]
 mod mechanism;

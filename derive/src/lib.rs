@@ -42,6 +42,7 @@
 pub mod algebra;
 pub mod diagnostic;
 pub mod diff;
+pub mod geometry;
 pub mod mechanics;
 pub mod model;
 pub mod plain;

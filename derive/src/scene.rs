@@ -1,6 +1,7 @@
 //! Scenes: what to run, from where, how accurately, what to look at. States: one instant of it.
 
 mod axis;
+mod closing;
 mod family;
 mod integration;
 mod ladder;
@@ -23,7 +24,7 @@ pub use family::Family;
 pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
 pub use outputs::ENERGIES;
-pub use start::{Exact, Stated};
+pub use start::{Closed, Exact, Stated};
 
 /// Something to notice during a run.
 #[derive(Clone, Debug)]
@@ -103,6 +104,8 @@ pub struct Scene {
     pub q: Vec<f64>,
     /// Generalized speeds at the start.
     pub u: Vec<f64>,
+    /// Coordinates at the start that were solved for, so that the loops are closed.
+    pub closed: Vec<Closed>,
     /// First and last instant, s.
     pub span: (f64, f64),
     /// Parameters and start to 32 digits, for reference runs.
@@ -123,13 +126,14 @@ pub struct Scene {
     pub figures: Vec<Figure>,
 }
 
-const KEYS: [&str; 12] = [
+const KEYS: [&str; 13] = [
     "model",
     "title",
     "about",
     "parameters",
     "free",
     "start",
+    "guess",
     "ladder",
     "span",
     "integration",
@@ -171,7 +175,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let title = title.map_or_else(String::new, |title| title.text);
     let about = values.text(table, "about").unwrap_or_default();
     values.reader.finish()?;
-    let Start { q, u, exact } = numbers.start;
+    let Start { q, u, exact, closed } = numbers.start;
     Ok(Scene {
         source: source.clone(),
         title,
@@ -179,6 +183,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
         parameters: doubles(&numbers.p),
         q,
         u,
+        closed,
         exact,
         span: numbers.span.expect("reported if missing"),
         integration: numbers.integration,
@@ -260,14 +265,14 @@ pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnosti
     let (reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
     let mut values = Values::new(reader, model);
-    values.reader.allow(table, "a state file", &["parameters", "state"]);
+    values.reader.allow(table, "a state file", &["parameters", "state", "guess"]);
     let parameters = values.parameters(table);
     let state = values.section(table, "state");
     if state.is_none() {
         let help = "add [state] with every coordinate and every speed or every q'";
         values.reader.errors.push(Diagnostic::of_file("the file has no `state`", help));
     }
-    let state = state.and_then(|state| values.state(state, parameters.as_deref()?));
+    let state = state.and_then(|state| values.state(table, state, parameters.as_deref()?));
     values.reader.finish()?;
     let Start { q, u, .. } = state.expect("reported if missing");
     Ok(State { parameters: doubles(&parameters.expect("reported if missing")), q, u })
@@ -282,7 +287,7 @@ impl<'a> Values<'a, '_> {
                 self.reader.errors.push(Diagnostic::of_file("the scene has no `start`", help));
                 None
             }
-            (Some(start), Some(parameters)) => self.state(start, parameters),
+            (Some(start), Some(parameters)) => self.state(table, start, parameters),
             (Some(_), None) => None,
         };
         let p = parameters.unwrap_or_default();

@@ -32,6 +32,7 @@ mod reports;
 mod sharing;
 mod unseen_reductions;
 mod unusual_models;
+mod wrong_constraints;
 mod wrong_models;
 mod wrong_physics;
 mod wrong_places;

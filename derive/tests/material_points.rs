@@ -229,13 +229,13 @@ fn a_velocity_has_the_form_of_one() {
     check(
         "\"-c*v(P) [1]\"",
         &expect![[r#"
-        error: `@` is missing here
-          --> model.toml:44:20
-           |
-        44 | vector = ["-c*v(P) [1]", 0, 0]
-           |                    ^
-           |
-           = help: write v(POINT) @ FRAME [1], or v(BODY, POINT) @ FRAME [1] for the material of a body"#]],
+            error: `@` is missing here
+              --> model.toml:44:20
+               |
+            44 | vector = ["-c*v(P) [1]", 0, 0]
+               |                    ^
+               |
+               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]"#]],
     );
     check(
         "\"-c*v(P, rod) @ N [1]\"",
@@ -259,35 +259,35 @@ fn a_velocity_has_the_form_of_one() {
     check(
         "\"-c*v(rod, P, C) @ N [1]\"",
         &expect![[r#"
-        error: `)` is missing here
-          --> model.toml:44:23
-           |
-        44 | vector = ["-c*v(rod, P, C) @ N [1]", 0, 0]
-           |                       ^
-           |
-           = help: write v(POINT) @ FRAME [1], or v(BODY, POINT) @ FRAME [1] for the material of a body"#]],
+            error: `)` is missing here
+              --> model.toml:44:23
+               |
+            44 | vector = ["-c*v(rod, P, C) @ N [1]", 0, 0]
+               |                       ^
+               |
+               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]"#]],
     );
     check(
         "\"-c*v() @ N [1]\"",
         &expect![[r#"
-        error: a point is missing here
-          --> model.toml:44:17
-           |
-        44 | vector = ["-c*v() @ N [1]", 0, 0]
-           |                 ^
-           |
-           = help: write v(POINT) @ FRAME [1], or v(BODY, POINT) @ FRAME [1] for the material of a body"#]],
+            error: a point is missing here
+              --> model.toml:44:17
+               |
+            44 | vector = ["-c*v() @ N [1]", 0, 0]
+               |                 ^
+               |
+               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]"#]],
     );
     check(
         "\"-c*v(P) @ N [1\"",
         &expect![[r#"
-        error: `]` is missing here
-          --> model.toml:44:26
-           |
-        44 | vector = ["-c*v(P) @ N [1", 0, 0]
-           |                          ^
-           |
-           = help: write v(POINT) @ FRAME [1], or v(BODY, POINT) @ FRAME [1] for the material of a body"#]],
+            error: `]` is missing here
+              --> model.toml:44:26
+               |
+            44 | vector = ["-c*v(P) @ N [1", 0, 0]
+               |                          ^
+               |
+               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]"#]],
     );
 }
 

@@ -25,6 +25,10 @@ pub mod euler_top;
 #[rustfmt::skip]
 pub mod floating_chain;
 
+/// The model `four_bar`.
+#[rustfmt::skip]
+pub mod four_bar;
+
 /// The model `free_body`.
 #[rustfmt::skip]
 pub mod free_body;
@@ -33,9 +37,17 @@ pub mod free_body;
 #[rustfmt::skip]
 pub mod heavy_top;
 
+/// The model `knife_edge`.
+#[rustfmt::skip]
+pub mod knife_edge;
+
 /// The model `pendulum`.
 #[rustfmt::skip]
 pub mod pendulum;
+
+/// The model `rolling_disc`.
+#[rustfmt::skip]
+pub mod rolling_disc;
 
 /// The model `spherical_pendulum`.
 #[rustfmt::skip]
@@ -45,6 +57,6 @@ pub mod spherical_pendulum;
 #[rustfmt::skip]
 pub static MODELS: &[tripos_traits::CompiledModel] = &[
     cart_pendulum_3::MODEL, chaotic_pendulum::MODEL, disk::MODEL, euler_top::MODEL,
-    floating_chain::MODEL, free_body::MODEL, heavy_top::MODEL, pendulum::MODEL,
-    spherical_pendulum::MODEL,
+    floating_chain::MODEL, four_bar::MODEL, free_body::MODEL, heavy_top::MODEL, knife_edge::MODEL,
+    pendulum::MODEL, rolling_disc::MODEL, spherical_pendulum::MODEL,
 ];

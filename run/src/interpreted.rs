@@ -3,7 +3,8 @@
 //! Invariant: the equations are compiled to tapes once; another kind of number takes the same tapes with their exact
 //! constants rounded anew.
 
-use std::sync::{Mutex, OnceLock};
+use crate::room::Room;
+use std::sync::OnceLock;
 use tripos_codegen::taylor::{Tape as Series, recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -58,28 +59,12 @@ enum Part {
     MotionVariables,
     /// What is divided by and might be zero somewhere.
     Divisors,
+    /// What is zero where the constraints hold, and its slopes.
+    Constraints,
+    ConstraintSlopes,
     KineticEnergy,
     PotentialEnergy,
     Power,
-}
-
-/// Working space that is kept between calls. Whoever comes while another thread has it makes room of its own, so that
-/// equations can be shared and no call waits.
-struct Room<T>(Mutex<T>);
-
-impl<T: Default> Room<T> {
-    fn with<R>(&self, work: impl FnOnce(&mut T) -> R) -> R {
-        match self.0.try_lock() {
-            Ok(mut room) => work(&mut room),
-            Err(_) => work(&mut T::default()),
-        }
-    }
-}
-
-impl<T: Default> Default for Room<T> {
-    fn default() -> Self {
-        Self(Mutex::default())
-    }
 }
 
 /// One formulation, interpreted; threads may share it.
@@ -96,6 +81,8 @@ pub struct Interpreted<S = f64> {
     is_product: bool,
     /// What people call the divisors that are watched.
     divisors: Vec<String>,
+    /// What the constraints are called that a run is kept on.
+    constraints: Vec<String>,
     /// Room for the inputs of a tape, and for its values.
     work: Room<(Vec<S>, Vec<S>)>,
     /// Room for q̇ and v̇.
@@ -130,10 +117,17 @@ impl Interpreted {
         if e.power != Expr::ZERO {
             tape(Part::Power, &state, &[e.power])?;
         }
+        if !e.constraints.is_empty() {
+            let values: Vec<Expr> = e.constraints.iter().map(|c| c.value).collect();
+            let slopes: Vec<Expr> = e.constraints.iter().flat_map(|c| c.slopes.iter().copied()).collect();
+            tape(Part::Constraints, &state, &values)?;
+            tape(Part::ConstraintSlopes, &state, &slopes)?;
+        }
         let divisors = Divisors::of(arena, e, None);
         tape(Part::Divisors, &state, &divisors.values)?;
         Ok(Self {
             divisors: divisors.names(arena),
+            constraints: e.constraints.iter().map(|c| c.name.clone()).collect(),
             lengths: Lengths {
                 parameters: p.len(),
                 coordinates: q.len(),
@@ -216,6 +210,7 @@ impl Interpreted {
             state: self.state.clone(),
             symmetric: self.symmetric,
             divisors: self.divisors.clone(),
+            constraints: self.constraints.clone(),
             tapes: self.tapes.each_ref().map(|tape| tape.as_ref().map(Tape::to)),
             series: self.series.as_ref().map(Series::to),
             is_product: self.is_product,
@@ -355,6 +350,18 @@ impl<S: Numeric> System<S> for Interpreted<S> {
     }
     fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         self.run(Part::Divisors, &[p, q, v], out);
+    }
+    fn constraint_count(&self) -> usize {
+        self.constraints.len()
+    }
+    fn constraint_name(&self, at: usize) -> &str {
+        &self.constraints[at]
+    }
+    fn constraints(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.run(Part::Constraints, &[p, q, v], out);
+    }
+    fn constraint_slopes(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.run(Part::ConstraintSlopes, &[p, q, v], out);
     }
     fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
         self.value(Part::KineticEnergy, &[p, q, v])

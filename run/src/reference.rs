@@ -119,6 +119,9 @@ impl Witness {
     /// Different terms for equal rates round differently in some of 106 bits of some rate at some of these states. It
     /// is said beside a reference, and decides nothing.
     fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
+        if self.code.system().lengths().state() != other.code.system().lengths().state() {
+            return Ok(false);
+        }
         let problem = Problem::new(model, scene, &self.by, &self.code, Some(Solve::Eliminated))?;
         let (p, y0) = problem.extended_start()?;
         let rates = |witness: &Self, y: &[DoubleDouble]| {

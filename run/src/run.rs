@@ -5,6 +5,7 @@ use crate::digits::Digits;
 use crate::error::{Error, refused};
 use crate::invariants::{Course, Drift, Watch};
 use crate::problem::Problem;
+use crate::residuals::Residual;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, EventRecord, Solution};
@@ -39,6 +40,8 @@ pub struct Run {
     pub energy_drift: Option<f64>,
     /// How much each first integral that was watched changed.
     pub drifts: Vec<Drift>,
+    /// How far the run is from the constraints that it is kept on.
+    pub residuals: Vec<Residual>,
     /// What a reader may want to know of how the run was made; no reason to distrust it.
     pub notes: Vec<String>,
     /// What a reader must know before trusting the numbers.

@@ -9,6 +9,7 @@ use crate::mechanism::Mechanism;
 use crate::power::power;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
+use crate::residuals::residuals;
 use crate::run::Run;
 use crate::shown::{Shown, state_names};
 use crate::trust;
@@ -38,7 +39,11 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
         }
         None if by.is_none() && !is_reducible(mechanism) && scene.integration.method != QUADRATURE => {
             let mut done = whole(None)?;
-            let what = "whole equations are run: those of this model are too large to be written out for a scene's own";
+            let what = if mechanism.loops.is_empty() {
+                "whole equations are run: those of this model are too large to be written out for a scene's own"
+            } else {
+                "whole equations are run: nothing is left out of a mechanism whose loops are to stay closed"
+            };
             done.notes.insert(0, what.to_owned());
             Ok(done)
         }
@@ -279,11 +284,18 @@ fn finish(
         names,
         end: values(problem, solution.t_end, &solution.y_end)?,
         energy_drift,
-        notes: digits.as_ref().and_then(trust::unassessed).into_iter().collect(),
+        residuals: residuals(problem, &solution),
+        notes: closed(scene).into_iter().chain(digits.as_ref().and_then(trust::unassessed)).collect(),
         digits,
         warnings,
         solution,
     };
     run.look_for_missing(problem)?;
     Ok(run)
+}
+
+/// What was solved for at the start, if anything.
+fn closed(scene: &Scene) -> Option<String> {
+    let solved: Vec<String> = scene.closed.iter().map(|c| format!("{} = {}", c.name, c.value)).collect();
+    (!solved.is_empty()).then(|| format!("the loops are closed at the start by {}", solved.join(", ")))
 }

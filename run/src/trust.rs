@@ -7,6 +7,7 @@ use crate::error::{Error, refused};
 use crate::how::method;
 use crate::invariants::{Conserved, Excursion, Watch};
 use crate::problem::Problem;
+use crate::residuals::broken;
 use tripos_derive::scene::{QUADRATURE, Solve};
 use tripos_sim::{Eliminated, RightHandSide, Solution, Stop};
 
@@ -40,6 +41,7 @@ pub fn objections(
     if !watch.is_some_and(|watch| watch.integrals.iter().any(|integral| integral.kind.is_energy())) {
         list.extend(energy_drift.and_then(|drift| energy(problem, solution, drift)));
     }
+    list.extend(broken(problem, solution));
     list.extend(condition(problem, solution)?);
     // Quadrature has no steps that anything could keep short.
     if problem.scene.integration.method != QUADRATURE {

@@ -212,6 +212,16 @@ impl RightHandSide<f64> for Dynamics<'_> {
     fn divisor_name(&self, at: usize) -> String {
         self.system.divisor_name(at).to_owned()
     }
+
+    fn constraint_count(&self) -> usize {
+        self.system.constraint_count()
+    }
+
+    fn constraints(&mut self, _t: f64, y: &[f64], values: &mut [f64], slopes: &mut [f64]) {
+        let (q, v) = y.split_at(self.system.lengths().coordinates);
+        self.system.constraints(&self.parameters, q, v, values);
+        self.system.constraint_slopes(&self.parameters, q, v, slopes);
+    }
 }
 
 fn wrong_length() -> Failure {

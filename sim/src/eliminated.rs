@@ -63,4 +63,14 @@ impl<S: Real> RightHandSide<S> for Eliminated<'_, S> {
     fn divisor_name(&self, at: usize) -> String {
         self.system.divisor_name(at).to_owned()
     }
+
+    fn constraint_count(&self) -> usize {
+        self.system.constraint_count()
+    }
+
+    fn constraints(&mut self, _t: f64, y: &[S], values: &mut [S], slopes: &mut [S]) {
+        let (q, v) = y.split_at(self.system.lengths().coordinates);
+        self.system.constraints(&self.parameters, q, v, values);
+        self.system.constraint_slopes(&self.parameters, q, v, slopes);
+    }
 }

@@ -10,7 +10,7 @@ use crate::explicit::{ExplicitRungeKutta, Length};
 use crate::gauss::Gauss6;
 use crate::options::{self, Options};
 use crate::pace::Pace;
-use crate::projection::{Invariants, Projector};
+use crate::projection::{Invariants, Onto, Projector};
 use crate::rhs::RightHandSide;
 use crate::rk4::Rk4;
 use crate::run::solve;
@@ -27,6 +27,9 @@ use tripos_traits::Method;
 ///
 /// The state is computed in the scalar `S`. Times, output times and errors are `f64`, and events look at the state
 /// rounded to `f64`; steps begin and end at times that are `f64` exactly, so that a wider scalar loses nothing.
+///
+/// Where the right-hand side has constraints, the state is moved onto them after each step; what that did is in
+/// [`Solution::projection`].
 ///
 /// However the run ends, the solution up to there is returned.
 ///
@@ -86,7 +89,12 @@ where
     let n = y0.len();
     let (pace, warning) = Pace::new::<S>(span, n, options)?;
     let rhs = &mut rhs;
-    let projector = invariants.map(|invariants| Projector::new(invariants, options, span.0, y0));
+    let onto = match (invariants, rhs.constraint_count()) {
+        (Some(invariants), _) => Some(Onto::Invariants(invariants)),
+        (None, 0) => None,
+        (None, count) => Some(Onto::Constraints(count)),
+    };
+    let projector = onto.map(|onto| Projector::new(onto, rhs, options, (span.0, y0)));
     let mut solution = match options.method {
         Method::Rk4 => solve(Rk4::new(n), pace, rhs, y0, options, events, projector),
         Method::Ode45 => {

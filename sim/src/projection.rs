@@ -1,6 +1,6 @@
-//! Projection of a run onto its invariants, with an account of what it did.
+//! Projection of a run onto its invariants or its constraints, with an account of what it did.
 //!
-//! After each accepted step the state is moved onto I_k(y) = I_k(y₀) by the smallest correction in the norm of the
+//! After each accepted step the state is moved onto I_k(y) = I_k(y₀), or onto the constraints φ_k(y) = 0 of the equations, by the smallest correction in the norm of the
 //! tolerances, and the method goes on from there. What was removed is added up with its sign: a projected run does not
 //! hide the drift that the method has. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition
 //! (2006), §IV.4.
@@ -11,12 +11,15 @@
 use tripos_traits::Real;
 
 use crate::options::Options;
+use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
 
 /// Newton iterations of one correction.
 const ITERATIONS: u32 = 3;
 /// Sine of an angle between gradients below which they count as dependent.
 const DEPENDENT: f64 = 1e-8;
+/// Corrections of fewer units in the last place of the largest component than this are rounding.
+const ROUNDING: f64 = 16.0;
 /// The part of the drift that may be left by the last iteration; Newton's method squares it each time.
 const LEFT: f64 = 1e-3;
 
@@ -49,15 +52,23 @@ pub struct ProjectionReport {
     pub not_converged: u64,
     /// Σ |correction| of each component of the state, in its unit.
     pub moved: Vec<f64>,
-    /// For each invariant, the drift that was removed: Σ (value before − value after), with its sign.
+    /// For each invariant or constraint, the drift that was removed: Σ (value before − value after), with its sign.
     pub removed: Vec<f64>,
-    /// For each invariant, the largest of these in size, with its sign.
+    /// For each of them, the largest of these in size, with its sign.
     pub largest: Vec<f64>,
 }
 
-/// Invariants of a run under way.
+/// What a run is moved onto.
+pub(crate) enum Onto<'p, 'a, S> {
+    /// The values that these have at the start.
+    Invariants(&'p mut Invariants<'a, S>),
+    /// Where the constraints of the equations, this many, are zero.
+    Constraints(usize),
+}
+
+/// Projection of a run under way.
 pub(crate) struct Projector<'p, 'a, S> {
-    invariants: &'p mut Invariants<'a, S>,
+    onto: Onto<'p, 'a, S>,
     weights: Option<ErrorTest>,
     wanted: Vec<S>,
     values: Vec<S>,
@@ -75,16 +86,25 @@ enum Hindrance {
 }
 
 impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
-    /// Invariants with their values at the start.
-    pub(crate) fn new(invariants: &'p mut Invariants<'a, S>, options: &Options, t0: f64, y0: &[S]) -> Self {
-        let (m, n) = (invariants.count, y0.len());
+    /// Onto invariants with their values at the start, or onto constraints.
+    pub(crate) fn new<R: RightHandSide<S>>(
+        onto: Onto<'p, 'a, S>,
+        rhs: &mut R,
+        options: &Options,
+        (t0, y0): (f64, &[S]),
+    ) -> Self {
+        let count = match &onto {
+            Onto::Invariants(invariants) => invariants.count,
+            Onto::Constraints(count) => *count,
+        };
+        let (m, n) = (count, y0.len());
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
         // A run with fixed steps has no tolerances: all components then count alike if those given make no sense.
         let weights = ErrorTest::new::<S>(crate::method::norm(options.method), options.rtol, &options.atol, n)
             .ok()
             .map(|(test, _)| test);
         let mut projector = Self {
-            invariants,
+            onto,
             weights,
             wanted: zeros(m),
             values: zeros(m),
@@ -99,19 +119,21 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
                 ..ProjectionReport::default()
             },
         };
-        projector.measure(t0);
-        projector.wanted.clone_from(&projector.values);
+        if matches!(projector.onto, Onto::Invariants(_)) {
+            projector.measure(rhs, t0);
+            projector.wanted.clone_from(&projector.values);
+        }
         projector
     }
 
     /// The state moved onto the invariants; nothing if it is there to rounding, or cannot be moved.
-    pub(crate) fn project(&mut self, t: f64, y: &[S]) -> Option<&[S]> {
+    pub(crate) fn project<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Option<&[S]> {
         self.y.copy_from_slice(y);
-        if self.invariants.count == 0 || self.measure(t) {
+        if self.values.is_empty() || self.measure(rhs, t) {
             return None;
         }
         self.before.clone_from(&self.drift);
-        match self.iterate(t) {
+        match self.iterate(rhs, t) {
             Ok(()) => {
                 self.account(y);
                 Some(&self.y)
@@ -128,8 +150,11 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
     }
 
     /// Values and gradients at the state, and the drift; says whether that is rounding.
-    fn measure(&mut self, t: f64) -> bool {
-        (self.invariants.function)(t, &self.y, &mut self.values, &mut self.gradients);
+    fn measure<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> bool {
+        match &mut self.onto {
+            Onto::Invariants(invariants) => (invariants.function)(t, &self.y, &mut self.values, &mut self.gradients),
+            Onto::Constraints(_) => rhs.constraints(t, &self.y, &mut self.values, &mut self.gradients),
+        }
         let mut rounding = true;
         for (k, row) in self.gradients.chunks_exact(self.y.len().max(1)).enumerate() {
             self.drift[k] = (self.values[k] - self.wanted[k]).to_f64();
@@ -140,10 +165,10 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         rounding
     }
 
-    fn iterate(&mut self, t: f64) -> Result<(), Hindrance> {
+    fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
         for _ in 0..ITERATIONS {
-            self.step()?;
-            if self.measure(t) {
+            let is_rounding = self.step()?;
+            if self.measure(rhs, t) || is_rounding {
                 return Ok(());
             }
         }
@@ -151,9 +176,10 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         if near { Ok(()) } else { Err(Hindrance::NotConverged) }
     }
 
-    /// y − W² Gᵀ (G W² Gᵀ)⁻¹ drift, with the weights W of the tolerances and the gradients G as rows.
-    fn step(&mut self) -> Result<(), Hindrance> {
-        let (m, n) = (self.invariants.count, self.y.len());
+    /// y − W² Gᵀ (G W² Gᵀ)⁻¹ drift, with the weights W of the tolerances and the gradients G as rows. Says whether that moves
+    /// nothing but digits that rounding decides.
+    fn step(&mut self) -> Result<bool, Hindrance> {
+        let (m, n) = (self.values.len(), self.y.len());
         let weight = |i: usize| self.weights.as_ref().map_or(1.0, |test| test.weight(i, self.y[i].to_f64().abs()));
         let weights: Vec<f64> = (0..n).map(weight).collect();
         // Orthonormal rows by Gram and Schmidt: no invariant's unit matters, and dependence shows as what is left of a
@@ -182,11 +208,14 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
             rows.push(row);
             shares.push(share / left);
         }
+        let size = self.y.iter().fold(0.0, |most: f64, y| most.max(y.to_f64().abs()));
+        let mut is_rounding = true;
         for (i, y) in self.y.iter_mut().enumerate() {
-            let correction: f64 = rows.iter().zip(&shares).map(|(row, share)| row[i] * share).sum();
-            *y = *y - S::from_f64(correction * weights[i]);
+            let correction: f64 = rows.iter().zip(&shares).map(|(row, share)| row[i] * share).sum::<f64>() * weights[i];
+            is_rounding &= correction.abs() <= ROUNDING * S::EPSILON * size;
+            *y = *y - S::from_f64(correction);
         }
-        Ok(())
+        Ok(is_rounding)
     }
 
     fn account(&mut self, y: &[S]) {

@@ -45,6 +45,17 @@ pub trait RightHandSide<S = f64> {
         format!("divisor {at}")
     }
 
+    /// How many constraints the state is kept on.
+    fn constraint_count(&self) -> usize {
+        0
+    }
+
+    /// Writes what is zero on the constraints to `values`, an entry each, and its slopes along the state to `slopes`, row by
+    /// row. After each step the state is moved to where they are zero: [`crate::projection`].
+    fn constraints(&mut self, t: f64, y: &[S], values: &mut [S], slopes: &mut [S]) {
+        let _ = (t, y, values, slopes);
+    }
+
     /// The power, W, whose integral is wanted beside the solution, as [`crate::Solution::work`]; `None`, at every state,
     /// where none is. It changes no step.
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
@@ -127,6 +138,14 @@ impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
         self.0.divisor_name(at)
     }
 
+    fn constraint_count(&self) -> usize {
+        self.0.constraint_count()
+    }
+
+    fn constraints(&mut self, t: f64, y: &[S], values: &mut [S], slopes: &mut [S]) {
+        self.0.constraints(t, y, values, slopes);
+    }
+
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
         self.0.power(t, y)
     }
@@ -157,6 +176,14 @@ impl<S: Real> RightHandSide<S> for WithPower<'_, S> {
 
     fn divisor_name(&self, at: usize) -> String {
         self.rhs.divisor_name(at)
+    }
+
+    fn constraint_count(&self) -> usize {
+        self.rhs.constraint_count()
+    }
+
+    fn constraints(&mut self, t: f64, y: &[S], values: &mut [S], slopes: &mut [S]) {
+        self.rhs.constraints(t, y, values, slopes);
     }
 
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {

@@ -142,7 +142,7 @@ impl<M: Stepper> Run<'_, M> {
             }
             self.stepper.accept();
             if let Some(projector) = &mut projector {
-                let outcome = match projector.project(self.stepper.span().0, self.stepper.ends().0) {
+                let outcome = match projector.project(rhs, self.stepper.span().0, self.stepper.ends().0) {
                     Some(y) => self.stepper.restart(rhs, y),
                     None => self.stepper.stay(rhs),
                 };

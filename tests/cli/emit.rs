@@ -4,8 +4,6 @@ use crate::arm::tree_text;
 use crate::support::{cargo, make_crate, root, tripos_in};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use tripos_codegen::emit::{emit_model, place};
-use tripos_derive::{Formulation, Model};
 
 /// (exit status, standard output, standard error)
 fn emit(model: &Path, out: &Path, more: &[&str]) -> (i32, String, String) {
@@ -151,10 +149,8 @@ fn emitted_modules_compile_in_a_crate_of_their_own_and_give_the_same_numbers() {
         assert_eq!(emit(&model, &folder.path().join("src").join(name), &[]).0, 0);
     }
     // A disc that rolls: three speeds for five coordinates.
-    let disc = root().join("tests/data/rolling_disc.toml");
-    let rolling = Model::read(&disc).unwrap().holding(&["slip_x", "slip_y"]).unwrap();
-    let emission = emit_model(&rolling, "disc", &[Formulation::Kane]).unwrap();
-    place(&emission, &folder.path().join("src/disc")).unwrap();
+    let disc = root().join("models/rolling_disc");
+    assert_eq!(emit(&disc, &folder.path().join("src/disc"), &["--formulation", "kane"]).0, 0);
     // What a build script writes is included from another folder.
     std::fs::rename(folder.path().join("src/swing"), folder.path().join("swing")).unwrap();
     make_crate(folder.path());

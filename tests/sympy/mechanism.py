@@ -39,7 +39,7 @@ class Load:
 
 
 class LoadNames(dict):
-    """What formulas of loads may name: what all may, and components of velocities."""
+    """What formulas of loads and motion constraints may name: what all may, and components of velocities."""
 
     def __init__(self, mechanism):
         super().__init__(mechanism.names)
@@ -48,8 +48,10 @@ class LoadNames(dict):
     def __missing__(self, word):
         if "@" not in word:
             raise KeyError(word)
-        *of, frame, axis = re.findall(r"\w+", word)[1:]
-        velocity = self.mechanism.velocity(*of)
+        kind, *of, frame, axis = re.findall(r"\w+", word)
+        if len(of) == 3:
+            of = [of[2], of[0]]
+        velocity = self.mechanism.turning(of[0]) if kind == "omega" else self.mechanism.velocity(*of)
         basis = self.mechanism.get(self.mechanism.frames, frame)
         if axis not in ("1", "2", "3"):
             raise Unsupported(f"component {axis} of a velocity")
@@ -140,6 +142,24 @@ class Mechanism:
             return body.point.vel(self.inertial)
         arm = point.pos_from(body.point)
         return body.point.vel(self.inertial) + body.frame.ang_vel_in(self.inertial).cross(arm)
+
+    def turning(self, name):
+        """The angular velocity of a body or a frame."""
+        frame = self.bodies[name].frame if name in self.bodies else self.get(self.frames, name)
+        return frame.ang_vel_in(self.inertial)
+
+    def motion_constraints(self):
+        """Name and left side of each equation between velocities, and of each component of a slip."""
+        names = LoadNames(self)
+        stated = [(name, expression(a, names) - expression(b, names)) for name, (a, b) in self.model.motion.items()]
+        for name, entry in self.model.section("rolling").items():
+            point = entry["at"]
+            slip = self.velocity(entry["body"], point)
+            if "against" in entry:
+                slip -= self.velocity(entry["against"], point)
+            basis = self.get(self.frames, entry["frame"]) if "frame" in entry else self.inertial
+            stated += [(f"{name}_{i + 1}", slip.dot(axis)) for i, axis in enumerate((basis.x, basis.y, basis.z))]
+        return stated
 
     def rigid_body(self, name, entry):
         frame, centre = self.get(self.frames, entry["frame"]), self.get(self.points, entry["centre"])

@@ -1,15 +1,16 @@
 """The model file (docs/model.md): what its names mean.
 
-`read_tables` reads the file, `read_model` gives names a meaning, once in q and q', once in q and u.
+`read_tables` reads the file, `read_model` gives names a meaning in q and q', `Model.with_rates` in q and u.
 """
 
 import hashlib
+import random
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import sympy
-from sympy import Matrix, Symbol
+from sympy import Matrix, Rational, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols, msubs
 
@@ -18,7 +19,7 @@ from grammar import Unsupported, expression
 # Keys of an entry of each section; "" is the file itself. What is not listed is not supported.
 KEYS = {
     "": "name source parameters coordinates speeds inertial frames points bodies particles gravity"
-    " forces torques reactions constraints domain",
+    " forces torques reactions constraints rolling domain",
     "parameters": "unit value positive about",
     "coordinates": "unit about",
     "inertial": "frame origin",
@@ -32,6 +33,7 @@ KEYS = {
     "torques": "on frame vector against about",
     "reactions": "kind on at frame direction against against_at about",
     "constraints": "equation enforced_by about",
+    "rolling": "body at against frame about",
 }
 SINGLE = ("inertial", "gravity")
 
@@ -62,28 +64,48 @@ class Model:
     """What names mean.
 
     `names_q` gives every name in terms of q and q', `names_u` in terms of q and u. `rates` maps each q'
-    to its value in q and u, in the order of `coordinates`, which are those that no constraint fixes.
+    to its value in q and u, in the order of `coordinates`, which are those that no constraint fixes. `loops`
+    are the equations between coordinates that fix none, `motion` the sides of those between velocities;
+    `constrained` has all of the latter that are independent, with those of loops first, by name.
     """
 
     tables: dict
     coordinates: list
     speeds: list
+    definitions: dict
     names_q: dict
     names_u: dict
     rates: dict
     zero_at: dict
+    loops: dict
+    motion: dict
+    constrained: dict
 
     def section(self, name):
         return self.tables.get(name, {})
 
+    def with_rates(self, stated):
+        """With q' from the speeds and the motion constraints that are stated."""
+        t = dynamicsymbols._t
+        candidates = [(name, equation.diff(t)) for name, equation in self.loops.items()] + stated
+        constrained = independent(self.coordinates, candidates)
+        rates = solve_rates(self.coordinates, self.speeds, list(self.definitions.values()), list(constrained.values()))
+        names_u = {name: msubs(value, rates) for name, value in self.names_q.items()}
+        names_u |= {name: u for name, u in zip(self.definitions, self.speeds)}
+        return replace(self, rates=rates, constrained=constrained, names_u=names_u)
+
 
 def read_model(tables):
+    """The model without rates, which motion constraints may decide: see `Model.with_rates`."""
     parameters = {
         name: Symbol(name, real=True, **({"positive": True} if entry.get("positive") else {}))
         for name, entry in tables.get("parameters", {}).items()
     }
     declared = {name: dynamicsymbols(name, real=True) for name in tables.get("coordinates", {})}
-    solved = solve_constraints(tables, parameters, declared)
+    stated = {name: sides(name, entry) for name, entry in tables.get("constraints", {}).items()}
+    motion = {name: both for name, both in stated.items() if any("'" in side or "@" in side for side in both)}
+    configuration = {name: both for name, both in stated.items() if name not in motion}
+    solved, loops = solve_constraints(configuration, parameters, declared)
     coordinates = [q for q in declared.values() if q not in solved]
     names = dict(parameters)
     for name, q in declared.items():
@@ -92,8 +114,6 @@ def read_model(tables):
 
     definitions = {name: expression(formula, names) for name, formula in tables.get("speeds", {}).items()}
     speeds = [dynamicsymbols(name, real=True) for name in definitions]
-    rates = solve_rates(coordinates, speeds, list(definitions.values()))
-    names_u = {name: msubs(value, rates) for name, value in names.items()}
     zero = tables.get("gravity", {}).get("zero_at")
     if zero is not None:
         zero = {q: expression(zero.get(name, 0), parameters) for name, q in declared.items()}
@@ -101,24 +121,32 @@ def read_model(tables):
         tables=tables,
         coordinates=coordinates,
         speeds=speeds,
+        definitions=definitions,
         names_q=names | definitions,
-        names_u=names_u | {name: u for name, u in zip(definitions, speeds)},
-        rates=rates,
+        names_u={},
+        rates={},
         zero_at=zero,
+        loops=loops,
+        motion=motion,
+        constrained={},
     )
 
 
-def solve_constraints(tables, parameters, declared):
-    """Holonomic constraints, each solved for the last coordinate that stands in it with a constant factor."""
-    solved = {}
+def sides(name, entry):
+    both = entry["equation"].split("=")
+    if len(both) != 2:
+        raise Unsupported(f"the equation of constraint `{name}` must have one `=`")
+    return both
+
+
+def solve_constraints(stated, parameters, declared):
+    """Constraints between coordinates, each solved for the last coordinate that stands in it with a constant factor, and
+    those that cannot be."""
+    solved, loops = {}, {}
     names = parameters | declared
     everything = set(declared.values())
-    for name, entry in tables.get("constraints", {}).items():
-        sides = entry["equation"].split("=")
-        if len(sides) != 2:
-            raise Unsupported(f"the equation of constraint `{name}` must have one `=`")
-        left, right = (expression(side, names) for side in sides)
-        residual = sympy.expand((left - right).subs(solved))
+    for name, (left, right) in stated.items():
+        residual = sympy.expand((expression(left, names) - expression(right, names)).subs(solved))
         for q in reversed(declared.values()):
             factor = residual.diff(q)
             if q not in solved and factor != 0 and not factor.atoms(AppliedUndef) & everything:
@@ -126,21 +154,46 @@ def solve_constraints(tables, parameters, declared):
                 solved = {other: place.subs(q, value) for other, place in solved.items()} | {q: value}
                 break
         else:
-            raise Unsupported(f"constraint `{name}` is not linear in a coordinate with a constant factor")
-    return solved
+            loops[name] = residual
+    return solved, {name: residual.subs(solved) for name, residual in loops.items()}
 
 
-def solve_rates(coordinates, speeds, definitions):
-    """Each q' in terms of q and u, from u = C(q) q' + d(q)."""
-    if len(coordinates) != len(speeds):
-        raise Unsupported(f"{len(speeds)} speeds for {len(coordinates)} coordinates")
+def independent(coordinates, candidates):
+    """The equations between rates that do not follow from those before them."""
     plain = [Symbol(f"rate of {q.func.__name__}", real=True) for q in coordinates]
     to_plain = {q.diff(): rate for q, rate in zip(coordinates, plain)}
-    formulas = Matrix([msubs(formula, to_plain) for formula in definitions])
+    kept, rows = {}, []
+    for name, equation in candidates:
+        row = Matrix([msubs(equation, to_plain)]).jacobian(plain).applyfunc(lambda e: sympy.trigsimp(sympy.expand(e)))
+        if row.atoms(Symbol) & set(plain):
+            raise Unsupported(f"the constraint `{name}` is not linear in the rates of the coordinates")
+        if generic_rank(rows + [row]) > len(rows):
+            rows.append(row)
+            kept[name] = equation
+    return kept
+
+
+def generic_rank(rows):
+    """The rank at a random rational point, in exact arithmetic but for functions, which have many digits."""
+    matrix = Matrix.vstack(*rows)
+    atoms = sorted(matrix.atoms(Symbol, AppliedUndef) - {dynamicsymbols._t}, key=str)
+    chance = random.Random(1)
+    at = {atom: Rational(chance.randint(20, 180), 101) for atom in atoms}
+    values = msubs(matrix, at).evalf(50, maxn=200)
+    return values.rank(iszerofunc=lambda e: abs(e) < sympy.Float("1e-30"))
+
+
+def solve_rates(coordinates, speeds, definitions, constrained):
+    """Each q' in terms of q and u, from u = C(q) q' + d(q) and A(q) q' + a(q) = 0."""
+    if len(coordinates) != len(speeds) + len(constrained):
+        raise Unsupported(f"{len(speeds)} speeds and {len(constrained)} constraints for {len(coordinates)} coordinates")
+    plain = [Symbol(f"rate of {q.func.__name__}", real=True) for q in coordinates]
+    to_plain = {q.diff(): rate for q, rate in zip(coordinates, plain)}
+    formulas = Matrix([msubs(formula, to_plain) for formula in (*definitions, *constrained)])
     matrix = formulas.jacobian(plain).applyfunc(sympy.expand)
     if matrix.atoms(Symbol) & set(plain):
         raise Unsupported("a speed is not linear in the rates of the coordinates")
-    right = Matrix(speeds) - formulas.subs({rate: 0 for rate in plain})
+    right = Matrix([*speeds, *(0 for _ in constrained)]) - formulas.subs({rate: 0 for rate in plain})
     values = {}
     for rows, columns in connected_blocks(matrix):
         block = matrix.extract(rows, columns)

@@ -62,13 +62,33 @@ def kane(model, mechanism):
 
 
 def lagrange(model, mechanism):
-    """Lagrange's equations E q'' = A; all but gravity are generalized forces."""
+    """Lagrange's equations E q'' = A; all but gravity are generalized forces. Constraints have multipliers, of which a
+    positive one acts along the slope of the constraint, and rows of their own."""
     lagrangian = Lagrangian(mechanism.inertial, *mechanism.parts)
     loads = mechanism.pairs(mechanism.applied())
-    method = LagrangesMethod(lagrangian, model.coordinates, forcelist=loads, frame=mechanism.inertial)
-    method.form_lagranges_equations()
+    loops, motion = (list(model.loops.values()), [e for name, e in model.constrained.items() if name not in model.loops])
+    method = LagrangesMethod(
+        lagrangian,
+        model.coordinates,
+        forcelist=loads,
+        frame=mechanism.inertial,
+        hol_coneqs=loops or None,
+        nonhol_coneqs=motion or None,
+    )
     unknowns = [q.diff().diff() for q in model.coordinates]
-    return system(unknowns, method.mass_matrix, method.forcing)
+    if not model.constrained:
+        method.form_lagranges_equations()
+        return system(unknowns, method.mass_matrix, method.forcing)
+    rows = Matrix([*method.form_lagranges_equations(), *method.coneqs.diff(dynamicsymbols._t)])
+    # SymPy's own multipliers pull the other way or this way, by version: their sign is read off.
+    multipliers = list(method.lam_vec)
+    slopes = method.coneqs.jacobian([q.diff() for q in model.coordinates])
+    pulls = rows[: len(unknowns), :].jacobian(multipliers)
+    sign = 1 if (pulls + slopes.T).applyfunc(sympy.trigsimp).is_zero_matrix else -1
+    matrix = rows.jacobian(unknowns).row_join(sign * rows.jacobian(multipliers))
+    named = [Symbol(f"lambda_{name}", real=True) for name in model.constrained]
+    at_rest = {unknown: 0 for unknown in (*unknowns, *multipliers)}
+    return system([*unknowns, *named], matrix, -msubs(rows, at_rest))
 
 
 def newton_euler(model, mechanism):
@@ -183,7 +203,9 @@ def derive(path):
     """The whole reference of a model file, as it is written."""
     tables, text_hash = read_tables(path)
     model = read_model(tables)
-    moving, placed = Mechanism(model, in_speeds=True), Mechanism(model, in_speeds=False)
+    placed = Mechanism(model, in_speeds=False)
+    model = model.with_rates(placed.motion_constraints())
+    moving = Mechanism(model, in_speeds=True)
     by_kane, active, inertial = kane(model, moving)
     quantities = kinematics(model, moving)
     quantities |= {f"F[{r + 1}]": e for r, e in enumerate(active)}

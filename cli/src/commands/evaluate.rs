@@ -21,6 +21,7 @@ struct Values {
     forcing: Vec<f64>,
     accelerations: Vec<(String, f64)>,
     reactions: Vec<(String, f64)>,
+    multipliers: Vec<(String, f64)>,
     kinetic_energy: f64,
     potential_energy: f64,
     /// Gravity's part of it.
@@ -49,6 +50,7 @@ pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, 
             "forcing": values.forcing,
             "accelerations": object(&values.accelerations),
             "reactions": object(&values.reactions),
+            "multipliers": object(&values.multipliers),
             "kinetic_energy": values.kinetic_energy,
             "potential_energy": values.potential_energy,
             "gravity_potential": values.gravity_potential,
@@ -86,7 +88,7 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
         let lost = (-rcond.log10()).floor();
         warn(&format!("equilibrated rcond is {rcond:.1e}: about {lost} of 16 digits of the accelerations are lost"));
     }
-    let (v_dot, reactions) = x.split_at(system.lengths().variables);
+    let (v_dot, others) = x.split_at(system.lengths().variables);
     let mut u_dot = vec![0.0; model.speeds.len()];
     system.generalized_speed_rates(p, q, &v, v_dot, &mut u_dot);
     if let Some(at) = u_dot.iter().position(|a| !a.is_finite()) {
@@ -97,14 +99,20 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
     if energies.iter().any(|e| !e.is_finite()) {
         return Err(stopped("an energy or its rate has no value that a number can hold".to_owned()));
     }
-    warn_outside_domain(model, state, reactions)?;
+    let carries_reactions = derivation.equations.formulation.carries_reactions();
+    warn_outside_domain(model, state, if carries_reactions { others } else { &[] })?;
     let unknowns = &derivation.equations.unknowns;
+    let unknowns: Vec<String> =
+        unknowns.iter().filter_map(|e| derivation.arena.symbol_name(*e)).map(str::to_owned).collect();
+    let others: Vec<(String, f64)> = unknowns[v_dot.len()..].iter().cloned().zip(others.iter().copied()).collect();
+    let (reactions, multipliers) = if carries_reactions { (others, Vec::new()) } else { (Vec::new(), others) };
     Ok(Values {
-        unknowns: unknowns.iter().filter_map(|e| derivation.arena.symbol_name(*e)).map(str::to_owned).collect(),
+        unknowns,
+        multipliers,
         mass_matrix: matrix.chunks(n).map(<[f64]>::to_vec).collect(),
         forcing,
         accelerations: model.speeds.iter().zip(&u_dot).map(|(s, a)| (format!("{}'", s.name), *a)).collect(),
-        reactions: model.reactions.iter().zip(reactions).map(|(r, x)| (r.name.clone(), *x)).collect(),
+        reactions,
         kinetic_energy: energies[0],
         potential_energy: energies[1],
         gravity_potential: energies[2],
@@ -154,7 +162,12 @@ fn as_text(model: &Mechanism, title: &str, values: &Values) -> String {
     for (numbers, right) in values.mass_matrix.iter().zip(&values.forcing) {
         let _ = writeln!(out, "  {} | {right:>15.8e}", row(numbers));
     }
-    for (heading, list) in [("accelerations", &values.accelerations), ("reactions", &values.reactions)] {
+    let lists = [
+        ("accelerations", &values.accelerations),
+        ("reactions", &values.reactions),
+        ("multipliers of the constraints", &values.multipliers),
+    ];
+    for (heading, list) in lists {
         if !list.is_empty() {
             let _ = writeln!(out, "\n{heading}");
         }

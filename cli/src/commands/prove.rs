@@ -6,11 +6,19 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::compare::{Engine, Verdict, Witness};
 use tripos_derive::algebra::print::{text, whole_text};
+use tripos_derive::algebra::simplify::cost;
+use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::written::written;
+use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::{Proof, prove as prove_model};
+
+/// The longest formula of a reaction that is shown, in characters.
+const LONGEST: usize = 600;
+/// Names up to which what they stand for is listed.
+const MOST_NAMES: usize = 20;
 
 /// Proves what can be proved of a model; exit status 1 if a pair of formulations is not proved equivalent.
 pub fn prove(model: &Path, as_json: bool) -> Result<u8, Failure> {
@@ -96,6 +104,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
         "reactions": reactions,
         "integrals": integrals,
         "search": proof.search,
+        "names": names(arena, proof).into_iter().collect::<std::collections::BTreeMap<_, _>>(),
         "singular_where": proof.singular_where.iter().map(|e| whole_text(arena, *e)).collect::<Vec<_>>(),
     })
 }
@@ -123,7 +132,13 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
         out.push_str("\nReactions, from the equations that Kane's method leaves over\n");
     }
     for reaction in &proof.reactions {
-        let _ = writeln!(out, "  {} = {}", reaction.name, text(arena, reaction.value));
+        let formula = text(arena, reaction.value);
+        if formula.len() > LONGEST {
+            let operations = cost(arena, reaction.value);
+            let _ = writeln!(out, "  {}: {operations} operations, which `--json` has", reaction.name);
+        } else {
+            let _ = writeln!(out, "  {} = {formula}", reaction.name);
+        }
     }
     out.push_str("\nFirst integrals\n");
     for integral in &proof.integrals {
@@ -143,5 +158,24 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
         out.push_str("  none found\n");
     }
     let _ = writeln!(out, "  ({})", proof.search);
+    let names = names(arena, proof);
+    if names.len() > MOST_NAMES {
+        let _ = writeln!(out, "\n{} terms stand by names, which `tripos derive` and `--json` define", names.len());
+    } else if !names.is_empty() {
+        out.push_str("\nTerms that stand by a name, each line by those before it\n");
+        for (name, value) in names {
+            let _ = writeln!(out, "  {name} = {value}");
+        }
+    }
     out
+}
+
+/// The names that stand in reactions and integrals, with what they stand for.
+fn names(arena: &Arena, proof: &Proof) -> Vec<(String, String)> {
+    let mut arena = arena.clone();
+    let reactions = proof.reactions.iter().map(|reaction| reaction.value);
+    let values: Vec<Expr> = reactions.chain(proof.integrals.iter().map(|integral| integral.expression)).collect();
+    let (definitions, _) = written(&mut arena, &[], &values);
+    let named = |d: &Definition| (text(&arena, d.symbol), whole_text(&arena, d.value));
+    definitions.iter().map(named).collect()
 }

@@ -13,6 +13,7 @@ use tripos::{Digits, Drift, Mechanism, Run, method_words, simulate as simulate_s
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load, model_path};
+use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{EventRecord, Stop};
 
 /// Runs the scene and prints how it ended.
@@ -94,6 +95,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "failure": run.failure(),
         "drift": drift,
         "work": run.solution.work_end,
+        "residual": run.residuals.iter().map(|r| (r.name.clone(), json!(r.largest))).collect::<Map<_, _>>(),
         "projection": projection(run),
         "events": events,
         "notes": run.notes,
@@ -131,15 +133,41 @@ fn momenta(run: &Run) -> impl Iterator<Item = &Drift> {
 fn projection(run: &Run) -> Value {
     match &run.solution.projection {
         None => Value::Null,
-        Some(report) => json!({
-            "onto": ["energy"],
+        Some(report) => {
+            let constraints: Vec<&str> = run.residuals.iter().map(|residual| residual.name.as_str()).collect();
+            let onto = if constraints.is_empty() { vec!["energy"] } else { constraints };
+            json!({
+            "onto": onto,
             "corrections": report.corrections,
             "removed": report.removed,
             "largest": report.largest,
             "moved": report.moved,
             "left": report.singular + report.not_converged,
-        }),
+            })
+        }
     }
+}
+
+/// What projection did, and how far the run is from its constraints.
+fn projection_in_words(run: &Run, report: &ProjectionReport) -> String {
+    let left = report.singular + report.not_converged;
+    let Some(worst) = run.residuals.iter().max_by(|a, b| a.largest.abs().total_cmp(&b.largest.abs())) else {
+        return format!(
+            "projected onto the energy after {} steps: {:e} J of drift removed in all, {:e} J at most at once; {left} steps left as they were\n",
+            report.corrections,
+            report.removed.first().copied().unwrap_or_default(),
+            report.largest.first().copied().unwrap_or_default(),
+        );
+    };
+    let largest = report.largest.iter().fold(0.0, |most: f64, drift| most.max(drift.abs()));
+    format!(
+        "kept on {} constraint{}: largest residual {:e} ({}); moved back after {} steps, by {largest:e} at most; {left} steps left as they were\n",
+        run.residuals.len(),
+        if run.residuals.len() == 1 { "" } else { "s" },
+        worst.largest.abs(),
+        worst.name,
+        report.corrections
+    )
 }
 
 fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
@@ -175,14 +203,7 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
         }
     }
     if let Some(report) = &run.solution.projection {
-        let _ = writeln!(
-            out,
-            "projected onto the energy after {} steps: {:e} J of drift removed in all, {:e} J at most at once; {} steps left as they were",
-            report.corrections,
-            report.removed.first().copied().unwrap_or_default(),
-            report.largest.first().copied().unwrap_or_default(),
-            report.singular + report.not_converged
-        );
+        out += &projection_in_words(run, report);
     }
     for drift in momenta(run) {
         let _ = writeln!(out, "largest change of {}: {:e}", drift.integral.name(), drift.change);

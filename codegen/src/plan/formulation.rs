@@ -7,7 +7,7 @@ use crate::taylor::Recurrences;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{By, Divisors, Solved, bare};
+use tripos_derive::mechanics::{By, Constrained, Divisors, Solved, bare};
 
 /// Steps of accelerations up to which q̇ and v̇ are also computed together, sharing what they can.
 const MOST_REPEATED: usize = 100;
@@ -26,6 +26,8 @@ pub struct FormulationPlan<'a> {
     pub machine: Vec<Function>,
     /// What people call the divisors that `divisors` gives; none where nothing is divided by that might be zero.
     pub divisors: Vec<String>,
+    /// What the constraints are called that `constraints` gives; none where no run can break any.
+    pub constraints: Vec<String>,
     /// The recurrences of its Taylor coefficients.
     pub taylor: Option<TaylorPlan<'a>>,
     /// Operations of the accelerations, if they were solved for.
@@ -54,10 +56,21 @@ impl<'a> FormulationPlan<'a> {
         });
         let (divisors, names) = divisors(planner, solved);
         machine.extend(divisors);
+        machine.extend(constraints(planner));
+        let kept = planner.equations.constraints.iter().map(|c| c.name.clone()).collect();
         // What matrix and forcing say already is no equation of its own.
         machine.extend(inverse_dynamics(planner));
         let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
-        Self { planner, equations, machine, divisors: names, taylor, solved_cost, facts: facts(planner, solved) }
+        Self {
+            planner,
+            equations,
+            machine,
+            divisors: names,
+            constraints: kept,
+            taylor,
+            solved_cost,
+            facts: facts(planner, solved),
+        }
     }
 }
 
@@ -134,6 +147,31 @@ pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Solved>) -> (Optio
     (planned, names)
 }
 
+/// `constraints` and `constraint_slopes`: what runs are kept on.
+fn constraints(planner: &Planner<'_>) -> Vec<Function> {
+    let e = planner.equations;
+    if e.constraints.is_empty() {
+        return Vec::new();
+    }
+    let name = |at: usize| format!("residual{}", index(at, e.constraints.len()));
+    let value = |(at, c): (usize, &Constrained)| (name(at), c.name.clone(), c.value);
+    let values: Vec<Value> = e.constraints.iter().enumerate().map(value).collect();
+    let state = names(planner.arena, &[e.coordinates.as_slice(), &e.variables].concat());
+    let slopes_of = |(at, c): (usize, &Constrained)| {
+        let slope = |(by, value): (&String, &Expr)| {
+            (format!("{}_by_{}", name(at), spelled(by)), format!("d({})/d({by})", c.name), *value)
+        };
+        state.iter().zip(&c.slopes).map(slope).collect::<Vec<_>>()
+    };
+    let slopes: Vec<Value> = e.constraints.iter().enumerate().flat_map(slopes_of).collect();
+    let about = "What is zero where the constraints hold, each in its own unit.";
+    let about_slopes = format!("Slopes of the constraints, one after the other, along {}.", state.join(", "));
+    let planned = |name, about, values: &[Value]| {
+        planner.stepwise(name, about, Arguments::State, Returns::Vector, &e.definitions, values)
+    };
+    vec![planned("constraints", about, &values), planned("constraint_slopes", &about_slopes, &slopes)]
+}
+
 /// The symbols of v̇.
 fn rates<'a>(planner: &'a Planner<'_>) -> &'a [Expr] {
     &planner.equations.unknowns[..planner.equations.variables.len()]
@@ -208,8 +246,9 @@ fn conversions(planner: &Planner<'_>) -> Vec<Function> {
     let speeds = named(model.speeds.iter().map(|s| s.name.clone()), &e.generalized_speeds);
     let rates = named(model.speeds.iter().map(|s| format!("{}'", s.name)), &e.generalized_speed_rates);
     let variables = named(model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.motion_variables);
-    let function =
-        |name, about, arguments, values: &[Value]| planner.function(name, about, arguments, Returns::Vector, values);
+    let function = |name, about, arguments, values: &[Value]| {
+        planner.stepwise(name, about, arguments, Returns::Vector, &e.definitions, values)
+    };
     vec![
         function("generalized_speeds", "The generalized speeds u, from q and q'.", Arguments::State, &speeds),
         function(

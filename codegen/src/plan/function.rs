@@ -235,7 +235,7 @@ impl<'a> Planner<'a> {
             }
         }
         if arguments == Arguments::StateAndRates {
-            list.push(array("v_dot", &e.unknowns));
+            list.push(array("v_dot", &e.unknowns[..e.variables.len()]));
         }
         list
     }

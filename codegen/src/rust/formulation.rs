@@ -38,6 +38,7 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
     parts.extend((plan.planner.equations.power != Expr::ZERO).then_some(Part::Power));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
     parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
+    parts.extend((!plan.constraints.is_empty()).then(|| Part::Constraints(plan.constraints.clone())));
     // Equal texts of it call different functions: it is no one else's.
     let differentiated = product.then(|| jacobian_product(equations, together));
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));

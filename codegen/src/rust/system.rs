@@ -32,6 +32,8 @@ pub enum Part {
     PotentialSlope,
     /// `divisors`, called this; not empty.
     Divisors(Vec<String>),
+    /// `constraints` and `constraint_slopes`, called this; not empty.
+    Constraints(Vec<String>),
 }
 
 impl Part {
@@ -124,6 +126,7 @@ impl Part {
                 }
                 }
             }
+            Self::Constraints(names) => constraints(names),
             Self::PotentialSlope => quote! {
                 fn has_potential_slope(&self) -> bool { true }
                 fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
@@ -133,6 +136,22 @@ impl Part {
                 }
             },
         }
+    }
+}
+
+/// The methods for what a run is kept on.
+fn constraints(names: &[String]) -> TokenStream {
+    let state = state();
+    let count = Literal::usize_unsuffixed(names.len());
+    quote! {
+    fn constraint_count(&self) -> usize { #count }
+    fn constraint_name(&self, at: usize) -> &str { [#(#names),*][at] }
+    fn constraints(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&constraints(#state));
+    }
+    fn constraint_slopes(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&constraint_slopes(#state));
+    }
     }
 }
 

@@ -8,6 +8,7 @@ mod bound;
 pub mod calculus;
 pub mod compare;
 mod construct;
+pub mod contract;
 pub mod divided;
 mod elementary;
 pub mod elimination;

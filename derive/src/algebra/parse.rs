@@ -11,7 +11,7 @@ mod size;
 mod velocity;
 
 pub use error::ParseError;
-pub use velocity::{VelocityName, canonical as velocity_name};
+pub use velocity::{VelocityName, VelocityOf, canonical as velocity_name};
 
 use super::{Arena, Expr, Function, Node, PowerError, Rational};
 use domain::{is_outside, is_partial};
@@ -331,8 +331,8 @@ impl Parser<'_, '_> {
             let argument = self.parenthesized(open)?;
             return self.function(name, argument, start);
         }
-        if called && name == "v" && self.velocity.is_some() {
-            return self.component(start);
+        if called && velocity::is_velocity(name) && self.velocity.is_some() {
+            return self.component(name, start);
         }
         if called {
             let help = format!("write `{name}` alone if it depends on time, `{name}*(…)` for a product");
@@ -352,9 +352,9 @@ impl Parser<'_, '_> {
         (self.resolve)(self.arena, name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 
-    /// A component of a velocity, whose `v` was at `start`.
-    fn component(&mut self, start: usize) -> Result<Expr, ParseError> {
-        let (name, end) = VelocityName::read(self.text, self.at)?;
+    /// A component of a velocity, whose `v` or `omega` was at `start`.
+    fn component(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
+        let (name, end) = VelocityName::read(word, self.text, self.at)?;
         self.at = end;
         let resolve = self.velocity.as_mut().expect("asked before");
         resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })

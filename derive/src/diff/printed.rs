@@ -37,6 +37,7 @@ pub fn printed_equations(model: &Model, derivations: &mut Derivations, report: &
             required: Vec::new(),
             gauss: None,
             projection: Vec::new(),
+            embedding: None,
             coordinate_rates: motion.coordinate_rates,
             ..derived.clone()
         });

@@ -1,6 +1,7 @@
 //! The accelerations v̇ of a set of equations, solved for at derivation time.
 
 use super::equations::Equations;
+use super::rows::Embedding;
 use crate::algebra::calculus::Differential;
 use crate::algebra::elimination::{Elimination, LinearSystem, divisors, eliminate};
 use crate::algebra::least::least;
@@ -41,7 +42,8 @@ impl Solved {
 ///
 /// Where reactions stand among the unknowns, the rows are first multiplied by the partial velocities: the reactions
 /// do no work in a permitted motion and cancel, and a symmetric, positive definite system is left, in which no
-/// pivot vanishes. Elimination of the reactions instead would divide by direction cosines, which do.
+/// pivot vanishes; so it is with the multipliers of motion constraints, and the system that is left is that of the free
+/// accelerations. Elimination of the reactions instead would divide by direction cosines, which do.
 ///
 /// # Errors
 /// [`Singular`] if v̇ is not determined in any configuration.
@@ -140,12 +142,31 @@ fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equati
     for multipliers in &equations.projection {
         let column = |c: usize| equations.matrix.iter().map(move |row| row[c]);
         let row: Vec<Expr> = (0..n).map(|c| combine(arena, simplifier, multipliers, column(c))).collect();
-        matrix.push(row);
-        right.push(combine(arena, simplifier, multipliers, equations.forcing.iter().copied()));
+        let value = combine(arena, simplifier, multipliers, equations.forcing.iter().copied());
+        let Some(embedding) = &equations.embedding else {
+            matrix.push(row);
+            right.push(value);
+            continue;
+        };
+        // (Wᵀ E W) s = Wᵀ (f − E x).
+        let known = combine(arena, simplifier, &row, embedding.rest.iter().copied());
+        let columns = (0..embedding.free.len()).map(|s| {
+            let of_free = embedding.matrix.iter().map(|line| line[s]);
+            combine(arena, simplifier, &row, of_free)
+        });
+        matrix.push(columns.collect());
+        right.push(arena.sub(value, known));
     }
     let is_large = equations.is_large();
-    let system = LinearSystem { matrix: &matrix, right: &right, unknowns, symmetric: true, is_large };
+    let solved_for = equations.embedding.as_ref().map_or(unknowns, |embedding| embedding.free.as_slice());
+    let system = LinearSystem { matrix: &matrix, right: &right, unknowns: solved_for, symmetric: true, is_large };
     let mut solved = eliminate(arena, simplifier, system)?;
+    if let Some(Embedding { free, matrix, rest }) = &equations.embedding {
+        for ((unknown, row), rest) in unknowns.iter().zip(matrix).zip(rest) {
+            let moved = combine(arena, simplifier, row, free.iter().copied());
+            solved.steps.push(Definition { symbol: *unknown, value: arena.add(moved, *rest) });
+        }
+    }
     solved.steps.splice(0..0, given(arena, equations));
     Ok(solved)
 }

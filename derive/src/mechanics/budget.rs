@@ -1,8 +1,8 @@
 //! What a derivation may cost, by counts that are the same on every machine.
 
 use super::error::DeriveError;
-use super::vector::Frames;
 use crate::algebra::Arena;
+use crate::geometry::Frames;
 use crate::model::Model;
 
 /// Frames and points between bodies and the ground, over all bodies, that are derived: a mass matrix has about as many

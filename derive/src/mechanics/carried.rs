@@ -1,9 +1,9 @@
 //! Accelerations carried along the tree, for models whose terms are named.
 
 use super::kinematics::{Kinematics, Velocities};
-use super::vector::{Components, Vector, apply_tensor, cross_components};
 use crate::algebra::calculus::Differential;
 use crate::algebra::{Expr, Rational};
+use crate::geometry::{Components, Vector, apply_tensor, cross_components};
 use crate::model::Model;
 
 /// Accelerations of all frames and points; those of points less that of free fall.

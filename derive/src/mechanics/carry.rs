@@ -6,8 +6,8 @@
 //! such (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line computational scheme for mechanical manipulators", ASME J.
 //! Dyn. Sys. Meas. Control 102 (1980) 69–76). Which models are derived so is told by [`is_large`] alone.
 
-use super::vector::{Components, Frames, Vector};
 use crate::algebra::{Arena, Expr};
+use crate::geometry::{Components, Frames, Vector};
 use crate::model::Model;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,10 +29,13 @@ pub fn is_large(model: &Model) -> bool {
 const MOST_REDUCED: usize = 400;
 
 /// Whether the equations of a model may be written out to make a scene's own of them, where a momentum stands for a speed
-/// and what is not asked for is left out. Larger models run by whole equations.
+/// and what is not asked for is left out. Larger models run by whole equations, and so do those with loops, of which nothing
+/// can be left out that is to stay closed, and those whose rates have names.
 #[must_use]
 pub fn is_reducible(model: &Model) -> bool {
-    closed_terms(model) <= MOST_REDUCED
+    let rates = model.arena.reachable(&model.kinematic_equations.rates);
+    let has_names = rates.iter().any(|part| model.arena.behind(*part).is_some());
+    closed_terms(model) <= MOST_REDUCED && model.loops.is_empty() && !has_names
 }
 
 /// Terms of the closed form of the mass matrix, about.

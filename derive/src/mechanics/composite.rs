@@ -9,9 +9,9 @@
 
 use super::carry::{named, turned};
 use super::kinematics::{Kinematics, Velocities};
-use super::vector::{Components, cross_components};
 use crate::algebra::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
+use crate::geometry::{Components, cross_components};
 use crate::model::{Body, Model};
 
 const NOTHING: Components = [Expr::ZERO; 3];

@@ -15,10 +15,11 @@ use crate::model::Model;
 #[must_use]
 pub fn distances(model: &Model) -> Vec<Distance> {
     let arena = &model.arena;
-    let divides = |coordinate: Expr| {
-        let parts = arena.reachable(&model.kinematic_equations.divisors);
-        parts.into_iter().any(|e| matches!(arena.node(e), Node::Apply(Function::Cos, angle) if *angle == coordinate))
+    let is_cosine = |e: &Expr, coordinate: Expr| match arena.node(*e) {
+        Node::Apply(Function::Cos, angle) => *angle == coordinate,
+        _ => false,
     };
+    let divides = |coordinate| model.kinematic_equations.divisors.iter().any(|e| is_cosine(e, coordinate));
     let coordinates = model.coordinates.iter().enumerate().filter(|(_, c)| divides(c.symbol));
     coordinates.map(|(coordinate, _)| Distance { coordinate, quarter_turns: 1 }).collect()
 }

@@ -4,10 +4,10 @@
 
 use super::error::DeriveError;
 use super::kinematics::{Kinematics, Velocities};
-use super::vector::{Dots, Vector};
 use crate::algebra::calculus::{Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Rational};
+use crate::geometry::{Dots, Vector};
 use crate::model::Model;
 
 /// A velocity and the momentum along it, T = Σ ½ scale velocity · momentum: v and m v of a mass centre, ω and H of a

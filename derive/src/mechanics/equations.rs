@@ -4,13 +4,13 @@ use super::by::{By, Distance};
 use super::error::DeriveError;
 use super::formulation::{Formulation, MotionVariables};
 use super::kinematics::Kinematics;
-use super::rows::{RowName, Rows};
-use crate::algebra::calculus::Differential;
+use super::rows::{Embedding, RowName, Rows};
+use crate::algebra::calculus::{Differential, Gradient};
 use crate::algebra::least::Sum;
 use crate::algebra::steps::Definition;
 use crate::algebra::written::written;
 use crate::algebra::{Arena, Expr};
-use crate::model::Model;
+use crate::model::{Model, Tie};
 
 /// Definitions up to which a system may be solved in closed form.
 const MOST_WRITTEN_OUT: usize = 40;
@@ -31,7 +31,7 @@ pub struct Equations {
     pub coordinates: Vec<Expr>,
     /// The motion variables v that are integrated beside q: u, or q̇ for Lagrange.
     pub variables: Vec<Expr>,
-    /// Their time derivatives, then the reactions.
+    /// Their time derivatives, then the reactions or the multipliers.
     pub unknowns: Vec<Expr>,
     /// What each row is of.
     pub rows: Vec<RowName>,
@@ -44,10 +44,13 @@ pub struct Equations {
     /// Multipliers of the rows, one list for each motion variable, under which the reactions cancel and a
     /// symmetric, positive definite system is left: the partial velocities. Empty without reactions.
     pub projection: Vec<Vec<Expr>>,
+    /// How v̇ follows from fewer accelerations that motion constraints leave free, where v has more variables than these:
+    /// the projection leaves a system for those.
+    pub embedding: Option<Embedding>,
     /// q̇ in q and v.
     pub coordinate_rates: Vec<Expr>,
     /// What must act along the motion variables beside the loads for v̇ to be as it is, M v̇ − f: inverse dynamics, in
-    /// parameters, q, v and v̇. Empty until it is asked for, and where reactions are among the unknowns.
+    /// parameters, q, v and v̇. Empty until it is asked for, and where reactions or multipliers are among the unknowns.
     pub required: Vec<Expr>,
     /// What v̇ makes least, by the accelerations of the bodies (Gauss's principle): a second way to v̇, for large systems.
     pub gauss: Option<Sum>,
@@ -66,6 +69,20 @@ pub struct Equations {
     pub power: Expr,
     /// Expressions in q that the kinematic equations divide by.
     pub divisors: Vec<Expr>,
+    /// What is zero in every motion and drifts in a run: the loops of the model, and its motion constraints where the
+    /// variables may break them.
+    pub constraints: Vec<Constrained>,
+}
+
+/// A constraint that a run may break, and is kept on.
+#[derive(Clone, Debug)]
+pub struct Constrained {
+    /// What it is called: the name in the file, with a prime if it is the rate of a loop.
+    pub name: String,
+    /// What is zero, in q and v.
+    pub value: Expr,
+    /// Its slopes along q, then along v.
+    pub slopes: Vec<Expr>,
 }
 
 impl Equations {
@@ -109,11 +126,11 @@ impl Equations {
         result
     }
 
-    /// With inverse dynamics, M v̇ − f where the method has it not otherwise; as they are where reactions are among the
-    /// unknowns.
+    /// With inverse dynamics, M v̇ − f where the method has it not otherwise; as they are where there are unknowns beside v̇.
     #[must_use]
     pub fn with_inverse_dynamics(self, arena: &mut Arena) -> Self {
-        if !self.required.is_empty() || self.formulation.carries_reactions() {
+        let has_others = self.formulation.carries_reactions() || self.unknowns.len() > self.variables.len();
+        if !self.required.is_empty() || has_others {
             return self;
         }
         let row = |(row, right): (&Vec<Expr>, &Expr)| {
@@ -137,10 +154,13 @@ impl Equations {
             &mut self.divisors,
             &mut self.required,
         ];
-        let matrices = self.matrix.iter_mut().chain(&mut self.projection);
+        let embedded = self.embedding.iter_mut().flat_map(|e| e.matrix.iter_mut().chain([&mut e.rest]));
+        let matrices = self.matrix.iter_mut().chain(&mut self.projection).chain(embedded);
         let scalars = [&mut self.kinetic_energy, &mut self.potential_energy, &mut self.power];
         let definitions = self.definitions.iter_mut().map(|d| &mut d.value);
-        for value in vectors.into_iter().chain(matrices).flatten().chain(scalars).chain(definitions) {
+        let constraints = self.constraints.iter_mut().flat_map(|c| c.slopes.iter_mut().chain([&mut c.value]));
+        for value in vectors.into_iter().chain(matrices).flatten().chain(scalars).chain(constraints).chain(definitions)
+        {
             change(value, arena);
         }
     }
@@ -156,7 +176,7 @@ pub(super) fn complete(
     formulation: Formulation,
     rows: Rows,
 ) -> Result<Equations, DeriveError> {
-    let Rows { names, matrix, forcing, projection, kinetic_energy, required, gauss } = rows;
+    let Rows { names, matrix, forcing, projection, embedding, kinetic_energy, required, gauss } = rows;
     let required = required.unwrap_or_default();
     let potential_energy = kinematics.potential_energy(model)?;
     let power = kinematics.power(model, formulation.is_in_rates());
@@ -183,10 +203,11 @@ pub(super) fn complete(
         rows: names,
         matrix,
         forcing,
-        symmetric: formulation.method().symmetric,
+        symmetric: formulation.method().symmetric && embedding.is_none(),
         required,
         gauss,
         projection,
+        embedding,
         coordinate_rates,
         generalized_speeds,
         generalized_speed_rates,
@@ -195,9 +216,30 @@ pub(super) fn complete(
         potential_energy,
         power,
         divisors: model.kinematic_equations.divisors.clone(),
+        constraints: constraints(model, kinematics, formulation),
     };
     simplify(kinematics, &mut equations);
     Ok(equations)
+}
+
+/// The constraints that a run by this formulation can break.
+fn constraints(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Vec<Constrained> {
+    let loops = model.loops.iter().map(|c| (c.name.clone(), c.equation));
+    let of_motion = model.motion_constraints.iter().filter(|_| formulation.is_in_rates()).map(|c| {
+        let prime = if matches!(c.tie, Tie::Loop(_)) { "'" } else { "" };
+        (format!("{}{prime}", c.name), c.equation)
+    });
+    let states = [model.q(), formulation.variables(model)].concat();
+    let mut gradient = Gradient::new(&states);
+    let Kinematics { arena, simplifier, .. } = kinematics;
+    let mut constrained = |(name, value)| {
+        let mut slopes = vec![Expr::ZERO; states.len()];
+        for &(at, slope) in gradient.apply(arena, value).iter() {
+            slopes[at] = simplifier.simplify(arena, slope);
+        }
+        Constrained { name, value, slopes }
+    };
+    loops.chain(of_motion).map(&mut constrained).collect()
 }
 
 /// Time derivatives of terms in q and q̇, in q, q̇ and q̈.

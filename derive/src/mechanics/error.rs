@@ -73,11 +73,6 @@ pub enum DeriveError {
     },
     /// The reactions named are not independent: they cannot be told apart.
     ReactionsDependent,
-    /// Lagrange's equations of coordinates that a motion constraint ties together need a multiplier.
-    MotionConstraint {
-        /// The constraint.
-        constraint: String,
-    },
     /// A torque on a frame without a body: no moment balance holds it.
     TorqueOnNothing {
         /// The torque.
@@ -107,13 +102,7 @@ impl DeriveError {
     /// Whether the model is right and only this formulation cannot be had.
     #[must_use]
     pub fn is_unsupported(&self) -> bool {
-        matches!(
-            self,
-            Self::ReactionCount { .. }
-                | Self::ReactionsDependent
-                | Self::MotionConstraint { .. }
-                | Self::TorqueOnNothing { .. }
-        )
+        matches!(self, Self::ReactionCount { .. } | Self::ReactionsDependent | Self::TorqueOnNothing { .. })
     }
 
     /// The name in the model file that it is about, and what to do.
@@ -151,7 +140,6 @@ impl DeriveError {
                 None,
                 "let each constraint be enforced by one reaction along its own direction, or use kane or lagrange",
             ),
-            Self::MotionConstraint { constraint } => (Some(constraint), "use kane, which needs no multiplier"),
             Self::TorqueOnNothing { torque } => (Some(torque), "let it act on a rigid body, or use kane or lagrange"),
             Self::TooLarge { .. } => (
                 None,
@@ -221,9 +209,6 @@ impl fmt::Display for DeriveError {
             }
             Self::ReactionsDependent => {
                 write!(f, "newton-euler is not possible: its equations do not determine the reactions one by one")
-            }
-            Self::MotionConstraint { constraint } => {
-                write!(f, "lagrange is not possible: the motion constraint `{constraint}` needs a multiplier")
             }
             Self::TorqueOnNothing { torque } => {
                 write!(f, "newton-euler is not possible: the torque `{torque}` acts on a frame without a body")

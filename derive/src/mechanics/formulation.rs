@@ -5,7 +5,7 @@ use super::kinematics::Kinematics;
 use super::rows::{Rows, Step};
 use super::{kane, lagrange, newton_euler};
 use crate::algebra::Expr;
-use crate::model::Model;
+use crate::model::{Model, MotionConstraint};
 
 /// A method of derivation: a row of the table, by its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -160,7 +160,8 @@ impl Formulation {
         }
     }
 
-    /// What its equations are solved for, with names: v̇, then the reactions if it carries them.
+    /// What its equations are solved for, with names: v̇, then the reactions if it carries them, and the multipliers of
+    /// motion constraints where the rates of all coordinates are variables.
     #[must_use]
     pub fn unknowns(self, model: &Model) -> Vec<(String, Expr)> {
         let rates = model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate));
@@ -171,6 +172,10 @@ impl Formulation {
         };
         if self.carries_reactions() {
             unknowns.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
+        }
+        if self.is_in_rates() {
+            let multiplier = |c: &MotionConstraint| (format!("lambda_{}", c.name), c.multiplier);
+            unknowns.extend(model.motion_constraints.iter().map(multiplier));
         }
         unknowns
     }

@@ -8,9 +8,9 @@ use super::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_witho
 use super::loads::Load;
 use super::quantity::{QuantityKind, VectorName};
 use super::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
-use super::vector::{Dots, Vector};
 use crate::algebra::Expr;
 use crate::algebra::calculus::{Differential, Gradient};
+use crate::geometry::{Dots, Vector};
 use crate::model::Model;
 
 /// M(q) u̇ = f(q, u).
@@ -34,6 +34,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
             matrix,
             forcing,
             projection: Vec::new(),
+            embedding: None,
             required: Some(required),
             gauss: Some(gauss),
             kinetic_energy: kinematics.energy_of_pairs(&momenta),
@@ -53,6 +54,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         matrix,
         forcing,
         projection: Vec::new(),
+        embedding: None,
         required: None,
         gauss: None,
     })

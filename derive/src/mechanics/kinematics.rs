@@ -6,11 +6,12 @@
 use super::budget::check_tree;
 use super::carry::is_large;
 use super::error::DeriveError;
-use super::vector::{Components, Frames, Vector, apply_tensor};
+
 use crate::algebra::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
+use crate::geometry::{Components, Frames, Vector, angular_velocities, apply_tensor, linear_velocities};
 use crate::model::{Body, Model, ReactionKind};
 
 /// Positions and velocities in q and q̇, and the tools to go on from there.
@@ -74,9 +75,9 @@ impl Kinematics {
         frames.carries = named;
         let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut rates = Differential::along(&rates);
-        let angular = angular_velocities(&mut arena, model, &mut rates);
+        let angular = angular_velocities(&mut arena, &model.frames, &mut rates);
         name_in_own_frames(&mut arena, &mut frames, &angular);
-        let (positions, linear) = points(&mut arena, &mut frames, model, &angular, &mut rates);
+        let (positions, linear) = linear_velocities(&mut arena, &mut frames, &model.points, &angular, &mut rates);
         let in_rates = Velocities { angular, linear, rates: model.q_dot() };
         let (simplifier, forces, torques) = (Simplifier::default(), Vec::new(), Vec::new());
         let mut kinematics = Self { arena, frames, simplifier, positions, in_rates, forces, torques, potential: None };
@@ -90,9 +91,9 @@ impl Kinematics {
     pub fn in_speeds(&mut self, model: &Model) -> Velocities {
         if self.frames.carries {
             let mut rates = motion_rates_without_acceleration(model);
-            let angular = angular_velocities(&mut self.arena, model, &mut rates);
+            let angular = angular_velocities(&mut self.arena, &model.frames, &mut rates);
             name_in_own_frames(&mut self.arena, &mut self.frames, &angular);
-            let (_, linear) = points(&mut self.arena, &mut self.frames, model, &angular, &mut rates);
+            let (_, linear) = linear_velocities(&mut self.arena, &mut self.frames, &model.points, &angular, &mut rates);
             return Velocities { angular, linear, rates: model.kinematic_equations.rates.clone() };
         }
         let mut to_speeds = rates_to_speeds(model);
@@ -237,23 +238,6 @@ pub fn motion_rates_without_acceleration(model: &Model) -> Differential {
     Differential::along(&rates.collect::<Vec<_>>())
 }
 
-fn angular_velocities(arena: &mut Arena, model: &Model, rates: &mut Differential) -> Vec<Vector> {
-    let mut angular: Vec<Vector> = Vec::new();
-    for (at, frame) in model.frames.iter().enumerate() {
-        let Some((parent, axis, angle)) = frame.rotation else {
-            angular.push(Vector::default());
-            continue;
-        };
-        // Addition theorem: ω_F = ω_parent + angle' · axis, the axis being common to both frames.
-        let mut components = [Expr::ZERO; 3];
-        components[axis] = rates.apply(arena, angle);
-        let own = Vector::in_frame(at, components);
-        let total = angular[parent].add(arena, &own);
-        angular.push(total);
-    }
-    angular
-}
-
 /// Gives angular velocities their names before anything else can: `w_A_1` of the frame A.
 fn name_in_own_frames(arena: &mut Arena, frames: &mut Frames, angular: &[Vector]) {
     if frames.carries {
@@ -261,28 +245,4 @@ fn name_in_own_frames(arena: &mut Arena, frames: &mut Frames, angular: &[Vector]
             frames.carry(arena, omega, frame, ("w", frames.name(frame)));
         }
     }
-}
-
-fn points(
-    arena: &mut Arena,
-    frames: &mut Frames,
-    model: &Model,
-    angular: &[Vector],
-    rates: &mut Differential,
-) -> (Vec<Vector>, Vec<Vector>) {
-    let (mut positions, mut linear): (Vec<Vector>, Vec<Vector>) = (Vec::new(), Vec::new());
-    for point in &model.points {
-        let Some((parent, frame, components)) = point.position else {
-            positions.push(Vector::default());
-            linear.push(Vector::default());
-            continue;
-        };
-        let step = Vector::in_frame(frame, components);
-        let moving = frames.time_derivative(arena, &step, angular, rates);
-        let position = positions[parent].add(arena, &step);
-        let velocity = linear[parent].add(arena, &moving);
-        positions.push(position);
-        linear.push(velocity);
-    }
-    (positions, linear)
 }

@@ -11,19 +11,15 @@ use crate::algebra::calculus::Gradient;
 use crate::algebra::{Expr, Rational};
 use crate::model::Model;
 
-/// E(q) q̈ = A(q, q̇).
+/// E(q) q̈ = A(q, q̇), with a multiplier for each motion constraint among the unknowns.
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`]; [`DeriveError::MotionConstraint`] where multipliers would be needed; a
-/// coordinate that moves no mass is found by the rank of the matrix.
+/// [`DeriveError::NoZeroOfPotential`]; a coordinate that moves no mass is found by the rank of the matrix.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
-    // Without multipliers these would be the equations of another mechanism, that moves as it likes.
-    if let Some(constraint) = model.motion_constraints.first() {
-        return Err(DeriveError::MotionConstraint { constraint: constraint.name.clone() });
-    }
     let velocities = kinematics.in_rates.clone();
     if kinematics.frames.carries {
-        return named(model, kinematics, &velocities);
+        let rows = named(model, kinematics, &velocities)?;
+        return Ok(kinematics.with_multipliers(model, rows));
     }
     // Velocities are homogeneous in q̇, so T = ½ Σ E_ij q̇_i q̇_j.
     let matrix = kinematics.kinetic_form(model, &velocities, &model.q_dot());
@@ -41,15 +37,17 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         sums[*i].push((*slope, Rational::MINUS_ONE));
     }
     let forcing = sums.iter().map(|terms| arena.linear_combination(terms)).collect();
-    Ok(Rows {
+    let rows = Rows {
         names: (0..model.coordinates.len()).map(RowName::Coordinate).collect(),
         matrix,
         forcing,
         projection: Vec::new(),
+        embedding: None,
         required: None,
         gauss: None,
         kinetic_energy: t,
-    })
+    };
+    Ok(kinematics.with_multipliers(model, rows))
 }
 
 /// E and A of a model whose terms are named.
@@ -66,6 +64,7 @@ fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
         matrix,
         forcing: forcing.into_iter().zip(forces).map(|(a, b)| arena.add(a, b)).collect(),
         projection: Vec::new(),
+        embedding: None,
         required: Some(required),
         gauss: None,
         kinetic_energy: kinematics.energy_of_pairs(&pairs),

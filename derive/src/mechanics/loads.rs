@@ -7,11 +7,12 @@
 
 use super::error::DeriveError;
 use super::kinematics::{Kinematics, Velocities, speeds_to_rates};
-use super::vector::{Dots, Vector};
 use crate::algebra::calculus::{Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_divisor, zero_test};
+use crate::algebra::parse::VelocityOf;
 use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr};
+use crate::geometry::{Dots, Vector};
 use crate::model::{Body, Model, NamedVelocity, Place, ReactionKind};
 
 /// A force or a torque and the velocity of what it acts on: F_r = Σ ∂velocity/∂u_r · scale load.
@@ -161,9 +162,10 @@ impl Kinematics {
     /// A velocity that a load names, in q and q̇; the literal 0 if that is what it means.
     fn named_velocity(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
         let velocities = self.in_rates.clone();
-        let velocity = match name.body {
-            Some(body) => self.place_velocity(model, &velocities, Place { body, point: name.point }),
-            None => velocities.linear[name.point].clone(),
+        let velocity = match name.of {
+            VelocityOf::Material(body, point) => self.place_velocity(model, &velocities, Place { body, point }),
+            VelocityOf::Point(point) => velocities.linear[point].clone(),
+            VelocityOf::Turning(frame) => velocities.angular[frame].clone(),
         };
         let Self { arena, frames, simplifier, .. } = self;
         let component = frames.component(arena, &velocity, name.frame, name.axis);

@@ -8,10 +8,10 @@ use super::error::DeriveError;
 use super::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
 use super::quantity::VectorName;
 use super::rows::{BalanceName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
-use super::vector::{Components, Vector};
 use crate::algebra::Expr;
 use crate::algebra::calculus::Gradient;
 use crate::algebra::linear::LinearForm;
+use crate::geometry::{Components, Vector};
 use crate::model::{Body, Model, Place, ReactionKind};
 
 /// A(q, u) (u̇, reactions) = b(q, u).
@@ -56,6 +56,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         matrix,
         forcing,
         projection: partial_velocities(model, kinematics, &velocities, &rows, &model.u()),
+        embedding: None,
         required: None,
         gauss: None,
         kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),

@@ -20,9 +20,9 @@ use super::formulation::Formulation;
 use super::kane;
 use super::kinematics::{Kinematics, Velocities, motion_rates};
 use super::quantity::{Energy, Quantity, QuantityKind, Row, VectorName};
-use super::vector::{Components, Vector, apply_tensor};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
+use crate::geometry::{Components, Vector, apply_tensor};
 use crate::model::{Model, Place};
 use rustc_hash::FxHashMap;
 

@@ -1,6 +1,6 @@
 //! What a derived quantity is called: the names in report files, as data.
 
-use crate::algebra::parse::velocity_name;
+use crate::algebra::parse::{VelocityOf, velocity_name};
 use crate::model::Model;
 use std::fmt;
 
@@ -257,7 +257,7 @@ impl QuantityKind {
             Self::MaterialVelocity { body, point, frame, axis } => {
                 let [body, point, frame] =
                     [&model.bodies[body].name, &model.points[point].name, &model.frames[frame].name];
-                velocity_name(Some(body), point, frame, axis)
+                velocity_name(&VelocityOf::Material(body, point), frame, axis)
             }
             Self::Partial { vector, of, frame, axis, speed } => {
                 format!("d {}/d {}", component(vector, of, frame, axis), model.speeds[speed].name)

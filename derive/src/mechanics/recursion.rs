@@ -12,11 +12,11 @@ use super::carried::Accelerations;
 use super::error::DeriveError;
 use super::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration, rates_to_speeds};
 use super::loads::Load;
-use super::vector::{Components, Vector, apply_tensor, cross_components};
 use crate::algebra::adjoint::transposed_product;
 use crate::algebra::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::least::{Block, Sum};
 use crate::algebra::{Arena, Expr, Rational};
+use crate::geometry::{Components, Vector, apply_tensor, cross_components};
 use crate::model::{Body, Model};
 
 /// The letters of what acts along a velocity, and of the momentum along it, before the velocity's name.

@@ -18,6 +18,8 @@ pub struct Rows {
     /// Multipliers of the rows, one list for each motion variable, under which reactions cancel; empty without
     /// reactions.
     pub projection: Vec<Vec<Expr>>,
+    /// How v̇ follows from fewer accelerations, where constraints tie them.
+    pub embedding: Option<Embedding>,
     /// T in q and v.
     pub kinetic_energy: Expr,
     /// What must act along the motion variables beside the loads for v̇ to be as it is: M v̇ − f, where a method has it
@@ -27,6 +29,17 @@ pub struct Rows {
     pub gauss: Option<Sum>,
 }
 
+/// How all v̇ follow from fewer accelerations s that constraints leave free: v̇ = W s + x.
+#[derive(Clone, Debug)]
+pub struct Embedding {
+    /// s: the rates of the generalized speeds.
+    pub free: Vec<Expr>,
+    /// W, a row for each motion variable.
+    pub matrix: Vec<Vec<Expr>>,
+    /// x in q and v.
+    pub rest: Vec<Expr>,
+}
+
 /// What a row of equations of motion is of. Places are positions from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum RowName {
@@ -34,6 +47,8 @@ pub enum RowName {
     Speed(usize),
     /// A generalized coordinate.
     Coordinate(usize),
+    /// A motion constraint, differentiated.
+    Constraint(usize),
     /// A component of the balance of one body.
     Balance(BalanceName),
     /// A motion variable of a scene's own equations, by its name.
@@ -62,6 +77,7 @@ impl RowName {
         match self {
             Self::Speed(at) => model.speeds[*at].name.clone(),
             Self::Coordinate(at) => model.coordinates[*at].name.clone(),
+            Self::Constraint(at) => format!("constraint {}", model.motion_constraints[*at].name),
             Self::Balance(BalanceName { frame, axis, .. }) => {
                 let frame = model.frames[*frame].name.to_lowercase();
                 format!("{} {frame}{}", self.subject(model), axis + 1)

@@ -1,8 +1,9 @@
-//! Holonomic constraints: each is solved for one configuration variable, which then leaves the model.
+//! Constraints: those between coordinates that can be solved for one of them, which then leaves the model, and those that
+//! cannot, or that tie velocities.
 
 use super::elements::Elements;
 use super::loading::Loading;
-use super::names::{CONFIGURATION, HOLONOMIC, Kind};
+use super::names::{CONSTRAINED, Kind};
 use super::{Constraint, Coordinate};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
@@ -41,10 +42,11 @@ impl<'a> Loading<'a> {
             let Some(text) = self.reader.string(value, "`equation`") else { continue };
             let help = "write the equation as \"z = 0\"";
             let Some((left, (_, right))) = self.split(&text, &["="], help) else { continue };
-            let what = HOLONOMIC;
-            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, CONFIGURATION, what);
-            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, CONFIGURATION, what);
+            let what = "a constraint";
+            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, CONSTRAINED, what);
+            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, CONSTRAINED, what);
             let (Some(left), Some(right)) = (left, right) else { continue };
+            self.know_units_of_velocities();
             if !self.comparable(left, right, &text.span) {
                 continue;
             }
@@ -55,15 +57,24 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Solves the constraints one after the other. Returns them with what replaces the fixed variables
-/// and their time derivatives.
+/// Constraints between coordinates, sorted out.
+pub struct Solved {
+    /// Those that were solved for a coordinate.
+    pub constraints: Vec<Constraint>,
+    /// What replaces the coordinates that they fix, and their time derivatives.
+    pub replacements: Vec<(Expr, Expr)>,
+    /// Those that could not be solved: loops.
+    pub kept: Vec<Stated>,
+}
+
+/// Solves the constraints one after the other.
 pub fn solve_all(
     reader: &mut Reader<'_>,
     arena: &mut Arena,
     coordinates: &mut Vec<Coordinate>,
     stated: Vec<Stated>,
-) -> (Vec<Constraint>, Vec<(Expr, Expr)>) {
-    let mut solved = Vec::new();
+) -> Solved {
+    let (mut solved, mut kept) = (Vec::new(), Vec::new());
     let mut replacements: Vec<(Expr, Expr)> = Vec::new();
     for constraint in stated {
         let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
@@ -96,9 +107,7 @@ pub fn solve_all(
             continue;
         }
         let Some((at, solution)) = solve_one(arena, coordinates, equation) else {
-            let message = format!("the constraint `{}` cannot be solved for one coordinate", constraint.name);
-            let help = "supported are constraints linear in a coordinate with a constant factor, such as `z = R*cos(q2)`; closed loops are not supported yet";
-            reader.error(constraint.span, message, help);
+            kept.push(Stated { equation, ..constraint });
             continue;
         };
         let fixed = coordinates.remove(at);
@@ -117,7 +126,7 @@ pub fn solve_all(
             enforced_by: constraint.enforced_by,
         });
     }
-    (solved, replacements)
+    Solved { constraints: solved, replacements, kept }
 }
 
 /// The last coordinate in which the equation is linear with a constant, non-zero factor, and its value.

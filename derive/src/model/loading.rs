@@ -136,7 +136,7 @@ impl<'a> Loading<'a> {
     /// Reads a formula whose unit is known.
     pub fn quantity(&mut self, formula: &Located, allowed: Allowed, unit: &Unit, what: &str) -> Option<Expr> {
         let e = self.names.formula(&mut self.reader, &mut self.arena, formula, allowed, what)?;
-        self.units.extend(self.names.velocities.iter().map(|velocity| (velocity.symbol, Unit::new(1, 0, -1))));
+        self.know_units_of_velocities();
         if let Some(found) = self.unit_of(e, &formula.span)
             && found != *unit
         {
@@ -150,5 +150,10 @@ impl<'a> Loading<'a> {
             self.reader.error(formula.span.clone(), message, help);
         }
         Some(e)
+    }
+
+    /// Notes the units of the velocities that formulas have named so far.
+    pub fn know_units_of_velocities(&mut self) {
+        self.units.extend(self.names.velocities.iter().map(|velocity| (velocity.symbol, velocity.unit())));
     }
 }

@@ -7,6 +7,7 @@ use super::units::Unit;
 use super::velocities::StatedVelocity;
 use super::{Force, Gravity, NamedVelocity, Place, Reaction, ReactionKind, Torque};
 use crate::algebra::Expr;
+use crate::algebra::parse::VelocityOf;
 use crate::diagnostic::shown;
 use crate::read::{Entry, Located};
 use std::ops::Range;
@@ -159,20 +160,41 @@ impl Elements {
 
     fn velocity(&self, loading: &mut Loading<'_>, stated: &StatedVelocity) -> Option<NamedVelocity> {
         let StatedVelocity { symbol, axis, .. } = *stated;
-        let point = self.points.iter().position(|p| p.name == stated.point.text)?;
-        let frame = self.frames.iter().position(|f| f.name == stated.frame.text)?;
-        let Some(name) = &stated.body else { return Some(NamedVelocity { symbol, body: None, point, frame, axis }) };
-        let body = self.bodies.iter().position(|b| b.name == name.text)?;
-        if self.bodies[body].rigid.is_none() && self.bodies[body].centre != point {
-            let help = format!("write v({}): a particle has no material elsewhere", stated.point.text);
-            let message = format!("the particle `{}` is not at the point `{}`", name.text, stated.point.text);
-            loading.reader.error(stated.point.span.clone(), message, help);
-            return None;
-        }
-        Some(NamedVelocity { symbol, body: Some(body), point, frame, axis })
+        let point_of = |name: &Located| self.points.iter().position(|p| p.name == name.text);
+        let frame_of = |name: &Located| self.frames.iter().position(|f| f.name == name.text);
+        let body_of = |name: &Located| self.bodies.iter().position(|b| b.name == name.text);
+        let frame = frame_of(&stated.frame)?;
+        let of = match &stated.of {
+            VelocityOf::Point(name) => VelocityOf::Point(point_of(name)?),
+            VelocityOf::Turning(name) => match body_of(name) {
+                Some(body) => VelocityOf::Turning(self.frame_of_body(loading, name, body)?),
+                None => VelocityOf::Turning(frame_of(name)?),
+            },
+            VelocityOf::Material(name, place) => {
+                let (body, point) = (body_of(name)?, point_of(place)?);
+                if self.bodies[body].rigid.is_none() && self.bodies[body].centre != point {
+                    let help = format!("write v({}): a particle has no material elsewhere", place.text);
+                    let message = format!("the particle `{}` is not at the point `{}`", name.text, place.text);
+                    loading.reader.error(place.span.clone(), message, help);
+                    return None;
+                }
+                VelocityOf::Material(body, point)
+            }
+        };
+        Some(NamedVelocity { symbol, of, frame, axis })
     }
 
-    fn body(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
+    /// The frame of a rigid body; reports a particle, which has none.
+    fn frame_of_body(&self, loading: &mut Loading<'_>, name: &Located, body: usize) -> Option<usize> {
+        let frame = self.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
+        if frame.is_none() {
+            let message = format!("the particle `{}` has no angular velocity", name.text);
+            loading.reader.error(name.span.clone(), message, "name a rigid body or a frame");
+        }
+        frame
+    }
+
+    pub fn body(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
         let known = loading.names.expect(&mut loading.reader, name, Kind::Body);
         self.bodies.iter().position(|b| known && b.name == name.text)
     }

@@ -13,6 +13,7 @@ mod tree;
 mod units;
 mod velocities;
 
+pub use crate::geometry::{Frame, Point};
 pub use read_model::load;
 pub use units::Unit;
 pub use velocities::NamedVelocity;
@@ -80,24 +81,6 @@ pub struct Speed {
     pub definition: Expr,
     /// Its unit, that of its definition.
     pub unit: Unit,
-}
-
-/// A reference frame, turned from its parent about one of the axes they share.
-#[derive(Clone, Debug)]
-pub struct Frame {
-    /// Its name in the file.
-    pub name: String,
-    /// Parent, axis (0, 1 or 2) and angle in radians; `None` for the inertial frame.
-    pub rotation: Option<(usize, usize, Expr)>,
-}
-
-/// A point, placed from another.
-#[derive(Clone, Debug)]
-pub struct Point {
-    /// Its name in the file.
-    pub name: String,
-    /// Parent point, frame of the components, components; `None` for the origin.
-    pub position: Option<(usize, usize, [Expr; 3])>,
 }
 
 /// The inertia of a rigid body about its mass centre.
@@ -221,6 +204,28 @@ pub struct Constraint {
     pub enforced_by: Option<usize>,
 }
 
+/// An equation φ(q) = 0 between coordinates that none of them can be solved from, such as that a loop is closed.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// Its name in the file.
+    pub name: String,
+    /// φ(q), which is zero.
+    pub equation: Expr,
+    /// Its unit, in SI.
+    pub unit: Unit,
+}
+
+/// What a motion constraint states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tie {
+    /// An equation of the file between velocities.
+    Stated,
+    /// That a body rolls without slip.
+    Rolling,
+    /// The time derivative of an equation between coordinates, by its place in [`Model::loops`].
+    Loop(usize),
+}
+
 /// A motion constraint A(q) q̇ + a(q) = 0: what it permits cannot be said by coordinates alone, unless it can be
 /// integrated.
 #[derive(Clone, Debug)]
@@ -231,6 +236,12 @@ pub struct MotionConstraint {
     pub equation: Expr,
     /// Its unit, in SI: that of a generalized speed.
     pub unit: Unit,
+    /// The multiplier λ of Lagrange's equations: the constraint adds Aᵀλ to the generalized forces.
+    pub multiplier: Expr,
+    /// What it states.
+    pub tie: Tie,
+    /// The reaction that enforces it, if it is named.
+    pub enforced_by: Option<usize>,
 }
 
 /// A condition of the domain in which the model holds.
@@ -273,7 +284,7 @@ pub struct Model {
     pub configuration_variables: usize,
     /// Generalized speeds u, in the order of the file: n for n coordinates, less one for each motion constraint.
     pub speeds: Vec<Speed>,
-    /// Motion constraints.
+    /// Motion constraints, those of [`Self::loops`] first.
     pub motion_constraints: Vec<MotionConstraint>,
     /// Frames, the inertial one first.
     pub frames: Vec<Frame>,
@@ -291,8 +302,10 @@ pub struct Model {
     pub velocities: Vec<NamedVelocity>,
     /// Reactions.
     pub reactions: Vec<Reaction>,
-    /// Holonomic constraints.
+    /// Holonomic constraints that fix a coordinate.
     pub constraints: Vec<Constraint>,
+    /// Holonomic constraints that fix none.
+    pub loops: Vec<Loop>,
     /// The domain.
     pub domain: Vec<Condition>,
     /// q̇ in terms of the speeds.
@@ -348,9 +361,9 @@ impl Model {
         format!(
             "{}, {}, {}, {}, {}",
             plural(self.configuration_variables, "configuration variable"),
-            plural(self.constraints.len(), "holonomic constraint"),
+            plural(self.constraints.len() + self.loops.len(), "holonomic constraint"),
             plural(self.coordinates.len(), "generalized coordinate"),
-            plural(self.motion_constraints.len(), "nonholonomic constraint"),
+            plural(self.motion_constraints.len() - self.loops.len(), "nonholonomic constraint"),
             plural(self.speeds.len(), "generalized speed"),
         )
     }

@@ -2,7 +2,7 @@
 
 use super::velocities::StatedVelocity;
 use crate::algebra::modular::zero_divisor;
-use crate::algebra::parse::{is_reserved, parse_with_velocities};
+use crate::algebra::parse::{VelocityOf, is_reserved, parse_with_velocities};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::read::{Located, Reader};
@@ -24,6 +24,7 @@ pub enum Kind {
     Force,
     Torque,
     Constraint,
+    Multiplier,
     Condition,
 }
 
@@ -43,6 +44,7 @@ impl Kind {
             Self::Force => "force",
             Self::Torque => "torque",
             Self::Constraint => "constraint",
+            Self::Multiplier => "multiplier",
             Self::Condition => "condition",
         }
     }
@@ -63,8 +65,8 @@ pub const CONSTANT: Allowed = Allowed(&[]);
 pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
 /// Parameters and coordinates.
 pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
-/// What a formula of [`CONFIGURATION`] is where it is to hold.
-pub const HOLONOMIC: &str = "a holonomic constraint";
+/// What constraints may tie together: parameters, coordinates, their rates, speeds, and velocities.
+pub const CONSTRAINED: Allowed = MOTION;
 /// Parameters, coordinates and their time derivatives.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
 /// What formulas of loads may mention: parameters, coordinates, their rates, speeds, and velocities of points.
@@ -146,6 +148,11 @@ impl Names {
     /// The names of some kinds, in order of declaration.
     pub fn of_kind(&self, kinds: &[Kind]) -> Vec<&str> {
         self.order.iter().filter(|n| kinds.contains(&self.known[*n].0)).map(String::as_str).collect()
+    }
+
+    /// What the names of some kinds stand for.
+    pub fn symbols_of(&self, kinds: &[Kind]) -> Vec<Expr> {
+        self.known.values().filter(|(kind, ..)| kinds.contains(kind)).filter_map(|(.., symbol)| *symbol).collect()
     }
 
     /// Whether a name is of this kind; reports one that is not. With `false` it cannot be used.
@@ -235,8 +242,13 @@ impl Names {
 
     /// Whether each name of a velocity is declared as what it is used for; reports those that are not, all of them.
     fn knows(&self, reader: &mut Reader<'_>, velocity: &StatedVelocity) -> bool {
-        let body = velocity.body.iter().map(|name| (name, Kind::Body));
-        let all = body.chain([(&velocity.point, Kind::Point), (&velocity.frame, Kind::Frame)]);
+        let of: &[(&Located, Kind)] = match &velocity.of {
+            VelocityOf::Point(point) => &[(point, Kind::Point)],
+            VelocityOf::Material(body, point) => &[(body, Kind::Body), (point, Kind::Point)],
+            VelocityOf::Turning(body) if self.kind(&body.text) == Some(Kind::Body) => &[(body, Kind::Body)],
+            VelocityOf::Turning(frame) => &[(frame, Kind::Frame)],
+        };
+        let all = of.iter().copied().chain([(&velocity.frame, Kind::Frame)]);
         all.filter(|(name, kind)| !self.expect(reader, name, *kind)).count() == 0
     }
 
@@ -244,12 +256,6 @@ impl Names {
         let plain = name.trim_end_matches('\'');
         match self.known.get(name) {
             Some((kind, _, Some(symbol))) if allowed.0.contains(kind) => Ok(*symbol),
-            Some((Kind::Rate, _, _)) if what == HOLONOMIC => Err((
-                format!(
-                    "the time derivative `{name}` cannot stand in {what}: constraints on the motion, as rolling is, are not supported yet"
-                ),
-                Some("choose speeds that fulfil it, or state a relation between coordinates".to_owned()),
-            )),
             Some((kind, _, _)) => Err(cannot_stand(*kind, name, allowed, what)),
             None if name == "t" => Err((
                 "explicit time is not supported yet".to_owned(),

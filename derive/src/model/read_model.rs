@@ -3,20 +3,21 @@
 //! Invariant: every error is reported once, at its cause. What depends on something that is already
 //! reported fails in silence, so that `None` always means that an error stands in the reader.
 
-use super::constraint::solve_all;
+use super::constraint::{Solved, Stated, solve_all};
 use super::elements::Elements;
 use super::loading::Loading;
+use super::motion_constraints::{Tied, Ties};
 use super::names::{ANYTHING, CONSTANT, Kind, Names};
-use super::{Condition, Coordinate, Model, Parameter};
+use super::{Condition, Coordinate, Model, Parameter, Speed};
 use crate::algebra::calculus::Substitution;
-use crate::algebra::{Arena, Rational};
+use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
 use crate::plain::one_line;
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 17] = [
     "name",
     "source",
     "parameters",
@@ -32,6 +33,7 @@ const KEYS: [&str; 16] = [
     "torques",
     "reactions",
     "constraints",
+    "rolling",
     "domain",
 ];
 
@@ -95,22 +97,40 @@ impl<'a> Loading<'a> {
         elements.read(self, table, &reactions);
         let before_constraints = self.reader.errors.len();
         let stated = self.constraints(table, &elements);
+        let rolling = self.rolling(table, &elements);
+        let (stated, moving): (Vec<_>, Vec<_>) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
         let configuration_variables = coordinates.len();
-        let (constraints, replacements) = solve_all(&mut self.reader, &mut self.arena, &mut coordinates, stated);
+        let Solved { constraints, replacements, kept } =
+            solve_all(&mut self.reader, &mut self.arena, &mut coordinates, stated);
         motion_errors += self.reader.errors.len() - before_constraints;
         let domain = self.domain(table);
         let stated_speeds = texts.len();
         let speeds = self.speeds(texts, &replacements);
-        // With an error in any of them, the number and the rank of the speeds say nothing.
-        let kinematic_equations = if motion_errors == 0 && speeds.len() == stated_speeds && stated_speeds > 0 {
-            self.kinematic_equations(table, &coordinates, &speeds)
-        } else {
-            None
-        };
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check(self, &parameters);
         let velocities = elements.velocities(self);
+        let mut put = |list: Vec<Stated>| -> Vec<Stated> {
+            let fixed = |c: Stated| Stated { equation: fixed.apply(&mut self.arena, c.equation), ..c };
+            list.into_iter().map(fixed).collect()
+        };
+        let (kept, stated) = (put(kept), put(moving));
+        let ties = if kept.is_empty() && stated.is_empty() && rolling.is_empty() {
+            Some(Ties::default())
+        } else if self.reader.errors.is_empty() {
+            let of_speeds: Vec<Speed> = speeds.iter().map(|(speed, _)| speed.clone()).collect();
+            let (coordinates, speeds, velocities) = (&coordinates, &of_speeds, &velocities);
+            self.ties(&elements, Tied { coordinates, speeds, velocities, kept, stated, rolling })
+        } else {
+            None
+        };
+        // With an error in any of them, the number and the rank of the speeds say nothing.
+        let kinematic_equations = match &ties {
+            Some(ties) if motion_errors == 0 && speeds.len() == stated_speeds && stated_speeds > 0 => {
+                self.kinematic_equations(table, &coordinates, &speeds, &ties.motion)
+            }
+            _ => None,
+        };
         let domain =
             domain.into_iter().map(|c| Condition { positive: fixed.apply(&mut self.arena, c.positive), ..c }).collect();
         if let Some(term) = fixed.undefined {
@@ -121,6 +141,7 @@ impl<'a> Loading<'a> {
         if !self.reader.errors.is_empty() {
             return None;
         }
+        let Ties { motion, loops } = ties?;
         Some(Model {
             title: title?,
             reference,
@@ -130,7 +151,7 @@ impl<'a> Loading<'a> {
             coordinates,
             configuration_variables,
             speeds: speeds.into_iter().map(|(speed, _)| speed).collect(),
-            motion_constraints: Vec::new(),
+            motion_constraints: motion.into_iter().map(|(constraint, _)| constraint).collect(),
             frames: elements.frames,
             points: elements.points,
             bodies: elements.bodies,
@@ -140,10 +161,19 @@ impl<'a> Loading<'a> {
             velocities,
             reactions: elements.reactions,
             constraints,
+            loops,
             domain,
             kinematic_equations: kinematic_equations?,
             declared: self.names.places(),
         })
+    }
+
+    /// Whether an equation is between coordinates alone.
+    fn is_of_configuration(&self, equation: Expr) -> bool {
+        let moving = [Kind::Rate, Kind::Speed];
+        let names = self.names.velocities.iter().map(|velocity| velocity.symbol);
+        let moves: Vec<Expr> = names.chain(self.names.symbols_of(&moving)).collect();
+        !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))
     }
 
     fn missing_sections(&mut self, table: &'a DeTable<'a>) {

@@ -2,12 +2,14 @@
 
 use super::loading::Loading;
 use super::names::{Kind, VELOCITY};
-use super::{Coordinate, KinematicEquations, Speed};
+use super::{Coordinate, KinematicEquations, MotionConstraint, Speed};
 use crate::algebra::blocks::solve_blocks;
 use crate::algebra::calculus::Substitution;
+use crate::algebra::contract::contract;
+use crate::algebra::elimination::divisors;
 use crate::algebra::linear::LinearForm;
 use crate::algebra::simplify::Simplifier;
-use crate::algebra::{Expr, Node};
+use crate::algebra::{Arena, Expr, Node};
 use crate::diagnostic::shown;
 use crate::read::{Located, Reader};
 use std::ops::Range;
@@ -60,21 +62,28 @@ impl<'a> Loading<'a> {
         speeds
     }
 
-    /// Solves u = J q̇ + d for q̇; reports speeds too few, too many, not linear or not independent.
+    /// Solves u = J q̇ + d and A q̇ + a = 0 for q̇; reports speeds too few, too many, not linear or not independent.
     pub fn kinematic_equations(
         &mut self,
         table: &DeTable<'_>,
         coordinates: &[Coordinate],
         speeds: &[(Speed, Range<usize>)],
+        constraints: &[(MotionConstraint, Range<usize>)],
     ) -> Option<KinematicEquations> {
-        if speeds.len() != coordinates.len() {
-            self.report_count(table, coordinates, speeds);
+        if speeds.len() + constraints.len() != coordinates.len() {
+            self.report_count(table, coordinates, speeds, constraints);
             return None;
         }
         let before = self.reader.errors.len();
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
         let mut form = LinearForm::new(&rates);
         let (mut matrix, mut right) = (Vec::new(), Vec::new());
+        for (constraint, _) in constraints {
+            // They were found linear when they were read.
+            let (row, rest) = form.coefficients(&mut self.arena, constraint.equation).ok()?;
+            matrix.push(row);
+            right.push(self.arena.neg(rest));
+        }
         for (speed, span) in speeds {
             match form.coefficients(&mut self.arena, speed.definition) {
                 Ok((row, rest)) => {
@@ -99,21 +108,63 @@ impl<'a> Loading<'a> {
         }
         match solve_blocks(&mut self.arena, &mut Simplifier::default(), &matrix, &right) {
             Ok((rates, divisors)) => {
+                let divisors = divisors.iter().map(|e| contract(&mut self.arena, *e)).collect::<Vec<_>>();
                 let divisors = self.moving_factors(&divisors, coordinates);
+                let rates = if constraints.is_empty() { rates } else { self.with_names(coordinates, speeds, &rates) };
                 Some(KinematicEquations { rates, divisors })
             }
             Err(singular) => {
-                let (speed, span) = &speeds[singular.row];
-                let message = format!(
-                    "the speeds are not independent: rank {} of {}; `{}` follows from the others",
-                    singular.rank,
-                    speeds.len(),
-                    speed.name
-                );
+                // The constraints, which come first, are independent.
+                let (speed, span) = &speeds[singular.row.saturating_sub(constraints.len())];
+                let message = if constraints.is_empty() {
+                    format!(
+                        "the speeds are not independent: rank {} of {}; `{}` follows from the others",
+                        singular.rank,
+                        speeds.len(),
+                        speed.name
+                    )
+                } else {
+                    format!(
+                        "the speeds are not independent: `{}` follows from the others and the constraints",
+                        speed.name
+                    )
+                };
                 self.reader.error(span.clone(), message, "the speeds must determine every q' uniquely");
                 None
             }
         }
+    }
+
+    /// q̇ = W u + w with names for what divides by sums in W and w: `ratio_q2_u1` for what u1 gives to q2', but for a number.
+    /// Loops would grow with every product that these stand in.
+    fn with_names(
+        &mut self,
+        coordinates: &[Coordinate],
+        speeds: &[(Speed, Range<usize>)],
+        rates: &[Expr],
+    ) -> Vec<Expr> {
+        let symbols: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.symbol).collect();
+        let mut form = LinearForm::new(&symbols);
+        let mut simplifier = Simplifier::default();
+        let mut named = |arena: &mut Arena, e: Expr, name: String| {
+            let e = simplifier.simplify(arena, e);
+            let e = contract(arena, e);
+            if divides_by_sum(arena, e) { arena.name(e, &name) } else { e }
+        };
+        let mut result = Vec::new();
+        for (rate, coordinate) in rates.iter().zip(coordinates) {
+            let Ok((row, rest)) = form.coefficients(&mut self.arena, *rate) else {
+                result.push(*rate);
+                continue;
+            };
+            let mut terms = vec![named(&mut self.arena, rest, format!("drift_{}", coordinate.name))];
+            for (coefficient, (speed, _)) in row.into_iter().zip(speeds) {
+                let by = named(&mut self.arena, coefficient, format!("ratio_{}_{}", coordinate.name, speed.name));
+                terms.push(self.arena.mul(by, speed.symbol));
+            }
+            result.push(self.arena.sum(&terms));
+        }
+        result
     }
 
     /// The factors of divisors that depend on coordinates, each once: a length that divides does not vanish
@@ -138,18 +189,57 @@ impl<'a> Loading<'a> {
         factors
     }
 
-    fn report_count(&mut self, table: &DeTable<'_>, coordinates: &[Coordinate], speeds: &[(Speed, Range<usize>)]) {
+    fn report_count(
+        &mut self,
+        table: &DeTable<'_>,
+        coordinates: &[Coordinate],
+        speeds: &[(Speed, Range<usize>)],
+        constraints: &[(MotionConstraint, Range<usize>)],
+    ) {
         let (n, m) = (speeds.len(), coordinates.len());
         let plural = |n: usize| if n == 1 { "" } else { "s" };
-        let message =
-            format!("{n} speed{} for {m} generalized coordinate{}: the numbers must agree", plural(n), plural(m));
         let section = table.iter().find(|(key, _)| key.get_ref() == "speeds").map(|(key, _)| key.span());
-        let surplus = speeds.get(m).and_then(|(speed, _)| self.names.span(&speed.name));
+        let needed = m.saturating_sub(constraints.len());
+        let surplus = speeds.get(needed).and_then(|(speed, _)| self.names.span(&speed.name));
         let names: Vec<&str> = coordinates.iter().take(20).map(|c| c.name.as_str()).collect();
-        let help = format!(
-            "define one speed for each coordinate that no constraint fixes ({}); nonholonomic constraints are not supported yet",
-            names.join(", ")
-        );
-        self.reader.error(surplus.or(section).unwrap_or_default(), message, help);
+        let names = names.join(", ");
+        let held: Vec<String> = constraints.iter().take(20).map(|(c, _)| format!("`{}`", c.name)).collect();
+        let place = surplus.or(section).unwrap_or_default();
+        let (message, help) = if constraints.is_empty() {
+            let message =
+                format!("{n} speed{} for {m} generalized coordinate{}: the numbers must agree", plural(n), plural(m));
+            let help = format!(
+                "define one speed for each coordinate that no constraint fixes ({names}); constraints on velocities, each of which \
+                 takes a speed away, stand under [constraints] and [rolling]"
+            );
+            (message, help)
+        } else if needed == 0 {
+            let count = constraints.len();
+            let message =
+                format!("{count} motion constraint{} on {m} coordinate{}: nothing can move", plural(count), plural(m));
+            (message, format!("leave one of {} out", held.join(", ")))
+        } else {
+            let count = constraints.len();
+            let message = format!(
+                "{n} speed{} for {m} generalized coordinates and {count} motion constraint{}: {needed} {} left",
+                plural(n),
+                plural(count),
+                if needed == 1 { "is" } else { "are" }
+            );
+            let help = format!(
+                "define {needed} speed{} that the constraints ({}) leave independent; the other rates of {names} follow",
+                plural(needed),
+                held.join(", ")
+            );
+            (message, help)
+        };
+        self.reader.error(place, message, help);
     }
+}
+
+/// Whether a term divides by a sum.
+fn divides_by_sum(arena: &Arena, e: Expr) -> bool {
+    let is_sum =
+        |e: &Expr| matches!(arena.node(*e), Node::Sum(constant, terms) if !constant.is_zero() || terms.len() > 1);
+    divisors(arena, &[e]).iter().any(is_sum)
 }

@@ -1,19 +1,18 @@
-//! Velocities that formulas of loads name: of a point, and of the material of a body that is at a point.
+//! Velocities that formulas name: of a point, of the material of a body that is at a point, and of what turns.
 
-use crate::algebra::parse::VelocityName;
+use super::units::Unit;
+use crate::algebra::parse::{VelocityName, VelocityOf};
 use crate::algebra::{Arena, Expr};
 use crate::read::Located;
 use std::ops::Range;
 
-/// A component of a velocity in the inertial frame, m/s, that formulas of loads name.
+/// A component of a velocity in the inertial frame, m/s or rad/s, that formulas name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedVelocity {
     /// What stands for it in those formulas; its name is that of the quantity, `v(disk, P) @ A [1]`.
     pub symbol: Expr,
-    /// The body whose material is meant, as it is at the point now; `None` for the point itself.
-    pub body: Option<usize>,
-    /// The point.
-    pub point: usize,
+    /// What it is of: a body and a point for material as it is at the point now, a frame for what turns.
+    pub of: VelocityOf<usize>,
     /// The frame of the component.
     pub frame: usize,
     /// The axis of the component: 0, 1 or 2.
@@ -23,8 +22,7 @@ pub struct NamedVelocity {
 /// A velocity as a formula names it, by names with their places in the file.
 pub struct StatedVelocity {
     pub symbol: Expr,
-    pub body: Option<Located>,
-    pub point: Located,
+    pub of: VelocityOf<Located>,
     pub frame: Located,
     pub axis: usize,
 }
@@ -36,12 +34,17 @@ impl StatedVelocity {
             span: formula.part(place.clone()),
             exact: formula.exact,
         };
-        Self {
-            symbol: arena.symbol(&name.text()),
-            body: name.body.as_ref().map(located),
-            point: located(&name.point),
-            frame: located(&name.frame),
-            axis: name.axis,
-        }
+        let of = match &name.of {
+            VelocityOf::Point(point) => VelocityOf::Point(located(point)),
+            VelocityOf::Material(body, point) => VelocityOf::Material(located(body), located(point)),
+            VelocityOf::Turning(frame) => VelocityOf::Turning(located(frame)),
+        };
+        Self { symbol: arena.symbol(&name.text()), of, frame: located(&name.frame), axis: name.axis }
+    }
+
+    /// m/s, or rad/s.
+    pub fn unit(&self) -> Unit {
+        let length = i64::from(!matches!(self.of, VelocityOf::Turning(_)));
+        Unit::new(length, 0, -1)
     }
 }

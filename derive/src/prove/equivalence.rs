@@ -12,9 +12,10 @@ use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::linear::solve;
 use crate::algebra::rank::rank;
 use crate::algebra::{Arena, Expr};
+use crate::geometry::Vector;
 use crate::mechanics::{
-    Balance, BalanceName, Derivations, Equations, Formulation, Kinematics, RowName, Vector, balances,
-    partial_velocities, rates_to_speeds, speeds_to_rates,
+    Balance, BalanceName, Derivations, Equations, Formulation, Kinematics, RowName, balances, partial_velocities,
+    rates_to_speeds, speeds_to_rates,
 };
 use crate::model::{Model, ReactionKind};
 
@@ -97,6 +98,9 @@ impl Prover<'_> {
 
     /// Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds.
     fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+        if !self.model.motion_constraints.is_empty() {
+            return self.speeds_and_multipliers(speeds, rates);
+        }
         let Self { model, kinematics, comparer, maps, .. } = self;
         let arena = &mut kinematics.arena;
         let in_speeds = maps.to_speeds(model, arena, rates);
@@ -115,6 +119,25 @@ impl Prover<'_> {
         let with = if homogeneous { "q' = W u and u = J q'" } else { "q' = W u + w and u = J q' + d" };
         let (u, q) = (label(speeds), label(rates));
         (all([forward, backward]), format!("{u} = Wᵀ · {q} and {q} = Jᵀ · {u}, with {with}"))
+    }
+
+    /// Speeds = Wᵀ · Rates, which cancels the multipliers; the rows of the constraints vanish.
+    fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+        let Self { model, kinematics, comparer, maps, .. } = self;
+        let arena = &mut kinematics.arena;
+        let (n, m) = (model.coordinates.len(), model.motion_constraints.len());
+        let in_speeds = maps.to_speeds(model, arena, rates);
+        let forward = combine(arena, &transposed(&maps.w), &in_speeds);
+        let forward = equal_systems(arena, comparer, &forward, speeds, m);
+        let of_constraints = in_speeds.matrix[n..].iter().flatten().chain(&in_speeds.forcing[n..]);
+        let vanish: Vec<_> = of_constraints.map(|e| (*e, Expr::ZERO)).collect();
+        let vanish = all_equal(arena, comparer, &vanish);
+        let (u, q) = (label(speeds), label(rates));
+        let map = format!(
+            "{u} = Wᵀ · {q}, the multipliers cancel, and the rows of the constraints vanish, with q' = W u + w; what {q} has \
+             beside {u} gives the multipliers"
+        );
+        (all([forward, vanish]), map)
     }
 
     /// Speeds = P · Balances; the rows that P leaves over give the reactions.
@@ -141,12 +164,45 @@ impl Prover<'_> {
         let rows = rows_of(model, kinematics, balances);
         let velocities = kinematics.in_rates.clone();
         let partial = partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
+        if !model.motion_constraints.is_empty() {
+            return multipliers_and_balances((model, kinematics, comparer, maps), &partial, rates, balances);
+        }
         let in_rates = maps.to_rates(model, &mut kinematics.arena, balances);
         let combined = combine(&mut kinematics.arena, &partial, &in_rates);
         let identity = equal_systems(&mut kinematics.arena, comparer, &combined, rates, model.reactions.len());
         let (q, b) = (label(rates), label(balances));
         (identity, format!("{q} = (partial velocities with respect to q') · {b}, the reactions cancel"))
     }
+}
+
+/// Rates = P · Balances but for the forces of the constraints, which Wᵀ cancels on both sides: so that the reactions, along
+/// q̇, are Aᵀλ for exactly one λ.
+fn multipliers_and_balances(
+    (model, kinematics, comparer, maps): (&Model, &mut Kinematics, &mut Comparer, &Maps),
+    partial: &Matrix,
+    rates: &Equations,
+    balances: &Equations,
+) -> Found {
+    let arena = &mut kinematics.arena;
+    let p = model.speeds.len();
+    let in_speeds = maps.to_speeds(model, arena, rates);
+    let (matrix, right) = combine(arena, partial, balances);
+    let mut pairs = Vec::new();
+    for (at, (row, value)) in matrix.iter().zip(&right).enumerate() {
+        pairs.extend(row[..p].iter().copied().zip(in_speeds.matrix[at].iter().copied()).take(p));
+        pairs.push((*value, in_speeds.forcing[at]));
+    }
+    for column in transposed(&maps.w) {
+        for reaction in p..balances.unknowns.len() {
+            let along: Vec<Expr> = matrix.iter().map(|row| row[reaction]).collect();
+            pairs.push((dot(arena, &column, &along), Expr::ZERO));
+        }
+    }
+    let (q, b) = (label(rates), label(balances));
+    let map = format!(
+        "{q} = (partial velocities with respect to q') · {b}, the reactions being Aᵀλ along q', which W cancels on both sides"
+    );
+    (all_equal(arena, comparer, &pairs), map)
 }
 
 fn label(equations: &Equations) -> &'static str {
@@ -202,7 +258,7 @@ impl Maps {
         result
     }
 
-    /// Equations in q̈ as equations in u̇.
+    /// Equations in q̈ and further unknowns as equations in u̇ and those unknowns.
     fn to_speeds(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
         let mut to_speeds = rates_to_speeds(model);
         let mut result = equations.clone();
@@ -210,11 +266,14 @@ impl Maps {
             for entry in &mut *row {
                 *entry = to_speeds.apply(arena, *entry);
             }
-            let shift = dot(arena, row, &self.x);
+            let n = self.w.len();
+            let shift = dot(arena, &row[..n], &self.x);
             let known = to_speeds.apply(arena, *right);
             *right = arena.sub(known, shift);
-            *row = (0..self.w.len()).map(|i| dot(arena, row, &column(&self.w, i))).collect();
+            let others = row[n..].to_vec();
+            *row = (0..model.speeds.len()).map(|i| dot(arena, &row[..n], &column(&self.w, i))).chain(others).collect();
         }
+        result.unknowns.splice(..model.coordinates.len(), model.speeds.iter().map(|s| s.rate));
         result
     }
 }

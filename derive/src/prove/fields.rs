@@ -1,10 +1,11 @@
 //! Fields on configuration space and the momenta that belong to them.
 //!
 //! Noether: along the equations of motion d/dt (ξ · ∂T/∂q̇) = ξ⁽¹⁾T − ξV + ξ·Q with ξ⁽¹⁾T = ξ·∂T/∂q + ξ̇·∂T/∂q̇. The
-//! momentum is conserved iff the right-hand side is zero identically; forces that work along ξ are in it.
+//! momentum is conserved iff the right-hand side is zero identically; forces that work along ξ are in it, and those of
+//! motion constraints, Aᵀλ, with any λ: a momentum of which a constraint takes something is not conserved.
 
 use super::kind::IntegralKind;
-use crate::algebra::calculus::Differential;
+use crate::algebra::calculus::{Differential, Gradient};
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::normal::Normalizer;
@@ -36,6 +37,8 @@ pub struct Lagrangian {
     v_by_q: Vec<Expr>,
     /// Q: generalized forces of what V leaves out.
     pub forces: Vec<Expr>,
+    /// Aᵀλ: generalized forces of motion constraints, with their multipliers.
+    of_constraints: Vec<Expr>,
     /// Whether V is more than gravity's.
     pub loads_have_potential: bool,
 }
@@ -51,7 +54,8 @@ impl Lagrangian {
         let (q, q_dot) = (model.q(), model.q_dot());
         let (t_by_q, momenta, v_by_q) = (by(t, &q), by(t, &q_dot), by(v, &q));
         let (forces, loads_have_potential) = (loads.rest, loads.energy != Expr::ZERO);
-        Self { q, q_dot, t_by_q, momenta, v_by_q, forces, loads_have_potential }
+        let of_constraints = constraint_forces(model, arena);
+        Self { q, q_dot, t_by_q, momenta, v_by_q, forces, of_constraints, loads_have_potential }
     }
 
     /// Whether anything without a potential acts along a coordinate.
@@ -61,8 +65,8 @@ impl Lagrangian {
 
     /// Every term.
     pub fn terms(&mut self) -> impl Iterator<Item = &mut Expr> {
-        let Self { t_by_q, momenta, v_by_q, forces, .. } = self;
-        t_by_q.iter_mut().chain(momenta).chain(v_by_q).chain(forces)
+        let Self { t_by_q, momenta, v_by_q, forces, of_constraints, .. } = self;
+        t_by_q.iter_mut().chain(momenta).chain(v_by_q).chain(forces).chain(of_constraints)
     }
 
     /// ξ · ∂T/∂q̇.
@@ -78,8 +82,7 @@ impl Lagrangian {
         let mut terms = Vec::new();
         for (i, x) in xi.iter().enumerate() {
             let x_dot = d_dt.apply(arena, *x);
-            let gain = arena.add(self.t_by_q[i], self.forces[i]);
-            let gain = arena.sub(gain, self.v_by_q[i]);
+            let gain = self.gain(arena, i);
             terms.push(arena.mul(*x, gain));
             terms.push(arena.mul(x_dot, self.momenta[i]));
         }
@@ -151,9 +154,14 @@ impl Lagrangian {
 
     /// Whether a momentum is conserved as it stands.
     fn is_cyclic(&self, arena: &mut Arena, s: usize) -> bool {
-        let gain = arena.add(self.t_by_q[s], self.forces[s]);
-        let gain = arena.sub(gain, self.v_by_q[s]);
+        let gain = self.gain(arena, s);
         zero_test(arena, gain) == ZeroTest::Zero
+    }
+
+    /// ∂(T − V)/∂q_i + Q_i + (Aᵀλ)_i.
+    fn gain(&self, arena: &mut Arena, i: usize) -> Expr {
+        let pull = arena.neg(self.v_by_q[i]);
+        arena.sum(&[self.t_by_q[i], self.forces[i], self.of_constraints[i], pull])
     }
 
     /// The products of one or two sines and cosines in the rows of the mass matrix of these coordinates, and in their
@@ -176,6 +184,18 @@ impl Lagrangian {
         }
         products
     }
+}
+
+/// Aᵀλ, one entry a coordinate.
+fn constraint_forces(model: &Model, arena: &mut Arena) -> Vec<Expr> {
+    let mut along = Gradient::new(&model.q_dot());
+    let mut sums: Vec<Vec<Expr>> = vec![Vec::new(); model.coordinates.len()];
+    for constraint in &model.motion_constraints {
+        for &(i, slope) in along.apply(arena, constraint.equation).iter() {
+            sums[i].push(arena.mul(slope, constraint.multiplier));
+        }
+    }
+    sums.iter().map(|terms| arena.sum(terms)).collect()
 }
 
 /// The products of one or two sines and cosines that stand in the terms of a polynomial.

@@ -136,7 +136,8 @@ impl Basis {
         search.energy();
         let covered = match &affine {
             Some(list) => format!(
-                "complete for the momenta of symmetries q' = A q + b with constant A and b: {} of them{}",
+                "complete for the momenta of symmetries q' = A q + b with constant A and b{}: {} of them{}",
+                if model.motion_constraints.is_empty() { "" } else { " along which no force of a constraint works" },
                 list.len(),
                 if list.is_empty() { "" } else { ", among those listed or combinations of them" }
             ),

@@ -11,7 +11,8 @@ use crate::algebra::calculus::Differential;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::rank::independent_rows;
 use crate::algebra::{Expr, Rational};
-use crate::mechanics::{Kinematics, Vector};
+use crate::geometry::Vector;
+use crate::mechanics::Kinematics;
 use crate::model::Model;
 
 /// What ω and v should be: for each body the two vectors, or rest.

@@ -294,6 +294,7 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
         forcing,
         symmetric: true,
         projection: Vec::new(),
+        embedding: None,
         coordinate_rates: coordinates.iter().map(|v| v.rate).collect(),
         generalized_speeds: variables.clone(),
         generalized_speed_rates: unknowns,
@@ -303,6 +304,7 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
         potential_energy,
         power: Expr::ZERO,
         divisors,
+        constraints: Vec::new(),
     }
 }
 
@@ -365,6 +367,7 @@ fn model(ground: Ground, flow: &Flow, constants: &[Quantity], equations: &Equati
         reactions: Vec::new(),
         constraints: Vec::new(),
         motion_constraints: Vec::new(),
+        loops: Vec::new(),
         domain,
         kinematic_equations,
         ..whole

@@ -49,10 +49,10 @@ impl<'a> Family<'a> {
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;
         values.reader.finish()?;
-        let Numbers { p, start: Start { q, u, exact }, span, integration } = numbers;
+        let Numbers { p, start: Start { q, u, exact, closed }, span, integration } = numbers;
         let span = span.expect("reported if missing");
         let parameters = doubles(&p);
-        Ok(Scene { parameters, q, u, exact, span, integration, ladder: None, ..self.scene.clone() })
+        Ok(Scene { parameters, q, u, exact, closed, span, integration, ladder: None, ..self.scene.clone() })
     }
 }
 

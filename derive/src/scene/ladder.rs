@@ -38,6 +38,11 @@ impl<'a> Values<'a, '_> {
             self.reader.error(name.span.clone(), format!("the start states no `{}`", name.text), help);
             return None;
         };
+        if at < self.model.coordinates.len() && !self.model.loops.is_empty() {
+            let message = format!("a ladder of `{}` would open the loops of the model", name.text);
+            self.reader.error(name.span.clone(), message, "vary a speed, or sweep over the coordinate");
+            return None;
+        }
         let DeValue::Array(array) = value.get_ref() else {
             self.reader.error(value.span(), "the values of a ladder must be a list", HOW);
             return None;

@@ -30,3 +30,12 @@ impl Default for Stated {
         Self::Speeds(Vec::new())
     }
 }
+
+/// A coordinate that was solved for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Closed {
+    /// Its name.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+}

@@ -3,7 +3,7 @@
 //! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier
 //! readings.
 
-use super::start::{Exact, Stated};
+use super::start::{Closed, Exact, Stated};
 use crate::algebra::evaluate::{Numeric, Tape};
 use crate::algebra::exact::exact_value;
 use crate::algebra::interval::lost_constant;
@@ -36,6 +36,11 @@ impl Number {
     /// A number of which no more than the double is known.
     pub fn rounded(double: f64) -> Self {
         Self { double, exact: None, extended: double.into() }
+    }
+
+    /// To 32 digits.
+    pub fn wide(extended: DoubleDouble) -> Self {
+        Self { double: extended.hi(), exact: None, extended }
     }
 
     /// To 32 digits, where they are known.
@@ -94,6 +99,8 @@ pub struct Start {
     pub u: Vec<f64>,
     /// The values to 32 digits.
     pub exact: Exact,
+    /// Coordinates that were solved for.
+    pub closed: Vec<Closed>,
 }
 
 /// Reads values that belong to a model.
@@ -181,7 +188,9 @@ impl<'a> Values<'a, '_> {
     }
 
     /// Every coordinate, and every speed or every q′: as (q, u).
-    pub fn state(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
+    ///
+    /// Coordinates may be left out that close the loops; guesses of them are under the key `guess` of `file`.
+    pub fn state(&mut self, file: &'a DeTable<'a>, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
         let before = self.reader.errors.len();
         let (n, p) = (self.model.coordinates.len(), self.model.speeds.len());
         let (mut q, mut rates, mut u) = (vec![None; n], vec![None; n], vec![None; p]);
@@ -219,7 +228,16 @@ impl<'a> Values<'a, '_> {
                 Varied::Speed(at) => u[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
             }
         }
+        let guesses = self.guesses(file, parameters)?;
+        let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
+        let doubly = guesses.iter().zip(&q).position(|(guess, q)| guess.is_some() && q.is_some());
+        if let Some(at) = doubly {
+            let message = format!("`{}` is stated and guessed", self.model.coordinates[at].name);
+            self.reader.error(place, message, "leave it out of [guess], or out of [start] if the loops determine it");
+            return None;
+        }
         self.complete(table, &q, &rates, &u)?;
+        let closed = self.close(&mut q, &guesses, parameters, place)?;
         let exact_q: Vec<Number> = q.into_iter().flatten().collect();
         let (p, q) = (doubles(parameters), doubles(&exact_q));
         self.check_constrained(&constrained, &p, &q);
@@ -239,7 +257,7 @@ impl<'a> Values<'a, '_> {
         let motion = if by_rates { Stated::Rates(extended(&rates)) } else { Stated::Speeds(extended(&exact_u)) };
         let rational = parameters.iter().map(|p| p.exact.clone()).collect();
         let exact = Exact { parameters: extended(parameters), rational, q: extended(&exact_q), motion };
-        Some(Start { q, u, exact })
+        Some(Start { q, u, exact, closed })
     }
 
     /// Reports what is missing; speeds and rates must not be mixed.
@@ -252,8 +270,8 @@ impl<'a> Values<'a, '_> {
     ) -> Option<()> {
         let model = &self.model;
         let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
-        let mut missing: Vec<String> =
-            model.coordinates.iter().zip(q).filter(|(_, x)| x.is_none()).map(|(c, _)| c.name.clone()).collect();
+        let open = model.coordinates.iter().zip(q).filter(|(_, x)| x.is_none() && model.loops.is_empty());
+        let mut missing: Vec<String> = open.map(|(c, _)| c.name.clone()).collect();
         let by_rate = rates.iter().any(Option::is_some);
         let by_speed = u.iter().flatten().next();
         if let (true, Some((_, name))) = (by_rate, by_speed) {

@@ -134,6 +134,24 @@ pub trait System<S: Scalar = f64> {
         out.fill(S::from_f64(f64::NAN));
     }
 
+    /// How many constraints a run of these equations may break, and is kept on: positions that close loops, and velocities
+    /// where these are variables.
+    fn constraint_count(&self) -> usize {
+        0
+    }
+    /// What a constraint, counted from 0, is called.
+    fn constraint_name(&self, _at: usize) -> &str {
+        Default::default()
+    }
+    /// What is zero where the constraints hold; `out` has [`System::constraint_count`] entries, each in its own unit.
+    fn constraints(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
+        out.fill(S::from_f64(f64::NAN));
+    }
+    /// The slopes of [`System::constraints`] along (q, v), row by row; `out` has [`Lengths::state`] entries for each.
+    fn constraint_slopes(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
+        out.fill(S::from_f64(f64::NAN));
+    }
+
     /// Generalized speeds u of the model file, from v; `out` has [`Lengths::speeds`] entries.
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
     /// u̇ from v̇, so that formulations compare key by key.

@@ -1,5 +1,5 @@
-//! A component of a velocity as it is written: `v(P) @ A [1]`, of a point, and `v(disk, P) @ A [1]`, of the material of
-//! a body that is at a point.
+//! A component of a velocity as it is written: `v(P) @ A [1]`, of a point, `v(disk, P) @ A [1]`, of the material of a body
+//! that is at a point, and `omega(B) @ A [3]`, of a body or a frame that turns.
 
 use super::error::{ParseError, error};
 use std::ops::Range;
@@ -7,13 +7,22 @@ use std::ops::Range;
 /// A word of the text and its place.
 pub type Word<'a> = (&'a str, Range<usize>);
 
+/// What a velocity is of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum VelocityOf<N> {
+    /// A point.
+    Point(N),
+    /// The material of a body that is at a point: the body, then the point.
+    Material(N, N),
+    /// What turns: the velocity is an angular one.
+    Turning(N),
+}
+
 /// A component of a velocity, by names that the algebra knows nothing of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VelocityName<'a> {
-    /// The body whose material is meant; none for the point itself.
-    pub body: Option<Word<'a>>,
-    /// The point.
-    pub point: Word<'a>,
+    /// What it is of.
+    pub of: VelocityOf<Word<'a>>,
     /// The frame of the component.
     pub frame: Word<'a>,
     /// The axis of the component: 0, 1 or 2.
@@ -21,15 +30,31 @@ pub struct VelocityName<'a> {
 }
 
 /// What to write.
-const FORM: &str = "write v(POINT) @ FRAME [1], or v(BODY, POINT) @ FRAME [1] for the material of a body";
+const FORM: &str =
+    "write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]";
+
+/// Whether a velocity is written with this word in front of its parenthesis.
+pub(super) fn is_velocity(word: &str) -> bool {
+    word == "v" || word == "omega"
+}
 
 impl<'a> VelocityName<'a> {
-    /// Reads what follows the `v` of a velocity, from its parenthesis on; returns with it where it ends.
-    pub(super) fn read(text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
+    /// Reads what follows the `word` of a velocity, from its parenthesis on; returns with it where it ends.
+    pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
         let mut cursor = Cursor { text, at };
         cursor.mark('(')?;
-        let first = cursor.word("a point")?;
-        let second = if cursor.next_is(',') { Some(cursor.after(',', "a point")?) } else { None };
+        let of = if word == "omega" {
+            VelocityOf::Turning(cursor.word("a body or a frame")?)
+        } else {
+            let first = cursor.word("a point")?;
+            if cursor.next_is(',') {
+                VelocityOf::Material(first, cursor.after(',', "a point")?)
+            } else if cursor.takes("of") {
+                VelocityOf::Material(cursor.word("a body")?, first)
+            } else {
+                VelocityOf::Point(first)
+            }
+        };
         cursor.mark(')')?;
         let frame = cursor.after('@', "a frame")?;
         let (axis, place) = cursor.after('[', "a component")?;
@@ -38,26 +63,30 @@ impl<'a> VelocityName<'a> {
             let message = format!("there is no component `{}`", crate::diagnostic::shown(axis));
             return Err(error(place, message, Some("components are 1, 2 and 3")));
         };
-        let (body, point) = match second {
-            Some(point) => (Some(first), point),
-            None => (None, first),
-        };
-        Ok((Self { body, point, frame, axis }, cursor.at))
+        Ok((Self { of, frame, axis }, cursor.at))
     }
 
     /// The name in one form, however it was written.
     #[must_use]
     pub fn text(&self) -> String {
-        let (body, point, frame) = (self.body.as_ref().map(|(body, _)| *body), self.point.0, self.frame.0);
-        canonical(body, point, frame, self.axis)
+        let of = match &self.of {
+            VelocityOf::Point(point) => VelocityOf::Point(point.0),
+            VelocityOf::Material(body, point) => VelocityOf::Material(body.0, point.0),
+            VelocityOf::Turning(body) => VelocityOf::Turning(body.0),
+        };
+        canonical(&of, self.frame.0, self.axis)
     }
 }
 
-/// The name of a component of a velocity, of the material of `body` if there is one: `v(disk, P) @ A [1]`.
+/// The name of a component of a velocity: `v(disk, P) @ A [1]`.
 #[must_use]
-pub fn canonical(body: Option<&str>, point: &str, frame: &str, axis: usize) -> String {
-    let of = body.map_or_else(|| point.to_owned(), |body| format!("{body}, {point}"));
-    format!("v({of}) @ {frame} [{}]", axis + 1)
+pub fn canonical(of: &VelocityOf<&str>, frame: &str, axis: usize) -> String {
+    let of = match of {
+        VelocityOf::Point(point) => format!("v({point})"),
+        VelocityOf::Material(body, point) => format!("v({body}, {point})"),
+        VelocityOf::Turning(body) => format!("omega({body})"),
+    };
+    format!("{of} @ {frame} [{}]", axis + 1)
 }
 
 struct Cursor<'a> {
@@ -73,6 +102,16 @@ impl<'a> Cursor<'a> {
 
     fn next_is(&self, mark: char) -> bool {
         self.text[self.at..].starts_with(mark)
+    }
+
+    /// Goes on behind this word if it comes next.
+    fn takes(&mut self, word: &str) -> bool {
+        let is_next = self.text[self.at..].strip_prefix(word).is_some_and(|rest| rest.starts_with(char::is_whitespace));
+        if is_next {
+            self.at += word.len();
+            self.skip_space();
+        }
+        is_next
     }
 
     fn missing(&self, what: &str) -> ParseError {

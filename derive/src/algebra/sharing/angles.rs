@@ -79,6 +79,16 @@ fn additions(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
             angles.push(*angle);
         }
     }
+    // Where one divides by the sine of a difference, its digits count next to zero.
+    let divides = |angle: &Expr| {
+        parts.iter().any(|part| match arena.node(*part) {
+            Node::Product(factors) => factors.iter().any(|(base, n)| {
+                *n < 0 && matches!(arena.node(*base), Node::Apply(Function::Sin | Function::Cos, of) if of == angle)
+            }),
+            _ => false,
+        })
+    };
+    angles.retain(|angle| is_atom(arena, *angle) || !divides(angle));
     angles.sort_by_key(|angle| (angle_atoms(arena, *angle).len(), *angle));
     let plain: Vec<Expr> = angles.iter().copied().filter(|a| is_atom(arena, *a)).collect();
     let mut atoms: Vec<Expr> = angles

@@ -1,10 +1,10 @@
 //! The vectors among the quantities: motion, momentum and loads, each remembered.
 
 use super::Quantities;
+use crate::geometry::{Components, Vector};
 use crate::mechanics::kinematics::Kinematics;
 use crate::mechanics::newton_euler;
 use crate::mechanics::quantity::VectorName;
-use crate::mechanics::vector::{Components, Vector};
 use crate::model::Body;
 
 impl Quantities<'_> {

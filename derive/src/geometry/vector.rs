@@ -4,10 +4,10 @@
 //! product, through the one rotation that lies between them. Turns about a common axis add their
 //! angles first, so a planar chain has cosines of sums, not sums of products.
 
+use super::Frame;
 use crate::algebra::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
-use crate::model::Frame;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
@@ -126,7 +126,7 @@ pub struct Frames {
     rotations: FxHashMap<(usize, usize), [[Expr; 3]; 3]>,
     dots: FxHashMap<(Part, Part), Expr>,
     /// Whether vectors are carried from frame to frame, and what grows is named.
-    pub(super) carries: bool,
+    pub(crate) carries: bool,
 }
 
 impl Frames {
@@ -137,7 +137,7 @@ impl Frames {
     }
 
     /// From `frame` up to the inertial frame, itself first.
-    pub(super) fn ancestors(&self, frame: usize) -> Vec<usize> {
+    pub(crate) fn ancestors(&self, frame: usize) -> Vec<usize> {
         let mut path = vec![frame];
         while let Some((parent, _, _)) = self.tree[path[path.len() - 1]].rotation {
             path.push(parent);
@@ -146,22 +146,22 @@ impl Frames {
     }
 
     /// The name of a frame.
-    pub(super) fn name(&self, frame: usize) -> &str {
+    pub(crate) fn name(&self, frame: usize) -> &str {
         &self.tree[frame].name
     }
 
     /// The frame that a frame is turned from.
-    pub(super) fn parent(&self, frame: usize) -> Option<usize> {
+    pub(crate) fn parent(&self, frame: usize) -> Option<usize> {
         self.tree[frame].rotation.map(|(parent, ..)| parent)
     }
 
     /// (axis, angle, `back`) of the turn that leads into a frame from its parent, or `back` from it.
-    pub(super) fn turned_into(&self, frame: usize, back: bool) -> Option<(usize, Expr, bool)> {
+    pub(crate) fn turned_into(&self, frame: usize, back: bool) -> Option<(usize, Expr, bool)> {
         self.tree[frame].rotation.map(|(_, axis, angle)| (axis, angle, back))
     }
 
     /// How many turns lie between two frames, those about one axis that follow one another taken for one.
-    pub(super) fn axes_between(&self, from: usize, to: usize) -> usize {
+    pub(crate) fn axes_between(&self, from: usize, to: usize) -> usize {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let apart = |path: &[usize], other: &[usize]| -> Vec<usize> {
             path.iter().copied().take_while(|frame| !other.contains(frame)).collect()
@@ -173,7 +173,7 @@ impl Frames {
     }
 
     /// Whether every frame is turned from the inertial one, so that what they hold is short and so are its products.
-    pub(super) fn are_near(&self) -> bool {
+    pub(crate) fn are_near(&self) -> bool {
         self.tree.iter().all(|frame| frame.rotation.is_none_or(|(parent, ..)| parent == 0))
     }
 
@@ -379,7 +379,7 @@ pub fn apply_tensor(arena: &mut Arena, tensor: &[[Expr; 3]; 3], v: &Components) 
 }
 
 /// Σ row_i v_i.
-pub(super) fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
+pub(crate) fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
     let products = [0, 1, 2].map(|i| arena.mul(row[i], v[i]));
     arena.sum(&products)
 }

@@ -1,0 +1,94 @@
+//! Positions and velocities of frames and points along a motion.
+//!
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.4 (addition theorem), 2.7, 2.8 (points
+//! fixed on a body, and moving on it).
+
+use super::vector::{Frames, Vector};
+use super::{Frame, Point};
+use crate::algebra::calculus::Differential;
+use crate::algebra::{Arena, Expr};
+
+/// Where all points are, and how all frames and points move in the inertial frame.
+pub struct Motion {
+    /// p_OP of each point, from the origin.
+    pub positions: Vec<Vector>,
+    /// ω of each frame.
+    pub angular: Vec<Vector>,
+    /// v of each point.
+    pub linear: Vec<Vector>,
+}
+
+impl Motion {
+    /// Along a motion in which quantities change by these rates.
+    #[must_use]
+    pub fn new(
+        arena: &mut Arena,
+        frames: &mut Frames,
+        tree: &[Frame],
+        points: &[Point],
+        rates: &mut Differential,
+    ) -> Self {
+        let angular = angular_velocities(arena, tree, rates);
+        let (positions, linear) = linear_velocities(arena, frames, points, &angular, rates);
+        Self { positions, angular, linear }
+    }
+
+    /// The velocity of the material at a point, of what turns with a frame and has a point `centre`: v_C + ω × p_CP.
+    pub fn of_material(
+        &self,
+        arena: &mut Arena,
+        frames: &mut Frames,
+        (frame, centre): (usize, usize),
+        point: usize,
+    ) -> Vector {
+        let back = self.positions[centre].neg(arena);
+        let arm = self.positions[point].add(arena, &back);
+        let turning = frames.cross(arena, &self.angular[frame], &arm);
+        self.linear[centre].add(arena, &turning)
+    }
+}
+
+/// ω of each frame in the inertial frame, along a motion in which quantities change by these rates.
+#[must_use]
+pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differential) -> Vec<Vector> {
+    let mut angular: Vec<Vector> = Vec::new();
+    for (at, frame) in tree.iter().enumerate() {
+        let Some((parent, axis, angle)) = frame.rotation else {
+            angular.push(Vector::default());
+            continue;
+        };
+        // Addition theorem: ω_F = ω_parent + angle' · axis, the axis being common to both frames.
+        let mut components = [Expr::ZERO; 3];
+        components[axis] = rates.apply(arena, angle);
+        let own = Vector::in_frame(at, components);
+        let total = angular[parent].add(arena, &own);
+        angular.push(total);
+    }
+    angular
+}
+
+/// Positions from the origin and velocities in the inertial frame of all points, likewise.
+#[must_use]
+pub fn linear_velocities(
+    arena: &mut Arena,
+    frames: &mut Frames,
+    points: &[Point],
+    angular: &[Vector],
+    rates: &mut Differential,
+) -> (Vec<Vector>, Vec<Vector>) {
+    let (mut positions, mut linear): (Vec<Vector>, Vec<Vector>) = (Vec::new(), Vec::new());
+    for point in points {
+        let Some((parent, frame, components)) = point.position else {
+            positions.push(Vector::default());
+            linear.push(Vector::default());
+            continue;
+        };
+        let step = Vector::in_frame(frame, components);
+        let moving = frames.time_derivative(arena, &step, angular, rates);
+        let position = positions[parent].add(arena, &step);
+        let velocity = linear[parent].add(arena, &moving);
+        positions.push(position);
+        linear.push(velocity);
+    }
+    (positions, linear)
+}

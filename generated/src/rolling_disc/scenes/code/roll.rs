@@ -1,0 +1,786 @@
+//! Thin disc rolling on a plane: Rolling in curves.
+//!
+//! Generated from `models/rolling_disc/scenes/roll.toml`. Do not edit; run `tripos regenerate`.
+
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
+use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+
+/// The parameters, in the order of the model file.
+#[allow(non_snake_case)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<S> {
+    /// radius, m
+    pub r: S,
+    /// mass, kg
+    pub m: S,
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+    /// 4*g, m/s^2
+    pub g_times_4: S,
+    /// r*m/4, kg*m
+    pub r_m_by_4: S,
+    /// r^2*m, kg*m^2
+    pub r_squared_m: S,
+    /// r^2*m/4, kg*m^2
+    pub r_squared_m_by_4: S,
+    /// 5*r^2*m/4, kg*m^2
+    pub r_squared_m_times_5_by_4: S,
+    /// 3*r^2*m/2, kg*m^2
+    pub r_squared_m_times_3_by_2: S,
+}
+
+impl<S: Scalar> Parameters<S> {
+    /// From values in the order of [`PARAMETERS`].
+    ///
+    /// # Panics
+    /// If `p` has fewer values than there are parameters.
+    #[must_use]
+    #[inline(always)]
+    pub fn from_slice(p: &[S]) -> Self {
+        Self {
+            r: p[0], m: p[1], g: p[2], g_times_4: p[3], r_m_by_4: p[4], r_squared_m: p[5],
+            r_squared_m_by_4: p[6], r_squared_m_times_5_by_4: p[7], r_squared_m_times_3_by_2: p[8],
+        }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 9] {
+        let Self {
+            r, m, g, g_times_4, r_m_by_4, r_squared_m, r_squared_m_by_4, r_squared_m_times_5_by_4,
+            r_squared_m_times_3_by_2,
+            ..
+        } = self;
+        [
+            r, m, g, g_times_4, r_m_by_4, r_squared_m, r_squared_m_by_4, r_squared_m_times_5_by_4,
+            r_squared_m_times_3_by_2,
+        ]
+    }
+}
+
+/// Names of the parameters: those that stay free, then what the start of a motion fixes.
+pub const PARAMETERS: [&str; 9] = [
+    "r", "m", "g", "g_times_4", "r_m_by_4", "r_squared_m", "r_squared_m_by_4",
+    "r_squared_m_times_5_by_4", "r_squared_m_times_3_by_2",
+];
+
+/// Names of the outputs.
+pub const OUTPUTS: [&str; 8] = ["q1", "q2", "q3", "x", "y", "u1", "u2", "u3"];
+
+/// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.
+///
+/// 7 operations.
+#[must_use]
+pub fn constants<S: Scalar>(
+    p: &super::super::super::Parameters<S>,
+    _q: &[S; 5],
+    _u: &[S; 3],
+) -> [S; 9] {
+    let super::super::super::Parameters { r, m, g } = *p;
+    // Shared terms.
+    let r_m = r * m;
+    let r_r_m = r * r_m;
+    // Values.
+    // r
+    let r_value = r;
+    // m
+    let m_value = m;
+    // g
+    let g_value = g;
+    // g_times_4 = 4*g
+    let g_times_4_value = S::int(4) * g;
+    // r_m_by_4 = r*m/4
+    let r_m_by_4_value = S::ratio(1, 4) * r_m;
+    // r_squared_m = r^2*m
+    let r_squared_m_value = r_r_m;
+    // r_squared_m_by_4 = r^2*m/4
+    let r_squared_m_by_4_value = S::ratio(1, 4) * r_r_m;
+    // r_squared_m_times_5_by_4 = 5*r^2*m/4
+    let r_squared_m_times_5_by_4_value = S::ratio(5, 4) * r_r_m;
+    // r_squared_m_times_3_by_2 = 3*r^2*m/2
+    let r_squared_m_times_3_by_2_value = S::ratio(3, 2) * r_r_m;
+    [
+        r_value, m_value, g_value, g_times_4_value, r_m_by_4_value, r_squared_m_value,
+        r_squared_m_by_4_value, r_squared_m_times_5_by_4_value, r_squared_m_times_3_by_2_value,
+    ]
+}
+
+/// The coordinates and the motion variables of these equations, at this start of the whole model.
+///
+/// 0 operations.
+#[must_use]
+pub fn start<S: Scalar>(
+    _p: &super::super::super::Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 3],
+) -> ([S; 5], [S; 3]) {
+    let [q1, q2, q3, x, y] = *q;
+    let [u1, u2, u3] = *u;
+    // Values.
+    // q2
+    let q2_value = q2;
+    // q1
+    let q1_value = q1;
+    // y
+    let y_value = y;
+    // x
+    let x_value = x;
+    // q3
+    let q3_value = q3;
+    // u1
+    let u1_value = u1;
+    // u2
+    let u2_value = u2;
+    // u3
+    let u3_value = u3;
+    ([q2_value, q1_value, y_value, x_value, q3_value], [u1_value, u2_value, u3_value])
+}
+
+/// The accelerations (u1', u2', u3'), solved for when this code was generated.
+///
+/// 17 operations, 1 sine and cosine.
+#[must_use]
+#[inline(always)]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 3]) -> [S; 3] {
+    let Parameters {
+        r, g_times_4, r_m_by_4, r_squared_m, r_squared_m_times_5_by_4, r_squared_m_times_3_by_2,
+        ..
+    } = *p;
+    let [q2, _, _, _, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Elimination, step by step, each after the terms that it shares.
+    let t2 = s2 / c2;
+    let u3_s2_c2_inv = u3 * t2;
+    // u3' = u1*(u3*tan(q2) - 2*u2)
+    let u3_dot = u1 * (-u2).mul_add(S::int(2), u3_s2_c2_inv);
+    // u2' = -u1*u3*r_squared_m/r_squared_m_times_3_by_2
+    let u2_dot = -u1 * u3 * r_squared_m / r_squared_m_times_3_by_2;
+    // u1' = r_m_by_4*(r*u3*(6*u2 - u3*tan(q2)) + g_times_4*sin(q2))/r_squared_m_times_5_by_4
+    let u1_dot = r_m_by_4 * (r * u3 * u2.mul_add(S::int(6), -u3_s2_c2_inv) + g_times_4 * s2)
+        / r_squared_m_times_5_by_4;
+    [u1_dot, u2_dot, u3_dot]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 6 operations, 2 sines and cosines.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 3]) -> [S; 5] {
+    let Parameters { r, .. } = *p;
+    let [q2, q1, _, _, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Shared terms.
+    let u3_c2_inv = u3 / c2;
+    // u2 - u3_c2_inv*sin(q2)
+    let u2_minus_s2_u3_c2_inv = (-u3_c2_inv).mul_add(s2, u2);
+    let r_u2_minus_s2_u3_c2_inv = r * u2_minus_s2_u3_c2_inv;
+    // Values.
+    // q2' = u1
+    let q2_dot_value = u1;
+    // q1' = u3/cos(q2)
+    let q1_dot_value = u3_c2_inv;
+    // y' = r*sin(q1)*(u2 - u3*tan(q2))
+    let y_dot_value = r_u2_minus_s2_u3_c2_inv * s1;
+    // x' = r*cos(q1)*(u2 - u3*tan(q2))
+    let x_dot_value = r_u2_minus_s2_u3_c2_inv * c1;
+    // q3' = u2 - u3*tan(q2)
+    let q3_dot_value = u2_minus_s2_u3_c2_inv;
+    [q2_dot_value, q1_dot_value, y_dot_value, x_dot_value, q3_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 11 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 5], u: &[S; 3]) -> S {
+    let Parameters { r, m, .. } = *p;
+    let [u1, u2, u3] = *u;
+    // Values.
+    // T = r^2*m*(5*u1^2 + 6*u2^2 + u3^2)/8
+    let energy = S::ratio(1, 8) * r * r * m
+        * u3.mul_add(u3, S::int(5) * u1 * u1 + S::int(6) * u2 * u2);
+    energy
+}
+
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
+///
+/// 3 operations, 1 sine and cosine.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
+    let Parameters { r, m, g, .. } = *p;
+    let [q2, _, _, _, _] = *q;
+    // Sines and cosines.
+    let (_, c2) = q2.sin_cos();
+    // Values.
+    // V = r*m*g*cos(q2)
+    let energy = r * m * g * c2;
+    energy
+}
+
+/// What the scene asks for, a time t after the start.
+///
+/// 0 operations.
+#[must_use]
+pub fn outputs<S: Scalar>(_p: &Parameters<S>, _t: S, q: &[S; 5], u: &[S; 3]) -> [S; 8] {
+    let [q2, q1, y, x, q3] = *q;
+    let [u1, u2, u3] = *u;
+    // Values.
+    // q1
+    let q1_value = q1;
+    // q2
+    let q2_value = q2;
+    // q3
+    let q3_value = q3;
+    // x
+    let x_value = x;
+    // y
+    let y_value = y;
+    // u1
+    let u1_value = u1;
+    // u2
+    let u2_value = u2;
+    // u3
+    let u3_value = u3;
+    [q1_value, q2_value, q3_value, x_value, y_value, u1_value, u2_value, u3_value]
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 21 operations, 2 sines and cosines.
+#[must_use]
+#[inline(always)]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 3],
+) -> ([S; 5], [S; 3]) {
+    let Parameters {
+        r, g_times_4, r_m_by_4, r_squared_m, r_squared_m_times_5_by_4, r_squared_m_times_3_by_2,
+        ..
+    } = *p;
+    let [q2, q1, _, _, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step, each after the terms that it shares.
+    let u3_c2_inv = u3 / c2;
+    let s2_u3_c2_inv = u3_c2_inv * s2;
+    // u3' = u1*(u3*tan(q2) - 2*u2)
+    let u3_dot = u1 * (-u2).mul_add(S::int(2), s2_u3_c2_inv);
+    // u2' = -u1*u3*r_squared_m/r_squared_m_times_3_by_2
+    let u2_dot = -u1 * u3 * r_squared_m / r_squared_m_times_3_by_2;
+    // u1' = r_m_by_4*(r*u3*(6*u2 - u3*tan(q2)) + g_times_4*sin(q2))/r_squared_m_times_5_by_4
+    let u1_dot = r_m_by_4 * (r * u3 * u2.mul_add(S::int(6), -s2_u3_c2_inv) + g_times_4 * s2)
+        / r_squared_m_times_5_by_4;
+    // u2 - s2_u3_c2_inv
+    let u2_minus_s2_u3_c2_inv = u2 - s2_u3_c2_inv;
+    let r_u2_minus_s2_u3_c2_inv = r * u2_minus_s2_u3_c2_inv;
+    // Values.
+    // q2' = u1
+    let q2_dot_value = u1;
+    // q1' = u3/cos(q2)
+    let q1_dot_value = u3_c2_inv;
+    // y' = r*sin(q1)*(u2 - u3*tan(q2))
+    let y_dot_value = r_u2_minus_s2_u3_c2_inv * s1;
+    // x' = r*cos(q1)*(u2 - u3*tan(q2))
+    let x_dot_value = r_u2_minus_s2_u3_c2_inv * c1;
+    // q3' = u2 - u3*tan(q2)
+    let q3_dot_value = u2_minus_s2_u3_c2_inv;
+    (
+        [q2_dot_value, q1_dot_value, y_dot_value, x_dot_value, q3_dot_value],
+        [u1_dot, u2_dot, u3_dot],
+    )
+}
+
+/// Jacobian of the derivative by the state; columns q2, q1, y, x, q3, u1, u2, u3.
+///
+/// 46 operations, 2 sines and cosines.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 3]) -> [[S; 8]; 8] {
+    let Parameters {
+        r, g_times_4, r_m_by_4, r_squared_m, r_squared_m_times_5_by_4, r_squared_m_times_3_by_2,
+        ..
+    } = *p;
+    let [q2, q1, _, _, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    let (s1, c1) = q1.sin_cos();
+    // Elimination, step by step, each after the terms that it shares.
+    let c2_inv = S::int(1) / c2;
+    let u3_c2_inv = u3 * c2_inv;
+    let c2_inv_u3_c2_inv = c2_inv * u3_c2_inv;
+    // u3_dot_by_q2 = u1*u3/cos(q2)^2
+    let u3_dot_by_q2 = u1 * c2_inv_u3_c2_inv;
+    let u1_dot_by_q2_of_place = r_m_by_4 / r_squared_m_times_5_by_4;
+    // u1_dot_by_q2 = r_m_by_4*(g_times_4*cos(q2) - r*u3^2/cos(q2)^2)/r_squared_m_times_5_by_4
+    let u1_dot_by_q2 = u1_dot_by_q2_of_place * g_times_4.mul_add(c2, -r * u3_c2_inv * u3_c2_inv);
+    let s2_u3_c2_inv = u3_c2_inv * s2;
+    // u3_dot_by_u1 = u3*tan(q2) - 2*u2
+    let u3_dot_by_u1 = (-u2).mul_add(S::int(2), s2_u3_c2_inv);
+    let s2_c2_inv = c2_inv * s2;
+    // u3_dot_by_u3 = u1*tan(q2)
+    let u3_dot_by_u3 = u1 * s2_c2_inv;
+    let r_u1_dot_by_q2_of_place = r * u1_dot_by_q2_of_place;
+    // u1_dot_by_u3 = 2*r*r_m_by_4*(3*u2 - u3*tan(q2))/r_squared_m_times_5_by_4
+    let u1_dot_by_u3 = S::int(2) * r_u1_dot_by_q2_of_place * u2.mul_add(S::int(3), -s2_u3_c2_inv);
+    let r_s1 = r * s1;
+    // u2 - s2_u3_c2_inv
+    let u2_minus_s2_u3_c2_inv = u2 - s2_u3_c2_inv;
+    let r_c1 = r * c1;
+    let u2_dot_by_u1_value_of_place = r_squared_m / r_squared_m_times_3_by_2;
+    // Entries that are not zero.
+    // d(q2')/d(u1) = 1
+    let q2_dot_by_u1_value = S::int(1);
+    // d(q1')/d(q2) = u3*tan(q2)/cos(q2)
+    let q1_dot_by_q2_value = u3_c2_inv * s2_c2_inv;
+    // d(q1')/d(u3) = 1/cos(q2)
+    let q1_dot_by_u3_value = c2_inv;
+    // d(y')/d(q2) = -r*u3*sin(q1)/cos(q2)^2
+    let y_dot_by_q2_value = -c2_inv_u3_c2_inv * r_s1;
+    // d(y')/d(q1) = r*cos(q1)*(u2 - u3*tan(q2))
+    let y_dot_by_q1_value = u2_minus_s2_u3_c2_inv * r_c1;
+    // d(y')/d(u2) = r*sin(q1)
+    let y_dot_by_u2_value = r_s1;
+    // d(y')/d(u3) = -r*sin(q1)*tan(q2)
+    let y_dot_by_u3_value = -s2_c2_inv * r_s1;
+    // d(x')/d(q2) = -r*u3*cos(q1)/cos(q2)^2
+    let x_dot_by_q2_value = -c2_inv_u3_c2_inv * r_c1;
+    // d(x')/d(q1) = r*sin(q1)*(u3*tan(q2) - u2)
+    let x_dot_by_q1_value = -r_s1 * u2_minus_s2_u3_c2_inv;
+    // d(x')/d(u2) = r*cos(q1)
+    let x_dot_by_u2_value = r_c1;
+    // d(x')/d(u3) = -r*cos(q1)*tan(q2)
+    let x_dot_by_u3_value = -s2_c2_inv * r_c1;
+    // d(q3')/d(q2) = -u3/cos(q2)^2
+    let q3_dot_by_q2_value = -c2_inv_u3_c2_inv;
+    // d(q3')/d(u2) = 1
+    let q3_dot_by_u2_value = S::int(1);
+    // d(q3')/d(u3) = -tan(q2)
+    let q3_dot_by_u3_value = -s2_c2_inv;
+    // d(u1')/d(u2) = 6*r*u3*r_m_by_4/r_squared_m_times_5_by_4
+    let u1_dot_by_u2_value = S::int(6) * u3 * r_u1_dot_by_q2_of_place;
+    // d(u2')/d(u1) = -u3*r_squared_m/r_squared_m_times_3_by_2
+    let u2_dot_by_u1_value = -u3 * u2_dot_by_u1_value_of_place;
+    // d(u2')/d(u3) = -u1*r_squared_m/r_squared_m_times_3_by_2
+    let u2_dot_by_u3_value = -u1 * u2_dot_by_u1_value_of_place;
+    // d(u3')/d(u2) = -2*u1
+    let u3_dot_by_u2_value = -S::int(2) * u1;
+    let zero = S::int(0);
+    [
+        [zero, zero, zero, zero, zero, q2_dot_by_u1_value, zero, zero],
+        [q1_dot_by_q2_value, zero, zero, zero, zero, zero, zero, q1_dot_by_u3_value],
+        [
+            y_dot_by_q2_value, y_dot_by_q1_value, zero, zero, zero, zero, y_dot_by_u2_value,
+            y_dot_by_u3_value,
+        ],
+        [
+            x_dot_by_q2_value, x_dot_by_q1_value, zero, zero, zero, zero, x_dot_by_u2_value,
+            x_dot_by_u3_value,
+        ],
+        [
+            q3_dot_by_q2_value, zero, zero, zero, zero, zero, q3_dot_by_u2_value,
+            q3_dot_by_u3_value,
+        ],
+        [u1_dot_by_q2, zero, zero, zero, zero, zero, u1_dot_by_u2_value, u1_dot_by_u3],
+        [zero, zero, zero, zero, zero, u2_dot_by_u1_value, zero, u2_dot_by_u3_value],
+        [
+            u3_dot_by_q2, zero, zero, zero, zero, u3_dot_by_u1, u3_dot_by_u2_value, u3_dot_by_u3,
+        ],
+    ]
+}
+
+/// What the equations divide by: where one of these is zero, they have no value.
+///
+/// 0 operations, 1 sine and cosine.
+#[must_use]
+pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 5], _u: &[S; 3]) -> [S; 1] {
+    let [q2, _, _, _, _] = *q;
+    // Sines and cosines.
+    let (_, c2) = q2.sin_cos();
+    // Values.
+    // divisor1 = cos(q2)
+    let divisor1 = c2;
+    [divisor1]
+}
+
+/// The energy, then its derivatives by the state.
+///
+/// 22 operations, 1 sine and cosine.
+#[must_use]
+pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 3]) -> [S; 9] {
+    let Parameters { r, m, g, .. } = *p;
+    let [q2, _, _, _, _] = *q;
+    let [u1, u2, u3] = *u;
+    // Sines and cosines.
+    let (s2, c2) = q2.sin_cos();
+    // Shared terms.
+    let r_m = r * m;
+    let r_r_m = r * r_m;
+    let g_r_m = g * r_m;
+    // Values.
+    // T + V = r*m*g*cos(q2) + r^2*m*(5*u1^2 + 6*u2^2 + u3^2)/8
+    let energy = S::ratio(1, 8) * r_r_m
+        * u3.mul_add(u3, S::int(5) * u1 * u1 + S::int(6) * u2 * u2) + g_r_m * c2;
+    // d(T + V)/d(q2) = -r*m*g*sin(q2)
+    let energy_by_q2 = -g_r_m * s2;
+    // d(T + V)/d(u1) = 5*r^2*m*u1/4
+    let energy_by_u1 = S::ratio(5, 4) * u1 * r_r_m;
+    // d(T + V)/d(u2) = 3*r^2*m*u2/2
+    let energy_by_u2 = S::ratio(3, 2) * u2 * r_r_m;
+    // d(T + V)/d(u3) = r^2*m*u3/4
+    let energy_by_u3 = S::ratio(1, 4) * u3 * r_r_m;
+    let zero = S::int(0);
+    [
+        energy, energy_by_q2, zero, zero, zero, zero, energy_by_u1, energy_by_u2, energy_by_u3,
+    ]
+}
+
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
+///
+/// 11 convolutions and 16 linear operations an order.
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    series: &mut [[S; 8]],
+    history: &mut [Factors<S, 16>],
+) {
+    let Parameters {
+        r, g_times_4, r_m_by_4, r_squared_m, r_squared_m_times_5_by_4, r_squared_m_times_3_by_2,
+        ..
+    } = *p;
+    let [q2_0, q1_0, _, _, _, u1_0, u2_0, u3_0] = series[0];
+    // Constant in time.
+    // weight = r_m_by_4/r_squared_m_times_5_by_4
+    let weight = r_m_by_4 / r_squared_m_times_5_by_4;
+    // weight_2 = -r_squared_m/r_squared_m_times_3_by_2
+    let weight_2 = -r_squared_m / r_squared_m_times_3_by_2;
+    // Order 0.
+    let (s2_0, c2_0) = q2_0.sin_cos();
+    let over_c2 = S::int(1) / c2_0;
+    let q1_dot_2_0 = u3_0 * over_c2;
+    let u3_s2_c2_inv_0 = s2_0 * q1_dot_2_0;
+    let u3_dot_of_u2_u3_0 = S::int(2) * u2_0 - u3_s2_c2_inv_0;
+    let u3_dot_of_u1_u2_u3_0 = u1_0 * u3_dot_of_u2_u3_0;
+    let u1_u3_0 = u1_0 * u3_0;
+    let u1_dot_of_u2_u3_0 = S::int(6) * u2_0 - u3_s2_c2_inv_0;
+    let u1_dot_of_u2_u3_2_0 = u3_0 * u1_dot_of_u2_u3_0;
+    let u1_dot_of_u2_u3_3_0 = u1_dot_of_u2_u3_2_0.mul_add(r, g_times_4 * s2_0);
+    let (s1_0, c1_0) = q1_0.sin_cos();
+    let q3_dot_2_0 = u2_0 - u3_s2_c2_inv_0;
+    let y_of_u2_u3_0 = s1_0 * q3_dot_2_0;
+    let x_of_u2_u3_0 = c1_0 * q3_dot_2_0;
+    // Order 1: the rates, and what follows from them.
+    let q2_1 = u1_0;
+    let q1_1 = q1_dot_2_0;
+    let y_1 = r * y_of_u2_u3_0;
+    let x_1 = r * x_of_u2_u3_0;
+    let q3_1 = q3_dot_2_0;
+    let u1_1 = weight * u1_dot_of_u2_u3_3_0;
+    let u2_1 = weight_2 * u1_u3_0;
+    let u3_1 = -u3_dot_of_u1_u2_u3_0;
+    if series.len() > 1 {
+        series[1] = [q2_1, q1_1, y_1, x_1, q3_1, u1_1, u2_1, u3_1];
+    }
+    let s2_1 = q2_1 * c2_0;
+    let c2_1 = -q2_1 * s2_0;
+    let q1_dot_2_1 = c2_1.mul_add(-(q1_dot_2_0 * over_c2), u3_1 * over_c2);
+    let u3_s2_c2_inv_1 = q1_dot_2_1.mul_add(s2_0, s2_1 * q1_dot_2_0);
+    let u3_dot_of_u2_u3_1 = S::int(2) * u2_1 - u3_s2_c2_inv_1;
+    let u3_dot_of_u1_u2_u3_1 = u3_dot_of_u2_u3_1.mul_add(u1_0, u1_1 * u3_dot_of_u2_u3_0);
+    let u1_u3_1 = u3_1.mul_add(u1_0, u1_1 * u3_0);
+    let u1_dot_of_u2_u3_1 = S::int(6) * u2_1 - u3_s2_c2_inv_1;
+    let u1_dot_of_u2_u3_2_1 = u1_dot_of_u2_u3_1.mul_add(u3_0, u3_1 * u1_dot_of_u2_u3_0);
+    let u1_dot_of_u2_u3_3_1 = u1_dot_of_u2_u3_2_1.mul_add(r, g_times_4 * s2_1);
+    let s1_1 = q1_1 * c1_0;
+    let c1_1 = -q1_1 * s1_0;
+    let q3_dot_2_1 = u2_1 - u3_s2_c2_inv_1;
+    let y_of_u2_u3_1 = q3_dot_2_1.mul_add(s1_0, s1_1 * q3_dot_2_0);
+    let x_of_u2_u3_1 = q3_dot_2_1.mul_add(c1_0, c1_1 * q3_dot_2_0);
+    if series.len() > 2 {
+        // Factors of the convolutions: left, right.
+        history[1] = [
+            padded([q2_1, q2_1, c2_1, s2_1, u1_1, u1_1, u3_1, q1_1, q1_1, s1_1, c1_1]),
+            padded([
+                c2_1, s2_1, q1_dot_2_1, q1_dot_2_1, u3_dot_of_u2_u3_1, u3_1, u1_dot_of_u2_u3_1,
+                c1_1, s1_1, q3_dot_2_1, q3_dot_2_1,
+            ]),
+        ];
+    }
+    let mut count_last = S::int(1);
+    let mut q2_last = q2_1;
+    let mut q1_last = q1_1;
+    let mut u1_last = u1_1;
+    let mut u3_last = u3_1;
+    let mut s2_last = s2_1;
+    let mut c2_last = c2_1;
+    let mut q1_dot_2_last = q1_dot_2_1;
+    let mut u3_dot_of_u2_u3_last = u3_dot_of_u2_u3_1;
+    let mut u1_dot_of_u2_u3_last = u1_dot_of_u2_u3_1;
+    let mut s1_last = s1_1;
+    let mut c1_last = c1_1;
+    let mut q3_dot_2_last = q3_dot_2_1;
+    let mut next = [S::int(0); 16];
+    // Rates at order k - 1.
+    let mut q2_rate = u1_1;
+    let mut q1_rate = q1_dot_2_1;
+    let mut y_rate = r * y_of_u2_u3_1;
+    let mut x_rate = r * x_of_u2_u3_1;
+    let mut q3_rate = q3_dot_2_1;
+    let mut u1_rate = weight * u1_dot_of_u2_u3_3_1;
+    let mut u2_rate = weight_2 * u1_u3_1;
+    let mut u3_rate = -u3_dot_of_u1_u2_u3_1;
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let q2 = q2_rate * over_k;
+        let q1 = q1_rate * over_k;
+        let y = y_rate * over_k;
+        let x = x_rate * over_k;
+        let q3 = q3_rate * over_k;
+        let u1 = u1_rate * over_k;
+        let u2 = u2_rate * over_k;
+        let u3 = u3_rate * over_k;
+        series[order] = [q2, q1, y, x, q3, u1, u2, u3];
+        if order + 1 == series.len() {
+            break;
+        }
+        let count = S::int(order as i64);
+        let sums = if order % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&history[..order]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            padded([
+                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
+                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
+                c2_1.mul_add(q1_dot_2_last, c2_last.mul_add(q1_dot_2_1, next[2])),
+                s2_1.mul_add(q1_dot_2_last, s2_last.mul_add(q1_dot_2_1, next[3])),
+                u1_1
+                    .mul_add(
+                        u3_dot_of_u2_u3_last,
+                        u1_last.mul_add(u3_dot_of_u2_u3_1, next[4]),
+                    ),
+                u1_1.mul_add(u3_last, u1_last.mul_add(u3_1, next[5])),
+                u3_1
+                    .mul_add(
+                        u1_dot_of_u2_u3_last,
+                        u3_last.mul_add(u1_dot_of_u2_u3_1, next[6]),
+                    ),
+                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[7])),
+                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[8])),
+                s1_1.mul_add(q3_dot_2_last, s1_last.mul_add(q3_dot_2_1, next[9])),
+                c1_1.mul_add(q3_dot_2_last, c1_last.mul_add(q3_dot_2_1, next[10])),
+            ])
+        };
+        // s2 = sin(q2)
+        let s2 = q2.mul_add(c2_0, sums[0] * over_k);
+        // c2 = cos(q2)
+        let c2 = -q2.mul_add(s2_0, sums[1] * over_k);
+        // q1_dot_2 = u3/c2
+        let q1_dot_2 = c2.mul_add(-(q1_dot_2_0 * over_c2), (u3 - sums[2]) * over_c2);
+        // u3_s2_c2_inv = s2*q1_dot_2
+        let u3_s2_c2_inv = q1_dot_2.mul_add(s2_0, s2.mul_add(q1_dot_2_0, sums[3]));
+        // u3_dot_of_u2_u3 = 2*u2 - u3_s2_c2_inv
+        let u3_dot_of_u2_u3 = S::int(2) * u2 - u3_s2_c2_inv;
+        // u3_dot_of_u1_u2_u3 = u1*u3_dot_of_u2_u3
+        let u3_dot_of_u1_u2_u3 = u3_dot_of_u2_u3
+            .mul_add(u1_0, u1.mul_add(u3_dot_of_u2_u3_0, sums[4]));
+        // u1_u3 = u1*u3
+        let u1_u3 = u3.mul_add(u1_0, u1.mul_add(u3_0, sums[5]));
+        // u1_dot_of_u2_u3 = 6*u2 - u3_s2_c2_inv
+        let u1_dot_of_u2_u3 = S::int(6) * u2 - u3_s2_c2_inv;
+        // u1_dot_of_u2_u3_2 = u3*u1_dot_of_u2_u3
+        let u1_dot_of_u2_u3_2 = u1_dot_of_u2_u3
+            .mul_add(u3_0, u3.mul_add(u1_dot_of_u2_u3_0, sums[6]));
+        // u1_dot_of_u2_u3_3 = r*u1_dot_of_u2_u3_2 + g_times_4*s2
+        let u1_dot_of_u2_u3_3 = u1_dot_of_u2_u3_2.mul_add(r, g_times_4 * s2);
+        // s1 = sin(q1)
+        let s1 = q1.mul_add(c1_0, sums[7] * over_k);
+        // c1 = cos(q1)
+        let c1 = -q1.mul_add(s1_0, sums[8] * over_k);
+        // q3_dot_2 = u2 - u3_s2_c2_inv
+        let q3_dot_2 = u2 - u3_s2_c2_inv;
+        // y_of_u2_u3 = s1*q3_dot_2
+        let y_of_u2_u3 = q3_dot_2.mul_add(s1_0, s1.mul_add(q3_dot_2_0, sums[9]));
+        // x_of_u2_u3 = c1*q3_dot_2
+        let x_of_u2_u3 = q3_dot_2.mul_add(c1_0, c1.mul_add(q3_dot_2_0, sums[10]));
+        q2_rate = u1;
+        q1_rate = q1_dot_2;
+        y_rate = r * y_of_u2_u3;
+        x_rate = r * x_of_u2_u3;
+        q3_rate = q3_dot_2;
+        u1_rate = weight * u1_dot_of_u2_u3_3;
+        u2_rate = weight_2 * u1_u3;
+        u3_rate = -u3_dot_of_u1_u2_u3;
+        // Factors of the convolutions: left, right.
+        history[order] = [
+            padded([
+                count * q2,
+                count * q2,
+                c2, s2, u1, u1, u3,
+                count * q1,
+                count * q1,
+                s1, c1,
+            ]),
+            padded([
+                c2, s2, q1_dot_2, q1_dot_2, u3_dot_of_u2_u3, u3, u1_dot_of_u2_u3, c1, s1, q3_dot_2,
+                q3_dot_2,
+            ]),
+        ];
+        count_last = count;
+        q2_last = q2;
+        q1_last = q1;
+        u1_last = u1;
+        u3_last = u3;
+        s2_last = s2;
+        c2_last = c2;
+        q1_dot_2_last = q1_dot_2;
+        u3_dot_of_u2_u3_last = u3_dot_of_u2_u3;
+        u1_dot_of_u2_u3_last = u1_dot_of_u2_u3;
+        s1_last = s1;
+        c1_last = c1;
+        q3_dot_2_last = q3_dot_2;
+    }
+}
+
+/// Reduced equations of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Reduced;
+
+impl<S: Scalar> System<S> for Reduced {
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 9,
+            coordinates: 5,
+            variables: 3,
+            speeds: 3,
+            reactions: 0,
+        }
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn output_count(&self) -> usize {
+        8
+    }
+    fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&outputs(&Parameters::from_slice(p), t, array(q), array(v)));
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn has_energy_gradient(&self) -> bool {
+        true
+    }
+    fn energy_gradient(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) -> S {
+        let [energy, gradient @ ..] = energy_gradient(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        out.copy_from_slice(&gradient);
+        energy
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        32 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        let x = &mut x.as_chunks_mut().0[..=order];
+        taylor(&Parameters::from_slice(p), x, rows(work));
+    }
+    fn divisor_count(&self) -> usize {
+        1
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["cos(q2)"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+#[inline(always)]
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}
+
+/// What a program needs to find these equations and to trust them.
+pub const SCENE: CompiledScene = CompiledScene {
+    name: "roll",
+    key: "5c88f531adb77930",
+    system: CompiledSystem {
+        name: "reduced",
+        double: &Reduced,
+        extended: &Reduced,
+        lanes: None,
+    },
+};

@@ -1,0 +1,200 @@
+//! Mechanisms with loops, and a blade that does not slip sideways: from model file to run.
+//!
+//! Truth: closed forms of the motion, and geometry by other formulas than the program's.
+
+use crate::support::Random;
+use std::path::Path;
+use tripos::{Mechanism, Overrides, Run, Scene};
+use tripos_derive::diagnostic::Source;
+use tripos_derive::{Formulation, Model, model};
+use tripos_sim::Dynamics;
+use tripos_traits::System;
+
+const FOUR_BAR: &str = include_str!("../models/four_bar/model.toml");
+
+fn scene(model: Model, text: &str) -> Result<Scene, String> {
+    Scene::parse(Mechanism::new(model), text).map_err(|e| e.to_string())
+}
+
+fn four_bar() -> Model {
+    model::load(&Source::from_text("four_bar.toml", FOUR_BAR)).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn start(text: &str) -> tripos_derive::scene::Scene {
+    let source = Source::from_text("turning.toml", text);
+    tripos_derive::scene::load(&source, &mut four_bar()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn run(scene: &Scene, by: &str, solve: Option<&str>, method: Option<&str>) -> Run {
+    let owned = |s: Option<&str>| s.map(str::to_owned);
+    let how = Overrides { by: Some(by.to_owned()), solve: owned(solve), method: owned(method), ..Overrides::default() };
+    let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}, {solve:?}, {method:?}: {e}"));
+    assert!(run.failure().is_none(), "{by}, {solve:?}, {method:?}: {:?}", run.objections());
+    run
+}
+
+const TURNING: &str = "model = \"four_bar.toml\"\nspan = [0, 2]\n[start]\nq1 = 0.5\nu1 = 20\n[guess]\nq2 = 0.6\nq3 = 1.2\n\
+                       [integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-12\n";
+
+/// Coupler and rocker angles of the open linkage by the diagonal between its moving pin and the fixed one, and the energy
+/// by the velocity ratios that an instant centre gives.
+fn by_hand(q1: f64) -> (f64, f64, f64, f64) {
+    let (a, b, c, d, [ma, mb, mc], g) = (0.3, 0.8, 0.6, 0.7, [1.0, 2.0, 1.5], 9.81);
+    let (x, y) = (d - a * f64::cos(q1), -a * f64::sin(q1));
+    let diagonal = f64::hypot(x, y);
+    let q2 = y.atan2(x) + f64::acos((b * b + diagonal * diagonal - c * c) / (2.0 * b * diagonal));
+    let (px, py) = (b * q2.cos() - x, b * q2.sin() - y);
+    let q3 = py.atan2(px);
+    let (w2, w3) = (-a / b * f64::sin(q1 - q3) / f64::sin(q2 - q3), a / c * f64::sin(q1 - q2) / f64::sin(q3 - q2));
+    let (vx, vy) = (-a * q1.sin() - b / 2.0 * w2 * q2.sin(), a * q1.cos() + b / 2.0 * w2 * q2.cos());
+    let inertia = ma * a * a / 3.0 + mb * (vx * vx + vy * vy + b * b / 12.0 * w2 * w2) + mc * c * c / 3.0 * w3 * w3;
+    let heights = ma * a / 2.0 * q1.sin() + mb * (a * q1.sin() + b / 2.0 * q2.sin()) + mc * c / 2.0 * q3.sin();
+    (q2, q3, inertia, g * heights)
+}
+
+/// Goal: a closed loop moves as it must, by every formulation, solve and method. Method: positions by trigonometry and the
+/// speed by the energy, at every sample; and the ends agree.
+#[test]
+fn a_four_bar_linkage_turns() {
+    let scene = scene(four_bar(), TURNING).unwrap();
+    let (_, _, inertia, potential) = by_hand(0.5);
+    let energy = inertia / 2.0 * 400.0 + potential;
+    let mut ends: Vec<(String, Vec<f64>)> = Vec::new();
+    for formulation in Formulation::ALL {
+        for (solve, method) in [(None, None), (Some("numeric"), None), (None, Some("taylor")), (None, Some("gauss6"))] {
+            // Each method by one formulation, Gauss's with equal steps.
+            if method.is_some() && formulation == Formulation::NewtonEuler || method == Some("gauss6") {
+                continue;
+            }
+            let run = run(&scene, formulation.name(), solve, method);
+            let of = |name: &str| run.column(name).unwrap();
+            for (((q1, q2), q3), u1) in of("q1").iter().zip(of("q2")).zip(of("q3")).zip(of("u1")) {
+                let (coupler, rocker, inertia, potential) = by_hand(*q1);
+                let speed = (2.0 * (energy - potential) / inertia).sqrt();
+                assert!(
+                    (q2 - coupler).abs() < 2e-9 && (q3 - rocker).abs() < 2e-9,
+                    "{q1}: {q2}, {coupler}; {q3}, {rocker}"
+                );
+                assert!((u1 - speed).abs() < 2e-7, "{u1}, {speed}");
+            }
+            let largest = run.residuals.iter().map(|residual| residual.largest.abs()).fold(0.0, f64::max);
+            assert!(run.residuals.len() >= 2 && largest < 1e-9, "{:?}", run.residuals);
+            ends.push((format!("{} {solve:?} {method:?}", formulation.name()), run.end.clone()));
+        }
+    }
+    for (by, end) in &ends {
+        for (a, b) in end.iter().zip(&ends[0].1) {
+            assert!((a - b).abs() < 1e-7, "{by} against {}: {a}, {b}", ends[0].0);
+        }
+    }
+}
+
+/// Goal: what a run reports is on the constraints. Method: without projection the drift of a loose run is seen, with it the
+/// last state is closed to rounding.
+#[test]
+fn projection_keeps_loops_closed() {
+    let loose = TURNING.replace("1e-12", "1e-5");
+    let scene = scene(four_bar(), &loose).unwrap();
+    let run = run(&scene, "kane", None, None);
+    let report = run.solution.projection.as_ref().unwrap();
+    assert!(report.corrections > 50 && report.singular + report.not_converged == 0, "{report:?}");
+    assert!(report.largest.iter().any(|drift| drift.abs() > 1e-9), "{report:?}");
+    let [q1, q2, q3, ..] = run.end[..] else { panic!("{:?}", run.end) };
+    let x = 0.3 * q1.cos() + 0.8 * q2.cos() - 0.7 - 0.6 * q3.cos();
+    let y = 0.3 * q1.sin() + 0.8 * q2.sin() - 0.6 * q3.sin();
+    assert!(x.abs() < 1e-14 && y.abs() < 1e-14, "{x}, {y}");
+}
+
+/// Goal: the start decides how a loop is closed. Method: guesses on either side of the diagonal.
+#[test]
+fn a_guess_chooses_the_branch() {
+    let open = start(TURNING);
+    let crossed = start(&TURNING.replace("q2 = 0.6\nq3 = 1.2", "q2 = -1.2\nq3 = -2"));
+    let (q2, q3, ..) = by_hand(0.5);
+    assert!((open.q[1] - q2).abs() < 1e-15 && (open.q[2] - q3).abs() < 1e-15, "{:?}", open.q);
+    assert!((crossed.q[1] + 1.157_456_595).abs() < 1e-8, "{:?}", crossed.q);
+    let named: Vec<&str> = open.closed.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(named, ["q2", "q3"]);
+}
+
+/// Goal: a start that cannot be is refused, by how much and with what would do.
+#[test]
+fn an_open_start_is_refused() {
+    let refused = |from: &str, to: &str| scene(four_bar(), &TURNING.replace(from, to)).err().unwrap();
+    let stated = refused("q1 = 0.5\n", "q1 = 0.5\nq2 = 0.52\nq3 = 1.12\n");
+    assert!(stated.contains("stated and guessed"), "{stated}");
+    let open = refused("[guess]\nq2 = 0.6\nq3 = 1.2", "q2 = 0.52\nq3 = 1.12");
+    assert!(open.contains("breaks the constraint `loop_") && open.contains("the nearest closed"), "{open}");
+    let far = FOUR_BAR
+        .replace("value = 0.7, positive = true, about = \"distance", "value = 7, positive = true, about = \"distance");
+    let far = model::load(&Source::from_text("four_bar.toml", &far)).unwrap_or_else(|e| panic!("{e}"));
+    let far = scene(far, TURNING).err().unwrap();
+    assert!(far.contains("no configuration that closes the loops was found") && far.contains("stays open by"), "{far}");
+    // In as many digits as people write, a state is close enough, and is closed.
+    let near = TURNING.replace("[guess]\nq2 = 0.6\nq3 = 1.2", "q2 = 0.52116623167\nq3 = 1.12802694567");
+    let near = start(&near);
+    let (q2, ..) = by_hand(near.q[0]);
+    assert!((near.q[1] - q2).abs() < 1e-14 && near.closed.is_empty());
+}
+
+/// Goal: a reference in 32 digits keeps loops closed, too. Method: a tight run against it.
+#[test]
+fn a_reference_knows_a_loop() {
+    let scene = scene(four_bar(), &TURNING.replace("[0, 2]", "[0, 0.5]")).unwrap();
+    let reference = scene.reference(&[0.5]).unwrap();
+    assert!(reference.uncertainty < 1e-15, "{}", reference.uncertainty);
+    let run = run(&scene, "lagrange", None, None);
+    for (found, exact) in run.end.iter().zip(reference.end()) {
+        let exact = exact.hi();
+        assert!((found - exact).abs() < 1e-9, "{found}, {exact}");
+    }
+}
+
+/// Goal: a nonholonomic motion in closed form. Method: x = g sin α sin²(ω t)/(2 ω²), y = g sin α (ω t − sin ω t cos ω t)/(2 ω²).
+#[test]
+fn a_knife_edge_goes_along_a_cycloid() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/knife_edge/model.toml");
+    let text = "model = \"model.toml\"\nspan = [0, 10]\n[start]\nx = 0\ny = 0\nphi = 0\nu = 0\nw = 1.3\n[integration]\n\
+                method = \"dop853\"\nrtol = 1e-12\natol = 1e-12\n";
+    let scene = scene(Model::read(&path).unwrap(), text).unwrap();
+    for by in ["kane", "lagrange", "newton-euler", "reduced"] {
+        let run = run(&scene, by, None, None);
+        let (turn, fall): (f64, f64) = (1.3 * 10.0, 9.81 * f64::sin(0.3) / (2.0 * 1.3 * 1.3));
+        let expected = [("x", fall * turn.sin().powi(2)), ("y", fall * (turn - turn.sin() * turn.cos()))];
+        for (name, expected) in expected {
+            let found = *run.column(name).unwrap().last().unwrap();
+            assert!((found - expected).abs() < 1e-9, "{by}: {name} = {found}, {expected}");
+        }
+    }
+}
+
+/// Goal: the multipliers of a loop are the forces of the pin that closes it. Method: the numeric solves of Lagrange's and
+/// Newton-Euler's systems at random states, at which the loop need not even be closed.
+#[test]
+fn multipliers_are_the_reactions_of_the_closing_pin() {
+    let all = tripos_models::MODELS.iter().find(|m| m.name == "four_bar").unwrap();
+    let system = |name: &str| all.systems.iter().find(|s| s.name == name).unwrap().double;
+    let (lagrange, newton_euler) = (system("lagrange"), system("newton-euler"));
+    let mut random = Random(11);
+    for _ in 0..200 {
+        let mut some =
+            |count: usize, from: f64, to: f64| (0..count).map(|_| random.between(from, to)).collect::<Vec<_>>();
+        let (p, q, u) = (some(8, 0.5, 2.0), some(3, 0.3, 2.8), some(1, -5.0, 5.0));
+        // Next to a dead point digits are lost.
+        if f64::sin(q[1] - q[2]).abs() < 0.1 {
+            continue;
+        }
+        let unknowns = |system: &'static dyn System<f64>| {
+            let mut v = vec![0.0; system.lengths().variables];
+            system.motion_variables(&p, &q, &u, &mut v);
+            let mut dynamics = Dynamics::new(system, &p).unwrap();
+            dynamics.unknowns(&q, &v).unwrap()[v.len()..].to_vec()
+        };
+        let (multipliers, reactions) = (unknowns(lagrange), unknowns(newton_euler));
+        // pin_ox, pin_oy, pin_px, pin_py, then those of the pin that closes the loop.
+        let size = reactions.iter().fold(1.0, |most: f64, r| most.max(r.abs()));
+        for (multiplier, reaction) in multipliers.iter().zip(&reactions[4..6]) {
+            assert!((multiplier - reaction).abs() < 1e-10 * size, "{multiplier} is not {reaction}");
+        }
+    }
+}
