@@ -30,6 +30,7 @@ mod report_files;
 #[path = "common/reports.rs"]
 mod reports;
 mod sharing;
+mod springs;
 mod unseen_reductions;
 mod unusual_models;
 mod wrong_constraints;

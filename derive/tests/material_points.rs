@@ -235,7 +235,7 @@ fn a_velocity_has_the_form_of_one() {
             44 | vector = ["-c*v(P) [1]", 0, 0]
                |                    ^
                |
-               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]"#]],
+               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, omega(BODY) @ FRAME [1], or p(POINT) @ FRAME [1] for a position"#]],
     );
     check(
         "\"-c*v(P, rod) @ N [1]\"",
@@ -265,7 +265,7 @@ fn a_velocity_has_the_form_of_one() {
             44 | vector = ["-c*v(rod, P, C) @ N [1]", 0, 0]
                |                       ^
                |
-               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]"#]],
+               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, omega(BODY) @ FRAME [1], or p(POINT) @ FRAME [1] for a position"#]],
     );
     check(
         "\"-c*v() @ N [1]\"",
@@ -276,7 +276,7 @@ fn a_velocity_has_the_form_of_one() {
             44 | vector = ["-c*v() @ N [1]", 0, 0]
                |                 ^
                |
-               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]"#]],
+               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, omega(BODY) @ FRAME [1], or p(POINT) @ FRAME [1] for a position"#]],
     );
     check(
         "\"-c*v(P) @ N [1\"",
@@ -287,7 +287,7 @@ fn a_velocity_has_the_form_of_one() {
             44 | vector = ["-c*v(P) @ N [1", 0, 0]
                |                          ^
                |
-               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]"#]],
+               = help: write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, omega(BODY) @ FRAME [1], or p(POINT) @ FRAME [1] for a position"#]],
     );
 }
 

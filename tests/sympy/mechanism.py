@@ -51,11 +51,12 @@ class LoadNames(dict):
         kind, *of, frame, axis = re.findall(r"\w+", word)
         if len(of) == 3:
             of = [of[2], of[0]]
-        velocity = self.mechanism.turning(of[0]) if kind == "omega" else self.mechanism.velocity(*of)
+        reading = {"omega": self.mechanism.turning, "p": self.mechanism.position}.get(kind, self.mechanism.velocity)
+        vector = reading(*of)
         basis = self.mechanism.get(self.mechanism.frames, frame)
         if axis not in ("1", "2", "3"):
             raise Unsupported(f"component {axis} of a velocity")
-        return velocity.dot((basis.x, basis.y, basis.z)[int(axis) - 1])
+        return vector.dot((basis.x, basis.y, basis.z)[int(axis) - 1])
 
 
 class Mechanism:
@@ -143,6 +144,9 @@ class Mechanism:
         arm = point.pos_from(body.point)
         return body.point.vel(self.inertial) + body.frame.ang_vel_in(self.inertial).cross(arm)
 
+    def position(self, name):
+        return self.get(self.points, name).pos_from(self.origin)
+
     def turning(self, name):
         """The angular velocity of a body or a frame."""
         frame = self.bodies[name].frame if name in self.bodies else self.get(self.frames, name)
@@ -206,7 +210,8 @@ class Mechanism:
         kinds = ((self.force, "forces"), (self.torque, "torques"))
         entries = ((act, entry) for act, section in kinds for entry in self.model.section(section).values())
         names = LoadNames(self)
-        return sum((act(entry, self.vector(entry["frame"], entry["vector"], names)) for act, entry in entries), [])
+        loads = sum((act(entry, self.vector(entry["frame"], entry["vector"], names)) for act, entry in entries), [])
+        return loads + sum((self.spring(entry) for entry in self.model.section("springs").values()), [])
 
     def reactions(self):
         """The name of each reaction, with the loads it exerts."""
@@ -230,6 +235,24 @@ class Mechanism:
             there = against.point if against.frame is None else at
             there = self.get(self.points, entry["against_at"]) if "against_at" in entry else there
             loads.append(self.force_at(against, there, -vector))
+        return loads
+
+    def spring(self, entry):
+        """A pull along the way between two points, the other of which is on a body or on the ground."""
+        stiffness, free, damping = (expression(entry.get(key, 0), self.names) for key in ("stiffness", "free_length", "damping"))
+        on = self.get(self.bodies, entry["on"])
+        at = self.get(self.points, entry["at"]) if "at" in entry else on.point
+        if "against" in entry and "against_at" not in entry:
+            to = self.get(self.bodies, entry["against"]).point
+        else:
+            to = self.get(self.points, entry["against_at"])
+        way = to.pos_from(at)
+        length = way.magnitude()
+        rate = (to.vel(self.inertial) - at.vel(self.inertial)).dot(way) / length
+        pull = (stiffness * (length - free) + damping * rate) / length * way
+        loads = [self.force_at(on, at, pull)]
+        if "against" in entry:
+            loads.append(self.force_at(self.get(self.bodies, entry["against"]), to, -pull))
         return loads
 
     @staticmethod

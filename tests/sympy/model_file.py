@@ -19,7 +19,7 @@ from grammar import Unsupported, expression
 # Keys of an entry of each section; "" is the file itself. What is not listed is not supported.
 KEYS = {
     "": "name source parameters coordinates speeds inertial frames points bodies particles gravity"
-    " forces torques reactions constraints rolling domain",
+    " forces torques springs reactions constraints rolling domain",
     "parameters": "unit value positive about",
     "coordinates": "unit about",
     "inertial": "frame origin",
@@ -31,6 +31,7 @@ KEYS = {
     "gravity": "frame acceleration zero_at about",
     "forces": "on at frame vector against against_at about",
     "torques": "on frame vector against about",
+    "springs": "on at against against_at stiffness free_length damping about",
     "reactions": "kind on at frame direction against against_at about",
     "constraints": "equation enforced_by about",
     "rolling": "body at against frame about",

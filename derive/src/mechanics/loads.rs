@@ -165,6 +165,7 @@ impl Kinematics {
         let velocity = match name.of {
             VelocityOf::Material(body, point) => self.place_velocity(model, &velocities, Place { body, point }),
             VelocityOf::Point(point) => velocities.linear[point].clone(),
+            VelocityOf::Place(point) => self.positions[point].clone(),
             VelocityOf::Turning(frame) => velocities.angular[frame].clone(),
         };
         let Self { arena, frames, simplifier, .. } = self;

@@ -58,17 +58,28 @@ impl Kinematics {
     fn found_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
         let all = forces_of(model, self, groups.iter().flatten());
         let all: Vec<Expr> = all.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect();
-        let found = match potential_at_rest(&mut self.arena, &mut self.simplifier, model, &all) {
+        // Forces come first among the loads; of springs the potential is known.
+        let known: Vec<Option<Expr>> =
+            (0..groups.len()).map(|at| model.forces.get(at).and_then(|f| f.energy)).collect();
+        let groups: Vec<&Vec<Load>> = groups.iter().zip(&known).filter(|(_, e)| e.is_none()).map(|(g, _)| g).collect();
+        let sought = if groups.len() == known.len() {
+            all.clone()
+        } else {
+            let sought = forces_of(model, self, groups.iter().copied().flatten());
+            sought.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect()
+        };
+        let mut found: Vec<Expr> = known.into_iter().flatten().collect();
+        found.extend(match potential_at_rest(&mut self.arena, &mut self.simplifier, model, &sought) {
             Some(energy) => vec![energy],
             None if groups.len() > 1 => {
-                let one = |group: &Vec<Load>| {
-                    let forces = forces_of(model, self, group);
+                let one = |group: &&Vec<Load>| {
+                    let forces = forces_of(model, self, group.iter());
                     potential_at_rest(&mut self.arena, &mut self.simplifier, model, &forces)
                 };
                 groups.iter().filter_map(one).collect()
             }
             None => Vec::new(),
-        };
+        });
         let energy = self.arena.sum(&found);
         let energy = self.zeroed_where_it_can_be(model, energy);
         let mut rest = all;

@@ -237,6 +237,9 @@ impl Elements {
                 *at = map(*at);
             }
         }
+        for energy in self.forces.iter_mut().filter_map(|f| f.energy.as_mut()) {
+            *energy = map(*energy);
+        }
         let vectors = self.forces.iter_mut().map(|f| &mut f.vector);
         let vectors = vectors.chain(self.torques.iter_mut().map(|t| &mut t.vector));
         for vector in vectors.chain(self.reactions.iter_mut().map(|r| &mut r.direction)) {

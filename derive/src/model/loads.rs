@@ -48,7 +48,7 @@ impl Elements {
             let unit = Unit::new(1, 1, -2);
             let vector = vector(loading, entry, "vector", &what, &name.span, MOTION, &unit);
             if let (Some(on), Some(frame), Some(vector)) = (on, frame, vector) {
-                self.forces.push(Force { name: name.text, on, against, frame, vector });
+                self.forces.push(Force { name: name.text, on, against, frame, vector, energy: None });
             }
         }
     }
@@ -166,6 +166,7 @@ impl Elements {
         let frame = frame_of(&stated.frame)?;
         let of = match &stated.of {
             VelocityOf::Point(name) => VelocityOf::Point(point_of(name)?),
+            VelocityOf::Place(name) => VelocityOf::Place(point_of(name)?),
             VelocityOf::Turning(name) => match body_of(name) {
                 Some(body) => VelocityOf::Turning(self.frame_of_body(loading, name, body)?),
                 None => VelocityOf::Turning(frame_of(name)?),
@@ -200,7 +201,7 @@ impl Elements {
     }
 
     /// The body and point under two keys; the point is the mass centre unless stated.
-    fn place<'a>(
+    pub fn place<'a>(
         &self,
         loading: &mut Loading<'a>,
         entry: &'a DeTable<'a>,

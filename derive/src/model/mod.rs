@@ -5,10 +5,12 @@ mod elements;
 mod loading;
 mod loads;
 mod motion_constraints;
+mod moving;
 mod names;
 mod physics;
 mod read_model;
 mod speeds;
+mod springs;
 mod tree;
 mod units;
 mod velocities;
@@ -138,6 +140,8 @@ pub struct Force {
     pub frame: usize,
     /// The components, N, in parameters, q, q̇, u and [`Model::velocities`].
     pub vector: [Expr; 3],
+    /// The potential energy in q, J, of what of it and its opposite is there at rest, if that is known: of a spring.
+    pub energy: Option<Expr>,
 }
 
 /// An applied torque, and its opposite on another frame if there is one.

@@ -13,18 +13,16 @@
 use super::constraint::Stated;
 use super::elements::Elements;
 use super::loading::Loading;
+use super::moving::Moving;
 use super::names::Kind;
-use super::velocities::NamedVelocity;
 use super::{Coordinate, Loop, MotionConstraint, Speed, Tie};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::parse::VelocityOf;
 use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::shown;
-use crate::geometry::{Frames, Motion, Vector};
 use crate::read::Located;
 use std::ops::Range;
 use toml::de::DeTable;
@@ -47,16 +45,16 @@ struct Candidate {
     span: Range<usize>,
 }
 
-/// What motion constraints are made of.
+/// What motion constraints are made of, in what is left of the coordinates.
 pub struct Tied<'m> {
     pub coordinates: &'m [Coordinate],
     pub speeds: &'m [Speed],
-    pub velocities: &'m [NamedVelocity],
     /// Equations between coordinates that were not solved.
     pub kept: Vec<Stated>,
     /// Equations between velocities.
     pub stated: Vec<Stated>,
-    pub rolling: Vec<StatedRolling>,
+    /// Components of velocities of bodies that roll.
+    pub rolling: Vec<Stated>,
 }
 
 /// Motion constraints, with their places in the file, and the equations between coordinates that some are of.
@@ -103,47 +101,50 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// The motion constraints of a mechanism whose frames and points are without errors, each independent of those before
-    /// it; reports what contradicts or repeats others.
-    pub fn ties(&mut self, elements: &Elements, tied: Tied<'_>) -> Option<Ties> {
+    /// The components of the velocities at which bodies would slip that roll, as equations.
+    pub fn slips(&mut self, moving: &mut Moving, elements: &Elements, rolling: Vec<StatedRolling>) -> Vec<Stated> {
+        let mut list = Vec::new();
+        for StatedRolling { name, body, point, against, frame } in rolling {
+            let span = name.span.clone();
+            let mut slip = moving.material(&mut self.arena, elements, body, point);
+            if let Some(other) = against {
+                let back = moving.material(&mut self.arena, elements, other, point).neg(&mut self.arena);
+                slip = slip.add(&mut self.arena, &back);
+            }
+            for axis in 0..3 {
+                let equation = moving.component(&mut self.arena, &slip, frame, axis);
+                let name = format!("{}_{}", name.text, axis + 1);
+                list.push(Stated { name, equation, enforced_by: None, span: span.clone() });
+            }
+        }
+        list
+    }
+
+    /// The motion constraints of a mechanism, each independent of those before it; reports what contradicts or repeats
+    /// others.
+    pub fn ties(&mut self, tied: Tied<'_>) -> Option<Ties> {
         let before = self.reader.errors.len();
-        let Tied { coordinates, speeds, velocities, kept, stated, rolling } = tied;
-        let mut loops = Vec::new();
-        let mut candidates = Vec::new();
+        let Tied { coordinates, speeds, kept, stated, rolling } = tied;
+        let (mut loops, mut candidates) = (Vec::new(), Vec::new());
         let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut d_dt = Differential::along(&rates);
         let mut simplifier = Simplifier::default();
         for Stated { name, equation, enforced_by, span } in kept {
             let rate = d_dt.apply(&mut self.arena, equation);
             let rate = simplifier.simplify(&mut self.arena, rate);
-            candidates.push(Candidate {
-                name: name.clone(),
-                equation: rate,
-                tie: Tie::Loop(loops.len()),
-                enforced_by,
-                span,
-            });
+            let tie = Tie::Loop(loops.len());
+            candidates.push(Candidate { name: name.clone(), equation: rate, tie, enforced_by, span });
             let unit = self.unit_of_difference(equation);
             loops.push(Loop { name, equation, unit });
         }
-        if !stated.is_empty() || !rolling.is_empty() {
-            let mut tree = Frames::new(&elements.frames);
-            let motion = Motion::new(&mut self.arena, &mut tree, &elements.frames, &elements.points, &mut d_dt);
-            let mut slips = Slips { elements, frames: tree, motion, simplifier };
-            let values: Vec<_> = velocities.iter().map(|v| (v.symbol, slips.velocity(&mut self.arena, v))).collect();
-            let definitions = speeds.iter().map(|s| (s.symbol, s.definition));
-            let mut put = Substitution::new(&values.into_iter().chain(definitions).collect::<Vec<_>>());
-            for Stated { name, equation, enforced_by, span } in stated {
-                let equation = put.apply(&mut self.arena, equation);
-                candidates.push(Candidate { name, equation, tie: Tie::Stated, enforced_by, span });
-            }
-            for rolling in rolling {
-                for (axis, equation) in slips.of(&mut self.arena, &rolling).into_iter().enumerate() {
-                    let name = format!("{}_{}", rolling.name.text, axis + 1);
-                    let span = rolling.name.span.clone();
-                    candidates.push(Candidate { name, equation, tie: Tie::Rolling, enforced_by: None, span });
-                }
-            }
+        let definitions: Vec<_> = speeds.iter().map(|s| (s.symbol, s.definition)).collect();
+        let mut put = Substitution::new(&definitions);
+        let stated = stated.into_iter().map(|c| (c, Tie::Stated));
+        for (Stated { name, equation, enforced_by, span }, tie) in
+            stated.chain(rolling.into_iter().map(|c| (c, Tie::Rolling)))
+        {
+            let equation = put.apply(&mut self.arena, equation);
+            candidates.push(Candidate { name, equation, tie, enforced_by, span });
         }
         let motion = self.independent(coordinates, candidates);
         (self.reader.errors.len() == before).then_some(Ties { motion, loops })
@@ -212,49 +213,5 @@ impl<'a> Loading<'a> {
     /// The unit of what is zero, in which sums were checked when they were read.
     fn unit_of_difference(&self, e: Expr) -> super::Unit {
         super::units::unit_of(&self.arena, e, &self.units).ok().flatten().unwrap_or_default()
-    }
-}
-
-/// Velocities of material on material.
-struct Slips<'e> {
-    elements: &'e Elements,
-    frames: Frames,
-    motion: Motion,
-    simplifier: Simplifier,
-}
-
-impl Slips<'_> {
-    /// A velocity that a formula names, in q and q̇.
-    fn velocity(&mut self, arena: &mut Arena, name: &NamedVelocity) -> Expr {
-        let velocity = match name.of {
-            VelocityOf::Material(body, point) => self.material(arena, body, point),
-            VelocityOf::Point(point) => self.motion.linear[point].clone(),
-            VelocityOf::Turning(frame) => self.motion.angular[frame].clone(),
-        };
-        self.component(arena, &velocity, name.frame, name.axis)
-    }
-
-    fn component(&mut self, arena: &mut Arena, velocity: &Vector, frame: usize, axis: usize) -> Expr {
-        let component = self.frames.component(arena, velocity, frame, axis);
-        self.simplifier.simplify(arena, component)
-    }
-
-    /// The velocity of the material of a body at a point.
-    fn material(&mut self, arena: &mut Arena, body: usize, point: usize) -> Vector {
-        let body = &self.elements.bodies[body];
-        match &body.rigid {
-            Some((frame, _)) => self.motion.of_material(arena, &mut self.frames, (*frame, body.centre), point),
-            None => self.motion.linear[body.centre].clone(),
-        }
-    }
-
-    /// The velocity at which a body slips on another or on the ground, by components.
-    fn of(&mut self, arena: &mut Arena, rolling: &StatedRolling) -> [Expr; 3] {
-        let mut slip = self.material(arena, rolling.body, rolling.point);
-        if let Some(other) = rolling.against {
-            let back = self.material(arena, other, rolling.point).neg(arena);
-            slip = slip.add(arena, &back);
-        }
-        [0, 1, 2].map(|axis| self.component(arena, &slip, rolling.frame, axis))
     }
 }

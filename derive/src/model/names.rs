@@ -243,7 +243,7 @@ impl Names {
     /// Whether each name of a velocity is declared as what it is used for; reports those that are not, all of them.
     fn knows(&self, reader: &mut Reader<'_>, velocity: &StatedVelocity) -> bool {
         let of: &[(&Located, Kind)] = match &velocity.of {
-            VelocityOf::Point(point) => &[(point, Kind::Point)],
+            VelocityOf::Point(point) | VelocityOf::Place(point) => &[(point, Kind::Point)],
             VelocityOf::Material(body, point) => &[(body, Kind::Body), (point, Kind::Point)],
             VelocityOf::Turning(body) if self.kind(&body.text) == Some(Kind::Body) => &[(body, Kind::Body)],
             VelocityOf::Turning(frame) => &[(frame, Kind::Frame)],

@@ -7,8 +7,9 @@ use super::constraint::{Solved, Stated, solve_all};
 use super::elements::Elements;
 use super::loading::Loading;
 use super::motion_constraints::{Tied, Ties};
+use super::moving::Moving;
 use super::names::{ANYTHING, CONSTANT, Kind, Names};
-use super::{Condition, Coordinate, Model, Parameter, Speed};
+use super::{Condition, Coordinate, Model, NamedVelocity, Parameter, Speed};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
@@ -17,7 +18,7 @@ use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 18] = [
     "name",
     "source",
     "parameters",
@@ -31,6 +32,7 @@ const KEYS: [&str; 17] = [
     "gravity",
     "forces",
     "torques",
+    "springs",
     "reactions",
     "constraints",
     "rolling",
@@ -71,6 +73,20 @@ pub fn load(source: &Source) -> Result<Model, Diagnostics> {
     Ok(model.expect("a model without errors is complete"))
 }
 
+/// What ties a mechanism together, beside its frames and points.
+struct Connections {
+    /// The velocities and positions that formulas name.
+    velocities: Vec<NamedVelocity>,
+    /// Equations between coordinates.
+    configuration: Vec<Stated>,
+    /// Equations between velocities.
+    motion: Vec<Stated>,
+    /// Components of velocities at which bodies would slip.
+    slips: Vec<Stated>,
+    /// Whether all of these could be read.
+    is_known: bool,
+}
+
 impl<'a> Loading<'a> {
     fn model(&mut self, table: &'a DeTable<'a>, source: &Source) -> Option<Model> {
         if !table.contains_key("name") {
@@ -96,12 +112,11 @@ impl<'a> Loading<'a> {
         let mut elements = Elements::default();
         elements.read(self, table, &reactions);
         let before_constraints = self.reader.errors.len();
-        let stated = self.constraints(table, &elements);
-        let rolling = self.rolling(table, &elements);
-        let (stated, moving): (Vec<_>, Vec<_>) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
+        let Connections { velocities, configuration, motion, slips, is_known } =
+            self.connections(table, &mut elements, &coordinates);
         let configuration_variables = coordinates.len();
         let Solved { constraints, replacements, kept } =
-            solve_all(&mut self.reader, &mut self.arena, &mut coordinates, stated);
+            solve_all(&mut self.reader, &mut self.arena, &mut coordinates, configuration);
         motion_errors += self.reader.errors.len() - before_constraints;
         let domain = self.domain(table);
         let stated_speeds = texts.len();
@@ -109,18 +124,16 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check(self, &parameters);
-        let velocities = elements.velocities(self);
         let mut put = |list: Vec<Stated>| -> Vec<Stated> {
             let fixed = |c: Stated| Stated { equation: fixed.apply(&mut self.arena, c.equation), ..c };
             list.into_iter().map(fixed).collect()
         };
-        let (kept, stated) = (put(kept), put(moving));
-        let ties = if kept.is_empty() && stated.is_empty() && rolling.is_empty() {
+        let (kept, stated, rolling) = (put(kept), put(motion), put(slips));
+        let ties = if is_known && kept.is_empty() && stated.is_empty() && rolling.is_empty() {
             Some(Ties::default())
-        } else if self.reader.errors.is_empty() {
+        } else if is_known && self.reader.errors.is_empty() {
             let of_speeds: Vec<Speed> = speeds.iter().map(|(speed, _)| speed.clone()).collect();
-            let (coordinates, speeds, velocities) = (&coordinates, &of_speeds, &velocities);
-            self.ties(&elements, Tied { coordinates, speeds, velocities, kept, stated, rolling })
+            self.ties(Tied { coordinates: &coordinates, speeds: &of_speeds, kept, stated, rolling })
         } else {
             None
         };
@@ -168,11 +181,44 @@ impl<'a> Loading<'a> {
         })
     }
 
+    /// Reads what ties coordinates, velocities and bodies together, with what it names of the motion put in; springs become
+    /// forces.
+    fn connections(
+        &mut self,
+        table: &'a DeTable<'a>,
+        elements: &mut Elements,
+        coordinates: &[Coordinate],
+    ) -> Connections {
+        let mut stated = self.constraints(table, elements);
+        let rolling = self.rolling(table, elements);
+        let springs = self.springs(table, elements);
+        let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
+        let velocities = elements.velocities(self);
+        let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
+        let needs_motion = !rolling.is_empty() || !springs.is_empty() || stated.iter().any(names_motion);
+        // With an error in frames or points, nothing is said of what moves with them.
+        let is_known = !needs_motion || self.reader.errors.is_empty();
+        let mut slips = Vec::new();
+        if !is_known {
+            stated.clear();
+        } else if needs_motion {
+            let mut moving = Moving::new(&mut self.arena, elements, coordinates);
+            let forces = self.spring_forces(&mut moving, elements, springs);
+            slips = self.slips(&mut moving, elements, rolling);
+            let value = |v: &NamedVelocity| (v.symbol, moving.named(&mut self.arena, elements, v));
+            let mut put = Substitution::new(&velocities.iter().map(value).collect::<Vec<_>>());
+            for constraint in &mut stated {
+                constraint.equation = put.apply(&mut self.arena, constraint.equation);
+            }
+            elements.forces.extend(forces);
+        }
+        let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
+        Connections { velocities, configuration, motion, slips, is_known }
+    }
+
     /// Whether an equation is between coordinates alone.
     fn is_of_configuration(&self, equation: Expr) -> bool {
-        let moving = [Kind::Rate, Kind::Speed];
-        let names = self.names.velocities.iter().map(|velocity| velocity.symbol);
-        let moves: Vec<Expr> = names.chain(self.names.symbols_of(&moving)).collect();
+        let moves = self.names.symbols_of(&[Kind::Rate, Kind::Speed]);
         !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))
     }
 

@@ -1,4 +1,5 @@
-//! Velocities that formulas name: of a point, of the material of a body that is at a point, and of what turns.
+//! Velocities that formulas name: of a point, of the material of a body that is at a point, and of what turns; and
+//! positions.
 
 use super::units::Unit;
 use crate::algebra::parse::{VelocityName, VelocityOf};
@@ -6,7 +7,7 @@ use crate::algebra::{Arena, Expr};
 use crate::read::Located;
 use std::ops::Range;
 
-/// A component of a velocity in the inertial frame, m/s or rad/s, that formulas name.
+/// A component of a velocity in the inertial frame, m/s or rad/s, or of a position, m, that formulas name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedVelocity {
     /// What stands for it in those formulas; its name is that of the quantity, `v(disk, P) @ A [1]`.
@@ -38,13 +39,17 @@ impl StatedVelocity {
             VelocityOf::Point(point) => VelocityOf::Point(located(point)),
             VelocityOf::Material(body, point) => VelocityOf::Material(located(body), located(point)),
             VelocityOf::Turning(frame) => VelocityOf::Turning(located(frame)),
+            VelocityOf::Place(point) => VelocityOf::Place(located(point)),
         };
         Self { symbol: arena.symbol(&name.text()), of, frame: located(&name.frame), axis: name.axis }
     }
 
-    /// m/s, or rad/s.
+    /// m/s, rad/s or m.
     pub fn unit(&self) -> Unit {
-        let length = i64::from(!matches!(self.of, VelocityOf::Turning(_)));
-        Unit::new(length, 0, -1)
+        match self.of {
+            VelocityOf::Point(_) | VelocityOf::Material(..) => Unit::new(1, 0, -1),
+            VelocityOf::Turning(_) => Unit::new(0, 0, -1),
+            VelocityOf::Place(_) => Unit::new(1, 0, 0),
+        }
     }
 }

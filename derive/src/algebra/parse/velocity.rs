@@ -1,5 +1,5 @@
 //! A component of a velocity as it is written: `v(P) @ A [1]`, of a point, `v(disk, P) @ A [1]`, of the material of a body
-//! that is at a point, and `omega(B) @ A [3]`, of a body or a frame that turns.
+//! that is at a point, and `omega(B) @ A [3]`, of a body or a frame that turns; and of a position, `p(P) @ A [1]`.
 
 use super::error::{ParseError, error};
 use std::ops::Range;
@@ -7,7 +7,7 @@ use std::ops::Range;
 /// A word of the text and its place.
 pub type Word<'a> = (&'a str, Range<usize>);
 
-/// What a velocity is of.
+/// What a velocity is of, or a position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum VelocityOf<N> {
     /// A point.
@@ -16,6 +16,8 @@ pub enum VelocityOf<N> {
     Material(N, N),
     /// What turns: the velocity is an angular one.
     Turning(N),
+    /// A point, whose position from the origin is meant.
+    Place(N),
 }
 
 /// A component of a velocity, by names that the algebra knows nothing of.
@@ -30,12 +32,12 @@ pub struct VelocityName<'a> {
 }
 
 /// What to write.
-const FORM: &str =
-    "write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, or omega(BODY) @ FRAME [1]";
+const FORM: &str = "write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, omega(BODY) @ FRAME [1], or \
+                    p(POINT) @ FRAME [1] for a position";
 
 /// Whether a velocity is written with this word in front of its parenthesis.
 pub(super) fn is_velocity(word: &str) -> bool {
-    word == "v" || word == "omega"
+    ["v", "omega", "p"].contains(&word)
 }
 
 impl<'a> VelocityName<'a> {
@@ -45,6 +47,8 @@ impl<'a> VelocityName<'a> {
         cursor.mark('(')?;
         let of = if word == "omega" {
             VelocityOf::Turning(cursor.word("a body or a frame")?)
+        } else if word == "p" {
+            VelocityOf::Place(cursor.word("a point")?)
         } else {
             let first = cursor.word("a point")?;
             if cursor.next_is(',') {
@@ -73,6 +77,7 @@ impl<'a> VelocityName<'a> {
             VelocityOf::Point(point) => VelocityOf::Point(point.0),
             VelocityOf::Material(body, point) => VelocityOf::Material(body.0, point.0),
             VelocityOf::Turning(body) => VelocityOf::Turning(body.0),
+            VelocityOf::Place(point) => VelocityOf::Place(point.0),
         };
         canonical(&of, self.frame.0, self.axis)
     }
@@ -85,6 +90,7 @@ pub fn canonical(of: &VelocityOf<&str>, frame: &str, axis: usize) -> String {
         VelocityOf::Point(point) => format!("v({point})"),
         VelocityOf::Material(body, point) => format!("v({body}, {point})"),
         VelocityOf::Turning(body) => format!("omega({body})"),
+        VelocityOf::Place(point) => format!("p({point})"),
     };
     format!("{of} @ {frame} [{}]", axis + 1)
 }

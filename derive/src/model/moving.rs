@@ -1,0 +1,84 @@
+//! What moves in a mechanism whose frames and points are read: positions and velocities, in q and q̇.
+
+use super::elements::Elements;
+use super::velocities::NamedVelocity;
+use super::{Coordinate, Place};
+use crate::algebra::calculus::Differential;
+use crate::algebra::parse::VelocityOf;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Frames, Motion, Vector};
+
+/// Frames and points of a mechanism along every motion of its coordinates.
+pub struct Moving {
+    frames: Frames,
+    motion: Motion,
+    rates: Differential,
+    simplifier: Simplifier,
+}
+
+impl Moving {
+    /// The motion of elements without errors.
+    pub fn new(arena: &mut Arena, elements: &Elements, coordinates: &[Coordinate]) -> Self {
+        let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let mut rates = Differential::along(&rates);
+        let mut frames = Frames::new(&elements.frames);
+        let motion = Motion::new(arena, &mut frames, &elements.frames, &elements.points, &mut rates);
+        Self { frames, motion, rates, simplifier: Simplifier::default() }
+    }
+
+    /// What a formula names.
+    pub fn named(&mut self, arena: &mut Arena, elements: &Elements, name: &NamedVelocity) -> Expr {
+        let vector = match name.of {
+            VelocityOf::Material(body, point) => self.material(arena, elements, body, point),
+            VelocityOf::Point(point) => self.motion.linear[point].clone(),
+            VelocityOf::Turning(frame) => self.motion.angular[frame].clone(),
+            VelocityOf::Place(point) => self.motion.positions[point].clone(),
+        };
+        self.component(arena, &vector, name.frame, name.axis)
+    }
+
+    /// One component of a vector, simplified.
+    pub fn component(&mut self, arena: &mut Arena, vector: &Vector, frame: usize, axis: usize) -> Expr {
+        let component = self.frames.component(arena, vector, frame, axis);
+        self.simplifier.simplify(arena, component)
+    }
+
+    /// The velocity of the material of a body at a point.
+    pub fn material(&mut self, arena: &mut Arena, elements: &Elements, body: usize, point: usize) -> Vector {
+        let body = &elements.bodies[body];
+        match &body.rigid {
+            Some((frame, _)) => self.motion.of_material(arena, &mut self.frames, (*frame, body.centre), point),
+            None => self.motion.linear[body.centre].clone(),
+        }
+    }
+
+    /// From one point to another.
+    pub fn way(&self, arena: &mut Arena, from: usize, to: usize) -> Vector {
+        let back = self.motion.positions[from].neg(arena);
+        self.motion.positions[to].add(arena, &back)
+    }
+
+    /// |v|² of a vector, simplified.
+    pub fn square(&mut self, arena: &mut Arena, vector: &Vector) -> Expr {
+        let square = self.frames.dot(arena, vector, vector);
+        self.simplifier.simplify(arena, square)
+    }
+
+    /// The time derivative of a term in q.
+    pub fn rate(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        let rate = self.rates.apply(arena, e);
+        self.simplifier.simplify(arena, rate)
+    }
+
+    /// Whether the material of a body at a point is always the same: else a force there works otherwise than along the way of
+    /// the point.
+    pub fn stays(&mut self, arena: &mut Arena, elements: &Elements, Place { body, point }: Place) -> bool {
+        let back = self.motion.linear[point].neg(arena);
+        let slip = self.material(arena, elements, body, point).add(arena, &back);
+        let components = self.frames.express(arena, &slip, 0);
+        components
+            .iter()
+            .all(|e| crate::algebra::modular::zero_test(arena, *e) == crate::algebra::modular::ZeroTest::Zero)
+    }
+}

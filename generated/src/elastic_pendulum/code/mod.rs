@@ -1,0 +1,15 @@
+//! Elastic pendulum: the code of the equations.
+//!
+//! Generated from `models/elastic_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+
+/// Kane's method.
+#[rustfmt::skip]
+pub mod kane;
+
+/// Lagrange's equations.
+#[rustfmt::skip]
+pub mod lagrange;
+
+/// Newton–Euler equations.
+#[rustfmt::skip]
+pub mod newton_euler;
