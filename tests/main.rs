@@ -6,6 +6,7 @@ mod agreement;
 mod arm;
 mod arrows;
 mod battery;
+mod bicycle;
 mod circles;
 mod exact_motions;
 mod fresh;

@@ -2,16 +2,20 @@
 //!
 //! Elimination divides by pivots that may vanish where the system is regular: a rotation matrix has
 //! determinant 1 and entries that vanish everywhere in turn. A small block is therefore solved by its
-//! cofactors, and its determinant simplified before it divides. Apart from `elimination`, which is for systems whose
+//! cofactors, and its determinant simplified before it divides. Of a larger block what can be eliminated with entries that are
+//! zero nowhere is eliminated with these, and the rest is such a small block. Apart from `elimination`, which is for systems whose
 //! pivots are known not to vanish, and shares what it computes.
 
 use super::linear::{Singular, solve};
+use super::range::never_zero;
 use super::rank::rank;
 use super::simplify::Simplifier;
 use super::{Arena, Expr};
+use rustc_hash::FxHashMap;
 
-/// The largest block that is solved by cofactors; larger ones are eliminated.
+/// The largest block that is solved by cofactors as it is, and the largest that is left of others.
 const LARGEST: usize = 4;
+const LARGEST_LEFT: usize = 6;
 
 /// Solves A x = b, A square; returns x and what was divided by.
 ///
@@ -36,9 +40,7 @@ pub fn solve_blocks(
         let (solution, by) = if rows.len() <= LARGEST && rows.len() == columns.len() {
             by_cofactors(arena, simplifier, &block, &right)
         } else {
-            let right: Vec<Vec<Expr>> = right.into_iter().map(|e| vec![e]).collect();
-            let (solution, pivots) = solve(arena, simplifier, &block, &right)?;
-            (solution.into_iter().map(|row| row[0]).collect(), pivots)
+            by_parts(arena, simplifier, &block, &right)?
         };
         for (column, value) in columns.iter().zip(solution) {
             x[*column] = value;
@@ -46,6 +48,82 @@ pub fn solve_blocks(
         divisors.extend(by);
     }
     Ok((x, divisors))
+}
+
+/// Eliminates with entries that are zero nowhere, and solves what is left by cofactors if it is small.
+fn by_parts(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    a: &[Vec<Expr>],
+    b: &[Expr],
+) -> Result<(Vec<Expr>, Vec<Expr>), Singular> {
+    let n = a.len();
+    let mut rows: Vec<Vec<Expr>> = a.iter().zip(b).map(|(row, right)| [row.as_slice(), &[*right]].concat()).collect();
+    let mut order: Vec<(usize, usize)> = Vec::new();
+    while let Some((row, column)) = sure_pivot(arena, &rows, &order, n) {
+        order.push((row, column));
+        let pivot = rows[row][column];
+        for entry in &mut rows[row] {
+            let quotient = arena.div(*entry, pivot).expect("a pivot is not zero");
+            *entry = simplifier.simplify(arena, quotient);
+        }
+        let pivot_row = rows[row].clone();
+        for target in rows.iter_mut().enumerate().filter(|(other, _)| *other != row).map(|(_, target)| target) {
+            let factor = target[column];
+            if factor == Expr::ZERO {
+                continue;
+            }
+            for (entry, &p) in target.iter_mut().zip(&pivot_row) {
+                let product = arena.mul(factor, p);
+                let difference = arena.sub(*entry, product);
+                *entry = simplifier.simplify(arena, difference);
+            }
+        }
+    }
+    let left = |taken: &dyn Fn(&(usize, usize)) -> usize| -> Vec<usize> {
+        (0..n).filter(|at| !order.iter().any(|pair| taken(pair) == *at)).collect()
+    };
+    let (rows_left, columns_left) = (left(&|(row, _)| *row), left(&|(_, column)| *column));
+    let block: Vec<Vec<Expr>> = rows_left.iter().map(|r| columns_left.iter().map(|c| rows[*r][*c]).collect()).collect();
+    let right: Vec<Expr> = rows_left.iter().map(|r| rows[*r][n]).collect();
+    let (solution, divisors) = if rows_left.len() <= LARGEST_LEFT {
+        by_cofactors(arena, simplifier, &block, &right)
+    } else {
+        let right: Vec<Vec<Expr>> = right.into_iter().map(|e| vec![e]).collect();
+        let (solution, pivots) = solve(arena, simplifier, &block, &right)?;
+        (solution.into_iter().map(|row| row[0]).collect(), pivots)
+    };
+    let mut x = vec![Expr::ZERO; n];
+    for (column, value) in columns_left.iter().zip(&solution) {
+        x[*column] = *value;
+    }
+    for (row, column) in order {
+        let mut terms = vec![rows[row][n]];
+        for (other, value) in columns_left.iter().zip(&solution) {
+            let share = arena.mul(rows[row][*other], *value);
+            terms.push(arena.neg(share));
+        }
+        let sum = arena.sum(&terms);
+        x[column] = simplifier.simplify(arena, sum);
+    }
+    Ok((x, divisors))
+}
+
+/// The shortest entry that is zero nowhere, in a row and a column that were not taken.
+fn sure_pivot(arena: &Arena, rows: &[Vec<Expr>], order: &[(usize, usize)], n: usize) -> Option<(usize, usize)> {
+    let mut best: Option<(usize, usize, usize)> = None;
+    for (r, row) in rows.iter().enumerate().filter(|(r, _)| !order.iter().any(|(row, _)| row == r)) {
+        for (c, &entry) in row[..n].iter().enumerate() {
+            if entry == Expr::ZERO || order.iter().any(|(_, column)| *column == c) {
+                continue;
+            }
+            let cost = if arena.as_number(entry).is_some() { 0 } else { arena.reachable(&[entry]).len() };
+            if best.is_none_or(|(least, ..)| cost < least) && never_zero(arena, entry) {
+                best = Some((cost, r, c));
+            }
+        }
+    }
+    best.map(|(_, r, c)| (r, c))
 }
 
 /// The connected blocks of a matrix: rows and columns that share entries which are not 0.
@@ -84,14 +162,15 @@ fn blocks(a: &[Vec<Expr>]) -> Vec<(Vec<usize>, Vec<usize>)> {
 fn by_cofactors(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>], b: &[Expr]) -> (Vec<Expr>, Vec<Expr>) {
     let n = a.len();
     let all: Vec<usize> = (0..n).collect();
-    let determinant = minor(arena, simplifier, a, &all, &all);
+    let mut minors = Minors { a, known: FxHashMap::default() };
+    let determinant = minors.minor(arena, simplifier, &all, &all);
     let mut x = Vec::with_capacity(n);
     for column in 0..n {
         let mut terms = Vec::with_capacity(n);
         for (row, right) in b.iter().enumerate() {
             let rows: Vec<usize> = all.iter().copied().filter(|r| *r != row).collect();
             let columns: Vec<usize> = all.iter().copied().filter(|c| *c != column).collect();
-            let cofactor = minor(arena, simplifier, a, &rows, &columns);
+            let cofactor = minors.minor(arena, simplifier, &rows, &columns);
             let signed = if (row + column) % 2 == 0 { cofactor } else { arena.neg(cofactor) };
             // Each quotient for itself: a cofactor often cancels the determinant where their sum hides it.
             let factor = arena.div(signed, determinant).expect("the rank is full, so the determinant is not 0");
@@ -104,20 +183,33 @@ fn by_cofactors(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>],
     (x, vec![determinant])
 }
 
-/// The determinant of the chosen rows and columns, by expansion along the first row.
-fn minor(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>], rows: &[usize], columns: &[usize]) -> Expr {
-    let Some((first, rest)) = rows.split_first() else { return Expr::ONE };
-    let mut terms = Vec::new();
-    for (at, column) in columns.iter().enumerate() {
-        let entry = a[*first][*column];
-        if entry == Expr::ZERO {
-            continue;
+/// Minors of a matrix, each computed once.
+struct Minors<'a> {
+    a: &'a [Vec<Expr>],
+    known: FxHashMap<(Vec<usize>, Vec<usize>), Expr>,
+}
+
+impl Minors<'_> {
+    /// The determinant of the chosen rows and columns, by expansion along the first row.
+    fn minor(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, rows: &[usize], columns: &[usize]) -> Expr {
+        let Some((first, rest)) = rows.split_first() else { return Expr::ONE };
+        if let Some(known) = self.known.get(&(rows.to_vec(), columns.to_vec())) {
+            return *known;
         }
-        let others: Vec<usize> = columns.iter().copied().filter(|c| c != column).collect();
-        let below = minor(arena, simplifier, a, rest, &others);
-        let product = arena.mul(entry, below);
-        terms.push(if at % 2 == 0 { product } else { arena.neg(product) });
+        let mut terms = Vec::new();
+        for (at, column) in columns.iter().enumerate() {
+            let entry = self.a[*first][*column];
+            if entry == Expr::ZERO {
+                continue;
+            }
+            let others: Vec<usize> = columns.iter().copied().filter(|c| c != column).collect();
+            let below = self.minor(arena, simplifier, rest, &others);
+            let product = arena.mul(entry, below);
+            terms.push(if at % 2 == 0 { product } else { arena.neg(product) });
+        }
+        let sum = arena.sum(&terms);
+        let determinant = simplifier.simplify(arena, sum);
+        self.known.insert((rows.to_vec(), columns.to_vec()), determinant);
+        determinant
     }
-    let sum = arena.sum(&terms);
-    simplifier.simplify(arena, sum)
 }
