@@ -137,6 +137,22 @@ fn an_open_start_is_refused() {
     assert!((near.q[1] - q2).abs() < 1e-14 && near.closed.is_empty());
 }
 
+/// Goal: no run begins where the motion is not determined. Method: a linkage that folds flat, and one beside it.
+#[test]
+fn a_singular_pose_is_no_start() {
+    let flat = FOUR_BAR.replace(
+        "value = 0.7, positive = true, about = \"distance",
+        "value = 0.5, positive = true, about = \"distance",
+    );
+    let folding = || model::load(&Source::from_text("four_bar.toml", &flat)).unwrap_or_else(|e| panic!("{e}"));
+    let at = |q1: &str| TURNING.replace("q1 = 0.5", q1).replace("q2 = 0.6\nq3 = 1.2", "q2 = 0.1\nq3 = 0.1");
+    let refused = scene(folding(), &at("q1 = 0")).err().unwrap();
+    assert!(refused.contains("a singular pose") && refused.contains("start beside q1 = 0"), "{refused}");
+    if let Err(refused) = scene(folding(), &at("q1 = 0.1")) {
+        panic!("{refused}");
+    }
+}
+
 /// Goal: a reference in 32 digits keeps loops closed, too. Method: a tight run against it.
 #[test]
 fn a_reference_knows_a_loop() {

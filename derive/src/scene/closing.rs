@@ -19,6 +19,9 @@ const OPEN: f64 = 1e-13;
 const STATED: f64 = 1e-9;
 /// Singular values below the largest times this do not count.
 const RANK: f64 = 1e-10;
+/// Where one of all loops is below the largest times this, they are dependent: a pose that is a double root is found to half
+/// of the digits.
+const SINGULAR: f64 = 1e-6;
 
 /// The loops of a model as functions of parameters and coordinates.
 struct Loops {
@@ -83,6 +86,13 @@ impl<'a> Values<'a, '_> {
         let is_stated = free.is_empty() && loops.is_closed(&p, &start, &open_at_start, STATED);
         if !found.is_closed || free.is_empty() && !is_stated {
             self.report_open(&found, &open_at_start, &free, place);
+            return None;
+        }
+        if loops.is_singular(&p, &found.q) {
+            let message = "the start is a singular pose: the slopes of the loops are dependent there, and several motions may go on from it";
+            let shown = |at: &usize| format!("{} = {}", self.model.coordinates[*at].name, found.q[*at]);
+            let pose: Vec<String> = all.iter().map(shown).collect();
+            self.reader.error(place, message, format!("start beside {}", pose.join(", ")));
             return None;
         }
         // To 32 digits, with the slopes in doubles: each step gives sixteen more.
@@ -171,6 +181,12 @@ impl Loops {
             let size: f64 = slopes.row(row).iter().zip(q).map(|(slope, q)| (slope * q).abs().max(slope.abs())).sum();
             open.abs() <= part * size
         })
+    }
+
+    /// Whether the slopes of the loops are dependent.
+    fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
+        let values = self.slopes(p, q).singular_values();
+        values.min() <= SINGULAR * values.max()
     }
 
     /// Newton's method with halved steps, along these coordinates alone; where the loops leave some of them open, by the
