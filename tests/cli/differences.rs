@@ -165,3 +165,13 @@ fn a_formulation_that_was_lost_is_named_with_its_reason() {
     let (status, text, _) = tripos_in(folder.path(), &["diff", "new", "old"]);
     assert!(status == 1 && text.contains("  now derived: newton-euler\n"), "{text}");
 }
+
+/// Goal: a loop that is closed elsewhere is another mechanism, though its rate is the same. Method: the ground of the four-bar
+/// linkage made longer.
+#[test]
+fn a_loop_closed_elsewhere_is_a_difference() {
+    let folder = edited("four_bar", |text| text.replace("= d + c*cos(q3)", "= 2*d + c*cos(q3)"));
+    let (status, out) = diff(folder.path());
+    assert_eq!(status, 1, "{out}");
+    assert!(out.contains("loop_x"), "{out}");
+}

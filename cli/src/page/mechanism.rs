@@ -6,7 +6,7 @@ use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::moving_places;
-use tripos_derive::model::{Place, ReactionKind, Unit};
+use tripos_derive::model::{Place, ReactionKind, Tie, Unit};
 
 /// The section of the mechanism.
 pub fn section(model: &Model) -> String {
@@ -72,6 +72,21 @@ fn constraints(model: &Model) -> String {
     });
     let constraints =
         some("Holonomic constraints", &["Name", "Equation", "Solved", "Enforced by"], &rows.collect::<Vec<_>>());
+    let zero = |e: Expr| inline(&format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(&model.arena, e)));
+    let loops = model.loops.iter().map(|c| vec![escape(&c.name), zero(c.equation)]);
+    let loops = some("Loops, which stay closed", &["Name", "Equation"], &loops.collect::<Vec<_>>());
+    let of_motion = model.motion_constraints.iter().map(|c| {
+        let states = match c.tie {
+            Tie::Stated => "velocities",
+            Tie::Rolling => "rolling without slip",
+            Tie::Loop(_) => "the rate of a loop",
+        };
+        let by = c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&symbol(&model.reactions[at].name)));
+        vec![escape(&c.name), zero(c.equation), states.to_owned(), by]
+    });
+    let heads = ["Name", "Equation", "Of", "Enforced by"];
+    let of_motion = some("Motion constraints", &heads, &of_motion.collect::<Vec<_>>());
+    let constraints = constraints + &loops + &of_motion;
     let rows = model.domain.iter().map(|c| vec![escape(&c.name), format!("<code>{}</code>", escape(&c.text))]);
     constraints + &some("Domain, where the equations hold", &["Name", "Condition"], &rows.collect::<Vec<_>>())
 }

@@ -8,7 +8,7 @@ use super::transfer::Transfer;
 use crate::algebra::compare::Comparer;
 use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr};
-use crate::model::{Model, Parameter, Place, ReactionKind};
+use crate::model::{Model, Parameter, Place, ReactionKind, Tie};
 
 /// A section of model files that declares something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -281,13 +281,26 @@ fn loads(model: &Model) -> Vec<Element> {
 }
 
 fn conditions(model: &Model) -> Vec<Element> {
+    let by = |reaction: Option<usize>| {
+        reaction.map_or_else(String::new, |r| format!(", enforced by {}", model.reactions[r].name))
+    };
     let constraints = model.constraints.iter().map(|c| {
-        let by = c.enforced_by.map_or_else(String::new, |r| format!(", enforced by {}", model.reactions[r].name));
-        Element::new(Section::Constraints, &c.name, format!("fixes {}{by}", c.fixes), vec![c.value])
+        Element::new(Section::Constraints, &c.name, format!("fixes {}{}", c.fixes, by(c.enforced_by)), vec![c.value])
+    });
+    // A loop says more than its rate: where it is closed.
+    let loops =
+        model.loops.iter().map(|c| Element::new(Section::Constraints, &c.name, "a loop".to_owned(), vec![c.equation]));
+    let of_motion = model.motion_constraints.iter().map(|c| {
+        let (name, place) = match c.tie {
+            Tie::Loop(_) => (format!("{}'", c.name), "the rate of a loop"),
+            Tie::Rolling => (c.name.clone(), "rolling"),
+            Tie::Stated => (c.name.clone(), "between velocities"),
+        };
+        Element::new(Section::Constraints, &name, format!("{place}{}", by(c.enforced_by)), vec![c.equation])
     });
     let domain = model.domain.iter().map(|c| Element {
         written: Some(c.text.clone()),
         ..Element::new(Section::Domain, &c.name, String::new(), vec![c.positive])
     });
-    constraints.chain(domain).collect()
+    constraints.chain(loops).chain(of_motion).chain(domain).collect()
 }
