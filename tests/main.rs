@@ -32,3 +32,4 @@ use support as spoilt;
 mod sympy;
 mod sympy_reference;
 mod taylor;
+mod time;

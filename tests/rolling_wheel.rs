@@ -204,7 +204,7 @@ fn a_run_is_the_rolling_motion() {
 fn a_reference_knows_the_rolling_motion() {
     let scene = Scene::parse(Mechanism::new(rolling()), ROLL).unwrap_or_else(|e| panic!("{e}"));
     let reference = scene.reference(&[3.0]).unwrap();
-    assert!(reference.uncertainty < 1e-15 && reference.end().len() == 8, "{}", reference.uncertainty);
+    assert!(reference.uncertainty < 1e-17 && reference.end().len() == 8, "{}", reference.uncertainty);
     let run = scene.simulate(&Overrides { by: Some("kane".to_owned()), ..Overrides::default() }).unwrap();
     for (found, exact) in run.end.iter().zip(reference.end()) {
         close("the end", *found, exact.to_f64(), 1e-9);

@@ -198,7 +198,7 @@ pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
             .collect(),
         note: None,
     };
-    labels.iter().enumerate().map(panel).collect()
+    labels.iter().enumerate().filter(|(at, _)| Some(*at) != model.time()).map(panel).collect()
 }
 
 /// |I(t) − I(t₀)| of every first integral, a panel each, on logarithmic axes.

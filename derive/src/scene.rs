@@ -281,6 +281,8 @@ pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnosti
 impl<'a> Values<'a, '_> {
     fn scene_numbers(&mut self, table: &'a DeTable<'a>) -> Numbers {
         let parameters = self.parameters(table);
+        let span = self.span(table, parameters.as_deref().unwrap_or_default());
+        self.instant = span.as_ref().map(|(from, _)| from.clone());
         let start = match (self.section(table, "start"), &parameters) {
             (None, _) => {
                 let help = "add [start] with every coordinate and every speed or every q'";
@@ -291,12 +293,12 @@ impl<'a> Values<'a, '_> {
             (Some(_), None) => None,
         };
         let p = parameters.unwrap_or_default();
-        let span = self.span(table, &p);
+        let span = span.map(|(from, to)| (from.double, to.double));
         let integration = self.integration(table, &p);
         Numbers { p, start: start.unwrap_or_default(), span, integration }
     }
 
-    fn span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(f64, f64)> {
+    fn span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(Number, Number)> {
         let Some(value) = self.reader.get(table, "span") else {
             let help = "add span = [0, 1], in seconds";
             self.reader.errors.push(Diagnostic::of_file("the scene has no `span`", help));
@@ -306,11 +308,11 @@ impl<'a> Values<'a, '_> {
             self.reader.error(value.span(), "`span` must be two instants", "write span = [0, 1], in seconds");
             return None;
         };
-        let ends: Vec<Option<f64>> = array
+        let ends: Vec<Option<Number>> = array
             .iter()
             .map(|v| {
                 let formula = self.reader.formula(v, "an instant")?;
-                Some(self.number(&formula, p, "an instant")?.double)
+                self.number(&formula, p, "an instant")
             })
             .collect();
         let [from, to] = ends.as_slice() else {
@@ -318,8 +320,8 @@ impl<'a> Values<'a, '_> {
             self.reader.error(value.span(), message, "write span = [0, 1], in seconds");
             return None;
         };
-        let (from, to) = ((*from)?, (*to)?);
-        if from - to == 0.0 {
+        let (from, to) = (from.clone()?, to.clone()?);
+        if from.double - to.double == 0.0 {
             self.reader.error(value.span(), "the span is empty", "let the last instant differ from the first");
             return None;
         }

@@ -194,7 +194,7 @@ fn errors_in_a_formula_stand_at_their_column() {
         ("m*π", 2, "`π`"),
         ("m*g²", 3, "`²`"),
         ("m*θ", 2, "`θ`"),
-        ("m*g*sin(t)", 8, "explicit time"),
+        ("m*g*sin(t)", 0, "quantity in s"),
         ("m*g*sin(90*deg)", 11, "`deg`"),
         ("m*unknown", 2, "`unknown`"),
         ("2^(2^20)", 0, "too large"),

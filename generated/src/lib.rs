@@ -17,6 +17,10 @@ pub mod chaotic_pendulum;
 #[rustfmt::skip]
 pub mod disk;
 
+/// The model `driven_pendulum`.
+#[rustfmt::skip]
+pub mod driven_pendulum;
+
 /// The model `elastic_pendulum`.
 #[rustfmt::skip]
 pub mod elastic_pendulum;
@@ -60,7 +64,8 @@ pub mod spherical_pendulum;
 /// Every compiled model, by name.
 #[rustfmt::skip]
 pub static MODELS: &[tripos_traits::CompiledModel] = &[
-    cart_pendulum_3::MODEL, chaotic_pendulum::MODEL, disk::MODEL, elastic_pendulum::MODEL,
-    euler_top::MODEL, floating_chain::MODEL, four_bar::MODEL, free_body::MODEL, heavy_top::MODEL,
-    knife_edge::MODEL, pendulum::MODEL, rolling_disc::MODEL, spherical_pendulum::MODEL,
+    cart_pendulum_3::MODEL, chaotic_pendulum::MODEL, disk::MODEL, driven_pendulum::MODEL,
+    elastic_pendulum::MODEL, euler_top::MODEL, floating_chain::MODEL, four_bar::MODEL,
+    free_body::MODEL, heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, rolling_disc::MODEL,
+    spherical_pendulum::MODEL,
 ];

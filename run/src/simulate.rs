@@ -178,7 +178,8 @@ pub fn whole_energies(model: &Mechanism, scene: &Scene, run: &mut Run) -> Result
     };
     run.energies = run.states.iter().map(energies).collect();
     let (kinetic, potential) = energies(&run.end);
-    run.energy_drift = Some(run.solution.energy_drift(run.energies.iter().map(|(t, v)| t + v), kinetic + potential));
+    let drift = || run.solution.energy_drift(run.energies.iter().map(|(t, v)| t + v), kinetic + potential);
+    run.energy_drift = (!model.is_driven()).then(drift);
     Ok(())
 }
 
@@ -258,8 +259,8 @@ fn finish(
         (system.kinetic_energy(p, q, v), system.potential_energy(p, q))
     };
     let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
-    // Without an energy of their own, reduced equations state none.
-    let has_energy = !problem.by.is_reduced() || system.has_energy_gradient();
+    // Without an energy of their own, reduced equations state none; and nobody knows what a drive works.
+    let has_energy = (!problem.by.is_reduced() || system.has_energy_gradient()) && !problem.mechanism.is_driven();
     let energy_drift = has_energy.then(|| dynamics.energy_drift(&solution));
     let warnings = trust::objections(problem, &solution, watch, energy_drift, (digits.as_ref(), &names))?;
     let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
@@ -285,13 +286,25 @@ fn finish(
         end: values(problem, solution.t_end, &solution.y_end)?,
         energy_drift,
         residuals: residuals(problem, &solution),
-        notes: closed(scene).into_iter().chain(digits.as_ref().and_then(trust::unassessed)).collect(),
+        notes: closed(scene)
+            .into_iter()
+            .chain(driven(problem))
+            .chain(digits.as_ref().and_then(trust::unassessed))
+            .collect(),
         digits,
         warnings,
         solution,
     };
     run.look_for_missing(problem)?;
     Ok(run)
+}
+
+/// That the energy of a driven mechanism is no measure of a run.
+fn driven(problem: &Problem<'_>) -> Option<String> {
+    problem.mechanism.is_driven().then(|| {
+        "constraints drive the mechanism: its energy changes by what their forces work, and no drift of it is stated"
+            .to_owned()
+    })
 }
 
 /// What was solved for at the start, if anything.

@@ -5,6 +5,7 @@
 
 import hashlib
 import random
+import re
 import tomllib
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -37,12 +38,23 @@ KEYS = {
     "rolling": "body at against frame about",
 }
 SINGLE = ("inertial", "gravity")
+TIME = "t"
+TIMED = "speeds frames points forces torques springs constraints reactions domain".split()
 
 
 def check_keys(entry, section, where):
     for key in entry:
         if key not in KEYS[section].split():
             raise Unsupported(f"`{key}` in {where} is not supported")
+
+
+def names_time(entry):
+    """Whether a formula somewhere below names time."""
+    if isinstance(entry, dict):
+        return any(names_time(value) for key, value in entry.items() if key != "about")
+    if isinstance(entry, list):
+        return any(map(names_time, entry))
+    return isinstance(entry, str) and TIME in re.findall(r"\w+", entry)
 
 
 def read_tables(path):
@@ -89,6 +101,7 @@ class Model:
         """With q' from the speeds and the motion constraints that are stated."""
         t = dynamicsymbols._t
         candidates = [(name, equation.diff(t)) for name, equation in self.loops.items()] + stated
+        candidates += [(TIME, q.diff(t) - 1) for q in self.coordinates if q.func.__name__ == TIME]
         constrained = independent(self.coordinates, candidates)
         rates = solve_rates(self.coordinates, self.speeds, list(self.definitions.values()), list(constrained.values()))
         names_u = {name: msubs(value, rates) for name, value in self.names_q.items()}
@@ -103,6 +116,9 @@ def read_model(tables):
         for name, entry in tables.get("parameters", {}).items()
     }
     declared = {name: dynamicsymbols(name, real=True) for name in tables.get("coordinates", {})}
+    if names_time([tables.get(section, {}) for section in TIMED]):
+        # A coordinate that goes on by itself; SymPy's own time is what everything is differentiated by.
+        declared[TIME] = dynamicsymbols(TIME, real=True)
     stated = {name: sides(name, entry) for name, entry in tables.get("constraints", {}).items()}
     motion = {name: both for name, both in stated.items() if any("'" in side or "@" in side for side in both)}
     configuration = {name: both for name, both in stated.items() if name not in motion}
@@ -148,7 +164,7 @@ def solve_constraints(stated, parameters, declared):
     everything = set(declared.values())
     for name, (left, right) in stated.items():
         residual = sympy.expand((expression(left, names) - expression(right, names)).subs(solved))
-        for q in reversed(declared.values()):
+        for q in (declared[name] for name in reversed(declared) if name != TIME):
             factor = residual.diff(q)
             if q not in solved and factor != 0 and not factor.atoms(AppliedUndef) & everything:
                 value = sympy.expand(q - residual / factor)

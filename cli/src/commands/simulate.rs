@@ -11,6 +11,7 @@ use std::path::Path;
 use tripos::code::Form;
 use tripos::{Digits, Drift, Mechanism, Run, method_words, simulate as simulate_scene};
 use tripos_derive::diagnostic::Source;
+use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load, model_path};
 use tripos_sim::projection::ProjectionReport;
@@ -59,14 +60,15 @@ pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
 }
 
 fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
-    let state: Map<String, Value> = run.names.iter().cloned().zip(&run.end).map(|(name, x)| (name, json!(x))).collect();
+    let named_values = |list: &[f64]| -> Map<String, Value> {
+        shown(run).map(|at| (run.names[at].clone(), json!(list[at]))).collect()
+    };
+    let state = named_values(&run.end);
     let solution = &run.solution;
     let mut drift = Map::new();
     drift.insert("energy".to_owned(), json!(run.energy_drift));
     drift.extend(momenta(run).map(|drift| (drift.integral.to_string(), json!(drift.change))));
-    let named = |list: Option<&[f64]>| -> Value {
-        list.map_or(Value::Null, |list| run.names.iter().cloned().zip(list.iter().map(|x| json!(x))).collect())
-    };
+    let named = |list: Option<&[f64]>| -> Value { list.map_or(Value::Null, |list| Value::Object(named_values(list))) };
     let digits = run.digits.as_ref();
     let event = |(at, e): (usize, &EventRecord)| {
         let kind = format!("{:?}", e.kind).to_lowercase();
@@ -101,6 +103,11 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "notes": run.notes,
         "warnings": run.warnings,
     })
+}
+
+/// The places of the values of a run that are shown: time, where it is one of them, stands for itself already.
+fn shown(run: &Run) -> impl Iterator<Item = usize> {
+    (0..run.names.len()).filter(|at| run.names[*at] != TIME)
 }
 
 /// Where the run knows its values worst.
@@ -187,7 +194,8 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     }
     let _ = writeln!(out, "\nstate at t = {} s", run.solution.t_end);
     let errors = run.digits.as_ref().and_then(Digits::errors_at_end);
-    for (at, (name, x)) in run.names.iter().zip(&run.end).enumerate() {
+    for at in shown(run) {
+        let (name, x) = (&run.names[at], run.end[at]);
         let error = errors.map_or_else(String::new, |errors| format!(" ± {:.0e}", errors[at]));
         let _ = writeln!(out, "  {name} = {x}{error}");
     }
@@ -215,12 +223,16 @@ fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
     // A scene that shows outputs of its own shows no energies beside them.
     let energies = ["kinetic_energy", "potential_energy"].into_iter().filter(|_| !run.energies.is_empty());
     let energies = energies.chain(["work"].into_iter().filter(|_| !run.solution.work.is_empty()));
-    let header: Vec<String> =
-        ["t"].into_iter().chain(run.names.iter().map(String::as_str)).chain(energies).map(str::to_owned).collect();
+    let header: Vec<String> = ["t"]
+        .into_iter()
+        .chain(shown(run).map(|at| run.names[at].as_str()))
+        .chain(energies)
+        .map(str::to_owned)
+        .collect();
     let rows = run.solution.t.iter().zip(&run.states).enumerate().map(|(at, (t, state))| {
         let energies = run.energies.get(at).into_iter().flat_map(|(kinetic, potential)| [*kinetic, *potential]);
         let energies = energies.chain(run.solution.work.get(at).copied());
-        [*t].into_iter().chain(state.iter().copied()).chain(energies).map(|x| x.to_string()).collect()
+        [*t].into_iter().chain(shown(run).map(|at| state[at])).chain(energies).map(|x| x.to_string()).collect()
     });
     table(path, &header, rows)
 }

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use tripos_derive::algebra::print::{latex, mathml_terms, view_of};
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, Method, QuantityKind, Step};
+use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
 
 /// A step of more lines than this is folded.
@@ -41,7 +41,10 @@ pub fn section(
         }
         Err(reason) => format!("<p class=\"missing\"><strong>Not derived.</strong> {}.</p>\n", escape(reason)),
     };
-    format!("<section id=\"{name}\">\n<h2>{title}</h2>\n<p>{}</p>\n{content}</section>\n", principle(formulation))
+    format!(
+        "<section id=\"{name}\">\n<h2>{title}</h2>\n<p>{}</p>\n{content}</section>\n",
+        principle(formulation, model)
+    )
 }
 
 /// The terms that stand by a name in everything below.
@@ -56,9 +59,9 @@ fn named_terms(arena: &Arena, equations: &Equations) -> String {
 }
 
 /// The principle, in a sentence.
-fn principle(formulation: Formulation) -> String {
-    let Method { principle, law, .. } = formulation.method();
-    if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline(law)) }
+fn principle(formulation: Formulation, model: &Model) -> String {
+    let (principle, law) = (formulation.method().principle, formulation.law(model));
+    if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline(&law)) }
 }
 
 fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>) -> String {

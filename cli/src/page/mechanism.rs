@@ -80,6 +80,7 @@ fn constraints(model: &Model) -> String {
             Tie::Stated => "velocities",
             Tie::Rolling => "rolling without slip",
             Tie::Loop(_) => "the rate of a loop",
+            Tie::Clock => "time, which goes on",
         };
         let by = c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&symbol(&model.reactions[at].name)));
         vec![escape(&c.name), zero(c.equation), states.to_owned(), by]

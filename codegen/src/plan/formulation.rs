@@ -90,7 +90,7 @@ fn linear_system(planner: &Planner<'_>) -> Vec<Function> {
         .map(|(i, value)| (format!("f{}", index(i, n)), format!("f{}", index(i, n)), *value))
         .collect();
     let symmetry = if e.symmetric { "symmetric, rows" } else { "rows" };
-    let product = e.formulation.method().equation;
+    let product = e.formulation.equation(planner.model);
     let matrix_about =
         format!("Matrix of the linear system {product}; {symmetry} {}.", e.row_names(planner.model).join(", "));
     let forcing_about =

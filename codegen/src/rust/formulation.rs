@@ -49,7 +49,7 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
         "{}: {}, {}.",
         prose(&model.title),
         prose(&equations.title(model)),
-        equations.formulation.method().equation
+        equations.formulation.equation(model)
     );
     let code = format(
         &header(title.clone(), origin, &[]),

@@ -295,6 +295,7 @@ fn conditions(model: &Model) -> Vec<Element> {
             Tie::Loop(_) => (format!("{}'", c.name), "the rate of a loop"),
             Tie::Rolling => (c.name.clone(), "rolling"),
             Tie::Stated => (c.name.clone(), "between velocities"),
+            Tie::Clock => (c.name.clone(), "time goes on"),
         };
         Element::new(Section::Constraints, &name, format!("{place}{}", by(c.enforced_by)), vec![c.equation])
     });

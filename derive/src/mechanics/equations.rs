@@ -225,16 +225,20 @@ pub(super) fn complete(
 /// The constraints that a run by this formulation can break.
 fn constraints(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Vec<Constrained> {
     let loops = model.loops.iter().map(|c| (c.name.clone(), c.equation));
-    let of_motion = model.motion_constraints.iter().filter(|_| formulation.is_in_rates()).map(|c| {
-        let prime = if matches!(c.tie, Tie::Loop(_)) { "'" } else { "" };
-        (format!("{}{prime}", c.name), c.equation)
-    });
+    let of_motion =
+        model.motion_constraints.iter().filter(|c| formulation.is_in_rates() && c.tie != Tie::Clock).map(|c| {
+            let prime = if matches!(c.tie, Tie::Loop(_)) { "'" } else { "" };
+            (format!("{}{prime}", c.name), c.equation)
+        });
     let states = [model.q(), formulation.variables(model)].concat();
     let mut gradient = Gradient::new(&states);
+    // Nothing moves time: what is tied to it is moved.
+    let time = model.time().map(|at| &model.coordinates[at]);
+    let is_time = |state: Expr| time.is_some_and(|time| state == time.symbol || state == time.rate);
     let Kinematics { arena, simplifier, .. } = kinematics;
     let mut constrained = |(name, value)| {
         let mut slopes = vec![Expr::ZERO; states.len()];
-        for &(at, slope) in gradient.apply(arena, value).iter() {
+        for &(at, slope) in gradient.apply(arena, value).iter().filter(|(at, _)| !is_time(states[*at])) {
             slopes[at] = simplifier.simplify(arena, slope);
         }
         Constrained { name, value, slopes }

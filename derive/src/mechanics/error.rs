@@ -91,6 +91,11 @@ pub enum DeriveError {
         /// How many are derived.
         most: usize,
     },
+    /// A scene's own equations are not made of a mechanism whose loops a run must keep closed.
+    LoopsReduced {
+        /// A loop.
+        name: String,
+    },
     /// A scene's own equations are not known to give what the model's give.
     ReductionNotProved {
         /// What is not known.
@@ -145,6 +150,9 @@ impl DeriveError {
                 None,
                 "join bodies that hardly move against one another, or cut long branches: each body counts all that lies between it and the ground",
             ),
+            Self::LoopsReduced { name } => {
+                (Some(name), "run the scene by one of the model's formulations: they keep it closed")
+            }
             Self::ReductionNotProved { .. } => (None, "run the scene by one of the model's formulations"),
         }
     }
@@ -216,6 +224,10 @@ impl fmt::Display for DeriveError {
             Self::TooLarge { bodies, coordinates, count, what, most } => write!(
                 f,
                 "the equations are too large: {bodies} bodies and {coordinates} coordinates make {count} {what}, more than {most}"
+            ),
+            Self::LoopsReduced { name } => write!(
+                f,
+                "a scene's own equations are not made of a mechanism with loops: nothing would keep `{name}` closed in them"
             ),
             Self::ReductionNotProved { what } => write!(f, "the reduced equations of the scene are not proved: {what}"),
         }

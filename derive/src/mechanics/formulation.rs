@@ -37,10 +37,11 @@ pub struct Method {
     pub label: &'static str,
     /// What it states, in words.
     pub principle: &'static str,
-    /// The formula that the words end with, as presentation MathML; empty if they need none.
-    pub law: &'static str,
-    /// The system that it gives, in plain text.
-    pub equation: &'static str,
+    /// The formula that the words end with, as presentation MathML without its row, and what motion constraints add to it;
+    /// empty if they need none.
+    law: [&'static str; 2],
+    /// The system that it gives, in plain text, without and with motion constraints.
+    equation: [&'static str; 2],
     /// What is integrated beside q.
     pub variables: MotionVariables,
     /// Whether the reactions are among the unknowns.
@@ -59,9 +60,12 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         title: "Kane's method",
         label: "Kane",
         principle: "For each generalized speed the generalized active force and the generalized inertia force add to zero:",
-        law: "<mrow><msub><mi>F</mi><mi>r</mi></msub><mo>+</mo><msubsup><mi>F</mi><mi>r</mi><mo>⋆</mo></msubsup><mo>=</mo>\
-              <mn>0</mn></mrow>",
-        equation: "M(q) u' = f(q, u)",
+        law: [
+            "<msub><mi>F</mi><mi>r</mi></msub><mo>+</mo><msubsup><mi>F</mi><mi>r</mi><mo>⋆</mo></msubsup><mo>=</mo>\
+              <mn>0</mn>",
+            "",
+        ],
+        equation: ["M(q) u' = f(q, u)"; 2],
         variables: MotionVariables::Speeds,
         carries_reactions: false,
         symmetric: true,
@@ -73,14 +77,19 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         title: "Lagrange's equations",
         label: "Lagrange",
         principle: "For each generalized coordinate",
-        law: "<mrow><mfrac><mi mathvariant=\"normal\">d</mi><mrow>\
+        law: [
+            "<mfrac><mi mathvariant=\"normal\">d</mi><mrow>\
               <mi mathvariant=\"normal\">d</mi><mi>t</mi></mrow></mfrac><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi>\
               </mrow><mrow><mo form=\"prefix\">∂</mo><msub><mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi>\
               </msub></mrow></mfrac><mo>−</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi></mrow><mrow>\
               <mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi></msub></mrow></mfrac><mo>+</mo><mfrac><mrow>\
               <mo form=\"prefix\">∂</mo><mi>V</mi></mrow><mrow><mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi>\
-              </msub></mrow></mfrac><mo>=</mo><msub><mi>Q</mi><mi>i</mi></msub></mrow>",
-        equation: "E(q) q'' = A(q, q')",
+              </msub></mrow></mfrac><mo>=</mo><msub><mi>Q</mi><mi>i</mi></msub>",
+            "<mo>+</mo><munder><mo>∑</mo><mi>k</mi></munder><msub><mi>λ</mi><mi>k</mi></msub><mfrac><mrow>\
+              <mo form=\"prefix\">∂</mo><msub><mi>c</mi><mi>k</mi></msub></mrow><mrow><mo form=\"prefix\">∂</mo><msub>\
+              <mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi></msub></mrow></mfrac>",
+        ],
+        equation: ["E(q) q'' = A(q, q')", "[E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q'))"],
         variables: MotionVariables::Rates,
         carries_reactions: false,
         symmetric: true,
@@ -93,8 +102,8 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         label: "Newton–Euler",
         principle: "For each body the forces give its mass times the acceleration of its mass centre, and the moments about \
                     the mass centre give the rate of its angular momentum; the reactions are unknowns beside the accelerations",
-        law: "",
-        equation: "A(q, u) (u', reactions) = b(q, u)",
+        law: [""; 2],
+        equation: ["A(q, u) (u', reactions) = b(q, u)"; 2],
         variables: MotionVariables::Speeds,
         carries_reactions: true,
         symmetric: false,
@@ -111,6 +120,21 @@ impl Formulation {
     #[must_use]
     pub fn method(self) -> &'static Method {
         &TABLE[self as usize]
+    }
+
+    /// The system that it gives for this model, in plain text.
+    #[must_use]
+    pub fn equation(self, model: &Model) -> &'static str {
+        self.method().equation[usize::from(!model.motion_constraints.is_empty())]
+    }
+
+    /// The law that it rests on, for this model, as presentation MathML; empty where words say it. The constraints c are
+    /// functions of q and q̇ that are zero.
+    #[must_use]
+    pub fn law(self, model: &Model) -> String {
+        let [law, of_constraints] = self.method().law;
+        let of_constraints = if model.motion_constraints.is_empty() { "" } else { of_constraints };
+        if law.is_empty() { String::new() } else { format!("<mrow>{law}{of_constraints}</mrow>") }
     }
 
     /// The name on the command line and in files.
@@ -174,7 +198,8 @@ impl Formulation {
             unknowns.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
         }
         if self.is_in_rates() {
-            let multiplier = |c: &MotionConstraint| (format!("lambda_{}", c.name), c.multiplier);
+            let name = |c: &MotionConstraint| model.arena.symbol_name(c.multiplier).unwrap_or_default().to_owned();
+            let multiplier = |c: &MotionConstraint| (name(c), c.multiplier);
             unknowns.extend(model.motion_constraints.iter().map(multiplier));
         }
         unknowns

@@ -3,7 +3,7 @@
 
 use super::elements::Elements;
 use super::loading::Loading;
-use super::names::{CONSTRAINED, Kind};
+use super::names::{Kind, MOTION, TIME};
 use super::{Constraint, Coordinate};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
@@ -43,8 +43,8 @@ impl<'a> Loading<'a> {
             let help = "write the equation as \"z = 0\"";
             let Some((left, (_, right))) = self.split(&text, &["="], help) else { continue };
             let what = "a constraint";
-            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, CONSTRAINED, what);
-            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, CONSTRAINED, what);
+            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, MOTION, what);
+            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, MOTION, what);
             let (Some(left), Some(right)) = (left, right) else { continue };
             self.know_units_of_velocities();
             if !self.comparable(left, right, &text.span) {
@@ -78,7 +78,7 @@ pub fn solve_all(
     let mut replacements: Vec<(Expr, Expr)> = Vec::new();
     for constraint in stated {
         let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
-        let all: Vec<Expr> = coordinates.iter().map(|c| c.symbol).collect();
+        let all: Vec<Expr> = coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect();
         let mentions = |e: Expr| all.iter().any(|symbol| arena.mentions(e, *symbol));
         let depends = equation != constraint.equation && constraint.equation != Expr::ZERO;
         if zero_test(arena, equation) == ZeroTest::Zero {
@@ -131,7 +131,8 @@ pub fn solve_all(
 
 /// The last coordinate in which the equation is linear with a constant, non-zero factor, and its value.
 fn solve_one(arena: &mut Arena, coordinates: &[Coordinate], equation: Expr) -> Option<(usize, Expr)> {
-    for (at, coordinate) in coordinates.iter().enumerate().rev() {
+    // Time goes on by itself.
+    for (at, coordinate) in coordinates.iter().enumerate().rev().filter(|(_, c)| c.name != TIME) {
         let Ok((factors, rest)) = LinearForm::new(&[coordinate.symbol]).coefficients(arena, equation) else { continue };
         let constant = !coordinates.iter().any(|c| arena.mentions(factors[0], c.symbol));
         if constant && zero_test(arena, factors[0]) == ZeroTest::NonZero {

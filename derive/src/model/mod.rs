@@ -11,11 +11,13 @@ mod physics;
 mod read_model;
 mod speeds;
 mod springs;
+mod time;
 mod tree;
 mod units;
 mod velocities;
 
 pub use crate::geometry::{Frame, Point};
+pub use names::TIME;
 pub use read_model::load;
 pub use units::Unit;
 pub use velocities::NamedVelocity;
@@ -228,6 +230,8 @@ pub enum Tie {
     Rolling,
     /// The time derivative of an equation between coordinates, by its place in [`Model::loops`].
     Loop(usize),
+    /// That time goes on: t' = 1.
+    Clock,
 }
 
 /// A motion constraint A(q) q̇ + a(q) = 0: what it permits cannot be said by coordinates alone, unless it can be
@@ -238,6 +242,8 @@ pub struct MotionConstraint {
     pub name: String,
     /// A(q) q̇ + a(q), which is zero.
     pub equation: Expr,
+    /// a(q): where it is not zero, the constraint drives the mechanism, and its force works.
+    pub drive: Expr,
     /// Its unit, in SI: that of a generalized speed.
     pub unit: Unit,
     /// The multiplier λ of Lagrange's equations: the constraint adds Aᵀλ to the generalized forces.
@@ -282,9 +288,10 @@ pub struct Model {
     pub arena: Arena,
     /// Parameters, in the order of the file.
     pub parameters: Vec<Parameter>,
-    /// Generalized coordinates, in the order of the file; constrained configuration variables are not among them.
+    /// Generalized coordinates, in the order of the file, and last [`TIME`] if formulas name it; constrained configuration
+    /// variables are not among them.
     pub coordinates: Vec<Coordinate>,
-    /// Number of configuration variables: generalized coordinates and constrained variables.
+    /// Number of configuration variables: generalized coordinates and constrained variables, without time.
     pub configuration_variables: usize,
     /// Generalized speeds u, in the order of the file: n for n coordinates, less one for each motion constraint.
     pub speeds: Vec<Speed>,
@@ -362,14 +369,16 @@ impl Model {
     #[must_use]
     pub fn count(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
-        format!(
+        let clock = usize::from(self.time().is_some());
+        let count = format!(
             "{}, {}, {}, {}, {}",
             plural(self.configuration_variables, "configuration variable"),
             plural(self.constraints.len() + self.loops.len(), "holonomic constraint"),
-            plural(self.coordinates.len(), "generalized coordinate"),
-            plural(self.motion_constraints.len() - self.loops.len(), "nonholonomic constraint"),
+            plural(self.coordinates.len() - clock, "generalized coordinate"),
+            plural(self.motion_constraints.len() - self.loops.len() - clock, "nonholonomic constraint"),
             plural(self.speeds.len(), "generalized speed"),
-        )
+        );
+        if clock == 0 { count } else { count + ", time" }
     }
 }
 

@@ -14,7 +14,7 @@ use super::constraint::Stated;
 use super::elements::Elements;
 use super::loading::Loading;
 use super::moving::Moving;
-use super::names::Kind;
+use super::names::{Kind, TIME};
 use super::{Coordinate, Loop, MotionConstraint, Speed, Tie};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
@@ -146,6 +146,11 @@ impl<'a> Loading<'a> {
             let equation = put.apply(&mut self.arena, equation);
             candidates.push(Candidate { name, equation, tie, enforced_by, span });
         }
+        if let Some(time) = coordinates.iter().find(|c| c.name == TIME) {
+            let equation = self.arena.sub(time.rate, Expr::ONE);
+            let name = TIME.to_owned();
+            candidates.push(Candidate { name, equation, tie: Tie::Clock, enforced_by: None, span: 0..0 });
+        }
         let motion = self.independent(coordinates, candidates);
         (self.reader.errors.len() == before).then_some(Ties { motion, loops })
     }
@@ -186,24 +191,40 @@ impl<'a> Loading<'a> {
             }
             rows.push(augmented);
             let of_rates: Vec<Vec<Expr>> = rows.iter().map(|row| row[..rates.len()].to_vec()).collect();
-            let is_new = rank(&self.arena, &of_rates).is_some_and(|found| found.dependent.is_none());
-            if is_new {
+            let Some(found) = rank(&self.arena, &of_rates) else {
+                self.undecided(&name, span);
+                rows.pop();
+                continue;
+            };
+            if found.dependent.is_none() {
                 let unit = self.unit_of_difference(equation);
+                let drive = if is_zero(&self.arena, &rest) { Expr::ZERO } else { rest };
                 let stated = Located { text: format!("lambda_{name}"), span: span.clone(), exact: false };
                 let multiplier = self.arena.symbol(&stated.text);
                 self.names.declare(&mut self.reader, &stated, Kind::Multiplier, Some(multiplier));
-                constraints.push((MotionConstraint { name, equation, unit, multiplier, tie, enforced_by }, span));
+                constraints
+                    .push((MotionConstraint { name, equation, drive, unit, multiplier, tie, enforced_by }, span));
                 continue;
             }
-            let contradicts = rank(&self.arena, &rows).is_some_and(|found| found.dependent.is_none());
+            let all = rank(&self.arena, &rows).map(|found| found.dependent.is_some());
             rows.pop();
-            match (tie, contradicts) {
-                (_, true) => self.repeated(&name, span, "contradicts those before it"),
-                (Tie::Rolling, false) => {}
-                (_, false) => self.repeated(&name, span, "follows from those before it"),
+            match (tie, all) {
+                (_, None) => self.undecided(&name, span),
+                (_, Some(false)) => self.repeated(&name, span, "contradicts those before it"),
+                (Tie::Rolling, Some(true)) => {}
+                (_, Some(true)) => self.repeated(&name, span, "follows from those before it"),
             }
         }
         constraints
+    }
+
+    fn undecided(&mut self, name: &str, span: Range<usize>) {
+        let message = format!("it cannot be decided whether the constraint `{name}` follows from those before it");
+        self.reader.error(
+            span,
+            message,
+            "none of the random points at which it was asked gives it a value: state it otherwise",
+        );
     }
 
     fn repeated(&mut self, name: &str, span: Range<usize>, how: &str) {

@@ -4,6 +4,7 @@ use super::elements::Elements;
 use super::velocities::NamedVelocity;
 use super::{Coordinate, Place};
 use crate::algebra::calculus::Differential;
+use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::parse::VelocityOf;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
@@ -77,8 +78,6 @@ impl Moving {
         let back = self.motion.linear[point].neg(arena);
         let slip = self.material(arena, elements, body, point).add(arena, &back);
         let components = self.frames.express(arena, &slip, 0);
-        components
-            .iter()
-            .all(|e| crate::algebra::modular::zero_test(arena, *e) == crate::algebra::modular::ZeroTest::Zero)
+        components.iter().all(|e| zero_test(arena, *e) == ZeroTest::Zero)
     }
 }

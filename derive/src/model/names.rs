@@ -65,14 +65,15 @@ pub const CONSTANT: Allowed = Allowed(&[]);
 pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
 /// Parameters and coordinates.
 pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
-/// What constraints may tie together: parameters, coordinates, their rates, speeds, and velocities.
-pub const CONSTRAINED: Allowed = MOTION;
 /// Parameters, coordinates and their time derivatives.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
-/// What formulas of loads may mention: parameters, coordinates, their rates, speeds, and velocities of points.
+/// What formulas of loads and constraints may mention: parameters, coordinates, their rates, speeds, and velocities of points.
 pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity]);
 /// Everything that has a value during a run.
 pub const ANYTHING: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Reaction]);
+
+/// The name of time in formulas. Nothing else may have it.
+pub const TIME: &str = "t";
 
 /// The longest name: it becomes an identifier in generated code.
 const MAX_LENGTH: usize = 60;
@@ -103,7 +104,7 @@ impl Names {
             let message = format!("`{}` cannot be a name", shown(text));
             let help = format!("a name is an ASCII letter and up to {} letters, digits and `_`", MAX_LENGTH - 1);
             Some(Diagnostic::new(name.span.clone(), message, help))
-        } else if is_reserved(text) || text == "t" || text == "deg" {
+        } else if is_reserved(text) || text == TIME || text == "deg" {
             let help = "choose another name: this one belongs to the expression language";
             Some(Diagnostic::new(name.span.clone(), format!("`{text}` is reserved"), help))
         } else if let Some((other, span, _)) = self.known.get(text) {
@@ -257,10 +258,9 @@ impl Names {
         match self.known.get(name) {
             Some((kind, _, Some(symbol))) if allowed.0.contains(kind) => Ok(*symbol),
             Some((kind, _, _)) => Err(cannot_stand(*kind, name, allowed, what)),
-            None if name == "t" => Err((
-                "explicit time is not supported yet".to_owned(),
-                Some("state the motion by coordinates and speeds".to_owned()),
-            )),
+            None if name == TIME => {
+                Err((format!("time cannot stand in {what}"), Some("what has mass, and how much, stays".to_owned())))
+            }
             None if ["deg", "degree", "degrees"].contains(&name) => Err((
                 format!("unknown name `{name}`"),
                 Some("angles are in radians: write 10 degrees as `10*pi/180`".to_owned()),

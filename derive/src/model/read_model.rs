@@ -8,7 +8,7 @@ use super::elements::Elements;
 use super::loading::Loading;
 use super::motion_constraints::{Tied, Ties};
 use super::moving::Moving;
-use super::names::{ANYTHING, CONSTANT, Kind, Names};
+use super::names::{ANYTHING, CONSTANT, Kind, Names, TIME};
 use super::{Condition, Coordinate, Model, NamedVelocity, Parameter, Speed};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Rational};
@@ -98,6 +98,8 @@ impl<'a> Loading<'a> {
         let parameters = self.parameters(table);
         let before_motion = self.reader.errors.len();
         let mut coordinates = self.coordinates(table);
+        let configuration_variables = coordinates.len();
+        self.time(table, &mut coordinates);
         let texts = self.speed_symbols(table);
         for c in &mut coordinates {
             c.second_rate = self.arena.symbol(&format!("{}''", c.name));
@@ -114,7 +116,6 @@ impl<'a> Loading<'a> {
         let before_constraints = self.reader.errors.len();
         let Connections { velocities, configuration, motion, slips, is_known } =
             self.connections(table, &mut elements, &coordinates);
-        let configuration_variables = coordinates.len();
         let Solved { constraints, replacements, kept } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, configuration);
         motion_errors += self.reader.errors.len() - before_constraints;
@@ -129,7 +130,8 @@ impl<'a> Loading<'a> {
             list.into_iter().map(fixed).collect()
         };
         let (kept, stated, rolling) = (put(kept), put(motion), put(slips));
-        let ties = if is_known && kept.is_empty() && stated.is_empty() && rolling.is_empty() {
+        let clock = coordinates.iter().any(|c| c.name == TIME);
+        let ties = if is_known && !clock && kept.is_empty() && stated.is_empty() && rolling.is_empty() {
             Some(Ties::default())
         } else if is_known && self.reader.errors.is_empty() {
             let of_speeds: Vec<Speed> = speeds.iter().map(|(speed, _)| speed.clone()).collect();

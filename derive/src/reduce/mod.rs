@@ -58,6 +58,7 @@ impl Ground {
     /// # Errors
     /// As [`reduce`].
     pub fn reduce(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
+        self.has_no_loops()?;
         let mut ground = self.clone();
         has_inertia_at(&self.arena, &self.kane, &self.model, &scene.exact.rational)?;
         ground.fold(scene);
@@ -91,11 +92,19 @@ impl Ground {
     /// # Errors
     /// As [`reduce`].
     pub fn reduce_without_momenta(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
+        self.has_no_loops()?;
         let mut ground = self.clone();
         ground.fold(scene);
         let wanted = ground.wanted(scene)?;
         let whole = Whole { kane: ground.kane.clone(), wanted };
         ground.on_level(&[], &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
+    }
+
+    fn has_no_loops(&self) -> Result<(), DeriveError> {
+        match self.model.loops.first() {
+            Some(one) => Err(DeriveError::LoopsReduced { name: one.name.clone() }),
+            None => Ok(()),
+        }
     }
 
     /// The reduced system on the level set of these momenta.

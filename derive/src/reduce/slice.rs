@@ -248,7 +248,7 @@ impl Ground {
         Some((list, definitions))
     }
 
-    /// The symbol of the time, which no model has among its own.
+    /// The symbol of the time since the start.
     fn time(&mut self) -> Expr {
         match self.arena.find_symbol("t") {
             Some(taken)
@@ -258,7 +258,7 @@ impl Ground {
             {
                 taken
             }
-            Some(_) => self.arena.symbol("time"),
+            Some(_) => crate::algebra::steps::fresh_symbol(&mut self.arena, "elapsed"),
             None => self.arena.symbol("t"),
         }
     }

@@ -4,7 +4,7 @@ use crate::algebra::calculus::Differential;
 use crate::algebra::parse::{is_reserved, parse_primed};
 use crate::algebra::{Arena, Expr, Node};
 use crate::diagnostic::{Diagnostic, nearest, shown};
-use crate::model::Model;
+use crate::model::{Model, TIME};
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
@@ -176,7 +176,7 @@ impl Words {
     fn advice(&self, name: &str) -> String {
         let plain = name.trim_end_matches('\'');
         match (name, self.known.get(plain)) {
-            ("t", _) => "explicit time is not supported yet".to_owned(),
+            (TIME, _) => "nothing in the model depends on time".to_owned(),
             ("deg" | "degree" | "degrees", _) => "angles are in radians: write 10 degrees as `10*pi/180`".to_owned(),
             (_, Some(Word::Model("speed", _))) => format!("of a speed there is one derivative: {plain}'"),
             (_, Some(_)) => format!("a prime stands after coordinates and speeds only; `{plain}` is neither"),

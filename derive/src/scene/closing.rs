@@ -125,8 +125,10 @@ impl<'a> Values<'a, '_> {
         let coordinates = model.q();
         let mut gradient = Gradient::new(&coordinates);
         let mut slopes = vec![Expr::ZERO; equations.len() * coordinates.len()];
+        // Nothing moves time.
+        let time = model.time();
         for (row, equation) in equations.iter().enumerate() {
-            for &(at, slope) in gradient.apply(&mut model.arena, *equation).iter() {
+            for &(at, slope) in gradient.apply(&mut model.arena, *equation).iter().filter(|(at, _)| Some(*at) != time) {
                 slopes[row * coordinates.len() + at] = slope;
             }
         }

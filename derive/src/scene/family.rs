@@ -45,6 +45,7 @@ impl<'a> Family<'a> {
             model: &mut self.model,
             terms: std::mem::take(&mut self.terms),
             given,
+            instant: None,
         };
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;

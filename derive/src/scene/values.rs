@@ -10,9 +10,10 @@ use crate::algebra::interval::lost_constant;
 use crate::algebra::parse::parse;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::model::Model;
+use crate::model::{Model, TIME};
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
+use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
@@ -111,6 +112,8 @@ pub struct Values<'a, 'm> {
     pub terms: Terms,
     /// Numbers that stand in the stead of the file's.
     pub given: &'m [(Varied, Number)],
+    /// The instant of the state, s, where the file states it elsewhere.
+    pub instant: Option<Number>,
 }
 
 /// How far a stated constrained variable may be from where its constraint puts it.
@@ -119,7 +122,7 @@ const RESIDUAL: f64 = 1e-9;
 impl<'a, 'm> Values<'a, 'm> {
     /// A reader of a file that is read once, as it is.
     pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
-        Self { reader, model, terms: Terms::default(), given: &[] }
+        Self { reader, model, terms: Terms::default(), given: &[], instant: None }
     }
 }
 
@@ -236,6 +239,7 @@ impl<'a> Values<'a, '_> {
             self.reader.error(place, message, "leave it out of [guess], or out of [start] if the loops determine it");
             return None;
         }
+        self.now(&mut q, &mut rates, &place)?;
         self.complete(table, &q, &rates, &u)?;
         let closed = self.close(&mut q, &guesses, parameters, place)?;
         let exact_q: Vec<Number> = q.into_iter().flatten().collect();
@@ -258,6 +262,28 @@ impl<'a> Values<'a, '_> {
         let rational = parameters.iter().map(|p| p.exact.clone()).collect();
         let exact = Exact { parameters: extended(parameters), rational, q: extended(&exact_q), motion };
         Some(Start { q, u, exact, closed })
+    }
+
+    /// Puts time in: the instant at which the span starts, or what a state file says, with 0 for nothing.
+    fn now(
+        &mut self,
+        q: &mut [Option<Number>],
+        rates: &mut [Option<(Number, Located)>],
+        place: &Range<usize>,
+    ) -> Option<()> {
+        let Some(at) = self.model.time() else { return Some(()) };
+        if rates[at].is_some() || self.instant.is_some() && q[at].is_some() {
+            let help = "leave it out: the first instant of `span` is where it starts";
+            self.reader.error(place.clone(), "time is not part of a start", help);
+            return None;
+        }
+        let stated = q[at].take().unwrap_or_else(|| Number::exact(Rational::ZERO));
+        q[at] = Some(self.instant.clone().unwrap_or(stated));
+        if rates.iter().any(Option::is_some) {
+            let name = Located { text: format!("{TIME}'"), span: place.clone(), exact: false };
+            rates[at] = Some((Number::exact(Rational::ONE), name));
+        }
+        Some(())
     }
 
     /// Reports what is missing; speeds and rates must not be mixed.

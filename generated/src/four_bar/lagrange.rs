@@ -1,4 +1,4 @@
-//! Four-bar linkage: Lagrange's equations, E(q) q'' = A(q, q').
+//! Four-bar linkage: Lagrange's equations, [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')).
 //!
 //! Generated from `models/four_bar/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (q1'', q2'', q3'', lambda_loop_x, lambda_loop_y).
@@ -11,7 +11,7 @@ pub use super::code::lagrange::{
 
 pub use super::kane::potential_energy;
 
-/// Matrix of the linear system E(q) q'' = A(q, q'); rows q1, q2, q3, constraint loop_x, constraint loop_y. Entries that are not listed are 0.
+/// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows q1, q2, q3, constraint loop_x, constraint loop_y. Entries that are not listed are 0.
 ///
 /// ```text
 /// M11 = a^2*(ma + 3*mb)/3

@@ -1,4 +1,4 @@
-//! Knife edge on an incline: Lagrange's equations, E(q) q'' = A(q, q').
+//! Knife edge on an incline: Lagrange's equations, [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')).
 //!
 //! Generated from `models/knife_edge/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (x'', y'', phi'', lambda_edge).
@@ -11,7 +11,7 @@ pub use super::code::lagrange::{
 
 pub use super::kane::potential_energy;
 
-/// Matrix of the linear system E(q) q'' = A(q, q'); rows x, y, phi, constraint edge. Entries that are not listed are 0.
+/// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows x, y, phi, constraint edge. Entries that are not listed are 0.
 ///
 /// ```text
 /// M11 = m

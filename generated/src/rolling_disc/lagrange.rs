@@ -1,4 +1,4 @@
-//! Thin disc rolling on a plane: Lagrange's equations, E(q) q'' = A(q, q').
+//! Thin disc rolling on a plane: Lagrange's equations, [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')).
 //!
 //! Generated from `models/rolling_disc/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (q1'', q2'', q3'', x'', y'', lambda_ground_1, lambda_ground_2).
@@ -11,7 +11,7 @@ pub use super::code::lagrange::{
 
 pub use super::kane::potential_energy;
 
-/// Matrix of the linear system E(q) q'' = A(q, q'); rows q1, q2, q3, x, y, constraint ground_1, constraint ground_2. Entries that are not listed are 0.
+/// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows q1, q2, q3, x, y, constraint ground_1, constraint ground_2. Entries that are not listed are 0.
 ///
 /// ```text
 /// M11 = r^2*m*(6 - 5*cos(q2)^2)/4

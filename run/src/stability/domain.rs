@@ -66,13 +66,16 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             let through =
                 uninterrupted(problem.integrate(&y0, &tight, &mut []).map_err(|e| refused(study.scene, &e))?)?;
             let dynamics = problem.dynamics().map_err(|e| refused(study.scene, &e))?;
-            let drift = dynamics.energy_drift(&through);
-            let unseen = Row { case: "without it".to_owned(), ..row("energy drift", drift, through.stop.code()) };
-            findings.rows.push(unseen);
+            let drift = (!study.model.is_driven()).then(|| dynamics.energy_drift(&through));
+            let unseen =
+                |drift| Row { case: "without it".to_owned(), ..row("energy drift", drift, through.stop.code()) };
+            findings.rows.extend(drift.map(unseen));
+            let drift =
+                drift.map_or_else(String::new, |drift| format!(", and its energy has changed by {drift:.1e} J"));
             if !said {
                 said = true;
                 findings.say(Topic::Domain, format!(
-                    "the motion leaves its domain at t = {:.12} s ({}); without the domain the run goes on to t = {} s, ends with `{}`, and its energy has changed by {drift:.1e} J",
+                    "the motion leaves its domain at t = {:.12} s ({}); without the domain the run goes on to t = {} s, ends with `{}`{drift}",
                     run.t_end,
                     run.stop.code(),
                     through.t_end,

@@ -100,9 +100,9 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Where nothing works that the potential energy leaves out, total energy is constant.
+    /// Where nothing works that the potential energy leaves out, and no constraint drives, total energy is constant.
     fn conserves_energy(&self) -> bool {
-        !self.code.system().has_power()
+        !self.code.system().has_power() && !self.model.is_driven()
     }
 
     /// What is constant in each motion: the names of the first integrals that were proved; of a large model energy

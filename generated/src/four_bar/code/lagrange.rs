@@ -1,4 +1,4 @@
-//! Four-bar linkage: Lagrange's equations, E(q) q'' = A(q, q').
+//! Four-bar linkage: Lagrange's equations, [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')).
 //!
 //! Generated from `models/four_bar/model.toml`. Do not edit; run `tripos regenerate`.
 
@@ -9,7 +9,7 @@ pub use super::kane::potential_energy;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Lengths, Scalar, System};
 
-/// Matrix of the linear system E(q) q'' = A(q, q'); rows q1, q2, q3, constraint loop_x, constraint loop_y.
+/// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows q1, q2, q3, constraint loop_x, constraint loop_y.
 ///
 /// 29 operations, 3 sines and cosines.
 #[must_use]

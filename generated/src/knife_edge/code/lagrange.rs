@@ -1,4 +1,4 @@
-//! Knife edge on an incline: Lagrange's equations, E(q) q'' = A(q, q').
+//! Knife edge on an incline: Lagrange's equations, [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')).
 //!
 //! Generated from `models/knife_edge/model.toml`. Do not edit; run `tripos regenerate`.
 
@@ -9,7 +9,7 @@ pub use super::kane::potential_energy;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Lengths, Scalar, System};
 
-/// Matrix of the linear system E(q) q'' = A(q, q'); rows x, y, phi, constraint edge.
+/// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows x, y, phi, constraint edge.
 ///
 /// 2 operations, 1 sine and cosine.
 #[must_use]

@@ -1,4 +1,4 @@
-//! Thin disc rolling on a plane: Lagrange's equations, E(q) q'' = A(q, q').
+//! Thin disc rolling on a plane: Lagrange's equations, [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')).
 //!
 //! Generated from `models/rolling_disc/model.toml`. Do not edit; run `tripos regenerate`.
 
@@ -9,7 +9,7 @@ pub use super::kane::potential_energy;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{Lengths, Scalar, System};
 
-/// Matrix of the linear system E(q) q'' = A(q, q'); rows q1, q2, q3, x, y, constraint ground_1, constraint ground_2.
+/// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows q1, q2, q3, x, y, constraint ground_1, constraint ground_2.
 ///
 /// 22 operations, 2 sines and cosines.
 #[must_use]

@@ -1,0 +1,84 @@
+//! Explicit time: a coordinate `t` whose rate a constraint holds at 1.
+//!
+//! So nothing but the reading of files knows of it. What depends on t has a rate along t', motions that are prescribed are
+//! coordinates solved for, and the multiplier of the constraint is the power that the drive gives: energy proves itself
+//! constant only where that is 0. C. Lanczos, *The Variational Principles of Mechanics*, 4th edition (1970), chapter V, §6.
+
+use super::loading::Loading;
+use super::names::{Kind, TIME};
+use super::{Coordinate, Model, Tie, Unit};
+use crate::algebra::Expr;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Sections whose formulas may name time.
+const TIMED: [&str; 9] =
+    ["speeds", "frames", "points", "forces", "torques", "springs", "constraints", "reactions", "domain"];
+
+/// Keys under which there is prose.
+const PROSE: &str = "about";
+
+impl<'a> Loading<'a> {
+    /// Time as the last coordinate, if a formula of the file names it.
+    pub fn time(&mut self, table: &'a DeTable<'a>, coordinates: &mut Vec<Coordinate>) {
+        let sections = TIMED.iter().filter_map(|key| table.get(*key));
+        if coordinates.is_empty() || !sections.into_iter().any(names_time) {
+            return;
+        }
+        let (symbol, rate) = (self.arena.symbol(TIME), self.arena.symbol(&format!("{TIME}'")));
+        let unit = Unit::new(0, 0, 1);
+        for (symbol, kind, unit) in [(symbol, Kind::Coordinate, unit.clone()), (rate, Kind::Rate, Unit::default())] {
+            let name = self.arena.symbol_name(symbol).unwrap_or_default().to_owned();
+            self.names.insert(&name, kind, 0..0, Some(symbol));
+            self.units.insert(symbol, unit);
+        }
+        let about = "time".to_owned();
+        coordinates.push(Coordinate { name: TIME.to_owned(), symbol, rate, second_rate: rate, unit, about });
+    }
+}
+
+/// Whether a formula under an entry names time.
+fn names_time(value: &Spanned<DeValue<'_>>) -> bool {
+    let mut open = vec![value];
+    while let Some(value) = open.pop() {
+        match value.get_ref() {
+            DeValue::String(text) => {
+                let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+                if text.split(|c| !is_part(c)).any(|word| word == TIME) {
+                    return true;
+                }
+            }
+            DeValue::Array(list) => open.extend(list.iter()),
+            DeValue::Table(table) => {
+                open.extend(table.iter().filter(|(key, _)| key.get_ref() != PROSE).map(|(_, value)| value));
+            }
+            _ => {}
+        }
+    }
+    false
+}
+
+impl Model {
+    /// The place of time among the coordinates, where formulas of the model name it.
+    #[must_use]
+    pub fn time(&self) -> Option<usize> {
+        self.coordinates.iter().position(|c| c.name == TIME)
+    }
+
+    /// Whether constraints move the mechanism even where no speed does, so that their forces work and T + V changes by
+    /// what no load does: where a constraint states a velocity, or frames, points or constraints depend on time.
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        let states_velocity = |c: &super::MotionConstraint| c.tie != Tie::Clock && c.drive != Expr::ZERO;
+        if self.motion_constraints.iter().any(states_velocity) {
+            return true;
+        }
+        let Some(time) = self.time().map(|at| &self.coordinates[at]) else { return false };
+        let turns = self.frames.iter().filter_map(|f| f.rotation.as_ref()).map(|(_, _, angle)| *angle);
+        let places = self.points.iter().filter_map(|p| p.position.as_ref()).flat_map(|(_, _, position)| *position);
+        let geometry: Vec<Expr> = turns.chain(places).collect();
+        let ties = self.motion_constraints.iter().filter(|c| c.tie != Tie::Clock).map(|c| c.equation);
+        self.arena.reachable(&geometry).contains(&time.symbol)
+            || self.arena.reachable(&ties.collect::<Vec<_>>()).contains(&time.rate)
+    }
+}

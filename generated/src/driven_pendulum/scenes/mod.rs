@@ -1,0 +1,15 @@
+//! Pendulum on a driven pivot: the equations of its scenes.
+//!
+//! Generated from `models/driven_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+
+/// The code of the equations.
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::let_and_return)]
+pub mod code;
+#[rustfmt::skip]
+pub mod falling;
+#[rustfmt::skip]
+pub mod upright;
+
+/// The equations of every scene.
+pub const SCENES: &[tripos_traits::CompiledScene] = &[falling::SCENE, upright::SCENE];
