@@ -8,6 +8,7 @@ mod chain;
 mod chains;
 mod combined_rows;
 mod common;
+mod connections;
 mod differences;
 mod divided_differences;
 mod eliminations;

@@ -123,7 +123,7 @@ fn a_name_of_the_model_is_not_declared_again() {
         6 | sin = "m*length*s"
           |                 ^
           |
-          = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `vx`
+          = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`, `vx`
 
         error: `m` is a parameter of the model
          --> report.toml:9:1
@@ -139,7 +139,7 @@ fn a_name_of_the_model_is_not_declared_again() {
         28 | printed = "T + 0*vx"
            |            ^
            |
-           = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `vx`
+           = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`, `vx`
 
         error: unknown name `bob`
           --> report.toml:37:11
@@ -147,7 +147,7 @@ fn a_name_of_the_model_is_not_declared_again() {
         37 | right = ["bob*q'^2", "-g*bob"]
            |           ^^^            --- also here, and 1 times more
            |
-           = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `vx`"#]],
+           = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`, `vx`"#]],
     );
 }
 

@@ -166,6 +166,7 @@ fn loads(model: &Model) -> String {
             ReactionKind::Torque { on, against: other } => ("reaction torque", against(body(on), other.map(body))),
         };
         let direction = components_in(model, r.frame, &r.direction);
+        let kind = if r.is_stated { kind.to_owned() } else { format!("{kind}, found") };
         rows.push(vec![format!("{} ({kind})", inline(&symbol(&r.name))), on, format!("along {direction}")]);
     }
     some("Loads", &["Name", "On", "Vector"], &rows) + &moving(model)

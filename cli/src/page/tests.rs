@@ -342,7 +342,7 @@ fn proofs_and_first_integrals_are_shown_for_any_model() {
     let page = page();
     let proof = part(&page, "<section id=\"proof\">", "</section>");
     assert!(proof.contains("Kane's method ⇔ Lagrange's equations</td><td>proved"), "{proof}");
-    assert!(proof.contains("Newton–Euler equations: not derived"), "{proof}");
+    assert!(proof.contains("⇔ Newton–Euler equations</td><td>proved") && proof.contains("bob_force_b1"), "{proof}");
     assert!(proof.contains("Valid everywhere") && proof.contains("energy T + V"), "{proof}");
     assert!(
         proof.contains("<th scope=\"row\">Kane's method</th>") && proof.contains("<td>nowhere</td>"),

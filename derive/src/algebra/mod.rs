@@ -24,7 +24,7 @@ pub mod modular;
 pub mod named;
 pub mod normal;
 pub mod parse;
-mod points;
+pub(crate) mod points;
 pub mod polynomial;
 pub mod primitive;
 pub mod print;

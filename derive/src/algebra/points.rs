@@ -209,6 +209,35 @@ pub(super) fn residues(
     points.take(count)
 }
 
+/// A random point at which terms have residues.
+pub struct Drawn(Point);
+
+impl Drawn {
+    /// A point at which all of these terms have residues, and these, in their order; nothing if none was found.
+    pub fn new(arena: &Arena, terms: &[Expr]) -> Option<(Self, Vec<u64>)> {
+        let needed = Needed::new(arena, terms);
+        let mut generator = seeded(arena, &needed);
+        (0..100).find_map(|_| {
+            let drawn = Self(Point { field: Field::random(&mut generator), seed: generator.next() });
+            let values = drawn.values(arena, terms)?;
+            Some((drawn, values))
+        })
+    }
+
+    /// The field.
+    pub fn field(&self) -> Field {
+        self.0.field
+    }
+
+    /// The residues of other terms there, if they have any. Sines of parts of angles agree within one call.
+    pub fn values(&self, arena: &Arena, terms: &[Expr]) -> Option<Vec<u64>> {
+        let needed = Needed::new(arena, terms);
+        let denominators = angle_denominators(arena, needed.nodes());
+        let values = values_at(arena, &needed, &denominators, &self.0)?;
+        Some(terms.iter().map(|e| values[*e]).collect())
+    }
+}
+
 /// A generator seeded with the terms, by the names of their symbols and not by their handles.
 pub(super) fn seeded(arena: &Arena, needed: &Needed) -> Generator {
     let hashes = needed.fold(arena, &mut Hashes(arena));

@@ -38,14 +38,14 @@ pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
 /// `None` if no point could be evaluated.
 #[must_use]
 pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
-    let mut best: Option<Basis> = None;
+    let mut best: Option<Vec<(usize, usize)>> = None;
     for (field, rows) in in_fields(arena, matrix) {
         let (basis, _) = eliminate(field, rows);
         if best.as_ref().is_none_or(|known| known.len() < basis.len()) {
             best = Some(basis);
         }
     }
-    best.map(|basis| basis.into_iter().map(|(row, column, _)| (row, column)).unzip())
+    best.map(|basis| basis.into_iter().unzip())
 }
 
 /// Independent rows of a matrix, as many as there are, the first that will do.
@@ -66,36 +66,56 @@ pub(crate) fn in_fields<'a>(
     residues(arena, matrix.concat(), 4).map(move |(field, values)| (field, rows(values)))
 }
 
-/// (row, pivot column, reduced row)
-type Basis = Vec<(usize, usize, Vec<u64>)>;
+/// Independent rows modulo a prime, each reduced by those before it.
+pub(crate) struct Basis {
+    field: Field,
+    /// Pivot column, and the row with 1 there.
+    rows: Vec<(usize, Vec<u64>)>,
+}
 
-/// Gaussian elimination row by row: each row is reduced by those before it. Returns the independent rows and the
-/// first that depends on those before it.
-fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> (Basis, Option<usize>) {
-    let mut basis: Basis = Vec::new();
-    let mut dependent = None;
-    for (at, mut row) in rows.into_iter().enumerate() {
-        for (_, column, pivot) in &basis {
+impl Basis {
+    /// Without rows.
+    pub fn new(field: Field) -> Self {
+        Self { field, rows: Vec::new() }
+    }
+
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Takes a row in if it does not depend on those there; returns the column of its pivot.
+    pub fn take(&mut self, mut row: Vec<u64>) -> Option<usize> {
+        let f = self.field;
+        for (column, known) in &self.rows {
             let factor = row[*column];
             if factor == 0 {
                 continue;
             }
-            for (entry, p) in row.iter_mut().zip(pivot) {
-                *entry = f.sub(*entry, f.mul(factor, *p));
+            for (entry, x) in row.iter_mut().zip(known) {
+                *entry = f.sub(*entry, f.mul(factor, *x));
             }
         }
-        match row.iter().position(|x| *x != 0) {
-            Some(column) => {
-                let inverse = f.inverse(row[column]).unwrap_or(1);
-                for x in &mut row {
-                    *x = f.mul(*x, inverse);
-                }
-                basis.push((at, column, row));
-            }
+        let column = row.iter().position(|x| *x != 0)?;
+        let inverse = f.inverse(row[column]).unwrap_or(1);
+        for x in &mut row {
+            *x = f.mul(*x, inverse);
+        }
+        self.rows.push((column, row));
+        Some(column)
+    }
+}
+
+/// The independent rows with the columns of their pivots, and the first row that depends on those before it.
+fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> (Vec<(usize, usize)>, Option<usize>) {
+    let (mut basis, mut independent, mut dependent) = (Basis::new(f), Vec::new(), None);
+    for (at, row) in rows.into_iter().enumerate() {
+        match basis.take(row) {
+            Some(column) => independent.push((at, column)),
             None => dependent = dependent.or(Some(at)),
         }
     }
-    (basis, dependent)
+    (independent, dependent)
 }
 
 #[cfg(test)]

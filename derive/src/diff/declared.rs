@@ -268,7 +268,7 @@ fn loads(model: &Model) -> Vec<Element> {
         let place = pair(turned(t.on), t.against.map(turned), t.frame);
         Element::new(Section::Torques, &t.name, place, t.vector.to_vec())
     }));
-    list.extend(model.reactions.iter().map(|r| {
+    list.extend(model.reactions.iter().filter(|r| r.is_stated).map(|r| {
         let place = match r.kind {
             ReactionKind::Force { on, against } => pair(place(on), against.map(place), r.frame),
             ReactionKind::Torque { on, against } => {

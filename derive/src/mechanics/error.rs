@@ -139,7 +139,7 @@ impl DeriveError {
             Self::NotLinear => (None, "this is a defect of the program: please report the model"),
             Self::ReactionCount { .. } => (
                 None,
-                "name in [reactions] every force and torque that each joint exerts, along every direction and axis that it prevents, or use kane or lagrange",
+                "they are not found along axes of frames: name in [reactions] every force and torque that each joint exerts, along every direction and axis that it prevents, or use kane or lagrange",
             ),
             Self::ReactionsDependent => (
                 None,

@@ -12,7 +12,7 @@ use crate::algebra::Expr;
 use crate::algebra::calculus::Gradient;
 use crate::algebra::linear::LinearForm;
 use crate::geometry::{Components, Vector};
-use crate::model::{Body, Model, Place, ReactionKind};
+use crate::model::{Body, Model, Place, Reaction, ReactionKind};
 
 /// A(q, u) (u̇, reactions) = b(q, u).
 ///
@@ -178,22 +178,27 @@ fn balance(
     at: usize,
     body: &Body,
 ) -> (Vector, Option<Vector>) {
-    for (point, load) in forces_on(model, kinematics, at) {
+    for (point, load) in forces_on(model, kinematics, &model.reactions, at) {
         let back = load.neg(&mut kinematics.arena);
         force = force.add(&mut kinematics.arena, &back);
         let arm = kinematics.arm(body, point);
         let turning = kinematics.frames.cross(&mut kinematics.arena, &arm, &back);
         moment = moment.add(&mut kinematics.arena, &turning);
     }
-    for load in torques_on(model, kinematics, at) {
+    for load in torques_on(model, kinematics, &model.reactions, at) {
         let back = load.neg(&mut kinematics.arena);
         moment = moment.add(&mut kinematics.arena, &back);
     }
     (force, body.rigid.is_some().then_some(moment))
 }
 
-/// Applied forces and reactions on one body, with their points; weights are not among them.
-pub(super) fn forces_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<(usize, Vector)> {
+/// Applied forces and these reactions on one body, with their points; weights are not among them.
+pub(super) fn forces_on(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    reactions: &[Reaction],
+    body: usize,
+) -> Vec<(usize, Vector)> {
     let mut to_speeds = rates_to_speeds(model);
     let mut loads: Vec<(Place, Vector)> = Vec::new();
     let Kinematics { arena, forces, .. } = kinematics;
@@ -202,7 +207,7 @@ pub(super) fn forces_on(model: &Model, kinematics: &mut Kinematics, body: usize)
         loads.extend(force.against.map(|place| (place, vector.neg(arena))));
         loads.push((force.on, vector));
     }
-    for reaction in &model.reactions {
+    for reaction in reactions {
         if let ReactionKind::Force { on, against } = reaction.kind {
             let vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
             loads.extend(against.map(|place| (place, vector.neg(arena))));
@@ -212,8 +217,13 @@ pub(super) fn forces_on(model: &Model, kinematics: &mut Kinematics, body: usize)
     loads.into_iter().filter(|(place, _)| place.body == body).map(|(place, v)| (place.point, v)).collect()
 }
 
-/// Applied and reaction torques on one body.
-pub(super) fn torques_on(model: &Model, kinematics: &mut Kinematics, body: usize) -> Vec<Vector> {
+/// Applied torques and these of reactions on one body.
+pub(super) fn torques_on(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    reactions: &[Reaction],
+    body: usize,
+) -> Vec<Vector> {
     let mut to_speeds = rates_to_speeds(model);
     let mut loads: Vec<(Option<usize>, Vector)> = Vec::new();
     let Kinematics { arena, torques, .. } = kinematics;
@@ -222,7 +232,7 @@ pub(super) fn torques_on(model: &Model, kinematics: &mut Kinematics, body: usize
         loads.extend(torque.against.map(|(_, body)| (body, vector.neg(arena))));
         loads.push((torque.on.1, vector));
     }
-    for reaction in &model.reactions {
+    for reaction in reactions {
         if let ReactionKind::Torque { on, against } = reaction.kind {
             let vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
             loads.extend(against.map(|body| (Some(body), vector.neg(arena))));

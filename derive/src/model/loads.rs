@@ -146,7 +146,14 @@ impl Elements {
                 on.map(|on| ReactionKind::Force { on, against })
             };
             if let (Some(kind), Some(frame), Some(direction)) = (kind, frame, direction) {
-                self.reactions.push(Reaction { name: name.text.clone(), symbol, kind, frame, direction });
+                self.reactions.push(Reaction {
+                    name: name.text.clone(),
+                    symbol,
+                    kind,
+                    frame,
+                    direction,
+                    is_stated: true,
+                });
             }
         }
     }

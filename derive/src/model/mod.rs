@@ -1,6 +1,9 @@
 //! A mechanism as the model file states it, checked.
 
+mod actions;
+mod connections;
 mod constraint;
+mod drawn;
 mod elements;
 mod loading;
 mod loads;
@@ -193,6 +196,8 @@ pub struct Reaction {
     pub frame: usize,
     /// The direction; positive values act along it.
     pub direction: [Expr; 3],
+    /// Whether the file names it; else it was found.
+    pub is_stated: bool,
 }
 
 /// A holonomic constraint, solved for one configuration variable.
@@ -311,7 +316,7 @@ pub struct Model {
     pub torques: Vec<Torque>,
     /// The velocities that the components of forces and torques name.
     pub velocities: Vec<NamedVelocity>,
-    /// Reactions.
+    /// Reactions: those of the file, then those that were found.
     pub reactions: Vec<Reaction>,
     /// Holonomic constraints that fix a coordinate.
     pub constraints: Vec<Constraint>,

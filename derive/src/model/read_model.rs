@@ -157,7 +157,7 @@ impl<'a> Loading<'a> {
             return None;
         }
         let Ties { motion, loops } = ties?;
-        Some(Model {
+        let mut model = Model {
             title: title?,
             reference,
             source: source.clone(),
@@ -180,7 +180,9 @@ impl<'a> Loading<'a> {
             domain,
             kinematic_equations: kinematic_equations?,
             declared: self.names.places(),
-        })
+        };
+        model.complete_reactions();
+        Some(model)
     }
 
     /// Reads what ties coordinates, velocities and bodies together, with what it names of the motion put in; springs become

@@ -1,0 +1,277 @@
+//! A mechanism in one random pose and motion, in residues modulo a prime: numbers of which zero is zero by meaning, but for
+//! a chance below 2⁻⁵⁰.
+//!
+//! Frames and points are gone through once, parents first: what costs a symbolic derivation the products of all turns costs
+//! here some multiplications for each frame.
+
+use super::Model;
+use crate::algebra::calculus::{Differential, Gradient, Substitution};
+use crate::algebra::field::Field;
+use crate::algebra::parse::VelocityOf;
+use crate::algebra::points::Drawn;
+use crate::algebra::{Arena, Expr, Function, Rational};
+
+/// Three components, of inertial axes if nothing else is said.
+pub type Triple = [u64; 3];
+
+/// Arithmetic of triples.
+#[derive(Clone, Copy)]
+pub struct Space(pub Field);
+
+impl Space {
+    pub fn add(self, a: Triple, b: Triple) -> Triple {
+        std::array::from_fn(|i| self.0.add(a[i], b[i]))
+    }
+
+    pub fn sub(self, a: Triple, b: Triple) -> Triple {
+        std::array::from_fn(|i| self.0.sub(a[i], b[i]))
+    }
+
+    pub fn scale(self, k: u64, a: Triple) -> Triple {
+        a.map(|x| self.0.mul(k, x))
+    }
+
+    pub fn dot(self, a: Triple, b: Triple) -> u64 {
+        (0..3).fold(0, |sum, i| self.0.add(sum, self.0.mul(a[i], b[i])))
+    }
+
+    pub fn cross(self, a: Triple, b: Triple) -> Triple {
+        let f = self.0;
+        std::array::from_fn(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            f.sub(f.mul(a[j], b[k]), f.mul(a[k], b[j]))
+        })
+    }
+
+    /// Σ components · axes.
+    pub fn along(self, axes: &[Triple; 3], components: Triple) -> Triple {
+        (0..3).fold([0; 3], |sum, i| self.add(sum, self.scale(components[i], axes[i])))
+    }
+}
+
+/// A frame: its axes, its angular velocity along each q̇ and in all, its angular acceleration.
+#[derive(Clone)]
+pub struct Turned {
+    pub axes: [Triple; 3],
+    pub along: Vec<Triple>,
+    pub velocity: Triple,
+    pub acceleration: Triple,
+}
+
+/// A point: its place, its velocity along each q̇ and in all, its acceleration.
+#[derive(Clone)]
+pub struct Moved {
+    pub place: Triple,
+    pub along: Vec<Triple>,
+    pub velocity: Triple,
+    pub acceleration: Triple,
+}
+
+/// A model in a random pose and motion.
+pub struct DrawnModel {
+    pub space: Space,
+    pub frames: Vec<Turned>,
+    pub points: Vec<Moved>,
+    /// ∂q̇/∂u, a row for each coordinate.
+    pub partial_rates: Vec<Vec<u64>>,
+    drawn: Drawn,
+}
+
+/// What a quantity that depends on coordinates needs: itself, its slopes along coordinates, and two time derivatives.
+struct Followed {
+    value: Expr,
+    slopes: Vec<(usize, Expr)>,
+    rate: Expr,
+    second: Expr,
+}
+
+/// Its residues.
+#[derive(Clone, Default)]
+struct Values {
+    value: u64,
+    slopes: Vec<(usize, u64)>,
+    rate: u64,
+    second: u64,
+}
+
+impl Followed {
+    fn terms(&self) -> impl Iterator<Item = Expr> {
+        [self.value, self.rate, self.second].into_iter().chain(self.slopes.iter().map(|(_, slope)| *slope))
+    }
+
+    fn read(&self, residues: &mut impl Iterator<Item = u64>) -> Values {
+        let mut next = || residues.next().unwrap_or_default();
+        let (value, rate, second) = (next(), next(), next());
+        Values { value, rate, second, slopes: self.slopes.iter().map(|(at, _)| (*at, next())).collect() }
+    }
+}
+
+/// Follows quantities along the motion of a model.
+struct Follower {
+    slopes: Gradient,
+    d_dt: Differential,
+}
+
+impl Follower {
+    fn new(model: &Model) -> Self {
+        let rates = model.kinematic_equations.rates.iter();
+        let flow = model.coordinates.iter().zip(rates).map(|(c, rate)| (c.symbol, *rate));
+        let flow: Vec<_> = flow.chain(model.speeds.iter().map(|s| (s.symbol, s.rate))).collect();
+        Self { slopes: Gradient::new(&model.q()), d_dt: Differential::along(&flow) }
+    }
+
+    fn follow(&mut self, arena: &mut Arena, value: Expr) -> Followed {
+        let rate = self.d_dt.apply(arena, value);
+        let second = self.d_dt.apply(arena, rate);
+        Followed { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
+    }
+}
+
+impl DrawnModel {
+    /// Draws a pose, with new terms in a store of their own, a copy of the model's; nothing if none was found in which
+    /// everything has a value.
+    pub fn new(model: &Model, arena: &mut Arena) -> Option<Self> {
+        let mut follower = Follower::new(model);
+        let mut terms = Vec::new();
+        let angles: Vec<Option<(Followed, [Expr; 2])>> = model
+            .frames
+            .iter()
+            .map(|frame| {
+                let (_, _, angle) = frame.rotation?;
+                let circle = [Function::Cos, Function::Sin].map(|f| arena.apply(f, angle));
+                Some((follower.follow(arena, angle), circle))
+            })
+            .collect();
+        let places: Vec<Option<[Followed; 3]>> = model
+            .points
+            .iter()
+            .map(|point| point.position.map(|(_, _, position)| position.map(|e| follower.follow(arena, e))))
+            .collect();
+        for (angle, circle) in angles.iter().flatten() {
+            terms.extend(circle.iter().copied().chain(angle.terms()));
+        }
+        terms.extend(places.iter().flatten().flatten().flat_map(Followed::terms));
+        let mut along_speeds = Gradient::new(&model.speeds.iter().map(|s| s.symbol).collect::<Vec<_>>());
+        let mut partial = Vec::new();
+        for rate in &model.kinematic_equations.rates {
+            partial.push(along_speeds.apply(arena, *rate).iter().copied().collect::<Vec<(usize, Expr)>>());
+        }
+        terms.extend(partial.iter().flatten().map(|(_, slope)| *slope));
+        let (drawn, residues) = Drawn::new(arena, &terms)?;
+        let mut residues = residues.into_iter();
+        let space = Space(drawn.field());
+        let (n, p) = (model.coordinates.len(), model.speeds.len());
+        let mut frames: Vec<Turned> = Vec::new();
+        for (frame, angle) in model.frames.iter().zip(&angles) {
+            let (Some((parent, axis, _)), Some((followed, _))) = (frame.rotation, angle) else {
+                frames.push(Turned::still(n));
+                continue;
+            };
+            let mut next = || residues.next().unwrap_or_default();
+            let circle = [next(), next()];
+            let angle = followed.read(&mut residues);
+            frames.push(frames[parent].turned(space, axis, circle, &angle));
+        }
+        let mut points: Vec<Moved> = Vec::new();
+        for (point, place) in model.points.iter().zip(&places) {
+            let (Some((parent, frame, _)), Some(followed)) = (point.position, place) else {
+                points.push(Moved::still(n));
+                continue;
+            };
+            let place = [0, 1, 2].map(|i: usize| followed[i].read(&mut residues));
+            points.push(points[parent].moved(space, &frames[frame], &place));
+        }
+        let mut partial_rates = vec![vec![0; p]; n];
+        for (row, slopes) in partial_rates.iter_mut().zip(&partial) {
+            for (at, _) in slopes {
+                row[*at] = residues.next().unwrap_or_default();
+            }
+        }
+        Some(Self { space, frames, points, partial_rates, drawn })
+    }
+
+    /// Residues of other terms in the same pose; the velocities that they name are put in.
+    pub fn values(&self, model: &Model, arena: &mut Arena, terms: &[Expr]) -> Option<Vec<u64>> {
+        let symbols = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
+        let mut known: Vec<(Expr, Expr)> = symbols.collect();
+        for name in &model.velocities {
+            let vector = match name.of {
+                VelocityOf::Material(body, point) => self.material(model, body, point, None),
+                VelocityOf::Point(point) => self.points[point].velocity,
+                VelocityOf::Place(point) => self.points[point].place,
+                VelocityOf::Turning(frame) => self.frames[frame].velocity,
+            };
+            let residue = self.space.dot(vector, self.frames[name.frame].axes[name.axis]);
+            let number = Rational::integer(i64::try_from(residue).ok()?);
+            known.push((name.symbol, arena.number(number)));
+        }
+        let mut put = Substitution::new(&known);
+        let terms: Vec<Expr> = terms.iter().map(|e| put.apply(arena, *e)).collect();
+        self.drawn.values(arena, &terms)
+    }
+
+    /// The velocity of the material of a body at a point, along one q̇ or in all.
+    pub fn material(&self, model: &Model, body: usize, point: usize, along: Option<usize>) -> Triple {
+        let body = &model.bodies[body];
+        let centre = &self.points[body.centre];
+        let velocity = along.map_or(centre.velocity, |at| centre.along[at]);
+        let Some((frame, _)) = &body.rigid else { return velocity };
+        let turning = along.map_or(self.frames[*frame].velocity, |at| self.frames[*frame].along[at]);
+        let arm = self.space.sub(self.points[point].place, centre.place);
+        self.space.add(velocity, self.space.cross(turning, arm))
+    }
+}
+
+impl Turned {
+    fn still(n: usize) -> Self {
+        let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+        Self { axes, along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
+    }
+
+    /// A frame turned from this one about one of its axes.
+    fn turned(&self, space: Space, axis: usize, [cos, sin]: [u64; 2], angle: &Values) -> Self {
+        let e = self.axes[axis];
+        let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+        let mut axes = self.axes;
+        axes[j] = space.add(space.scale(cos, self.axes[j]), space.scale(sin, self.axes[k]));
+        axes[k] = space.sub(space.scale(cos, self.axes[k]), space.scale(sin, self.axes[j]));
+        let mut along = self.along.clone();
+        for (at, slope) in &angle.slopes {
+            along[*at] = space.add(along[*at], space.scale(*slope, e));
+        }
+        let spin = space.scale(angle.rate, e);
+        let carried = space.cross(self.velocity, spin);
+        let own = space.add(carried, space.scale(angle.second, e));
+        Self { axes, along, velocity: space.add(self.velocity, spin), acceleration: space.add(self.acceleration, own) }
+    }
+}
+
+impl Moved {
+    fn still(n: usize) -> Self {
+        Self { place: [0; 3], along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
+    }
+
+    /// A point placed from this one in a frame.
+    fn moved(&self, space: Space, frame: &Turned, place: &[Values; 3]) -> Self {
+        let of = |part: fn(&Values) -> u64| space.along(&frame.axes, [0, 1, 2].map(|i: usize| part(&place[i])));
+        let (arm, slip, second) = (of(|v| v.value), of(|v| v.rate), of(|v| v.second));
+        let mut along: Vec<Triple> =
+            self.along.iter().zip(&frame.along).map(|(v, turn)| space.add(*v, space.cross(*turn, arm))).collect();
+        for (axis, component) in frame.axes.iter().zip(place) {
+            for (at, slope) in &component.slopes {
+                along[*at] = space.add(along[*at], space.scale(*slope, *axis));
+            }
+        }
+        let turning = space.cross(frame.velocity, arm);
+        // a = a₀ + α × r + ω × (ω × r + 2 v_rel) + a_rel.
+        let twice = space.add(turning, space.add(slip, slip));
+        let centripetal = space.cross(frame.velocity, twice);
+        let own = space.add(space.cross(frame.acceleration, arm), space.add(centripetal, second));
+        Self {
+            place: space.add(self.place, arm),
+            along,
+            velocity: space.add(self.velocity, space.add(turning, slip)),
+            acceleration: space.add(self.acceleration, own),
+        }
+    }
+}
