@@ -38,6 +38,15 @@ pub enum Command {
         #[arg(long, value_enum, default_value_t = Format::Text)]
         format: Format,
     },
+    /// Say what a model is: its freedoms, which constraints are integrable or follow from others, where its speeds fail, what
+    /// nobody uses
+    Check {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Prove the formulations equivalent and find what the motion conserves; exit status 1 if they are not
     Prove {
         /// A model file, or a folder with model.toml
@@ -267,7 +276,8 @@ impl Command {
     pub fn is_json(&self) -> bool {
         match self {
             Self::Derive { format, .. } => *format == Format::Json,
-            Self::Prove { json, .. }
+            Self::Check { json, .. }
+            | Self::Prove { json, .. }
             | Self::Diff { json, .. }
             | Self::Evaluate { json, .. }
             | Self::Scene { json, .. } => *json,

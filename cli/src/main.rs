@@ -59,6 +59,7 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Report { model, out } => commands::report::report(model.as_deref(), &out),
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
+        Command::Check { model, json } => commands::check::check(&model, json),
         Command::Prove { model, json } => commands::prove::prove(&model, json),
         Command::Regenerate { models, check: true } => commands::regenerate::check(&models),
         Command::Regenerate { models, check: false } => commands::regenerate::regenerate(&models),

@@ -40,6 +40,7 @@
 //! made, and the three formulations know nothing of one another.
 
 pub mod algebra;
+pub mod check;
 pub mod diagnostic;
 pub mod diff;
 pub mod geometry;

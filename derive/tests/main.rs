@@ -6,6 +6,7 @@ mod cases;
 #[path = "common/chain.rs"]
 mod chain;
 mod chains;
+mod checks;
 mod combined_rows;
 mod common;
 mod connections;

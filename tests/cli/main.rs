@@ -5,6 +5,7 @@
 mod arm;
 mod changed_force;
 mod charts;
+mod checks;
 mod command_line;
 mod differences;
 mod edited_model;

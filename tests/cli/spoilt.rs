@@ -51,7 +51,7 @@ fn commands_end_with_a_status_of_their_own() {
         std::fs::write(&file, &text).unwrap();
         let is_report = file.ends_with("report.toml") && !file.parent().unwrap().ends_with("scenes");
         let command = match () {
-            () if is_model(path) => random.one(&["derive", "prove", "diff", "emit"]),
+            () if is_model(path) => random.one(&["check", "derive", "prove", "diff", "emit"]),
             () if is_report => "diff",
             () => random.one(&["simulate", "simulate", "scene", "sweep"]),
         };

@@ -1,6 +1,7 @@
 //! One file a command.
 
 pub mod chart;
+pub mod check;
 pub mod derive;
 pub mod diff;
 pub mod emit;

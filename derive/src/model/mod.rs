@@ -326,6 +326,10 @@ pub struct Model {
     pub domain: Vec<Condition>,
     /// q̇ in terms of the speeds.
     pub kinematic_equations: KinematicEquations,
+    /// Components of rolling that follow from other constraints, and are none.
+    pub repeated: Vec<String>,
+    /// Parameters, frames and points that nothing in the file refers to, each with what it is.
+    pub unused: Vec<(&'static str, String)>,
     /// Where each name was declared in the file, for diagnostics.
     pub declared: FxHashMap<String, Range<usize>>,
 }

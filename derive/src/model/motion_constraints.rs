@@ -62,6 +62,8 @@ pub struct Tied<'m> {
 pub struct Ties {
     pub motion: Vec<(MotionConstraint, Range<usize>)>,
     pub loops: Vec<Loop>,
+    /// Components of rolling that follow from the rest.
+    pub repeated: Vec<String>,
 }
 
 impl<'a> Loading<'a> {
@@ -151,8 +153,8 @@ impl<'a> Loading<'a> {
             let name = TIME.to_owned();
             candidates.push(Candidate { name, equation, tie: Tie::Clock, enforced_by: None, span: 0..0 });
         }
-        let motion = self.independent(coordinates, candidates);
-        (self.reader.errors.len() == before).then_some(Ties { motion, loops })
+        let (motion, repeated) = self.independent(coordinates, candidates);
+        (self.reader.errors.len() == before).then_some(Ties { motion, loops, repeated })
     }
 
     /// Those that say something new. Of a body that rolls, what follows from the others is left out: that the ground is not
@@ -161,11 +163,11 @@ impl<'a> Loading<'a> {
         &mut self,
         coordinates: &[Coordinate],
         candidates: Vec<Candidate>,
-    ) -> Vec<(MotionConstraint, Range<usize>)> {
+    ) -> (Vec<(MotionConstraint, Range<usize>)>, Vec<String>) {
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
         let mut form = LinearForm::new(&rates);
         let mut rows: Vec<Vec<Expr>> = Vec::new();
-        let mut constraints = Vec::new();
+        let (mut constraints, mut repeated) = (Vec::new(), Vec::new());
         for Candidate { name, equation, tie, enforced_by, span } in candidates {
             let (row, rest) = match form.coefficients(&mut self.arena, equation) {
                 Ok(linear) => linear,
@@ -183,7 +185,7 @@ impl<'a> Loading<'a> {
             let augmented: Vec<Expr> = row.iter().copied().chain([rest]).collect();
             if says_nothing {
                 match (tie, is_zero(&self.arena, &rest)) {
-                    (Tie::Rolling, true) => {}
+                    (Tie::Rolling, true) => repeated.push(name),
                     (_, true) => self.repeated(&name, span, "is always fulfilled"),
                     (_, false) => self.repeated(&name, span, "is never fulfilled"),
                 }
@@ -211,11 +213,11 @@ impl<'a> Loading<'a> {
             match (tie, all) {
                 (_, None) => self.undecided(&name, span),
                 (_, Some(false)) => self.repeated(&name, span, "contradicts those before it"),
-                (Tie::Rolling, Some(true)) => {}
+                (Tie::Rolling, Some(true)) => repeated.push(name),
                 (_, Some(true)) => self.repeated(&name, span, "follows from those before it"),
             }
         }
-        constraints
+        (constraints, repeated)
     }
 
     fn undecided(&mut self, name: &str, span: Range<usize>) {

@@ -7,6 +7,7 @@ use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::read::{Located, Reader};
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::cell::RefCell;
 use std::ops::Range;
 
 /// What a name stands for.
@@ -89,6 +90,8 @@ pub struct Names {
     spoiled: FxHashSet<String>,
     /// Kinds whose section could not be read: an unknown name may be one of them.
     unread: Vec<Kind>,
+    /// Names that something refers to.
+    used: RefCell<FxHashSet<String>>,
     /// The velocities that formulas name, each once.
     pub velocities: Vec<StatedVelocity>,
 }
@@ -162,12 +165,23 @@ impl Names {
             return false;
         }
         let message = match self.known.get(&name.text) {
-            Some((found, _, _)) if *found == kind => return true,
+            Some((found, _, _)) if *found == kind => {
+                self.used.borrow_mut().insert(name.text.clone());
+                return true;
+            }
             Some((other, _, _)) => format!("`{}` is a {}, not a {}", name.text, other.noun(), kind.noun()),
             None => format!("there is no {} `{}`", kind.noun(), shown(&name.text)),
         };
         reader.error_once(name.span.clone(), message, nearest(&name.text, self.of_kind(&[kind])));
         false
+    }
+
+    /// Parameters, frames and points that nothing refers to, in order of declaration, each with what it is.
+    pub fn unused(&self) -> Vec<(&'static str, String)> {
+        let used = self.used.borrow();
+        let kinds = [Kind::Parameter, Kind::Frame, Kind::Point];
+        let names = self.of_kind(&kinds).into_iter().filter(|name| !used.contains(*name));
+        names.map(|name| (self.known[name].0.noun(), name.to_owned())).collect()
     }
 
     /// The kind of a name.
@@ -256,7 +270,10 @@ impl Names {
     fn resolve(&self, name: &str, allowed: Allowed, what: &str) -> Result<Expr, (String, Option<String>)> {
         let plain = name.trim_end_matches('\'');
         match self.known.get(name) {
-            Some((kind, _, Some(symbol))) if allowed.0.contains(kind) => Ok(*symbol),
+            Some((kind, _, Some(symbol))) if allowed.0.contains(kind) => {
+                self.used.borrow_mut().insert(name.to_owned());
+                Ok(*symbol)
+            }
             Some((kind, _, _)) => Err(cannot_stand(*kind, name, allowed, what)),
             None if name == TIME => {
                 Err((format!("time cannot stand in {what}"), Some("what has mass, and how much, stays".to_owned())))

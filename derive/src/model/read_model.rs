@@ -156,7 +156,7 @@ impl<'a> Loading<'a> {
         if !self.reader.errors.is_empty() {
             return None;
         }
-        let Ties { motion, loops } = ties?;
+        let Ties { motion, loops, repeated } = ties?;
         let mut model = Model {
             title: title?,
             reference,
@@ -179,6 +179,8 @@ impl<'a> Loading<'a> {
             loops,
             domain,
             kinematic_equations: kinematic_equations?,
+            repeated,
+            unused: self.names.unused(),
             declared: self.names.places(),
         };
         model.complete_reactions();

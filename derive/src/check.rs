@@ -1,0 +1,246 @@
+//! What there is to know of a model before its equations are used: freedoms, what its constraints are, what nobody uses.
+//!
+//! Which motion constraints are integrable is a question about all of them together. The motions that they permit span W and,
+//! where they drive, w of q̇ = W u + w; with all brackets of these fields, and brackets of those, the motions span what can be reached at
+//! all. A constraint that none of these fields breaks holds a function of the coordinates.
+//! G. Frobenius 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L. Bryant et al., *Exterior Differential Systems*
+//! (1991), chapter II §4 (derived flag).
+
+use crate::algebra::calculus::{Gradient, Substitution};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::primitive::primitive;
+use crate::algebra::print::text;
+use crate::algebra::rank::rank;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::{DeriveError, Formulation, derive};
+use crate::model::{Model, MotionConstraint, Tie};
+
+/// Whether constraints restrict places or velocities.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConstraintKind {
+    /// An equation between coordinates.
+    Configuration,
+    /// An equation between velocities.
+    Motion,
+}
+
+/// A constraint.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Checked {
+    /// Its name.
+    pub name: String,
+    /// What it restricts.
+    pub kind: ConstraintKind,
+    /// Whether it holds a function of the coordinates, given the others; nothing if that could not be decided.
+    pub integrable: Option<bool>,
+    /// The function that it holds, as a formula, if one was found.
+    pub integral: Option<String>,
+    /// Whether it follows from the others.
+    pub redundant: bool,
+}
+
+/// What was found of a model.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// Generalized coordinates, without time.
+    pub coordinates: usize,
+    /// Generalized speeds.
+    pub speeds: usize,
+    /// All constraints.
+    pub constraints: Vec<Checked>,
+    /// Independent velocities.
+    pub degrees_of_freedom: usize,
+    /// How many coordinates of a place can be chosen: what the motions can reach from one; nothing if undecided.
+    pub configuration_freedom: Option<usize>,
+    /// Formulas that are zero where the speeds do not determine the motion.
+    pub singular_where: Vec<String>,
+    /// What else should be known, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// Checks a model.
+///
+/// # Errors
+/// [`DeriveError`] if Kane's equations cannot be derived for a reason other than a speed without inertia, which is a note.
+pub fn check(model: &Model) -> Result<Check, DeriveError> {
+    let mut arena = model.arena.clone();
+    let mut reach = Reach::new(model, &mut arena);
+    let is_known = reach.close(&mut arena);
+    let configuration = model.constraints.iter().map(|c| Checked {
+        name: c.name.clone(),
+        kind: ConstraintKind::Configuration,
+        integrable: Some(true),
+        integral: Some(text(&model.arena, c.equation)),
+        redundant: false,
+    });
+    let loops = model.loops.iter().map(|c| Checked {
+        name: c.name.clone(),
+        kind: ConstraintKind::Configuration,
+        integrable: Some(true),
+        integral: Some(text(&model.arena, c.equation)),
+        redundant: false,
+    });
+    let mut constraints: Vec<Checked> = configuration.chain(loops).collect();
+    for constraint in model.motion_constraints.iter().filter(|c| matches!(c.tie, Tie::Stated | Tie::Rolling)) {
+        let holds = reach.permits(model, &mut arena, constraint);
+        let integrable = is_known.then_some(holds).or(if holds { None } else { Some(false) });
+        let integral = if holds { integral_of(model, &mut arena, constraint) } else { None };
+        let name = constraint.name.clone();
+        constraints.push(Checked { name, kind: ConstraintKind::Motion, integrable, integral, redundant: false });
+    }
+    constraints.extend(model.repeated.iter().map(|name| Checked {
+        name: name.clone(),
+        kind: ConstraintKind::Motion,
+        integrable: None,
+        integral: None,
+        redundant: true,
+    }));
+    let mut notes: Vec<String> =
+        model.unused.iter().map(|(kind, name)| format!("nothing names the {kind} `{name}`")).collect();
+    match derive(model, Formulation::Kane) {
+        Ok(derivation) => notes.extend(power(model, &derivation.arena, derivation.equations.power)),
+        Err(error @ DeriveError::NoInertia { .. }) => notes.push(error.to_string()),
+        Err(error) => return Err(error),
+    }
+    if !is_known {
+        notes.push(
+            "which motion constraints are integrable could not be decided: their brackets are too many".to_owned(),
+        );
+    }
+    Ok(Check {
+        coordinates: model.coordinates.len() - usize::from(model.time().is_some()),
+        speeds: model.speeds.len(),
+        constraints,
+        degrees_of_freedom: model.speeds.len(),
+        configuration_freedom: is_known.then(|| reach.fields.len() - usize::from(reach.drifts)),
+        singular_where: model.kinematic_equations.divisors.iter().map(|e| text(&model.arena, *e)).collect(),
+        notes,
+    })
+}
+
+/// What changes T + V, as a note.
+fn power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
+    if model.is_driven() {
+        return Some("constraints drive the mechanism: T + V changes by what their forces work".to_owned());
+    }
+    (power != Expr::ZERO).then(|| format!("T + V changes at the rate {}", text(arena, power)))
+}
+
+/// The function of the coordinates that a constraint holds, if its slopes are those of one.
+fn integral_of(model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> Option<String> {
+    let mut slopes = vec![Expr::ZERO; model.coordinates.len()];
+    for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {
+        slopes[at] = slope;
+    }
+    // What a drive adds is along time.
+    match model.time() {
+        Some(time) => slopes[time] = arena.add(slopes[time], constraint.drive),
+        None if constraint.drive != Expr::ZERO => return None,
+        None => {}
+    }
+    let function = primitive(arena, &mut Simplifier::default(), &model.q(), &slopes)?;
+    Some(text(arena, function))
+}
+
+/// Brackets that are tried before the question is given up.
+const MOST_BRACKETS: usize = 200;
+
+/// Fields of motions, each independent of those before it: a component for each coordinate, the last for time where there is a
+/// drift and no coordinate is time.
+struct Reach {
+    fields: Vec<Vec<Expr>>,
+    /// The coordinates along which fields are differentiated.
+    along: Vec<Expr>,
+    /// Whether one field is w.
+    drifts: bool,
+}
+
+impl Reach {
+    fn new(model: &Model, arena: &mut Arena) -> Self {
+        let rates = &model.kinematic_equations.rates;
+        let mut slopes = Gradient::new(&model.u());
+        let mut fields = vec![vec![Expr::ZERO; rates.len()]; model.speeds.len()];
+        for (at, rate) in rates.iter().enumerate() {
+            for &(speed, slope) in slopes.apply(arena, *rate).iter() {
+                fields[speed][at] = slope;
+            }
+        }
+        let still: Vec<_> = model.u().into_iter().map(|u| (u, Expr::ZERO)).collect();
+        let mut at_rest = Substitution::new(&still);
+        let mut drift: Vec<Expr> = rates.iter().map(|rate| at_rest.apply(arena, *rate)).collect();
+        let drifts = drift.iter().any(|e| zero_test(arena, *e) != ZeroTest::Zero);
+        if drifts {
+            if model.time().is_none() {
+                for field in &mut fields {
+                    field.push(Expr::ZERO);
+                }
+                drift.push(Expr::ONE);
+            }
+            fields.push(drift);
+        }
+        Self { fields, along: model.q(), drifts }
+    }
+
+    /// Adds brackets until none is new; whether that came to an end.
+    fn close(&mut self, arena: &mut Arena) -> bool {
+        let mut simplifier = Simplifier::default();
+        let mut tried = 0;
+        let mut later = 1;
+        while later < self.fields.len() {
+            for earlier in 0..later {
+                tried += 1;
+                if tried > MOST_BRACKETS {
+                    return false;
+                }
+                let bracket = self.bracket(arena, &mut simplifier, later, earlier);
+                self.fields.push(bracket);
+                match rank(arena, &self.fields).map(|found| found.dependent.is_none()) {
+                    Some(true) => {}
+                    Some(false) => {
+                        self.fields.pop();
+                    }
+                    None => return false,
+                }
+            }
+            later += 1;
+        }
+        true
+    }
+
+    /// [X, Y] = (∂Y/∂q) X − (∂X/∂q) Y.
+    fn bracket(&self, arena: &mut Arena, simplifier: &mut Simplifier, x: usize, y: usize) -> Vec<Expr> {
+        let mut gradient = Gradient::new(&self.along);
+        let (x, y) = (&self.fields[x], &self.fields[y]);
+        let mut along = |arena: &mut Arena, of: Expr, field: &[Expr]| {
+            let slopes = gradient.apply(arena, of);
+            let terms: Vec<Expr> = slopes.iter().map(|(at, slope)| arena.mul(*slope, field[*at])).collect();
+            arena.sum(&terms)
+        };
+        x.iter()
+            .zip(y)
+            .map(|(of_x, of_y)| {
+                let (there, back) = (along(arena, *of_y, x), along(arena, *of_x, y));
+                let difference = arena.sub(there, back);
+                simplifier.simplify(arena, difference)
+            })
+            .collect()
+    }
+
+    /// Whether no field breaks a constraint.
+    fn permits(&self, model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> bool {
+        let mut row = vec![Expr::ZERO; model.coordinates.len()];
+        for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {
+            row[at] = slope;
+        }
+        match model.time() {
+            Some(time) => row[time] = arena.add(row[time], constraint.drive),
+            None => row.push(constraint.drive),
+        }
+        self.fields.iter().all(|field| {
+            let terms: Vec<Expr> = row.iter().zip(field).map(|(a, x)| arena.mul(*a, *x)).collect();
+            let sum = arena.sum(&terms);
+            zero_test(arena, sum) == ZeroTest::Zero
+        })
+    }
+}
