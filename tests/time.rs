@@ -214,3 +214,21 @@ fn time_stands_where_it_has_a_meaning() {
     let by_rates = Scene::parse(mechanism(), &text).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(by_rates.simulate(&Overrides::default()).unwrap().names, ["q", "t", "u"]);
 }
+
+/// Goal: what keeps a run on its constraints never moves time. Method: a loose run of a loop that depends on it, whose steps are moved
+/// far.
+#[test]
+fn projection_moves_no_clock() {
+    let (what, start) = &ropes()[3];
+    let scene = scene(&pendulum(what), start, "[0.5, 3]", "");
+    for by in ["kane", "lagrange"] {
+        let how = Overrides { by: Some(by.to_owned()), rtol: Some(1e-4), atol: Some(1e-4), ..Overrides::default() };
+        let run = scene.simulate(&how).unwrap();
+        let report = run.solution.projection.as_ref().unwrap();
+        assert!(report.corrections > 5, "{report:?}");
+        let clock = run.column("t").unwrap();
+        for (t, shown) in run.solution.t.iter().zip(clock) {
+            assert!((t - shown).abs() < 1e-12, "{by}: {shown} at {t}");
+        }
+    }
+}
