@@ -65,18 +65,20 @@ fn a_four_bar_linkage_turns() {
     for formulation in Formulation::ALL {
         for (solve, method) in [(None, None), (Some("numeric"), None), (None, Some("taylor")), (None, Some("gauss6"))] {
             let run = run(&scene, formulation.name(), solve, method);
+            // Samples inside steps of gauss6 are of a lower order.
+            let loose = if method == Some("gauss6") { 30.0 } else { 1.0 };
             let of = |name: &str| run.column(name).unwrap();
             for (((q1, q2), q3), u1) in of("q1").iter().zip(of("q2")).zip(of("q3")).zip(of("u1")) {
                 let (coupler, rocker, inertia, potential) = by_hand(*q1, 1.0);
                 let speed = (2.0 * (energy - potential) / inertia).sqrt();
                 assert!(
-                    (q2 - coupler).abs() < 2e-11 && (q3 - rocker).abs() < 2e-11,
+                    (q2 - coupler).abs() < loose * 5e-12 && (q3 - rocker).abs() < loose * 5e-12,
                     "{q1}: {q2}, {coupler}; {q3}, {rocker}"
                 );
-                assert!((u1 - speed).abs() < 1e-8, "{u1}, {speed}");
+                assert!((u1 - speed).abs() < loose * 3e-10, "{u1}, {speed}");
             }
             let largest = run.residuals.iter().map(|residual| residual.largest.abs()).fold(0.0, f64::max);
-            assert!(run.residuals.len() >= 2 && largest < 2e-9, "{:?}", run.residuals);
+            assert!(run.residuals.len() >= 2 && largest < loose * 5e-11, "{:?}", run.residuals);
             ends.push((format!("{} {solve:?} {method:?}", formulation.name()), run.end.clone()));
         }
     }

@@ -83,9 +83,11 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     });
     let mut constraints: Vec<Checked> = configuration.chain(loops).collect();
     for constraint in model.motion_constraints.iter().filter(|c| matches!(c.tie, Tie::Stated | Tie::Rolling)) {
-        let holds = reach.permits(model, &mut arena, constraint);
-        let integrable = is_known.then_some(holds).or(if holds { None } else { Some(false) });
-        let integral = if holds { integral_of(model, &mut arena, constraint) } else { None };
+        let integrable = match reach.permits(model, &mut arena, constraint) {
+            Some(true) if !is_known => None,
+            decided => decided,
+        };
+        let integral = if integrable == Some(true) { integral_of(model, &mut arena, constraint) } else { None };
         let name = constraint.name.clone();
         constraints.push(Checked { name, kind: ConstraintKind::Motion, integrable, integral, redundant: false });
     }
@@ -105,7 +107,7 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     }
     if !is_known {
         notes.push(
-            "which motion constraints are integrable could not be decided: their brackets are too many".to_owned(),
+            "which motion constraints are integrable could not be decided: their brackets are too many, or have no value at random points".to_owned(),
         );
     }
     Ok(Check {
@@ -154,6 +156,8 @@ struct Reach {
     along: Vec<Expr>,
     /// Whether one field is w.
     drifts: bool,
+    /// Whether no constraint is of velocities: then the motions stay on the levels of functions, and brackets add nothing.
+    is_holonomic: bool,
 }
 
 impl Reach {
@@ -179,7 +183,9 @@ impl Reach {
             }
             fields.push(drift);
         }
-        Self { fields, along: model.q(), drifts }
+        let of_velocities = |c: &MotionConstraint| matches!(c.tie, Tie::Stated | Tie::Rolling);
+        let is_holonomic = !model.motion_constraints.iter().any(of_velocities);
+        Self { fields, along: model.q(), drifts, is_holonomic }
     }
 
     /// Adds brackets until none is new; whether that came to an end.
@@ -187,8 +193,15 @@ impl Reach {
         let mut simplifier = Simplifier::default();
         let mut tried = 0;
         let mut later = 1;
+        if self.is_holonomic {
+            return true;
+        }
         while later < self.fields.len() {
             for earlier in 0..later {
+                // Nothing is independent of as many as there are components.
+                if self.fields.len() == self.fields[0].len() {
+                    return true;
+                }
                 tried += 1;
                 if tried > MOST_BRACKETS {
                     return false;
@@ -227,8 +240,8 @@ impl Reach {
             .collect()
     }
 
-    /// Whether no field breaks a constraint.
-    fn permits(&self, model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> bool {
+    /// Whether no field breaks a constraint, if that can be decided.
+    fn permits(&self, model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> Option<bool> {
         let mut row = vec![Expr::ZERO; model.coordinates.len()];
         for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {
             row[at] = slope;
@@ -237,10 +250,16 @@ impl Reach {
             Some(time) => row[time] = arena.add(row[time], constraint.drive),
             None => row.push(constraint.drive),
         }
-        self.fields.iter().all(|field| {
+        let mut is_decided = true;
+        for field in &self.fields {
             let terms: Vec<Expr> = row.iter().zip(field).map(|(a, x)| arena.mul(*a, *x)).collect();
             let sum = arena.sum(&terms);
-            zero_test(arena, sum) == ZeroTest::Zero
-        })
+            match zero_test(arena, sum) {
+                ZeroTest::Zero => {}
+                ZeroTest::NonZero => return Some(false),
+                ZeroTest::Undecided => is_decided = false,
+            }
+        }
+        is_decided.then_some(true)
     }
 }

@@ -4,6 +4,7 @@
 //! Goldstein, Poole & Safko, *Classical Mechanics*, 3rd edition (2002), §1.3 (a disc that rolls along a line is holonomic).
 
 use crate::common::read;
+use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::check::{Check, check};
@@ -100,4 +101,22 @@ fn a_bicycle_has_three_velocities_and_seven_coordinates_to_choose() {
     assert_eq!(freedoms(&found), (8, 3, Some(7)));
     let count = |of: fn(&&tripos_derive::check::Checked) -> bool| found.constraints.iter().filter(of).count();
     assert_eq!((count(|c| c.integrable == Some(false)), count(|c| c.redundant)), (4, 2), "{:?}", found.constraints);
+}
+
+/// Goal: a large mechanism without motion constraints is decided at once. Method: thirty particles on parallel lines.
+#[test]
+fn many_speeds_need_no_brackets() {
+    let [mut coordinates, mut speeds, mut points, mut particles] = [const { String::new() }; 4];
+    for i in 1..=30 {
+        writeln!(coordinates, "x{i} = {{ unit = \"m\" }}").unwrap();
+        writeln!(speeds, "u{i} = \"x{i}'\"").unwrap();
+        writeln!(points, "P{i} = {{ from = \"O\", frame = \"N\", position = [\"x{i}\", 0, 0] }}").unwrap();
+        writeln!(particles, "b{i} = {{ point = \"P{i}\", mass = \"m\" }}").unwrap();
+    }
+    let found = checked(&format!(
+        "name = \"many\"\n[parameters]\nm = {{ unit = \"kg\" }}\n[coordinates]\n{coordinates}[speeds]\n{speeds}[inertial]\nframe = \"N\"\n\
+         origin = \"O\"\n[points]\n{points}[particles]\n{particles}"
+    ));
+    assert_eq!(freedoms(&found), (30, 30, Some(30)));
+    assert!(found.notes.is_empty(), "{:?}", found.notes);
 }

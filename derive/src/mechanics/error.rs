@@ -73,6 +73,11 @@ pub enum DeriveError {
     },
     /// The reactions named are not independent: they cannot be told apart.
     ReactionsDependent,
+    /// That a reaction that was found does no work cannot be shown.
+    ReactionNotShown {
+        /// The reaction.
+        reaction: String,
+    },
     /// A torque on a frame without a body: no moment balance holds it.
     TorqueOnNothing {
         /// The torque.
@@ -107,7 +112,13 @@ impl DeriveError {
     /// Whether the model is right and only this formulation cannot be had.
     #[must_use]
     pub fn is_unsupported(&self) -> bool {
-        matches!(self, Self::ReactionCount { .. } | Self::ReactionsDependent | Self::TorqueOnNothing { .. })
+        matches!(
+            self,
+            Self::ReactionCount { .. }
+                | Self::ReactionsDependent
+                | Self::ReactionNotShown { .. }
+                | Self::TorqueOnNothing { .. }
+        )
     }
 
     /// The name in the model file that it is about, and what to do.
@@ -145,6 +156,7 @@ impl DeriveError {
                 None,
                 "let each constraint be enforced by one reaction along its own direction, or use kane or lagrange",
             ),
+            Self::ReactionNotShown { .. } => (None, "name the reactions in [reactions], or use kane or lagrange"),
             Self::TorqueOnNothing { torque } => (Some(torque), "let it act on a rigid body, or use kane or lagrange"),
             Self::TooLarge { .. } => (
                 None,
@@ -217,6 +229,12 @@ impl fmt::Display for DeriveError {
             }
             Self::ReactionsDependent => {
                 write!(f, "newton-euler is not possible: its equations do not determine the reactions one by one")
+            }
+            Self::ReactionNotShown { reaction } => {
+                write!(
+                    f,
+                    "newton-euler is not possible: it cannot be shown that the reaction `{reaction}` does no work"
+                )
             }
             Self::TorqueOnNothing { torque } => {
                 write!(f, "newton-euler is not possible: the torque `{torque}` acts on a frame without a body")

@@ -12,7 +12,7 @@ use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Vector, angular_velocities, apply_tensor, linear_velocities};
-use crate::model::{Body, Model, ReactionKind};
+use crate::model::{Body, Model, Reaction, ReactionKind};
 
 /// Positions and velocities in q and q̇, and the tools to go on from there.
 pub struct Kinematics {
@@ -58,7 +58,7 @@ impl Kinematics {
     /// The kinematics of a model.
     ///
     /// # Errors
-    /// [`DeriveError`] if the stated inertia of a body is not constant in the body, a reaction works, or a load divides
+    /// [`DeriveError`] if the stated inertia of a body is not constant in the body, a reaction of the file works, or a load divides
     /// by a velocity that is zero.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         Self::in_form(model, is_large(model))
@@ -83,7 +83,7 @@ impl Kinematics {
         let mut kinematics = Self { arena, frames, simplifier, positions, in_rates, forces, torques, potential: None };
         kinematics.apply_loads(model)?;
         kinematics.check_inertias(model)?;
-        kinematics.check_reactions(model)?;
+        kinematics.check_reactions(model, model.stated_reactions())?;
         Ok(kinematics)
     }
 
@@ -152,7 +152,7 @@ impl Kinematics {
 
     /// A reaction of an ideal constraint does no work in any permitted motion: along each q̇, or along each speed
     /// where motion constraints leave fewer of them.
-    fn check_reactions(&mut self, model: &Model) -> Result<(), DeriveError> {
+    pub(super) fn check_reactions(&mut self, model: &Model, reactions: &[Reaction]) -> Result<(), DeriveError> {
         let velocities = self.in_rates.clone();
         let mut to_permitted = (!model.motion_constraints.is_empty()).then(|| rates_to_speeds(model));
         let permitted: Vec<String> = match to_permitted {
@@ -160,7 +160,7 @@ impl Kinematics {
             None => model.coordinates.iter().map(|c| format!("{}'", c.name)).collect(),
         };
         let mut along = Gradient::new(&if to_permitted.is_some() { model.u() } else { model.q_dot() });
-        for reaction in &model.reactions {
+        for reaction in reactions {
             let direction = Vector::in_frame(reaction.frame, reaction.direction);
             let square = self.frames.dot(&mut self.arena, &direction, &direction);
             let excess = self.arena.sub(square, Expr::ONE);

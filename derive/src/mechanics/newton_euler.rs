@@ -18,11 +18,16 @@ use crate::model::{Body, Model, Place, Reaction, ReactionKind};
 ///
 /// # Errors
 /// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies feel;
+/// [`DeriveError::ReactionNotShown`] if it cannot be shown of a reaction that was found that it does no work;
 /// [`DeriveError::TorqueOnNothing`] for a torque on a frame that carries no body.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     if let Some(torque) = model.torques.iter().find(|t| t.on.1.is_none() || t.against.is_some_and(|(_, b)| b.is_none()))
     {
         return Err(DeriveError::TorqueOnNothing { torque: torque.name.clone() });
+    }
+    for found in &model.reactions[model.stated_reactions().len()..] {
+        let shown = kinematics.check_reactions(model, std::slice::from_ref(found));
+        shown.map_err(|_| DeriveError::ReactionNotShown { reaction: found.name.clone() })?;
     }
     let velocities = kinematics.in_speeds(model);
     let mut unknowns: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();

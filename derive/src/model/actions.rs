@@ -17,20 +17,18 @@ impl DrawnModel {
         }
         let loads = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
         terms.extend(loads.flatten());
-        let mut values = self.values(model, arena, &terms)?.into_iter();
-        let mut triple = || [0; 3].map(|_: u64| values.next().unwrap_or_default());
+        let mut values = self.values(model, arena, &terms)?;
         let DrawnModel { space, frames, points, .. } = self;
-        let (f, gravity) = (space.0, triple());
+        let (f, gravity) = (space.0, values.triple());
         let gravity = model.gravity.as_ref().map_or([0; 3], |g| space.along(&frames[g.frame].axes, gravity));
         let mut all = vec![0; 6 * model.bodies.len()];
         let mut loads = Vec::new();
         for (at, body) in model.bodies.iter().enumerate() {
-            let mass = values.next().unwrap_or_default();
+            let mass = values.one();
             let force = space.scale(mass, space.sub(points[body.centre].acceleration, gravity));
             loads.push((at, body.centre, force, [0; 3]));
             let Some((own, inertia)) = &body.rigid else { continue };
-            let mut triple = || [0; 3].map(|_: u64| values.next().unwrap_or_default());
-            let tensor = [triple(), triple(), triple()];
+            let tensor = [values.triple(), values.triple(), values.triple()];
             let (frame, turned) = (&frames[inertia.frame], &frames[*own]);
             let into = |v: Triple| [0, 1, 2].map(|i: usize| space.dot(frame.axes[i], v));
             let times = |v: Triple| space.along(&frame.axes, [0, 1, 2].map(|i: usize| space.dot(tensor[i], into(v))));
@@ -39,15 +37,14 @@ impl DrawnModel {
             let moment = space.add(times(seen), space.cross(frame.velocity, times(turned.velocity)));
             loads.push((at, body.centre, [0; 3], moment));
         }
-        let mut triple = || [0; 3].map(|_: u64| values.next().unwrap_or_default());
         let back = |v: Triple| space.sub([0; 3], v);
         for force in &model.forces {
-            let vector = space.along(&frames[force.frame].axes, triple());
+            let vector = space.along(&frames[force.frame].axes, values.triple());
             loads.push((force.on.body, force.on.point, back(vector), [0; 3]));
             loads.extend(force.against.map(|place| (place.body, place.point, vector, [0; 3])));
         }
         for torque in &model.torques {
-            let vector = space.along(&frames[torque.frame].axes, triple());
+            let vector = space.along(&frames[torque.frame].axes, values.triple());
             loads.extend(torque.on.1.map(|body| (body, model.bodies[body].centre, [0; 3], back(vector))));
             let against = torque.against.and_then(|(_, body)| body);
             loads.extend(against.map(|body| (body, model.bodies[body].centre, [0; 3], vector)));

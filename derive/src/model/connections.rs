@@ -57,8 +57,11 @@ impl Model {
         }
         let Some(mut search) = Search::new(self) else { return };
         search.tree();
-        search.contacts();
-        search.loops();
+        // Where bodies hold fast first: a force where they slide along it is the last to be thought of.
+        for holds in [true, false] {
+            search.contacts(holds);
+            search.loops(holds);
+        }
         // Some alone would make the equations neither solvable nor what the file says.
         if search.missing > 0 {
             return;
@@ -115,10 +118,9 @@ impl<'m> Search<'m> {
     /// What the stated reactions do to the balances.
     fn stated(&self, arena: &mut Arena) -> Option<Vec<Vec<u64>>> {
         let directions: Vec<Expr> = self.model.reactions.iter().flat_map(|r| r.direction).collect();
-        let values = self.drawn.values(self.model, arena, &directions)?;
-        let actions = self.model.reactions.iter().zip(values.chunks_exact(3)).map(|(reaction, direction)| {
-            let components = [direction[0], direction[1], direction[2]];
-            let direction = self.drawn.space.along(&self.drawn.frames[reaction.frame].axes, components);
+        let mut values = self.drawn.values(self.model, arena, &directions)?;
+        let actions = self.model.reactions.iter().map(|reaction| {
+            let direction = self.drawn.space.along(&self.drawn.frames[reaction.frame].axes, values.triple());
             self.drawn.action(self.model, reaction.kind, direction)
         });
         Some(actions.collect())
@@ -225,12 +227,30 @@ impl<'m> Search<'m> {
         list
     }
 
+    /// Velocities along each speed, from those along q̇.
+    fn permitted(&self, along: impl Fn(usize) -> Triple) -> Vec<Triple> {
+        let space = self.drawn.space;
+        let mut list = vec![[0; 3]; self.model.speeds.len()];
+        for (at, rates) in self.drawn.partial_rates.iter().enumerate() {
+            let velocity = along(at);
+            for (sum, rate) in list.iter_mut().zip(rates) {
+                *sum = space.add(*sum, space.scale(*rate, velocity));
+            }
+        }
+        list
+    }
+
+    /// At which velocities the material of a body at a point moves against that of its holder at another, along each speed.
+    fn slips(&self, body: usize, holder: Holder, (point, opposite): (usize, usize)) -> Vec<Triple> {
+        let space = self.drawn.space;
+        self.permitted(|along| {
+            space.sub(self.material(Some(body), point, along), self.material(holder, opposite, along))
+        })
+    }
+
     /// Keeps the forces on a body at a point, from its holder at another, that do no work.
     fn forces(&mut self, body: usize, holder: Holder, (point, opposite): (usize, usize)) {
-        let space = self.drawn.space;
-        let slips: Vec<Triple> = (0..self.model.coordinates.len())
-            .map(|along| space.sub(self.material(Some(body), point, along), self.material(holder, opposite, along)))
-            .collect();
+        let slips = self.slips(body, holder, (point, opposite));
         let against = holder.map(|body| Place { body, point: opposite });
         let kind = ReactionKind::Force { on: Place { body, point }, against };
         self.along_axes(kind, &slips, (body, holder));
@@ -239,26 +259,20 @@ impl<'m> Search<'m> {
     /// Keeps the torques on a body from its holder that do no work.
     fn torques(&mut self, body: usize, holder: Holder) {
         let space = self.drawn.space;
-        let turns: Vec<Triple> = (0..self.model.coordinates.len())
-            .map(|along| space.sub(self.turning(Some(body), along), self.turning(holder, along)))
-            .collect();
+        let turns = self.permitted(|along| space.sub(self.turning(Some(body), along), self.turning(holder, along)));
         self.along_axes(ReactionKind::Torque { on: body, against: holder }, &turns, (body, holder));
     }
 
-    /// Keeps the reactions of a kind along axes that do no work on these velocities, which are along q̇.
+    /// Keeps the reactions of a kind along axes that do no work on these velocities, which are along each speed.
     fn along_axes(&mut self, kind: ReactionKind, velocities: &[Triple], (body, holder): (usize, Holder)) {
         for frame in self.frames(body, holder) {
             for axis in 0..3 {
                 if self.missing == 0 {
                     return;
                 }
-                let DrawnModel { space, frames, partial_rates, .. } = &self.drawn;
+                let DrawnModel { space, frames, .. } = &self.drawn;
                 let direction = frames[frame].axes[axis];
-                let powers: Vec<u64> = velocities.iter().map(|v| space.dot(*v, direction)).collect();
-                let works = (0..self.model.speeds.len()).any(|speed| {
-                    let of = |(power, rates): (&u64, &Vec<u64>)| space.0.mul(*power, rates[speed]);
-                    powers.iter().zip(partial_rates).map(of).fold(0, |sum, x| space.0.add(sum, x)) != 0
-                });
+                let works = velocities.iter().any(|v| space.dot(*v, direction) != 0);
                 let action = self.drawn.action(self.model, kind, direction);
                 let is_felt = action.iter().zip(&self.felt).any(|(x, felt)| *x != 0 && *felt);
                 if !works && is_felt && self.basis.take(action.clone()).is_some() {
@@ -313,29 +327,36 @@ impl<'m> Search<'m> {
         !self.own_motions().any(moves)
     }
 
-    /// Forces where bodies touch at a point.
-    fn contacts(&mut self) {
+    /// Forces where bodies touch at a point, without slip or with it.
+    fn contacts(&mut self, holds: bool) {
         for (body, holder) in self.pairs() {
             for point in 0..self.model.points.len() {
                 let is_there = |b: usize| self.is_rigid(Some(b)) || self.model.bodies[b].centre == point;
-                if self.missing > 0 && is_there(body) && holder.is_none_or(is_there) {
-                    self.forces(body, holder, (point, point));
+                if is_there(body) && holder.is_none_or(is_there) {
+                    self.meeting(body, holder, (point, point), holds);
                 }
             }
         }
     }
 
     /// Forces between points that loops hold together.
-    fn loops(&mut self) {
+    fn loops(&mut self, holds: bool) {
         for (body, holder) in self.pairs() {
             let Some(other) = holder else { continue };
             for point in 0..self.model.points.len() {
                 for opposite in 0..self.model.points.len() {
-                    if self.missing > 0 && point != opposite && self.has(body, point) && self.has(other, opposite) {
-                        self.forces(body, holder, (point, opposite));
+                    if point != opposite && self.has(body, point) && self.has(other, opposite) {
+                        self.meeting(body, holder, (point, opposite), holds);
                     }
                 }
             }
+        }
+    }
+
+    /// Forces where two bodies meet, without slip or with it.
+    fn meeting(&mut self, body: usize, holder: Holder, points: (usize, usize), holds: bool) {
+        if self.missing > 0 && (!holds || self.slips(body, holder, points).iter().all(|slip| *slip == [0; 3])) {
+            self.forces(body, holder, points);
         }
     }
 }

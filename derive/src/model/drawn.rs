@@ -49,6 +49,25 @@ impl Space {
     }
 }
 
+/// Residues of terms, read in the order of the terms.
+pub struct Residues(std::vec::IntoIter<u64>);
+
+impl Residues {
+    pub fn new(list: Vec<u64>) -> Self {
+        Self(list.into_iter())
+    }
+
+    /// The next.
+    pub fn one(&mut self) -> u64 {
+        self.0.next().expect("each term that was asked for has a residue")
+    }
+
+    /// The next three.
+    pub fn triple(&mut self) -> Triple {
+        std::array::from_fn(|_| self.one())
+    }
+}
+
 /// A frame: its axes, its angular velocity along each q̇ and in all, its angular acceleration.
 #[derive(Clone)]
 pub struct Turned {
@@ -99,10 +118,9 @@ impl Followed {
         [self.value, self.rate, self.second].into_iter().chain(self.slopes.iter().map(|(_, slope)| *slope))
     }
 
-    fn read(&self, residues: &mut impl Iterator<Item = u64>) -> Values {
-        let mut next = || residues.next().unwrap_or_default();
-        let (value, rate, second) = (next(), next(), next());
-        Values { value, rate, second, slopes: self.slopes.iter().map(|(at, _)| (*at, next())).collect() }
+    fn read(&self, residues: &mut Residues) -> Values {
+        let [value, rate, second] = residues.triple();
+        Values { value, rate, second, slopes: self.slopes.iter().map(|(at, _)| (*at, residues.one())).collect() }
     }
 }
 
@@ -158,7 +176,7 @@ impl DrawnModel {
         }
         terms.extend(partial.iter().flatten().map(|(_, slope)| *slope));
         let (drawn, residues) = Drawn::new(arena, &terms)?;
-        let mut residues = residues.into_iter();
+        let mut residues = Residues::new(residues);
         let space = Space(drawn.field());
         let (n, p) = (model.coordinates.len(), model.speeds.len());
         let mut frames: Vec<Turned> = Vec::new();
@@ -167,8 +185,7 @@ impl DrawnModel {
                 frames.push(Turned::still(n));
                 continue;
             };
-            let mut next = || residues.next().unwrap_or_default();
-            let circle = [next(), next()];
+            let circle = [residues.one(), residues.one()];
             let angle = followed.read(&mut residues);
             frames.push(frames[parent].turned(space, axis, circle, &angle));
         }
@@ -184,14 +201,14 @@ impl DrawnModel {
         let mut partial_rates = vec![vec![0; p]; n];
         for (row, slopes) in partial_rates.iter_mut().zip(&partial) {
             for (at, _) in slopes {
-                row[*at] = residues.next().unwrap_or_default();
+                row[*at] = residues.one();
             }
         }
         Some(Self { space, frames, points, partial_rates, drawn })
     }
 
     /// Residues of other terms in the same pose; the velocities that they name are put in.
-    pub fn values(&self, model: &Model, arena: &mut Arena, terms: &[Expr]) -> Option<Vec<u64>> {
+    pub fn values(&self, model: &Model, arena: &mut Arena, terms: &[Expr]) -> Option<Residues> {
         let symbols = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
         let mut known: Vec<(Expr, Expr)> = symbols.collect();
         for name in &model.velocities {
@@ -207,7 +224,7 @@ impl DrawnModel {
         }
         let mut put = Substitution::new(&known);
         let terms: Vec<Expr> = terms.iter().map(|e| put.apply(arena, *e)).collect();
-        self.drawn.values(arena, &terms)
+        self.drawn.values(arena, &terms).map(Residues::new)
     }
 
     /// The velocity of the material of a body at a point, along one q̇ or in all.

@@ -5,6 +5,7 @@ use super::values::{Number, Values, doubles};
 use crate::algebra::Expr;
 use crate::algebra::calculus::Gradient;
 use crate::algebra::evaluate::Tape;
+use crate::model::TIME;
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use toml::de::DeTable;
@@ -51,7 +52,7 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         for (name, value) in self.reader.entries(section) {
-            let Some(at) = self.model.coordinates.iter().position(|c| c.name == name.text) else {
+            let Some(at) = self.model.coordinates.iter().position(|c| c.name == name.text && c.name != TIME) else {
                 let names = self.model.coordinates.iter().map(|c| c.name.as_str());
                 let help = crate::diagnostic::nearest(&name.text, names);
                 self.reader.error(name.span, format!("the model has no coordinate `{}`", name.text), help);
