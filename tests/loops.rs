@@ -224,3 +224,27 @@ fn a_linkage_has_no_equations_of_a_scene() {
     let refused = scene.simulate(&how).err().unwrap().to_string();
     assert!(refused.contains("nothing would keep `loop_x` closed"), "{refused}");
 }
+
+/// Goal: a speed that does not determine the motion in dead points does not end a run. Method: the linkage by the speed of its
+/// rocker, which stands still twice in a turn of the crank, beside the same motion by the speed of the crank.
+#[test]
+fn a_rocker_goes_through_its_dead_points() {
+    let by_rocker = FOUR_BAR.replace("u1 = \"q1'\"", "u1 = \"q3'\"");
+    let model = model::load(&Source::from_text("four_bar.toml", &by_rocker)).unwrap_or_else(|e| panic!("{e}"));
+    let crank = scene(four_bar(), TURNING).unwrap();
+    let by_crank = run(&crank, "kane", None, None);
+    let (q2, q3, ..) = by_hand(0.5, 1.0);
+    let rate = 20.0 * 0.3 / 0.6 * f64::sin(0.5 - q2) / f64::sin(q3 - q2);
+    let text = TURNING.replace("u1 = 20", &format!("u1 = {rate:?}"));
+    let rocker = scene(model, &text).unwrap();
+    let how = Overrides { by: Some("kane".to_owned()), ..Overrides::default() };
+    let stopped = rocker.simulate(&how).unwrap();
+    assert!(stopped.failure().is_some(), "Kane's equations in the speed of the rocker end in its first dead point");
+    let through = rocker.simulate(&Overrides::default()).unwrap();
+    assert!(through.failure().is_none(), "{:?}", through.objections());
+    assert!(through.notes[0].contains("`u1` does not determine the motion where"), "{:?}", through.notes);
+    for (name, tolerance) in [("q1", 1e-7), ("q2", 1e-7), ("q3", 1e-7)] {
+        let end = |run: &Run| *run.column(name).unwrap().last().unwrap();
+        assert!((end(&through) - end(&by_crank)).abs() < tolerance, "{name}: {}, {}", end(&through), end(&by_crank));
+    }
+}

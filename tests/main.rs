@@ -8,6 +8,7 @@ mod arrows;
 mod battery;
 mod bicycle;
 mod circles;
+mod descriptions;
 mod exact_motions;
 mod fresh;
 mod interpreted;

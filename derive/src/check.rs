@@ -74,12 +74,12 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         integral: Some(text(&model.arena, c.equation)),
         redundant: false,
     });
-    let loops = model.loops.iter().map(|c| Checked {
+    let loops = model.loops.iter().chain(&model.closed).map(|c| Checked {
         name: c.name.clone(),
         kind: ConstraintKind::Configuration,
         integrable: Some(true),
         integral: Some(text(&model.arena, c.equation)),
-        redundant: false,
+        redundant: model.dependent.iter().any(|d| d.name == c.name),
     });
     let mut constraints: Vec<Checked> = configuration.chain(loops).collect();
     for constraint in model.motion_constraints.iter().filter(|c| matches!(c.tie, Tie::Stated | Tie::Rolling)) {
@@ -100,6 +100,16 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     }));
     let mut notes: Vec<String> =
         model.unused.iter().map(|(kind, name)| format!("nothing names the {kind} `{name}`")).collect();
+    notes.extend(model.dependent.iter().map(|d| {
+        let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
+        format!(
+            "wherever the loops are closed, `{}` follows from {}: found in doubles, in {poses} that {} reached from random ones ({}), at the default values",
+            d.name,
+            d.of.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
+            if d.poses == 1 { "was" } else { "were" },
+            d.poses,
+        )
+    }));
     match derive(model, Formulation::Kane) {
         Ok(derivation) => notes.extend(power(model, &derivation.arena, derivation.equations.power)),
         Err(error @ DeriveError::NoInertia { .. }) => notes.push(error.to_string()),

@@ -6,6 +6,7 @@
 //! these escapes for it, in one place each.
 
 use std::borrow::Cow;
+use std::cmp::Ordering;
 use std::path::Path;
 
 /// Whether a character has no place in a line of text: control characters, marks that turn the direction of writing and
@@ -51,6 +52,27 @@ pub fn path_in_line(path: &Path) -> String {
     visible(&path.display().to_string()).replace('\n', "\\u{a}")
 }
 
+/// By text, but by value where there are digits: rod2 is before rod10.
+#[must_use]
+pub fn by_number(a: &str, b: &str) -> Ordering {
+    let (mut a, mut b) = (a, b);
+    loop {
+        let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+        let (m, n) = (digits(a), digits(b));
+        let order = if m > 0 && n > 0 {
+            let (x, y) = (a[..m].trim_start_matches('0'), b[..n].trim_start_matches('0'));
+            (x.len(), x).cmp(&(y.len(), y))
+        } else {
+            a[..m].cmp(&b[..n])
+        };
+        (a, b) = (&a[m..], &b[n..]);
+        let (x, y) = (a.chars().next(), b.chars().next());
+        let order = order.then(x.cmp(&y));
+        let (Ordering::Equal, Some(c)) = (order, x) else { return order };
+        (a, b) = (&a[c.len_utf8()..], &b[c.len_utf8()..]);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -62,5 +84,15 @@ mod tests {
         assert_eq!(one_line("  two\r\n\twords "), "two words");
         assert_eq!(called('\u{1b}'), "U+001B");
         assert_eq!(path_in_line(Path::new("a\nb\u{7}/é")), "a\\u{a}b\\u{7}/é");
+    }
+
+    #[test]
+    fn names_are_in_the_order_of_their_numbers() {
+        assert_eq!(by_number("rod2", "rod10"), Ordering::Less);
+        assert_eq!(by_number("k1_10", "k2_1"), Ordering::Less);
+        assert_eq!(by_number("k1_10", "k1_9"), Ordering::Greater);
+        assert_eq!(by_number("rod", "rod1"), Ordering::Less);
+        assert_eq!(by_number("a", "b"), Ordering::Less);
+        assert_eq!(by_number("q", "q"), Ordering::Equal);
     }
 }

@@ -4,7 +4,7 @@ use crate::algebra::interval::{beyond_doubles, lost_constant};
 use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
-use crate::plain::{called, is_blank, is_forbidden, one_line};
+use crate::plain::{by_number, called, is_blank, is_forbidden, one_line};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use toml::Spanned;
@@ -191,7 +191,8 @@ impl<'a> Reader<'a> {
     #[allow(clippy::unused_self, reason = "a question to the reader like its neighbours")]
     pub fn entries(&self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
         let mut entries: Vec<Entry<'a>> = table.iter().map(|(key, value)| (located_key(key), value)).collect();
-        entries.sort_by_key(|(key, _)| key.span.start);
+        // What is repeated stands at one place.
+        entries.sort_by(|(a, _), (b, _)| a.span.start.cmp(&b.span.start).then_with(|| by_number(&a.text, &b.text)));
         entries
     }
 

@@ -7,6 +7,7 @@ mod cases;
 mod chain;
 mod chains;
 mod checks;
+mod closed_loops;
 mod combined_rows;
 mod common;
 mod connections;
@@ -17,6 +18,7 @@ mod equations;
 mod expressions;
 #[path = "common/figures.rs"]
 mod figures;
+mod joints;
 mod kinematic_equations;
 mod limits;
 mod material_points;

@@ -45,7 +45,7 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
                 "whole equations are run: nothing is left out of a mechanism whose loops are to stay closed"
             };
             done.notes.insert(0, what.to_owned());
-            Ok(done)
+            past_dead_point(mechanism, scene, done)
         }
         None => {
             let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
@@ -99,6 +99,43 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
         }
     }
     Ok(run)
+}
+
+/// A run of a mechanism with ties that ended where its speeds do not determine the motion, as a rocker's does not in a dead point of
+/// its linkage, taken through by equations in all rates: Lagrange's, with the multipliers among the unknowns of a numeric solve, know
+/// no independent speeds. It is made anew from the start, so that all of it is of one kind.
+fn past_dead_point(mechanism: &Mechanism, scene: &Scene, run: Run) -> Result<Run, Error> {
+    let Stop::Singular { divisor } = &run.solution.stop else { return Ok(run) };
+    if mechanism.motion_constraints.is_empty() || scene.integration.solve.is_some() {
+        return Ok(run);
+    }
+    let mut other = scene.clone();
+    other.integration.solve = Some(Solve::Numeric);
+    if other.integration.method == "taylor" {
+        "dop853".clone_into(&mut other.integration.method);
+    }
+    let watch = proved(mechanism)?;
+    let mut through = match run_whole(mechanism, &other, &By::from(Formulation::Lagrange), watch.as_ref()) {
+        Ok(through) => through,
+        Err(Error::Unsupported(_) | Error::Stopped(_)) => return Ok(run),
+        Err(error) => return Err(error),
+    };
+    let further = (through.solution.t_end - run.solution.t_end) * (scene.span.1 - scene.span.0).signum() > 0.0;
+    if !further || through.solution.stop.is_failure() {
+        return Ok(run);
+    }
+    let speeds: Vec<String> = mechanism.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
+    let does = if speeds.len() == 1 { "does" } else { "do" };
+    through.notes.insert(
+        0,
+        format!(
+            "Lagrange's equations are run in all rates, solved numerically: {} {does} not determine the motion where {divisor} is 0, \
+             first at t = {} s",
+            speeds.join(", "),
+            run.solution.t_end
+        ),
+    );
+    Ok(through)
 }
 
 /// Runs a scene by one set of equations, and shows what it asks for.

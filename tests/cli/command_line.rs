@@ -112,7 +112,7 @@ fn a_broken_scene_is_answered_with_every_error_and_status_2() {
     let folder = tempfile::tempdir().unwrap();
     let model = root().join("models/disk/model.toml");
     let scene = format!(
-        "model = '{}'\nspan = [0, 0]\n[start]\nq1 = \"10 deg\"\nq2 = nan\nq7 = 1\n[integration]\nmethd = \"ode45\"\nrtol = -1\n",
+        "model = '{}'\nspan = [0, 0]\n[start]\nq1 = \"10 degrees\"\nq2 = nan\nq7 = 1\n[integration]\nmethd = \"ode45\"\nrtol = -1\n",
         model.display()
     );
     let path = write(folder.path(), "scene.toml", &scene);
@@ -131,7 +131,7 @@ fn a_broken_scene_is_answered_with_every_error_and_status_2() {
         error: an operator is missing here
          --> scene.toml:4:10
           |
-        4 | q1 = "10 deg"
+        4 | q1 = "10 degrees"
           |          ^
           |
           = help: angles are in radians: in a scene or state write 90 degrees as `90*deg`, in a model as `90*pi/180`

@@ -192,7 +192,7 @@ fn numbers_beyond_doubles_are_refused_where_they_stand() {
 
 #[test]
 fn slips_of_the_pen_are_answered_with_what_to_write() {
-    let degrees = "span = [0, 1]\n[start]\ntheta = \"90 deg\"\nomega = 0\n";
+    let degrees = "span = [0, 1]\n[start]\ntheta = \"90 degrees\"\nomega = 0\n";
     let (_folder, path) = scene_of("pendulum", degrees);
     let (status, _, err) = answer(&["simulate", &path]);
     assert!(status == 2 && err.contains("`90*deg`"), "{err}");

@@ -2,6 +2,7 @@
 
 import re
 from fractions import Fraction
+from functools import reduce
 
 import sympy
 from sympy import Derivative, Mul, Rational, pi
@@ -31,11 +32,16 @@ FUNCTIONS = {
     "abs": sympy.Abs,
     "sign": sympy.sign,
 }
+OF_SEVERAL = {
+    "min": lambda a, *rest: reduce(lambda a, b: (a + b - sympy.Abs(a - b)) / 2, rest, a),
+    "max": lambda a, *rest: reduce(lambda a, b: (a + b + sympy.Abs(a - b)) / 2, rest, a),
+    "atan2": lambda y, x: 2 * sympy.atan(y / (x + sympy.sqrt(x**2 + y**2))),
+}
 WORDS = {f: word for word, f in FUNCTIONS.items() if word not in ("sec", "csc", "cot", "sqrt")}
 # A component of a velocity, `v(P) @ A [1]`, `v(disk, P) @ A [1]`, `v(P of disk) @ A [1]` or `omega(B) @ A [1]`, or of a
 # position, `p(P) @ A [1]`, is one word.
 VELOCITY = r"(?:v\s*\(\s*\w+\s*(?:,\s*\w+\s*|of\s+\w+\s*)?\)|(?:omega|p)\s*\(\s*\w+\s*\))\s*@\s*\w+\s*\[\s*\d+\s*\]"
-TOKEN = re.compile(rf"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|{VELOCITY}|[A-Za-z]\w*'*|[-+*/^()])")
+TOKEN = re.compile(rf"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|{VELOCITY}|[A-Za-z]\w*'*|[-+*/^(),])")
 DEEPEST = 200
 
 
@@ -104,6 +110,14 @@ class Parser:
             value = self.sum()
             self.take(")")
             return FUNCTIONS[token](value) if token in FUNCTIONS else value
+        if token in OF_SEVERAL and self.peek() == "(" and token not in self.names:
+            self.take("(")
+            arguments = [self.sum()]
+            while self.peek() == ",":
+                self.take()
+                arguments.append(self.sum())
+            self.take(")")
+            return OF_SEVERAL[token](*arguments)
         if token[0].isdigit() or token[0] == ".":
             return Rational(Fraction(token))
         if token == "pi":

@@ -16,6 +16,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols, msubs
 
 from grammar import Unsupported, expression
+from low_level import low_level
 
 # Keys of an entry of each section; "" is the file itself. What is not listed is not supported.
 KEYS = {
@@ -61,7 +62,7 @@ def read_tables(path):
     """The file's tables, decimals exact, and the hash of its bytes."""
     content = path.read_bytes()
     exact = lambda number: Fraction(number.replace("_", ""))
-    tables = tomllib.loads(content.decode("utf-8-sig"), parse_float=exact)
+    tables = low_level(tomllib.loads(content.decode("utf-8-sig"), parse_float=exact))
     check_keys(tables, "", "the model file")
     for section, entries in tables.items():
         if section not in KEYS or section in ("", "inertia"):

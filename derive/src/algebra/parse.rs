@@ -82,6 +82,9 @@ pub fn is_reserved(name: &str) -> bool {
     name == "pi" || is_function(name)
 }
 
+/// Functions of several arguments; where they are not called they are names like others.
+const OF_SEVERAL: [&str; 3] = ["min", "max", "atan2"];
+
 fn is_function(name: &str) -> bool {
     ["tan", "sec", "csc", "cot"].contains(&name) || Function::ALL.iter().any(|(_, n)| *n == name)
 }
@@ -331,6 +334,12 @@ impl Parser<'_, '_> {
             let argument = self.parenthesized(open)?;
             return self.function(name, argument, start);
         }
+        if called && name == "distance" && self.velocity.is_some() {
+            return self.distance(start);
+        }
+        if called && OF_SEVERAL.contains(&name) {
+            return self.of_several(name, start);
+        }
         if called && velocity::is_velocity(name) && self.velocity.is_some() {
             return self.component(name, start);
         }
@@ -358,6 +367,80 @@ impl Parser<'_, '_> {
         self.at = end;
         let resolve = self.velocity.as_mut().expect("asked before");
         resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
+    }
+
+    /// The distance of two points, whose `distance` was at `start`.
+    fn distance(&mut self, start: usize) -> Result<Expr, ParseError> {
+        let (ends, end) = VelocityName::ends(self.text, self.at)?;
+        self.at = end;
+        let resolve = self.velocity.as_mut().expect("asked before");
+        let mut squares = Vec::new();
+        for pair in ends {
+            let mut places = [Expr::ZERO; 2];
+            for (place, name) in places.iter_mut().zip(&pair) {
+                *place = resolve(self.arena, name).map_err(|(message, help)| ParseError {
+                    span: start..end,
+                    message,
+                    help,
+                })?;
+            }
+            let way = self.arena.sub(places[1], places[0]);
+            squares.push(self.arena.square(way));
+        }
+        let square = self.arena.sum(&squares);
+        Ok(self.arena.apply(Function::Sqrt, square))
+    }
+
+    /// A function of several arguments: the least, the greatest, or the angle of a direction, by functions of one.
+    fn of_several(&mut self, name: &str, start: usize) -> Result<Expr, ParseError> {
+        let open = self.at;
+        self.take(b'(');
+        self.enter(open)?;
+        let mut arguments = vec![self.sum()?];
+        while self.take(b',') {
+            arguments.push(self.sum()?);
+        }
+        self.depth -= 1;
+        if !self.take(b')') {
+            if self.at < self.text.len() {
+                return Err(ParseError::unexpected(self.text, self.at, self.primes));
+            }
+            return Err(error(open..open + 1, "this `(` is never closed", Some("add `)`")));
+        }
+        if name == "atan2" {
+            let &[y, x] = arguments.as_slice() else {
+                return Err(error(start..self.at, "`atan2` takes two arguments", Some("write atan2(y, x)")));
+            };
+            return self.direction(y, x, start);
+        }
+        if arguments.len() < 2 {
+            let help = format!("write {name}(a, b)");
+            return Err(error(start..self.at, format!("`{name}` takes two arguments or more"), Some(&help)));
+        }
+        let half = Rational::fraction(1, 2).expect("not zero");
+        let mut result = arguments[0];
+        for argument in &arguments[1..] {
+            // (a + b ± |a − b|)/2.
+            let apart = self.arena.sub(result, *argument);
+            let apart = self.arena.apply(Function::Abs, apart);
+            let both = self.arena.add(result, *argument);
+            let sum = if name == "max" { self.arena.add(both, apart) } else { self.arena.sub(both, apart) };
+            result = self.arena.scale(sum, &half);
+        }
+        Ok(result)
+    }
+
+    /// The angle of (x, y) from the first axis, 2 arctan(y/(x + √(x² + y²))): not on the negative half of that axis.
+    fn direction(&mut self, y: Expr, x: Expr, start: usize) -> Result<Expr, ParseError> {
+        let squares = [self.arena.square(x), self.arena.square(y)];
+        let square = self.arena.sum(&squares);
+        let length = self.arena.apply(Function::Sqrt, square);
+        let below = self.arena.add(x, length);
+        let quotient = self.arena.div(y, below).filter(|_| below != Expr::ZERO).ok_or_else(|| {
+            error(start..self.at, "atan2 has no value here", Some("it is undefined along the negative first axis"))
+        })?;
+        let half = self.arena.apply(Function::Atan, quotient);
+        Ok(self.arena.scale(half, &Rational::integer(2)))
     }
 
     fn function(&mut self, name: &str, argument: Expr, start: usize) -> Result<Expr, ParseError> {

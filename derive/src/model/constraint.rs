@@ -23,6 +23,8 @@ pub struct Stated {
     pub enforced_by: Option<usize>,
     /// Where the equation stands in the file.
     pub span: Range<usize>,
+    /// Whether it may follow from others: it is then none.
+    pub may_repeat: bool,
 }
 
 impl<'a> Loading<'a> {
@@ -51,7 +53,7 @@ impl<'a> Loading<'a> {
                 continue;
             }
             let equation = self.arena.sub(left, right);
-            stated.push(Stated { name: name.text, equation, enforced_by, span: text.span });
+            stated.push(Stated { name: name.text, equation, enforced_by, span: text.span, may_repeat: false });
         }
         stated
     }
@@ -65,6 +67,8 @@ pub struct Solved {
     pub replacements: Vec<(Expr, Expr)>,
     /// Those that could not be solved: loops.
     pub kept: Vec<Stated>,
+    /// The names of those that say nothing new, and may.
+    pub repeated: Vec<String>,
 }
 
 /// Solves the constraints one after the other.
@@ -74,7 +78,7 @@ pub fn solve_all(
     coordinates: &mut Vec<Coordinate>,
     stated: Vec<Stated>,
 ) -> Solved {
-    let (mut solved, mut kept) = (Vec::new(), Vec::new());
+    let (mut solved, mut kept, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
     let mut replacements: Vec<(Expr, Expr)> = Vec::new();
     for constraint in stated {
         let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
@@ -82,6 +86,10 @@ pub fn solve_all(
         let mentions = |e: Expr| all.iter().any(|symbol| arena.mentions(e, *symbol));
         let depends = equation != constraint.equation && constraint.equation != Expr::ZERO;
         if zero_test(arena, equation) == ZeroTest::Zero {
+            if constraint.may_repeat {
+                repeated.push(constraint.name);
+                continue;
+            }
             let name = &constraint.name;
             let (message, help) = if depends {
                 (format!("the constraint `{name}` follows from those before it"), "remove it")
@@ -126,7 +134,7 @@ pub fn solve_all(
             enforced_by: constraint.enforced_by,
         });
     }
-    Solved { constraints: solved, replacements, kept }
+    Solved { constraints: solved, replacements, kept, repeated }
 }
 
 /// The last coordinate in which the equation is linear with a constant, non-zero factor, and its value.

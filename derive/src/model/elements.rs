@@ -1,12 +1,13 @@
 //! Frames, points and bodies, as the model file states them.
 
+use super::joints::Joints;
 use super::loading::Loading;
 use super::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
 use super::tree::{Node, in_order};
 use super::units::Unit;
 use super::{Body, Force, Frame, Gravity, Inertia, Parameter, Point, Reaction, Torque, physics};
-use crate::algebra::{Arena, Expr};
-use crate::read::Entry;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::read::{Entry, Located};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -25,11 +26,17 @@ pub struct Elements {
 
 impl Elements {
     /// Reads everything; what is wrong goes to the reader's errors.
-    pub fn read<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, reactions: &[Entry<'a>]) {
+    pub fn read<'a>(
+        &mut self,
+        loading: &mut Loading<'a>,
+        table: &'a DeTable<'a>,
+        joints: &Joints<'a>,
+        reactions: &[Entry<'a>],
+    ) {
         self.read_inertial(loading, table);
-        self.read_frames(loading, table);
-        self.read_points(loading, table);
-        self.read_bodies(loading, table);
+        self.read_frames(loading, table, joints);
+        self.read_points(loading, table, joints);
+        self.read_bodies(loading, table, joints);
         self.read_particles(loading, table);
         self.read_gravity(loading, table);
         self.read_forces(loading, table);
@@ -52,30 +59,34 @@ impl Elements {
             };
             loading.names.declare(&mut loading.reader, &name, kind, None);
             match kind {
-                Kind::Frame => self.frames.push(Frame { name: name.text, rotation: None }),
+                Kind::Frame => {
+                    loading.names.root.clone_from(&name.text);
+                    self.frames.push(Frame { name: name.text, rotation: None });
+                }
                 _ => self.points.push(Point { name: name.text, position: None }),
             }
         }
     }
 
-    fn read_frames<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+    fn read_frames<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         let mut nodes = Vec::new();
+        let root = self.frames.first().map(|f| f.name.clone());
         for (name, value) in loading.section(table, "frames", &[Kind::Frame]) {
             let example = "{ from = \"N\", axis = 3, angle = \"q1\" }";
             let Some((entry, what)) = loading.entry(&name, value, Kind::Frame, None, example) else { continue };
-            loading.reader.allow(entry, "a frame", &["from", "axis", "angle", "about"]);
+            let turned = entry.contains_key("sequence");
+            let keys: &[&str] = if turned { &["sequence", "angles", "fixed"] } else { &["axis", "angle"] };
+            loading.reader.allow(entry, "a frame", &[keys, &["from", "about"]].concat());
             let parent = loading.reader.need(entry, "from", &what, &name.span);
             let parent = parent.and_then(|v| loading.reader.string(v, "`from`"));
-            let axis = loading.reader.need(entry, "axis", &what, &name.span).and_then(|v| {
-                let axis = match v.get_ref() {
-                    DeValue::Integer(n) => ["1", "2", "3"].iter().position(|a| *a == n.as_str()),
-                    _ => None,
-                };
-                if axis.is_none() {
-                    loading.reader.error(v.span(), "the axis of a rotation is 1, 2 or 3", "write axis = 3");
+            if turned {
+                let turns = loading.frame_turns(entry, &what, &name.span);
+                if let (Some(parent), Some(turns)) = (parent, turns) {
+                    loading.chain(&mut nodes, (parent, name.clone()), turns);
                 }
-                axis
-            });
+                continue;
+            }
+            let axis = loading.reader.need(entry, "axis", &what, &name.span).and_then(|v| loading.axis(v));
             let angle = loading.reader.need(entry, "angle", &what, &name.span);
             let angle = angle.and_then(|v| loading.reader.formula(v, "an angle"));
             let angle = angle.and_then(|f| loading.quantity(&f, CONFIGURATION, &Unit::default(), "an angle"));
@@ -83,14 +94,16 @@ impl Elements {
                 nodes.push(Node { name, parent, payload: (axis, angle) });
             }
         }
-        let root = self.frames.first().map(|f| f.name.clone());
+        if let Some(root) = &root {
+            nodes.extend(loading.joint_frames(joints, root));
+        }
         for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Frame) {
             let (axis, angle) = node.payload;
             self.frames.push(Frame { name: node.name.text, rotation: Some((parent, axis, angle)) });
         }
     }
 
-    fn read_points<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+    fn read_points<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         let mut nodes = Vec::new();
         for (name, value) in loading.section(table, "points", &[Kind::Point]) {
             let example = "{ from = \"O\", frame = \"N\", position = [\"0\", \"0\", \"l\"] }";
@@ -106,19 +119,35 @@ impl Elements {
             }
         }
         let root = self.points.first().map(|p| p.name.clone());
+        if let (Some(frame), Some(point)) = (self.frames.first(), &root) {
+            for Node { name, parent, payload: (frame, position) } in
+                loading.joint_points(joints, table, (&frame.name, point))
+            {
+                if let Some(frame) = self.frame_named(loading, &frame) {
+                    nodes.push(Node { name, parent, payload: (frame, position) });
+                }
+            }
+        }
         for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Point) {
             let (frame, position) = node.payload;
             self.points.push(Point { name: node.name.text, position: Some((parent, frame, position)) });
         }
     }
 
-    fn read_bodies<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+    fn read_bodies<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         for (name, value) in loading.section(table, "bodies", &[Kind::Body]) {
             let entry = loading.entry(&name, value, Kind::Body, None, "[bodies.NAME]");
             let Some((entry, what)) = entry else { continue };
             loading.reader.allow(entry, "a body", &["frame", "centre", "mass", "inertia", "about"]);
-            let frame = self.frame(loading, entry, &what, &name.span);
-            let centre = self.point(loading, entry, "centre", &what, &name.span);
+            let carried = joints.bodies.get(&name.text).filter(|placed| placed.joint.is_some());
+            let frame = match (carried, loading.reader.get(entry, "frame")) {
+                (Some(placed), None) => self.frame_named(loading, &placed.frame),
+                _ => self.frame(loading, entry, &what, &name.span),
+            };
+            let centre = match (carried, loading.reader.get(entry, "centre")) {
+                (Some(placed), None) => self.point_named(loading, &placed.centre),
+                _ => self.point(loading, entry, "centre", &what, &name.span),
+            };
             let mass = mass(loading, entry, &what, &name.span);
             let inertia = loading.reader.need(entry, "inertia", &what, &name.span);
             let inertia = inertia.and_then(|v| self.inertia(loading, v, frame, centre, mass));
@@ -151,6 +180,9 @@ impl Elements {
         mass: Option<Expr>,
     ) -> Option<Inertia> {
         let what = "an inertia";
+        if !matches!(value.get_ref(), DeValue::Table(_)) {
+            return self.planar_inertia(loading, value, body_frame?);
+        }
         let entry = loading.reader.table(value, what, "{ diagonal = [\"Ixx\", \"Iyy\", \"Izz\"] }")?;
         loading.reader.allow(entry, what, &["frame", "diagonal", "products", "about_point"]);
         let unit = Unit::new(2, 1, 0);
@@ -179,6 +211,41 @@ impl Elements {
         Some(Inertia { frame: frame?, tensor })
     }
 
+    /// The inertia of a body that turns about one axis only, of which one moment matters: that of a thin plate across it.
+    fn planar_inertia<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        value: &'a Spanned<DeValue<'a>>,
+        frame: usize,
+    ) -> Option<Inertia> {
+        let formula = loading.reader.formula(value, "an inertia")?;
+        let moment = loading.quantity(&formula, PARAMETERS, &Unit::new(2, 1, 0), "a moment of inertia")?;
+        let coordinates = loading.names.symbols_of(&[Kind::Coordinate]);
+        let mut turns = Vec::new();
+        let mut at = frame;
+        while let Some((parent, axis, angle)) = self.frames[at].rotation {
+            let moves = loading.arena.reachable(&[angle]).iter().any(|part| coordinates.contains(part));
+            turns.extend((angle != Expr::ZERO).then_some((axis, moves)));
+            at = parent;
+        }
+        // How the plane of the motion lies in space does not matter.
+        while turns.last().is_some_and(|(_, moves)| !moves) {
+            turns.pop();
+        }
+        let axis = turns.first().map_or(2, |(axis, _)| *axis);
+        if turns.iter().any(|(other, _)| *other != axis) {
+            let help = "state its three moments: inertia = { diagonal = [\"I1\", \"I2\", \"I3\"] }";
+            loading.reader.error(value.span(), "a body that turns about several axes has more than one moment", help);
+            return None;
+        }
+        let half = loading.arena.scale(moment, &Rational::fraction(1, 2)?);
+        let mut tensor = [[Expr::ZERO; 3]; 3];
+        for (i, row) in tensor.iter_mut().enumerate() {
+            row[i] = if i == axis { moment } else { half };
+        }
+        Some(Inertia { frame, tensor })
+    }
+
     /// The components in `frame` of the vector between two points, one placed directly from the other.
     fn arm(&self, arena: &mut Arena, from: usize, to: usize, frame: usize) -> Option<[Expr; 3]> {
         if from == to {
@@ -201,8 +268,17 @@ impl Elements {
     ) -> Option<usize> {
         let value = loading.reader.need(entry, "frame", what, owner)?;
         let name = loading.reader.string(value, "`frame`")?;
-        let known = loading.names.expect(&mut loading.reader, &name, Kind::Frame);
+        self.frame_named(loading, &name)
+    }
+
+    fn frame_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
+        let known = loading.names.expect(&mut loading.reader, name, Kind::Frame);
         self.frames.iter().position(|f| known && f.name == name.text)
+    }
+
+    fn point_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
+        let known = loading.names.expect(&mut loading.reader, name, Kind::Point);
+        self.points.iter().position(|p| known && p.name == name.text)
     }
 
     /// The position of the point under a key.
@@ -216,8 +292,7 @@ impl Elements {
     ) -> Option<usize> {
         let value = loading.reader.need(entry, key, what, owner)?;
         let name = loading.reader.string(value, &format!("`{key}`"))?;
-        let known = loading.names.expect(&mut loading.reader, &name, Kind::Point);
-        self.points.iter().position(|p| known && p.name == name.text)
+        self.point_named(loading, &name)
     }
 
     /// Rewrites every expression: used to take constrained variables out.

@@ -2,7 +2,7 @@
 
 use super::names::Kind;
 use super::names::{Allowed, Names};
-use super::units::{Unit, bare_number, unit_of};
+use super::units::{StatedUnit, Unit, bare_number, unit_of};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::shown;
 use crate::read::{Entry, Located, Reader};
@@ -135,6 +135,28 @@ impl<'a> Loading<'a> {
 
     /// Reads a formula whose unit is known.
     pub fn quantity(&mut self, formula: &Located, allowed: Allowed, unit: &Unit, what: &str) -> Option<Expr> {
+        if let Some(stated) = StatedUnit::of(&formula.text) {
+            let number = stated.number(formula);
+            let e = self.names.formula(&mut self.reader, &mut self.arena, &number, allowed, what)?;
+            if !unit.is_plain() {
+                // A number in a formula has no unit to be checked by: what has one has a name.
+                let message = format!("a number with a unit cannot stand in {what}");
+                let help = format!("declare a parameter such as `x0 = \"{}\"` and use its name", shown(&formula.text));
+                self.reader.error(formula.span.clone(), message, help);
+                return None;
+            }
+            if !stated.unit.is_plain() {
+                let message = format!(
+                    "{what} must be in {}, but `{}` is in {}",
+                    unit.words(),
+                    shown(&formula.text),
+                    stated.unit.words()
+                );
+                self.reader.error(formula.span.clone(), message, "state it in rad or deg");
+                return None;
+            }
+            return Some(stated.apply(&mut self.arena, e));
+        }
         let e = self.names.formula(&mut self.reader, &mut self.arena, formula, allowed, what)?;
         self.know_units_of_velocities();
         if let Some(found) = self.unit_of(e, &formula.span)

@@ -1,27 +1,38 @@
 //! A mechanism as the model file states it, checked.
 
 mod actions;
+mod closed_poses;
 mod connections;
 mod constraint;
 mod drawn;
 mod elements;
+mod expressions;
+mod joint_kinds;
+mod jointed;
+mod joints;
 mod loading;
 mod loads;
 mod motion_constraints;
 mod moving;
 mod names;
+mod parameters;
 mod physics;
 mod read_model;
+mod repeat;
 mod speeds;
 mod springs;
+mod tied;
 mod time;
 mod tree;
 mod units;
 mod velocities;
+mod when_closed;
 
 pub use crate::geometry::{Frame, Point};
 pub use names::TIME;
 pub use read_model::load;
+pub use tied::{Constraint, DependentConstraint, Loop, MotionConstraint, Tie};
+pub(crate) use units::StatedUnit;
 pub use units::Unit;
 pub use velocities::NamedVelocity;
 
@@ -200,65 +211,6 @@ pub struct Reaction {
     pub is_stated: bool,
 }
 
-/// A holonomic constraint, solved for one configuration variable.
-#[derive(Clone, Debug)]
-pub struct Constraint {
-    /// Its name in the file.
-    pub name: String,
-    /// The expression that is zero.
-    pub equation: Expr,
-    /// The configuration variable that it fixes.
-    pub fixes: String,
-    /// The value of that variable, in the generalized coordinates.
-    pub value: Expr,
-    /// The reaction that enforces it, if it is named.
-    pub enforced_by: Option<usize>,
-}
-
-/// An equation φ(q) = 0 between coordinates that none of them can be solved from, such as that a loop is closed.
-#[derive(Clone, Debug)]
-pub struct Loop {
-    /// Its name in the file.
-    pub name: String,
-    /// φ(q), which is zero.
-    pub equation: Expr,
-    /// Its unit, in SI.
-    pub unit: Unit,
-}
-
-/// What a motion constraint states.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tie {
-    /// An equation of the file between velocities.
-    Stated,
-    /// That a body rolls without slip.
-    Rolling,
-    /// The time derivative of an equation between coordinates, by its place in [`Model::loops`].
-    Loop(usize),
-    /// That time goes on: t' = 1.
-    Clock,
-}
-
-/// A motion constraint A(q) q̇ + a(q) = 0: what it permits cannot be said by coordinates alone, unless it can be
-/// integrated.
-#[derive(Clone, Debug)]
-pub struct MotionConstraint {
-    /// Its name.
-    pub name: String,
-    /// A(q) q̇ + a(q), which is zero.
-    pub equation: Expr,
-    /// a(q): where it is not zero, the constraint drives the mechanism, and its force works.
-    pub drive: Expr,
-    /// Its unit, in SI: that of a generalized speed.
-    pub unit: Unit,
-    /// The multiplier λ of Lagrange's equations: the constraint adds Aᵀλ to the generalized forces.
-    pub multiplier: Expr,
-    /// What it states.
-    pub tie: Tie,
-    /// The reaction that enforces it, if it is named.
-    pub enforced_by: Option<usize>,
-}
-
 /// A condition of the domain in which the model holds.
 #[derive(Clone, Debug)]
 pub struct Condition {
@@ -322,6 +274,10 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     /// Holonomic constraints that fix none.
     pub loops: Vec<Loop>,
+    /// Those whose rates follow from the rates of the others wherever all of them hold: they close the mechanism, and tie nothing more.
+    pub closed: Vec<Loop>,
+    /// Constraints that follow from others there.
+    pub dependent: Vec<DependentConstraint>,
     /// The domain.
     pub domain: Vec<Condition>,
     /// q̇ in terms of the speeds.
@@ -382,7 +338,7 @@ impl Model {
         let count = format!(
             "{}, {}, {}, {}, {}",
             plural(self.configuration_variables, "configuration variable"),
-            plural(self.constraints.len() + self.loops.len(), "holonomic constraint"),
+            plural(self.constraints.len() + self.loops.len() + self.closed.len(), "holonomic constraint"),
             plural(self.coordinates.len() - clock, "generalized coordinate"),
             plural(self.motion_constraints.len() - self.loops.len() - clock, "nonholonomic constraint"),
             plural(self.speeds.len(), "generalized speed"),

@@ -12,10 +12,12 @@
 
 use super::constraint::Stated;
 use super::elements::Elements;
+use super::joints::Joints;
 use super::loading::Loading;
 use super::moving::Moving;
 use super::names::{Kind, TIME};
-use super::{Coordinate, Loop, MotionConstraint, Speed, Tie};
+use super::physics::defaults;
+use super::{Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Speed, Tie};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
@@ -43,18 +45,29 @@ struct Candidate {
     tie: Tie,
     enforced_by: Option<usize>,
     span: Range<usize>,
+    may_repeat: bool,
 }
 
 /// What motion constraints are made of, in what is left of the coordinates.
 pub struct Tied<'m> {
     pub coordinates: &'m [Coordinate],
-    pub speeds: &'m [Speed],
+    pub speeds: &'m [(Speed, Range<usize>)],
+    pub joints: &'m Joints<'m>,
+    pub parameters: &'m [Parameter],
     /// Equations between coordinates that were not solved.
     pub kept: Vec<Stated>,
     /// Equations between velocities.
     pub stated: Vec<Stated>,
     /// Components of velocities of bodies that roll.
     pub rolling: Vec<Stated>,
+}
+
+/// What is left of candidates.
+struct Independent {
+    motion: Vec<(MotionConstraint, Range<usize>)>,
+    repeated: Vec<String>,
+    /// Of loops of joints, those whose rates follow from the others: they may be closed or open where the others are closed.
+    also: Vec<(MotionConstraint, Range<usize>)>,
 }
 
 /// Motion constraints, with their places in the file, and the equations between coordinates that some are of.
@@ -64,6 +77,12 @@ pub struct Ties {
     pub loops: Vec<Loop>,
     /// Components of rolling that follow from the rest.
     pub repeated: Vec<String>,
+    /// Equations between coordinates whose rates follow from those of the others wherever all of them hold.
+    pub closed: Vec<Loop>,
+    /// What follows from what there.
+    pub dependent: Vec<DependentConstraint>,
+    /// Which speeds of joints to take, by their places among all speeds, where closed poses were found.
+    pub speeds: Option<Vec<usize>>,
 }
 
 impl<'a> Loading<'a> {
@@ -116,7 +135,7 @@ impl<'a> Loading<'a> {
             for axis in 0..3 {
                 let equation = moving.component(&mut self.arena, &slip, frame, axis);
                 let name = format!("{}_{}", name.text, axis + 1);
-                list.push(Stated { name, equation, enforced_by: None, span: span.clone() });
+                list.push(Stated { name, equation, enforced_by: None, span: span.clone(), may_repeat: true });
             }
         }
         list
@@ -125,50 +144,71 @@ impl<'a> Loading<'a> {
     /// The motion constraints of a mechanism, each independent of those before it; reports what contradicts or repeats
     /// others.
     pub fn ties(&mut self, tied: Tied<'_>) -> Option<Ties> {
+        let Tied { coordinates, speeds, joints, parameters, kept, stated, rolling } = tied;
+        let clock = coordinates.iter().any(|c| c.name == TIME);
+        if !clock && kept.is_empty() && stated.is_empty() && rolling.is_empty() {
+            return Some(Ties::default());
+        }
         let before = self.reader.errors.len();
-        let Tied { coordinates, speeds, kept, stated, rolling } = tied;
+        if before > 0 {
+            return None;
+        }
         let (mut loops, mut candidates) = (Vec::new(), Vec::new());
         let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut d_dt = Differential::along(&rates);
         let mut simplifier = Simplifier::default();
-        for Stated { name, equation, enforced_by, span } in kept {
+        for Stated { name, equation, enforced_by, span, may_repeat } in kept {
             let rate = d_dt.apply(&mut self.arena, equation);
             let rate = simplifier.simplify(&mut self.arena, rate);
             let tie = Tie::Loop(loops.len());
-            candidates.push(Candidate { name: name.clone(), equation: rate, tie, enforced_by, span });
+            candidates.push(Candidate { name: name.clone(), equation: rate, tie, enforced_by, span, may_repeat });
             let unit = self.unit_of_difference(equation);
             loops.push(Loop { name, equation, unit });
         }
-        let definitions: Vec<_> = speeds.iter().map(|s| (s.symbol, s.definition)).collect();
+        let definitions: Vec<_> = speeds.iter().map(|(s, _)| (s.symbol, s.definition)).collect();
         let mut put = Substitution::new(&definitions);
         let stated = stated.into_iter().map(|c| (c, Tie::Stated));
-        for (Stated { name, equation, enforced_by, span }, tie) in
+        for (Stated { name, equation, enforced_by, span, may_repeat }, tie) in
             stated.chain(rolling.into_iter().map(|c| (c, Tie::Rolling)))
         {
             let equation = put.apply(&mut self.arena, equation);
-            candidates.push(Candidate { name, equation, tie, enforced_by, span });
+            candidates.push(Candidate { name, equation, tie, enforced_by, span, may_repeat });
         }
         if let Some(time) = coordinates.iter().find(|c| c.name == TIME) {
             let equation = self.arena.sub(time.rate, Expr::ONE);
             let name = TIME.to_owned();
-            candidates.push(Candidate { name, equation, tie: Tie::Clock, enforced_by: None, span: 0..0 });
+            candidates.push(Candidate {
+                name,
+                equation,
+                tie: Tie::Clock,
+                enforced_by: None,
+                span: 0..0,
+                may_repeat: false,
+            });
         }
-        let (motion, repeated) = self.independent(coordinates, candidates);
-        (self.reader.errors.len() == before).then_some(Ties { motion, loops, repeated })
+        let Independent { mut motion, repeated, also } = self.independent(coordinates, candidates);
+        if self.reader.errors.len() > before {
+            return None;
+        }
+        // Loops come first.
+        let place = motion.iter().take_while(|(c, _)| matches!(c.tie, Tie::Loop(_))).count();
+        let also_at = place..place + also.len();
+        motion.splice(place..place, also);
+        let mut ties = Ties { motion, loops, repeated, ..Ties::default() };
+        let brought: Vec<bool> = speeds.iter().map(|(speed, _)| joints.brings(speed)).collect();
+        let speeds: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.definition).collect();
+        self.when_closed(coordinates, (&speeds, &brought), (&defaults(parameters), also_at), &mut ties);
+        Some(ties)
     }
 
     /// Those that say something new. Of a body that rolls, what follows from the others is left out: that the ground is not
     /// penetrated is often built into the coordinates.
-    fn independent(
-        &mut self,
-        coordinates: &[Coordinate],
-        candidates: Vec<Candidate>,
-    ) -> (Vec<(MotionConstraint, Range<usize>)>, Vec<String>) {
+    fn independent(&mut self, coordinates: &[Coordinate], candidates: Vec<Candidate>) -> Independent {
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
         let mut form = LinearForm::new(&rates);
         let mut rows: Vec<Vec<Expr>> = Vec::new();
-        let (mut constraints, mut repeated) = (Vec::new(), Vec::new());
-        for Candidate { name, equation, tie, enforced_by, span } in candidates {
+        let (mut constraints, mut repeated, mut also) = (Vec::new(), Vec::new(), Vec::new());
+        for Candidate { name, equation, tie, enforced_by, span, may_repeat } in candidates {
             let (row, rest) = match form.coefficients(&mut self.arena, equation) {
                 Ok(linear) => linear,
                 Err(not_linear) => {
@@ -184,8 +224,8 @@ impl<'a> Loading<'a> {
             let says_nothing = row.iter().all(|e| is_zero(&self.arena, e));
             let augmented: Vec<Expr> = row.iter().copied().chain([rest]).collect();
             if says_nothing {
-                match (tie, is_zero(&self.arena, &rest)) {
-                    (Tie::Rolling, true) => repeated.push(name),
+                match (may_repeat, is_zero(&self.arena, &rest)) {
+                    (true, true) => repeated.push(name),
                     (_, true) => self.repeated(&name, span, "is always fulfilled"),
                     (_, false) => self.repeated(&name, span, "is never fulfilled"),
                 }
@@ -198,26 +238,31 @@ impl<'a> Loading<'a> {
                 rows.pop();
                 continue;
             };
-            if found.dependent.is_none() {
+            let is_new = found.dependent.is_none();
+            let of_loop = may_repeat && matches!(tie, Tie::Loop(_));
+            if is_new || of_loop {
                 let unit = self.unit_of_difference(equation);
                 let drive = if is_zero(&self.arena, &rest) { Expr::ZERO } else { rest };
                 let stated = Located { text: format!("lambda_{name}"), span: span.clone(), exact: false };
                 let multiplier = self.arena.symbol(&stated.text);
                 self.names.declare(&mut self.reader, &stated, Kind::Multiplier, Some(multiplier));
-                constraints
-                    .push((MotionConstraint { name, equation, drive, unit, multiplier, tie, enforced_by }, span));
+                let list = if is_new { &mut constraints } else { &mut also };
+                list.push((MotionConstraint { name, equation, drive, unit, multiplier, tie, enforced_by }, span));
+                if !is_new {
+                    rows.pop();
+                }
                 continue;
             }
             let all = rank(&self.arena, &rows).map(|found| found.dependent.is_some());
             rows.pop();
-            match (tie, all) {
+            match (may_repeat, all) {
                 (_, None) => self.undecided(&name, span),
                 (_, Some(false)) => self.repeated(&name, span, "contradicts those before it"),
-                (Tie::Rolling, Some(true)) => repeated.push(name),
+                (true, Some(true)) => repeated.push(name),
                 (_, Some(true)) => self.repeated(&name, span, "follows from those before it"),
             }
         }
-        (constraints, repeated)
+        Independent { motion: constraints, repeated, also }
     }
 
     fn undecided(&mut self, name: &str, span: Range<usize>) {

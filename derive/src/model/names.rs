@@ -18,6 +18,7 @@ pub enum Kind {
     Rate,
     Speed,
     Velocity,
+    Expression,
     Reaction,
     Frame,
     Point,
@@ -38,6 +39,7 @@ impl Kind {
             Self::Rate => "time derivative",
             Self::Speed => "speed",
             Self::Velocity => "velocity",
+            Self::Expression => "expression",
             Self::Reaction => "reaction",
             Self::Frame => "frame",
             Self::Point => "point",
@@ -90,6 +92,10 @@ pub struct Names {
     spoiled: FxHashSet<String>,
     /// Kinds whose section could not be read: an unknown name may be one of them.
     unread: Vec<Kind>,
+    /// The inertial frame, once it is read.
+    pub root: String,
+    /// What each named expression is made of.
+    made_of: FxHashMap<String, Vec<(String, Kind)>>,
     /// Names that something refers to.
     used: RefCell<FxHashSet<String>>,
     /// The velocities that formulas name, each once.
@@ -130,6 +136,22 @@ impl Names {
     pub fn insert(&mut self, text: &str, kind: Kind, span: Range<usize>, symbol: Option<Expr>) {
         self.known.insert(text.to_owned(), (kind, span, symbol));
         self.order.push(text.to_owned());
+    }
+
+    /// Declares the name of an expression, which is made of these parts.
+    pub fn declare_expression(&mut self, reader: &mut Reader<'_>, name: &Located, e: Expr, parts: &[Expr]) {
+        let is_part = |symbol: &Option<Expr>| symbol.is_some_and(|symbol| parts.contains(&symbol));
+        let known = self.known.iter().filter(|(_, (kind, _, symbol))| *kind != Kind::Expression && is_part(symbol));
+        let mut made_of: Vec<(String, Kind)> = known.map(|(name, (kind, ..))| (name.clone(), *kind)).collect();
+        made_of.sort();
+        self.made_of.insert(name.text.clone(), made_of);
+        self.declare(reader, name, Kind::Expression, Some(e));
+    }
+
+    /// Declares a frame or point that a joint brings, which nobody need refer to.
+    pub fn declare_brought(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind) {
+        self.declare(reader, name, kind, None);
+        self.used.borrow_mut().insert(name.text.clone());
     }
 
     /// Notes that the declaration of a name is wrong and that this is reported.
@@ -176,10 +198,10 @@ impl Names {
         false
     }
 
-    /// Parameters, frames and points that nothing refers to, in order of declaration, each with what it is.
+    /// Parameters, expressions, frames and points that nothing refers to, in order of declaration, each with what it is.
     pub fn unused(&self) -> Vec<(&'static str, String)> {
         let used = self.used.borrow();
-        let kinds = [Kind::Parameter, Kind::Frame, Kind::Point];
+        let kinds = [Kind::Parameter, Kind::Expression, Kind::Frame, Kind::Point];
         let names = self.of_kind(&kinds).into_iter().filter(|name| !used.contains(*name));
         names.map(|name| (self.known[name].0.noun(), name.to_owned())).collect()
     }
@@ -222,7 +244,11 @@ impl Names {
             if !allowed.0.contains(&Kind::Velocity) {
                 return Err(cannot_stand(Kind::Velocity, &name.text(), allowed, what));
             }
-            velocities.push(StatedVelocity::new(arena, formula, name));
+            let mut name = name.clone();
+            if name.frame.0.is_empty() {
+                name.frame.0 = &self.root;
+            }
+            velocities.push(StatedVelocity::new(arena, formula, &name));
             Ok(arena.symbol(&name.text()))
         });
         match result {
@@ -273,6 +299,19 @@ impl Names {
             Some((kind, _, Some(symbol))) if allowed.0.contains(kind) => {
                 self.used.borrow_mut().insert(name.to_owned());
                 Ok(*symbol)
+            }
+            Some((Kind::Expression, _, Some(e))) => {
+                let parts = self.made_of.get(name).map(Vec::as_slice).unwrap_or_default();
+                match parts.iter().find(|(_, kind)| !allowed.0.contains(kind)) {
+                    None => {
+                        self.used.borrow_mut().insert(name.to_owned());
+                        Ok(*e)
+                    }
+                    Some((part, kind)) => {
+                        let (message, help) = cannot_stand(*kind, part, allowed, what);
+                        Err((format!("{message}: it is in `{name}`"), help))
+                    }
+                }
             }
             Some((kind, _, _)) => Err(cannot_stand(*kind, name, allowed, what)),
             None if name == TIME => {

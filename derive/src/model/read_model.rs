@@ -5,22 +5,27 @@
 
 use super::constraint::{Solved, Stated, solve_all};
 use super::elements::Elements;
+use super::jointed::Holding;
+use super::joints::Joints;
 use super::loading::Loading;
 use super::motion_constraints::{Tied, Ties};
 use super::moving::Moving;
-use super::names::{ANYTHING, CONSTANT, Kind, Names, TIME};
-use super::{Condition, Coordinate, Model, NamedVelocity, Parameter, Speed};
+use super::names::{ANYTHING, Kind, Names};
+use super::repeat::written_out;
+use super::{Condition, Coordinate, Model, NamedVelocity};
 use crate::algebra::calculus::Substitution;
-use crate::algebra::{Arena, Expr, Rational};
-use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
+use crate::algebra::{Arena, Expr};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::plain::one_line;
-use crate::read::{Located, Reader};
+use crate::read::Reader;
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 
-const KEYS: [&str; 18] = [
+const KEYS: [&str; 20] = [
     "name",
     "source",
+    "expressions",
+    "joints",
     "parameters",
     "coordinates",
     "speeds",
@@ -66,6 +71,9 @@ pub fn load(source: &Source) -> Result<Model, Diagnostics> {
         reader.errors.push(Diagnostic::of_file(message, "docs/model.md describes the format"));
     }
     reader.finish()?;
+    let written = written_out(&mut reader, table);
+    let table = written.as_ref().unwrap_or(table);
+    reader.finish()?;
     reader.allow(table, "a model file", &KEYS);
     let mut loading = Loading { reader, arena: Arena::new(), names: Names::default(), units: FxHashMap::default() };
     let model = loading.model(table, source);
@@ -83,24 +91,23 @@ struct Connections {
     motion: Vec<Stated>,
     /// Components of velocities at which bodies would slip.
     slips: Vec<Stated>,
+    /// What may hold closed joints.
+    holding: Vec<Holding>,
     /// Whether all of these could be read.
     is_known: bool,
 }
 
 impl<'a> Loading<'a> {
     fn model(&mut self, table: &'a DeTable<'a>, source: &Source) -> Option<Model> {
-        if !table.contains_key("name") {
-            self.reader.errors.push(Diagnostic::of_file("the model has no `name`", "add `name = \"…\"` at the top"));
-        }
-        let title = self.reader.get(table, "name").and_then(|v| self.reader.name(v, "`name`"));
-        let title = title.map(|title| title.text);
+        let title = self.title(table);
         let reference = self.text(table, "source").unwrap_or_default();
         let parameters = self.parameters(table);
         let before_motion = self.reader.errors.len();
-        let mut coordinates = self.coordinates(table);
+        let joints = self.joints(table);
+        let mut coordinates = self.coordinates(table, &joints);
         let configuration_variables = coordinates.len();
         self.time(table, &mut coordinates);
-        let texts = self.speed_symbols(table);
+        let texts = self.speed_symbols(table, &joints);
         for c in &mut coordinates {
             c.second_rate = self.arena.symbol(&format!("{}''", c.name));
         }
@@ -110,13 +117,13 @@ impl<'a> Loading<'a> {
             let symbol = self.arena.symbol(&name.text);
             self.names.declare(&mut self.reader, name, Kind::Reaction, Some(symbol));
         }
-        self.missing_sections(table);
+        self.missing_sections(table, &joints);
         let mut elements = Elements::default();
-        elements.read(self, table, &reactions);
+        elements.read(self, table, &joints, &reactions);
         let before_constraints = self.reader.errors.len();
-        let Connections { velocities, configuration, motion, slips, is_known } =
-            self.connections(table, &mut elements, &coordinates);
-        let Solved { constraints, replacements, kept } =
+        let Connections { velocities, configuration, motion, slips, holding, is_known } =
+            self.connections(table, &mut elements, &coordinates, &joints);
+        let Solved { constraints, replacements, kept, repeated: mut said } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, configuration);
         motion_errors += self.reader.errors.len() - before_constraints;
         let domain = self.domain(table);
@@ -130,33 +137,35 @@ impl<'a> Loading<'a> {
             list.into_iter().map(fixed).collect()
         };
         let (kept, stated, rolling) = (put(kept), put(motion), put(slips));
-        let clock = coordinates.iter().any(|c| c.name == TIME);
-        let ties = if is_known && !clock && kept.is_empty() && stated.is_empty() && rolling.is_empty() {
-            Some(Ties::default())
-        } else if is_known && self.reader.errors.is_empty() {
-            let of_speeds: Vec<Speed> = speeds.iter().map(|(speed, _)| speed.clone()).collect();
-            self.ties(Tied { coordinates: &coordinates, speeds: &of_speeds, kept, stated, rolling })
-        } else {
-            None
+        let (all, params, by) = (&coordinates, &parameters, &joints);
+        let tied = Tied { coordinates: all, speeds: &speeds, joints: by, parameters: params, kept, stated, rolling };
+        let ties = if is_known { self.ties(tied) } else { None };
+        let (speeds, left_out) = match &ties {
+            Some(ties) if motion_errors == 0 && speeds.len() == stated_speeds => {
+                self.independent_speeds(&coordinates, speeds, &joints, ties)
+            }
+            _ => (speeds, Vec::new()),
         };
+        let has_speeds = stated_speeds > 0;
+        let stated_speeds = stated_speeds - left_out.len();
+        self.report_undefined(fixed.undefined);
+        let mut fixed = Substitution::new(&[replacements, left_out].concat());
+        elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         // With an error in any of them, the number and the rank of the speeds say nothing.
         let kinematic_equations = match &ties {
-            Some(ties) if motion_errors == 0 && speeds.len() == stated_speeds && stated_speeds > 0 => {
+            Some(ties) if motion_errors == 0 && speeds.len() == stated_speeds && has_speeds => {
                 self.kinematic_equations(table, &coordinates, &speeds, &ties.motion)
             }
             _ => None,
         };
         let domain =
             domain.into_iter().map(|c| Condition { positive: fixed.apply(&mut self.arena, c.positive), ..c }).collect();
-        if let Some(term) = fixed.undefined {
-            let term = crate::algebra::print::text(&self.arena, term);
-            let message = format!("`{term}` divides by zero wherever the constraints hold");
-            self.reader.errors.push(Diagnostic::of_file(message, "a constrained variable must not divide"));
-        }
+        self.report_undefined(fixed.undefined);
         if !self.reader.errors.is_empty() {
             return None;
         }
-        let Ties { motion, loops, repeated } = ties?;
+        let Ties { motion, loops, repeated, closed, dependent, speeds: _ } = ties?;
+        said.extend(repeated);
         let mut model = Model {
             title: title?,
             reference,
@@ -177,14 +186,34 @@ impl<'a> Loading<'a> {
             reactions: elements.reactions,
             constraints,
             loops,
+            closed,
+            dependent,
             domain,
             kinematic_equations: kinematic_equations?,
-            repeated,
+            repeated: said,
             unused: self.names.unused(),
             declared: self.names.places(),
         };
+        model.hold_joints(holding, &mut fixed);
         model.complete_reactions();
         Some(model)
+    }
+
+    fn title(&mut self, table: &'a DeTable<'a>) -> Option<String> {
+        if !table.contains_key("name") {
+            self.reader.errors.push(Diagnostic::of_file("the model has no `name`", "add `name = \"…\"` at the top"));
+        }
+        let title = self.reader.get(table, "name").and_then(|v| self.reader.name(v, "`name`"));
+        title.map(|title| title.text)
+    }
+
+    /// Reports a term that constraints make divide by zero.
+    fn report_undefined(&mut self, term: Option<Expr>) {
+        if let Some(term) = term {
+            let term = crate::algebra::print::text(&self.arena, term);
+            let message = format!("`{term}` divides by zero wherever the constraints hold");
+            self.reader.errors.push(Diagnostic::of_file(message, "a constrained variable must not divide"));
+        }
     }
 
     /// Reads what ties coordinates, velocities and bodies together, with what it names of the motion put in; springs become
@@ -194,17 +223,20 @@ impl<'a> Loading<'a> {
         table: &'a DeTable<'a>,
         elements: &mut Elements,
         coordinates: &[Coordinate],
+        joints: &Joints<'a>,
     ) -> Connections {
         let mut stated = self.constraints(table, elements);
         let rolling = self.rolling(table, elements);
         let springs = self.springs(table, elements);
+        let closings = joints.closings(elements);
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
         let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
-        let needs_motion = !rolling.is_empty() || !springs.is_empty() || stated.iter().any(names_motion);
+        let needs_motion =
+            !closings.is_empty() || !rolling.is_empty() || !springs.is_empty() || stated.iter().any(names_motion);
         // With an error in frames or points, nothing is said of what moves with them.
         let is_known = !needs_motion || self.reader.errors.is_empty();
-        let mut slips = Vec::new();
+        let (mut slips, mut holding) = (Vec::new(), Vec::new());
         if !is_known {
             stated.clear();
         } else if needs_motion {
@@ -216,10 +248,13 @@ impl<'a> Loading<'a> {
             for constraint in &mut stated {
                 constraint.equation = put.apply(&mut self.arena, constraint.equation);
             }
+            let (closed, holds) = self.closed(&mut moving, &closings);
+            stated.extend(closed);
+            holding = holds;
             elements.forces.extend(forces);
         }
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
-        Connections { velocities, configuration, motion, slips, is_known }
+        Connections { velocities, configuration, motion, slips, holding, is_known }
     }
 
     /// Whether an equation is between coordinates alone.
@@ -228,12 +263,14 @@ impl<'a> Loading<'a> {
         !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))
     }
 
-    fn missing_sections(&mut self, table: &'a DeTable<'a>) {
+    fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         let empty = |key: &str| {
             self.reader.get(table, key).is_none_or(|v| v.get_ref().as_table().is_some_and(DeTable::is_empty))
         };
         let no_bodies = empty("bodies") && empty("particles");
-        let (no_coordinates, no_speeds) = (empty("coordinates"), empty("speeds"));
+        let moves = joints.is_short || joints.list.iter().any(|joint| !joint.coordinates.is_empty());
+        let no_coordinates = !moves && empty("coordinates");
+        let no_speeds = joints.speeds.is_empty() && !joints.is_short && empty("speeds");
         let mut missing = |message: &str, help: &str| self.reader.errors.push(Diagnostic::of_file(message, help));
         if no_bodies {
             missing("the model has no bodies", "add [bodies.NAME] or [particles.NAME]");
@@ -254,56 +291,7 @@ impl<'a> Loading<'a> {
         }
     }
 
-    fn parameters(&mut self, table: &'a DeTable<'a>) -> Vec<Parameter> {
-        let mut parameters = Vec::new();
-        for (name, value) in self.section(table, "parameters", &[Kind::Parameter]) {
-            let symbol = self.arena.symbol(&name.text);
-            let example = "{ unit = \"kg\", value = 1, positive = true }";
-            let Some((entry, _)) = self.entry(&name, value, Kind::Parameter, Some(symbol), example) else { continue };
-            self.reader.allow(entry, "a parameter", &["unit", "value", "positive", "about"]);
-            let unit = self.unit(entry, &name);
-            self.units.extend(unit.clone().map(|unit| (symbol, unit)));
-            let positive = self.reader.get(entry, "positive");
-            let positive = positive.and_then(|v| self.reader.boolean(v, "`positive`")).unwrap_or(false);
-            if positive {
-                self.arena.assume_positive(symbol);
-            }
-            let value = self.reader.get(entry, "value").and_then(|v| {
-                let formula = self.reader.formula(v, "`value`")?;
-                let number = self.constant(&formula)?;
-                if positive && (number.is_negative() || number.is_zero()) {
-                    let stated = shown(&formula.text);
-                    let message = format!("`{}` is stated to be positive but is {stated}", name.text);
-                    self.reader.error(formula.span, message, "change the value or remove `positive = true`");
-                    return None;
-                }
-                Some(number)
-            });
-            let about = self.about(entry);
-            let unit = unit.unwrap_or_default();
-            parameters.push(Parameter { name: name.text, symbol, unit, value, positive, about });
-        }
-        parameters
-    }
-
-    /// A formula that must be a plain number.
-    fn constant(&mut self, formula: &Located) -> Option<Rational> {
-        let what = "a parameter's value";
-        let e = self.names.formula(&mut self.reader, &mut self.arena, formula, CONSTANT, what)?;
-        let value = match self.arena.as_number(e) {
-            Some(value) => Some(value.clone()),
-            None => super::physics::values_at(&self.arena, &[], &[e]).and_then(|v| Rational::from_f64_exact(v[0])),
-        };
-        // Neither overflow nor a silent 0.
-        let value = value.filter(|v| v.to_f64().is_finite() && (v.is_zero() || v.to_f64().is_normal()));
-        if value.is_none() {
-            let message = format!("`{}` is not a number of double precision", shown(&formula.text));
-            self.reader.error(formula.span.clone(), message, "give 0 or a number between 1e-307 and 1e308 in size");
-        }
-        value
-    }
-
-    fn coordinates(&mut self, table: &'a DeTable<'a>) -> Vec<Coordinate> {
+    fn coordinates(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<Coordinate> {
         let mut coordinates = Vec::new();
         for (name, value) in self.section(table, "coordinates", &[Kind::Coordinate, Kind::Rate]) {
             let symbol = self.arena.symbol(&name.text);
@@ -313,6 +301,11 @@ impl<'a> Loading<'a> {
             let unit = self.unit(entry, &name);
             let about = self.about(entry);
             coordinates.push((name, symbol, unit, about));
+        }
+        for (name, unit, about) in joints.coordinates() {
+            let symbol = self.arena.symbol(&name.text);
+            self.names.declare(&mut self.reader, &name, Kind::Coordinate, Some(symbol));
+            coordinates.push((name, symbol, Some(unit), about));
         }
         if coordinates.is_empty() {
             self.names.unread(&[Kind::Coordinate, Kind::Rate]);

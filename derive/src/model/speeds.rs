@@ -1,6 +1,8 @@
 //! Generalized speeds and the kinematic equations they give.
 
+use super::joints::Joints;
 use super::loading::Loading;
+use super::motion_constraints::Ties;
 use super::names::{Kind, VELOCITY};
 use super::{Coordinate, KinematicEquations, MotionConstraint, Speed};
 use crate::algebra::blocks::solve_blocks;
@@ -8,6 +10,7 @@ use crate::algebra::calculus::Substitution;
 use crate::algebra::contract::contract;
 use crate::algebra::elimination::divisors;
 use crate::algebra::linear::LinearForm;
+use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Node};
 use crate::diagnostic::shown;
@@ -15,9 +18,12 @@ use crate::read::{Located, Reader};
 use std::ops::Range;
 use toml::de::DeTable;
 
+/// Speeds with their places in the file, and what replaces those that were left out.
+type Chosen = (Vec<(Speed, Range<usize>)>, Vec<(Expr, Expr)>);
+
 impl<'a> Loading<'a> {
     /// Declares the speeds; their definitions are read once the coordinates are known.
-    pub fn speed_symbols(&mut self, table: &'a DeTable<'a>) -> Vec<(Located, Located)> {
+    pub fn speed_symbols(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<(Located, Located)> {
         let mut texts = Vec::new();
         for (name, value) in self.section(table, "speeds", &[Kind::Speed]) {
             let symbol = self.arena.symbol(&name.text);
@@ -28,6 +34,12 @@ impl<'a> Loading<'a> {
                 None => self.names.spoil(&name.text),
             }
         }
+        for (name, formula) in &joints.speeds {
+            let symbol = self.arena.symbol(&name.text);
+            self.names.declare(&mut self.reader, name, Kind::Speed, Some(symbol));
+            texts.push((name.clone(), formula.clone()));
+        }
+        let expressions = self.expressions(table);
         for (name, formula) in &texts {
             let what = "the definition of a speed";
             // The unit of a speed is that of its definition: read here, since forces may use speeds.
@@ -35,6 +47,10 @@ impl<'a> Loading<'a> {
             let unit = e.and_then(|e| self.unit_of(e, &formula.span));
             let symbol = self.arena.symbol(&name.text);
             self.units.extend(unit.map(|unit| (symbol, unit)));
+        }
+        // Those of speeds are known only now.
+        for (e, span) in expressions {
+            self.unit_of(e, &span);
         }
         texts
     }
@@ -62,6 +78,53 @@ impl<'a> Loading<'a> {
         speeds
     }
 
+    /// The speeds that constraints leave independent, and what replaces the others in formulas: of those that joints bring, a
+    /// speed that follows from the constraints and the speeds before it is none. Speeds of the file all stay.
+    pub fn independent_speeds(
+        &mut self,
+        coordinates: &[Coordinate],
+        speeds: Vec<(Speed, Range<usize>)>,
+        joints: &Joints<'_>,
+        ties: &Ties,
+    ) -> Chosen {
+        let mut left_out = Vec::new();
+        if let Some(chosen) = &ties.speeds {
+            let mut stay = Vec::new();
+            for (at, (speed, span)) in speeds.into_iter().enumerate() {
+                if chosen.contains(&at) {
+                    stay.push((speed, span));
+                } else {
+                    left_out.push((speed.symbol, speed.definition));
+                }
+            }
+            return (stay, left_out);
+        }
+        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
+        let mut form = LinearForm::new(&rates);
+        let (mut stay, mut brought): (Vec<_>, Vec<_>) =
+            speeds.into_iter().partition(|(speed, _)| !joints.brings(speed));
+        let mut row = |arena: &mut Arena, e: Expr| form.coefficients(arena, e).ok().map(|(row, _)| row);
+        let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(stay.iter().map(|(s, _)| s.definition));
+        let rows: Option<Vec<_>> = equations.map(|e| row(&mut self.arena, e)).collect();
+        let of_brought: Option<Vec<_>> = brought.iter().map(|(s, _)| row(&mut self.arena, s.definition)).collect();
+        // What is not linear is reported where the rates are solved for.
+        if let (Some(mut rows), Some(of_brought)) = (rows, of_brought) {
+            let first = rows.len();
+            rows.extend(of_brought);
+            while rows.len() > coordinates.len() {
+                let Some(at) = rank(&self.arena, &rows).and_then(|found| found.dependent).filter(|at| *at >= first)
+                else {
+                    break;
+                };
+                rows.remove(at);
+                let (speed, _) = brought.remove(at - first);
+                left_out.push((speed.symbol, speed.definition));
+            }
+        }
+        stay.append(&mut brought);
+        (stay, left_out)
+    }
+
     /// Solves u = J q̇ + d and A q̇ + a = 0 for q̇; reports speeds too few, too many, not linear or not independent.
     pub fn kinematic_equations(
         &mut self,
@@ -70,7 +133,7 @@ impl<'a> Loading<'a> {
         speeds: &[(Speed, Range<usize>)],
         constraints: &[(MotionConstraint, Range<usize>)],
     ) -> Option<KinematicEquations> {
-        if speeds.len() + constraints.len() != coordinates.len() {
+        if speeds.is_empty() || speeds.len() + constraints.len() != coordinates.len() {
             self.report_count(table, coordinates, speeds, constraints);
             return None;
         }

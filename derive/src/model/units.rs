@@ -1,9 +1,11 @@
 //! Units of measurement and the check that every sum adds like to like.
 //!
-//! Only coherent SI units are read, so that no conversion can be forgotten; a radian counts as 1.
+//! Quantities are declared in coherent SI units, so that no conversion can be forgotten; a radian counts as 1. A plain number
+//! may be stated in others, which are converted where it is read.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::diagnostic::{nearest, shown};
+use crate::read::Located;
 use rustc_hash::FxHashMap;
 use std::fmt;
 
@@ -28,6 +30,88 @@ const NAMED: [(&str, [i64; 3]); 11] = [
     ("Hz", [0, 0, -1]),
     ("sr", [0, 0, 0]),
 ];
+
+/// Other units in which a number may be stated: exponents of m, kg, s, and the factor as a fraction, times π for the last.
+const OTHER: [(&str, [i64; 3], (i64, i64)); 16] = [
+    ("mm", [1, 0, 0], (1, 1000)),
+    ("cm", [1, 0, 0], (1, 100)),
+    ("km", [1, 0, 0], (1000, 1)),
+    ("g", [0, 1, 0], (1, 1000)),
+    ("t", [0, 1, 0], (1000, 1)),
+    ("ms", [0, 0, 1], (1, 1000)),
+    ("min", [0, 0, 1], (60, 1)),
+    ("h", [0, 0, 1], (3600, 1)),
+    ("kN", [1, 1, -2], (1000, 1)),
+    ("kJ", [2, 1, -2], (1000, 1)),
+    ("kW", [2, 1, -3], (1000, 1)),
+    ("kPa", [-1, 1, -2], (1000, 1)),
+    ("MPa", [-1, 1, -2], (1_000_000, 1)),
+    ("deg", [0, 0, 0], (1, 180)),
+    ("rev", [0, 0, 0], (2, 1)),
+    ("rpm", [0, 0, -1], (1, 30)),
+];
+/// Those of them that hold π.
+const OF_TURNS: [&str; 3] = ["deg", "rev", "rpm"];
+
+/// The unit after a number: `0.1 m`, `90 deg`, `3 rev/min`.
+pub struct StatedUnit {
+    pub unit: Unit,
+    /// The value in SI is the number times this, and times π to this power.
+    pub factor: Rational,
+    pub turns: i32,
+    /// Where the number ends in the text.
+    pub end: usize,
+}
+
+impl StatedUnit {
+    /// The unit that a text ends in after a number and a space, if it does.
+    pub fn of(text: &str) -> Option<Self> {
+        let (number, name) = text.trim_end().rsplit_once(char::is_whitespace)?;
+        let end = number.trim_end().len();
+        number.trim_end().ends_with(|c: char| c.is_ascii_digit() || c == '.' || c == ')').then_some(())?;
+        let (mut unit, mut factor, mut turns) = (Unit::default(), Rational::ONE, 0);
+        let mut sign = 1;
+        for part in name.split_inclusive(['*', '/']) {
+            let plain = part.trim_end_matches(['*', '/']);
+            let (plain, power) = match plain.split_once('^') {
+                Some((plain, power)) => (plain, power.parse::<i64>().ok().filter(|n| n.abs() <= 12)?),
+                None => (plain, 1),
+            };
+            let power = sign * power;
+            let (exponents, (above, below)) = match NAMED.iter().find(|(known, _)| *known == plain) {
+                Some((_, exponents)) => (exponents, (1, 1)),
+                None => {
+                    OTHER.iter().find(|(known, ..)| *known == plain).map(|(_, exponents, scale)| (exponents, *scale))?
+                }
+            };
+            let [metre, kilogram, second] = exponents.map(|e| e * power);
+            unit = unit.times(&Unit::new(metre, kilogram, second));
+            let step = if power < 0 { Rational::fraction(below, above)? } else { Rational::fraction(above, below)? };
+            for _ in 0..power.abs() {
+                factor = factor.mul(&step);
+            }
+            if OF_TURNS.contains(&plain) {
+                turns += i32::try_from(power).ok()?;
+            }
+            sign = if part.ends_with('/') { -1 } else { 1 };
+        }
+        Some(Self { unit, factor, turns, end })
+    }
+
+    /// The number without its unit.
+    pub fn number(&self, formula: &Located) -> Located {
+        let range = 0..self.end;
+        Located { text: formula.text[range.clone()].to_owned(), span: formula.part(range), exact: formula.exact }
+    }
+
+    /// A number in this unit, in SI.
+    pub fn apply(&self, arena: &mut Arena, number: Expr) -> Expr {
+        let pi = arena.pi();
+        let turns = arena.pow(pi, self.turns).unwrap_or(Expr::ONE);
+        let scaled = arena.scale(number, &self.factor);
+        arena.mul(scaled, turns)
+    }
+}
 
 impl Unit {
     /// From exponents of metre, kilogram, second.
@@ -224,5 +308,26 @@ mod tests {
         assert!(Unit::parse("cm").is_err());
         assert!(Unit::parse("").is_err());
         assert!(Unit::parse("m^x").is_err());
+    }
+
+    #[test]
+    fn numbers_are_converted() {
+        let known = |text: &str| {
+            let stated = StatedUnit::of(text)?;
+            let mut arena = Arena::new();
+            let one = arena.integer(1);
+            let value = stated.apply(&mut arena, one);
+            Some((text[..stated.end].to_owned(), crate::algebra::print::text(&arena, value), stated.unit.to_string()))
+        };
+        let of = |number: &str, value: &str, unit: &str| Some((number.to_owned(), value.to_owned(), unit.to_owned()));
+        assert_eq!(known("90 deg"), of("90", "pi/180", "1"));
+        assert_eq!(known("3 rpm"), of("3", "pi/30", "1/s"));
+        assert_eq!(known("3 rev/min"), of("3", "pi/30", "1/s"));
+        assert_eq!(known("7.8 g/cm^3"), of("7.8", "1000", "kg/m^3"));
+        assert_eq!(known("(1/3) m "), of("(1/3)", "1", "m"));
+        assert_eq!(known("2 * m"), None);
+        assert_eq!(known("l + m"), None);
+        assert_eq!(known("0.5"), None);
+        assert_eq!(known("2 furlong"), None);
     }
 }

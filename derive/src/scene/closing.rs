@@ -28,6 +28,8 @@ const SINGULAR: f64 = 1e-6;
 struct Loops {
     values: Tape,
     slopes: Tape,
+    /// How many of them are independent where all are closed: the first.
+    independent: usize,
 }
 
 /// Where a search ended.
@@ -122,7 +124,8 @@ impl<'a> Values<'a, '_> {
     fn loops(&mut self) -> Loops {
         let model = &mut *self.model;
         let inputs = [model.p(), model.q()].concat();
-        let equations: Vec<Expr> = model.loops.iter().map(|c| c.equation).collect();
+        let independent = model.loops.len();
+        let equations: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
         let coordinates = model.q();
         let mut gradient = Gradient::new(&coordinates);
         let mut slopes = vec![Expr::ZERO; equations.len() * coordinates.len()];
@@ -137,14 +140,16 @@ impl<'a> Values<'a, '_> {
             Ok(tape) => tape,
             Err(unknown) => unreachable!("loops tie coordinates, not {}", unknown.0),
         };
-        Loops { values: tape(&equations), slopes: tape(&slopes) }
+        Loops { values: tape(&equations), slopes: tape(&slopes), independent }
     }
 
     fn report_open(&mut self, found: &Found, open_at_start: &[f64], free: &[usize], place: Range<usize>) {
         let model = &self.model;
         let worst = |open: &[f64]| {
             let largest = open.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-            largest.map_or((String::new(), 0.0), |(at, open)| (model.loops[at].name.clone(), *open))
+            let name =
+                |at: usize| model.loops.iter().chain(&model.closed).nth(at).map_or(String::new(), |c| c.name.clone());
+            largest.map_or((String::new(), 0.0), |(at, open)| (name(at), *open))
         };
         let shown = |at: &usize| format!("{} = {}", model.coordinates[*at].name, found.q[*at]);
         let all: Vec<usize> = (0..found.q.len()).collect();
@@ -188,7 +193,7 @@ impl Loops {
 
     /// Whether the slopes of the loops are dependent.
     fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
-        let values = self.slopes(p, q).singular_values();
+        let values = self.slopes(p, q).rows(0, self.independent).singular_values();
         values.min() <= SINGULAR * values.max()
     }
 

@@ -10,7 +10,7 @@ use crate::algebra::interval::lost_constant;
 use crate::algebra::parse::parse;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::model::{Model, TIME};
+use crate::model::{Model, StatedUnit, TIME, Unit};
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
@@ -145,6 +145,7 @@ impl<'a> Values<'a, '_> {
                 continue;
             };
             let Some(formula) = self.reader.formula(value, "a parameter's value") else { continue };
+            self.check_unit(&formula, &self.model.parameters[at].unit.clone(), &name.text);
             let Some(number) = self.constant(&formula) else { continue };
             if let Some(message) = self.not_positive(at, &number) {
                 self.reader.error(formula.span.clone(), message, "give a value above zero");
@@ -201,6 +202,9 @@ impl<'a> Values<'a, '_> {
         for (name, value) in self.reader.entries(table) {
             let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) else { continue };
             let Some(number) = self.number(&formula, parameters, "a value at the start") else { continue };
+            if let Some(unit) = self.unit_at_start(&name.text) {
+                self.check_unit(&formula, &unit, &name.text);
+            }
             let model = &self.model;
             let rate = name.text.strip_suffix('\'');
             if let Some(at) = model.coordinates.iter().position(|c| c.name == name.text) {
@@ -372,6 +376,26 @@ impl<'a> Values<'a, '_> {
         tape.evaluate(&[parameters, q, rates].concat())
     }
 
+    /// The unit of a coordinate, rate or speed.
+    fn unit_at_start(&self, name: &str) -> Option<Unit> {
+        let model = &self.model;
+        let coordinates = model.coordinates.iter();
+        let rate = name.strip_suffix('\'');
+        let of_speeds = model.speeds.iter().find(|s| s.name == name).map(|s| s.unit.clone());
+        of_speeds.or_else(|| {
+            let coordinate = coordinates.clone().find(|c| c.name == rate.unwrap_or(name))?;
+            Some(if rate.is_some() { coordinate.unit.per_second() } else { coordinate.unit.clone() })
+        })
+    }
+
+    /// Reports a number that is stated in a unit of another kind.
+    fn check_unit(&mut self, formula: &Located, unit: &Unit, name: &str) {
+        if let Some(stated) = StatedUnit::of(&formula.text).filter(|stated| stated.unit != *unit) {
+            let message = format!("`{name}` is in {}, but this number in {}", unit.words(), stated.unit.words());
+            self.reader.error(formula.span.clone(), message, "state it in a unit of that kind");
+        }
+    }
+
     /// A formula of numbers, `deg` and `pi`.
     pub fn constant(&mut self, formula: &Located) -> Option<Number> {
         self.evaluate(formula, &[], "a parameter's value")
@@ -422,7 +446,9 @@ impl<'a> Values<'a, '_> {
         let model = &mut *self.model;
         let known: Vec<(String, Expr)> =
             model.parameters.iter().take(known).map(|p| (p.name.clone(), p.symbol)).collect();
-        let result = parse(&mut model.arena, &formula.text, &mut |arena, name| {
+        let stated = StatedUnit::of(&formula.text);
+        let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
+        let result = parse(&mut model.arena, &number.text, &mut |arena, name| {
             if name == "deg" {
                 let pi = arena.pi();
                 return Ok(arena.scale(pi, &Rational::fraction(1, 180).expect("not zero")));
@@ -434,7 +460,7 @@ impl<'a> Values<'a, '_> {
             Err((format!("`{name}` cannot stand in {what}"), Some(nearest(name, names))))
         });
         let expression = match result {
-            Ok(e) => e,
+            Ok(e) => stated.map_or(e, |stated| stated.apply(&mut model.arena, e)),
             Err(error) => {
                 self.reader.error(formula.part(error.span), error.message, error.help.unwrap_or_default());
                 return None;

@@ -70,6 +70,19 @@ impl<'a> VelocityName<'a> {
         Ok((Self { of, frame, axis }, cursor.at))
     }
 
+    /// Reads the two points of `distance(P, Q)`, from its parenthesis on, as their positions along the axes of the inertial frame,
+    /// whose name is empty; returns with them where it ends.
+    pub(super) fn ends(text: &'a str, at: usize) -> Result<([[Self; 2]; 3], usize), ParseError> {
+        let mut cursor = Cursor { text, at };
+        cursor.mark('(')?;
+        let first = cursor.word("a point")?;
+        let second = cursor.after(',', "a point")?;
+        cursor.mark(')')?;
+        let place =
+            |word: &Word<'a>, axis| Self { of: VelocityOf::Place(word.clone()), frame: ("", word.1.clone()), axis };
+        Ok(([0, 1, 2].map(|axis| [place(&first, axis), place(&second, axis)]), cursor.at))
+    }
+
     /// The name in one form, however it was written.
     #[must_use]
     pub fn text(&self) -> String {

@@ -1,0 +1,327 @@
+//! Poses in which the loops of a mechanism are closed, at the default values of its parameters, and which constraints are
+//! independent there.
+//!
+//! Loops may tie more at random places than where they are closed: six pins in space prevent all motion of six bars but for special
+//! lengths, in whose closed poses one of the equations follows from the others (R. Bricard 1897). So independence is asked
+//! there, in doubles: what counts as zero is far below the next of the numbers it is told from.
+//! The poses are found by the method of Levenberg and Marquardt, which converges quadratically to solutions that are not isolated if its
+//! damping is the square of what is left (N. Yamashita & M. Fukushima 2001).
+
+use crate::algebra::Expr;
+use crate::algebra::evaluate::Tape;
+use crate::algebra::{Arena, calculus::Gradient};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+/// Random places from which poses are looked for, fewer for large mechanisms, and poses that are enough.
+const TRIES: usize = 40;
+const ENOUGH: usize = 6;
+const STEPS: usize = 200;
+/// Poses on a way through closed ones, how far apart they are (over what coordinates reach), and loops up to which it is gone.
+const WALK: usize = 60;
+const STRIDE: f64 = 0.05;
+const WALKED: usize = 24;
+/// What may be left of each loop, over what it is made of.
+const CLOSED: f64 = 1e-13;
+/// What is independent of others: what is left of a row of length 1 when they are taken out of it.
+const INDEPENDENT: f64 = 1e-6;
+/// What is not, and nothing between the two.
+const DEPENDENT: f64 = 1e-8;
+
+/// Equations between coordinates, with what to draw coordinates from.
+pub struct Poses<'m> {
+    pub known: &'m [(Expr, f64)],
+    pub coordinates: &'m [Expr],
+    /// How far a coordinate may be drawn from 0: π for angles, a length of the mechanism for ways.
+    pub reach: &'m [f64],
+    pub loops: &'m [Expr],
+}
+
+/// A constraint that follows from others in every closed pose that was found.
+pub struct Dependent {
+    /// Its place among the constraints, and theirs.
+    pub at: usize,
+    pub of: Vec<usize>,
+}
+
+/// Slopes of constraints, and of speeds that may be chosen, in closed poses: rows of length 1.
+pub struct Closed {
+    poses: Vec<DMatrix<f64>>,
+    /// Which rows, in order, do not follow from those before them in the pose that has most of them.
+    independent: Vec<usize>,
+    /// The others, each with what it follows from.
+    dependent: Vec<Dependent>,
+}
+
+/// A generator of numbers that are the same on every machine (G. Marsaglia 2003, xorshift64*).
+struct Chance(u64);
+
+impl Chance {
+    /// Between -1 and 1.
+    fn draw(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        let bits = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11;
+        #[allow(clippy::cast_precision_loss, reason = "53 bits")]
+        let unit = bits as f64 / (1_u64 << 53) as f64;
+        2.0 * unit - 1.0
+    }
+}
+
+/// How much better another choice must be than the first in order.
+const BETTER: f64 = 1.5;
+
+impl Closed {
+    /// Rows in q, of constraints and then of speeds, in the poses where the loops are closed; nothing where none was found, or a
+    /// value is not known.
+    pub fn new(arena: &mut Arena, poses: &Poses<'_>, constraints: usize, rows: &[Vec<Expr>]) -> Option<Self> {
+        let found = poses.find(arena)?;
+        let flat: Vec<Expr> = rows.iter().flatten().copied().collect();
+        let tape = Tape::new(arena, &poses.inputs(), &flat).ok()?;
+        let mut all: Vec<(DMatrix<f64>, Vec<usize>, Vec<Dependent>)> = Vec::new();
+        for q in &found {
+            let values = tape.evaluate(&poses.with_known(q));
+            let mut matrix = DMatrix::from_row_slice(rows.len(), poses.coordinates.len(), &values);
+            for mut row in matrix.row_iter_mut() {
+                row.normalize_mut();
+            }
+            if let Some((independent, dependent)) = dependent_rows(&matrix, constraints) {
+                all.push((matrix, independent, dependent));
+            }
+        }
+        // At singular poses more is dependent than elsewhere: they say nothing of the others.
+        let most = all.iter().map(|(_, independent, _)| independent.len()).max()?;
+        all.retain(|(_, independent, _)| independent.len() == most);
+        let mut closed = Self { poses: Vec::new(), independent: Vec::new(), dependent: Vec::new() };
+        for (at, (matrix, independent, dependent)) in all.into_iter().enumerate() {
+            closed.poses.push(matrix);
+            if at == 0 {
+                (closed.independent, closed.dependent) = (independent, dependent);
+            }
+        }
+        closed.choose_dependent();
+        Some(closed)
+    }
+
+    /// How many poses were asked.
+    pub fn count(&self) -> usize {
+        self.poses.len()
+    }
+
+    /// Constraints that follow from others.
+    pub fn dependent(&self) -> &[Dependent] {
+        &self.dependent
+    }
+
+    /// How far rows are from dependent in the pose where they are nearest to it: their least singular value there.
+    fn least(&self, rows: &[usize]) -> f64 {
+        let value = |pose: &DMatrix<f64>| pose.select_rows(rows).singular_values().min();
+        self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Of what depends on one another, calls that dependent without which the rest is farthest from it.
+    fn choose_dependent(&mut self) {
+        for at in 0..self.dependent.len() {
+            let Dependent { at: last, of } = &self.dependent[at];
+            let (last, of) = (*last, of.clone());
+            let mut best = (self.independent.clone(), self.least(&self.independent), last);
+            for out in &of {
+                let rest = self.independent.iter().copied().filter(|row| row != out).chain([last]);
+                let mut rows: Vec<usize> = rest.collect();
+                rows.sort_unstable();
+                let least = self.least(&rows);
+                if least > BETTER * best.1 {
+                    best = (rows, least, *out);
+                }
+            }
+            let (rows, _, out) = best;
+            let mut of: Vec<usize> = of.into_iter().chain([last]).filter(|row| *row != out).collect();
+            of.sort_unstable();
+            self.independent = rows;
+            self.dependent[at] = Dependent { at: out, of };
+        }
+        self.dependent.sort_by_key(|dependent| dependent.at);
+    }
+
+    /// Which of some rows stay independent, with these, in all poses: as many as are wanted, those first that are farthest from
+    /// dependent where they are nearest to it.
+    pub fn choose(&self, mut kept: Vec<usize>, mut among: Vec<usize>, wanted: usize) -> Vec<usize> {
+        let mut chosen = Vec::new();
+        while chosen.len() < wanted {
+            let mut best: Option<(usize, f64)> = None;
+            for (place, row) in among.iter().enumerate() {
+                let rows: Vec<usize> = kept.iter().copied().chain([*row]).collect();
+                let least = self.least(&rows);
+                if best.is_none_or(|(_, most)| least > BETTER * most) {
+                    best = Some((place, least));
+                }
+            }
+            let Some((place, _)) = best else { break };
+            let row = among.remove(place);
+            kept.push(row);
+            chosen.push(row);
+        }
+        chosen.sort_unstable();
+        chosen
+    }
+
+    /// Constraints that do not follow from others.
+    pub fn independent(&self) -> &[usize] {
+        &self.independent
+    }
+}
+
+/// Of the first rows, those that do not follow from those before them, and those that do; nothing where it is not clear.
+fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<(Vec<usize>, Vec<Dependent>)> {
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    let (mut independent, mut dependent) = (Vec::new(), Vec::new());
+    for at in 0..count {
+        let row: DVector<f64> = matrix.row(at).transpose();
+        let mut left = row.clone();
+        // Twice, for what rounding leaves.
+        for _ in 0..2 {
+            for other in &basis {
+                left -= other * other.dot(&left);
+            }
+        }
+        let size = left.norm();
+        if size > INDEPENDENT {
+            independent.push(at);
+            basis.push(left / size);
+        } else if size < DEPENDENT {
+            dependent.push(Dependent { at, of: shares(matrix, &independent, &row)? });
+        } else {
+            return None;
+        }
+    }
+    Some((independent, dependent))
+}
+
+/// The rows, of those kept, that a row is a sum of.
+fn shares(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
+    let shares = matrix.select_rows(kept).transpose().svd(true, true).solve(row, 1e-12).ok()?;
+    Some(kept.iter().zip(shares.iter()).filter(|(_, share)| share.abs() > INDEPENDENT).map(|(at, _)| *at).collect())
+}
+
+impl Poses<'_> {
+    fn inputs(&self) -> Vec<Expr> {
+        self.known.iter().map(|(symbol, _)| *symbol).chain(self.coordinates.iter().copied()).collect()
+    }
+
+    fn with_known(&self, q: &[f64]) -> Vec<f64> {
+        self.known.iter().map(|(_, value)| *value).chain(q.iter().copied()).collect()
+    }
+
+    /// Closed poses, from random places.
+    fn find(&self, arena: &mut Arena) -> Option<Vec<Vec<f64>>> {
+        let (rows, columns) = (self.loops.len(), self.coordinates.len());
+        let mut gradient = Gradient::new(self.coordinates);
+        let mut all = self.loops.to_vec();
+        for equation in self.loops {
+            let mut slopes = vec![Expr::ZERO; columns];
+            for &(at, slope) in gradient.apply(arena, *equation).iter() {
+                slopes[at] = slope;
+            }
+            all.extend(slopes);
+        }
+        let tape = Tape::new(arena, &self.inputs(), &all).ok()?;
+        let mut chance = Chance(0x9E37_79B9_7F4A_7C15);
+        let mut found = Vec::new();
+        let tries = (TRIES * 1000 / (rows * rows + 1)).clamp(3, TRIES);
+        for _ in 0..tries {
+            let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
+            if self.closes(&tape, rows, &mut q) {
+                found.push(q);
+                if found.len() == ENOUGH {
+                    break;
+                }
+            }
+        }
+        if rows <= WALKED {
+            for first in found.clone() {
+                self.walk(&tape, first, &mut chance, &mut found);
+            }
+        }
+        Some(found)
+    }
+
+    /// Closed poses on the way from one, on and on into a direction that the loops leave open.
+    fn walk(&self, tape: &Tape, mut q: Vec<f64>, chance: &mut Chance, found: &mut Vec<Vec<f64>>) {
+        let (rows, columns) = (self.loops.len(), self.coordinates.len());
+        let start: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
+        let mut direction = DVector::from_vec(start);
+        for _ in 0..WALK {
+            let values = tape.evaluate(&self.with_known(&q));
+            let svd = DMatrix::from_row_slice(rows, columns, &values[rows..]).svd(false, true);
+            let (Some(axes), largest) = (svd.v_t, svd.singular_values.max()) else { return };
+            // Along the way so far, as far as the loops let it.
+            let mut onward = direction.clone();
+            for (axis, value) in axes.row_iter().zip(svd.singular_values.iter()) {
+                if *value > INDEPENDENT * largest {
+                    onward -= axis.transpose() * axis.transpose().dot(&direction);
+                }
+            }
+            let ahead = onward.iter().zip(self.reach).map(|(x, reach)| (x / reach).powi(2)).sum::<f64>().sqrt();
+            if ahead.is_nan() || ahead < 1e-9 {
+                return;
+            }
+            onward *= STRIDE / ahead;
+            let mut next: Vec<f64> = q.iter().zip(onward.iter()).map(|(q, step)| q + step).collect();
+            if !self.closes(tape, rows, &mut next) {
+                return;
+            }
+            direction = DVector::from_iterator(columns, next.iter().zip(&q).map(|(next, q)| next - q));
+            q.clone_from(&next);
+            found.push(next);
+        }
+    }
+
+    /// Goes to a closed pose, if it comes to one.
+    fn closes(&self, tape: &Tape, rows: usize, q: &mut Vec<f64>) -> bool {
+        let columns = q.len();
+        let at = |q: &[f64]| {
+            let values = tape.evaluate(&self.with_known(q));
+            let open = DVector::from_column_slice(&values[..rows]);
+            (open, DMatrix::from_row_slice(rows, columns, &values[rows..]))
+        };
+        let (mut open, mut slopes) = at(q);
+        for _ in 0..STEPS {
+            let left = open.norm_squared();
+            if !left.is_finite() {
+                return false;
+            }
+            let scale = slopes.norm_squared();
+            if open.iter().enumerate().all(|(row, open)| open.abs() <= CLOSED * slopes.row(row).norm()) {
+                return true;
+            }
+            let mut damping = left.min(scale);
+            let mut better = None;
+            for _ in 0..20 {
+                let normal = slopes.tr_mul(&slopes) + DMatrix::identity(columns, columns) * damping;
+                let Some(factor) = normal.cholesky() else {
+                    damping = (damping * 10.0).max(1e-16 * scale);
+                    continue;
+                };
+                let step = factor.solve(&slopes.tr_mul(&open));
+                let next: Vec<f64> = q.iter().zip(step.iter()).map(|(q, step)| q - step).collect();
+                let (next_open, next_slopes) = at(&next);
+                if next_open.norm_squared() < left {
+                    better = Some((next, next_open, next_slopes));
+                    break;
+                }
+                damping = (damping * 10.0).max(1e-16 * scale);
+            }
+            let Some(better) = better else { return false };
+            (*q, open, slopes) = better;
+        }
+        false
+    }
+}
+
+/// How far coordinates are drawn from 0: angles go round, ways as far as the longest of the known lengths.
+pub fn reach(is_angle: impl Iterator<Item = bool>, lengths: impl Iterator<Item = f64>) -> Vec<f64> {
+    let longest = lengths.fold(0.0, |most: f64, length| most.max(length.abs()));
+    let longest = if longest > 0.0 { 2.0 * longest } else { 1.0 };
+    is_angle.map(|is_angle| if is_angle { PI } else { longest }).collect()
+}

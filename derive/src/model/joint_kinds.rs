@@ -1,0 +1,114 @@
+//! Kinds of joints, and how what they carry may move.
+
+/// What a joint lets its body do: see [`JointKind::freedoms`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum JointKind {
+    Pin,
+    Slider,
+    Cylinder,
+    Screw,
+    Universal,
+    Ball,
+    Planar,
+    Weld,
+    Free,
+}
+
+/// The kinds by name, in the order in which a message lists them.
+pub const KINDS: [(&str, JointKind); 9] = [
+    ("pin", JointKind::Pin),
+    ("slider", JointKind::Slider),
+    ("cylinder", JointKind::Cylinder),
+    ("screw", JointKind::Screw),
+    ("universal", JointKind::Universal),
+    ("ball", JointKind::Ball),
+    ("planar", JointKind::Planar),
+    ("weld", JointKind::Weld),
+    ("free", JointKind::Free),
+];
+
+/// One coordinate of a joint: a way along or a turn about an axis, 0, 1 or 2.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Freedom {
+    /// Along an axis of the joint's frame on the body that carries.
+    Along(usize),
+    /// About an axis of the frame that the turns before it lead to.
+    About(usize),
+    /// About an axis, and along it by the lead for each turn.
+    Screwed(usize),
+}
+
+impl JointKind {
+    /// What each coordinate of such a joint does, in their order.
+    pub fn freedoms(self, axes: &[usize]) -> Vec<Freedom> {
+        let turns = axes.iter().map(|axis| Freedom::About(*axis));
+        let axis = axes.first().copied().unwrap_or(2);
+        match self {
+            Self::Pin | Self::Universal | Self::Ball => turns.collect(),
+            Self::Slider => vec![Freedom::Along(axis)],
+            Self::Cylinder => vec![Freedom::About(axis), Freedom::Along(axis)],
+            Self::Screw => vec![Freedom::Screwed(axis)],
+            Self::Planar => {
+                vec![Freedom::Along((axis + 1) % 3), Freedom::Along((axis + 2) % 3), Freedom::About(axis)]
+            }
+            Self::Weld => Vec::new(),
+            Self::Free => [0, 1, 2].map(Freedom::Along).into_iter().chain(turns).collect(),
+        }
+    }
+
+    /// The keys that such a joint may have beside those of all.
+    pub fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Pin | Self::Slider | Self::Cylinder | Self::Planar => &["axis"],
+            Self::Screw => &["axis", "lead"],
+            Self::Universal => &["axes"],
+            Self::Ball | Self::Free => &["sequence"],
+            Self::Weld => &[],
+        }
+    }
+}
+
+/// Components in the last frame of ω after three turns about body-fixed axes, as formulas.
+///
+/// Each turn's rate is along an axis that the turns after it carry on: e_a is seen from a frame turned by q about b as
+/// e_a cos q ∓ (the third axis) sin q.
+pub fn angular_velocity(axes: &[usize], angles: &[&str]) -> Vec<String> {
+    let mut sums: [Vec<String>; 3] = Default::default();
+    for (first, (axis, angle)) in axes.iter().zip(angles).enumerate() {
+        // (axis, sign, factors) of each part of the turn's axis.
+        let mut parts = vec![(*axis, 1, String::new())];
+        for (about, by) in axes.iter().zip(angles).skip(first + 1) {
+            let turned = |(axis, sign, factors): &(usize, i32, String)| {
+                if axis == about {
+                    return vec![(*axis, *sign, factors.clone())];
+                }
+                let third = 3 - axis - about;
+                // Seen from the turned frame the axis turns back: towards axis × about.
+                let side = if (axis + 1) % 3 == *about { 1 } else { -1 };
+                vec![
+                    (*axis, *sign, format!("{factors}*cos({by})")),
+                    (third, sign * side, format!("{factors}*sin({by})")),
+                ]
+            };
+            parts = parts.iter().flat_map(turned).collect();
+        }
+        for (axis, sign, factors) in parts {
+            sums[axis].push(format!("{} {angle}'{factors}", if sign > 0 { "+" } else { "-" }));
+        }
+    }
+    sums.map(|terms| terms.join(" ")).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::angular_velocity;
+
+    #[test]
+    fn angular_velocity_of_turns_about_1_2_and_3() {
+        // T. R. Kane, P. W. Likins & D. A. Levinson, Spacecraft Dynamics (1983), appendix II, body-three 1-2-3.
+        let [a, b, c] = <[String; 3]>::try_from(angular_velocity(&[0, 1, 2], &["a", "b", "c"])).expect("three");
+        assert_eq!(a, "+ a'*cos(b)*cos(c) + b'*sin(c)");
+        assert_eq!(b, "- a'*cos(b)*sin(c) + b'*cos(c)");
+        assert_eq!(c, "+ a'*sin(b) + c'");
+    }
+}

@@ -1,0 +1,402 @@
+//! What joints place, and what they tie where they close loops.
+
+use super::constraint::Stated;
+use super::elements::{Elements, vector};
+use super::joint_kinds::{Freedom, JointKind};
+use super::joints::{Joint, Joints, Placed};
+use super::loading::Loading;
+use super::moving::Moving;
+use super::names::{CONFIGURATION, Kind, PARAMETERS};
+use super::tree::Node;
+use super::units::Unit;
+use super::{Model, Place, Reaction, ReactionKind};
+use crate::algebra::calculus::Substitution;
+use crate::algebra::{Expr, Rational};
+use crate::diagnostic::shown;
+use crate::geometry::{Vector, cross_components};
+use crate::read::Located;
+use toml::de::{DeTable, DeValue};
+
+/// A frame as it is placed: axis and angle of its turn.
+type FrameNode = Node<(usize, Expr)>;
+/// A point as it is placed: the frame of its components, and those.
+type PointNode = Node<(Located, [Expr; 3])>;
+
+/// A joint that closes a loop.
+pub struct Closing {
+    name: Located,
+    kind: JointKind,
+    axes: Vec<usize>,
+    /// The frame of the joint on the body that carries, and that of the other.
+    frames: [usize; 2],
+    /// The joint's points on the two.
+    points: [usize; 2],
+    /// The body, and that which carries.
+    bodies: (usize, Option<usize>),
+}
+
+/// What holds a joint closed: a reaction for each equation, by the name of that.
+pub type Holding = (String, Reaction);
+
+impl Joint<'_> {
+    /// A name of its own.
+    fn named(&self, part: &str) -> Located {
+        Located { text: format!("{}_{part}", self.name.text), span: self.name.span.clone(), exact: false }
+    }
+
+    /// The frame on the body that carries, in which its coordinates start from 0.
+    fn base(&self, joints: &Joints<'_>, root: &str) -> Located {
+        if self.entry.contains_key("turned") { self.named("base") } else { self.frame_below(joints, root) }
+    }
+
+    /// The frame of the body that carries.
+    fn frame_below(&self, joints: &Joints<'_>, root: &str) -> Located {
+        match self.to.as_ref().and_then(|to| Some((to, joints.bodies.get(&to.text)?))) {
+            Some((to, placed)) => Located { text: placed.frame.text.clone(), ..to.clone() },
+            None => Located { text: root.to_owned(), span: self.name.span.clone(), exact: false },
+        }
+    }
+
+    /// The point from which places on a body are told: that of the joint that carries it, else its mass centre.
+    fn home(&self, body: Option<&Located>, joints: &Joints<'_>, origin: &str) -> Located {
+        let text = match body.and_then(|body| joints.bodies.get(&body.text)) {
+            Some(Placed { joint: Some(joint), .. }) => joint.text.clone(),
+            Some(placed) => placed.centre.text.clone(),
+            None => origin.to_owned(),
+        };
+        Located { text, span: body.unwrap_or(&self.name).span.clone(), exact: false }
+    }
+}
+
+impl<'a> Joints<'a> {
+    /// The joints that close loops, once frames and points are in order.
+    pub fn closings(&self, elements: &Elements) -> Vec<Closing> {
+        let frame = |name: &str| elements.frames.iter().position(|f| f.name == name);
+        let point = |name: &str| elements.points.iter().position(|p| p.name == name);
+        let body = |name: &str| elements.bodies.iter().position(|b| b.name == name);
+        let root = elements.frames.first().map_or("", |f| f.name.as_str());
+        let closing = |joint: &Joint<'a>| {
+            Some(Closing {
+                name: joint.name.clone(),
+                kind: joint.kind,
+                axes: joint.axes.clone(),
+                frames: [
+                    frame(&joint.base(self, root).text)?,
+                    frame(&joint.named("closed_base").text)
+                        .or_else(|| frame(&self.bodies.get(&joint.body.text)?.frame.text))?,
+                ],
+                points: [point(&joint.name.text)?, point(&joint.named("closed").text)?],
+                bodies: (
+                    body(&joint.body.text)?,
+                    match &joint.to {
+                        Some(to) => Some(body(&to.text)?),
+                        None => None,
+                    },
+                ),
+            })
+        };
+        self.list.iter().filter(|joint| !joint.carries).filter_map(closing).collect()
+    }
+}
+
+impl<'a> Loading<'a> {
+    /// Turns that are written one after the other: `{ sequence = "13", angles = ["pi/2", "a"] }`.
+    pub fn turns(
+        &mut self,
+        entry: &'a DeTable<'a>,
+        what: &str,
+        span: &std::ops::Range<usize>,
+    ) -> Option<Vec<(usize, Expr)>> {
+        let sequence = self.reader.need(entry, "sequence", what, span)?;
+        let axes = self.sequence(sequence, None)?;
+        let angles = self.reader.need(entry, "angles", what, span)?;
+        let DeValue::Array(list) = angles.get_ref() else {
+            self.reader.error(angles.span(), "`angles` must be an array", "write an angle for each turn");
+            return None;
+        };
+        if list.len() != axes.len() {
+            let message = format!("{} turns have {} angles", axes.len(), list.len());
+            self.reader.error(angles.span(), message, "write an angle for each digit of `sequence`");
+            return None;
+        }
+        let mut turns = Vec::new();
+        for (axis, angle) in axes.into_iter().zip(list.iter()) {
+            let angle = self.reader.formula(angle, "an angle")?;
+            turns.push((axis, self.quantity(&angle, CONFIGURATION, &Unit::default(), "an angle")?));
+        }
+        Some(turns)
+    }
+
+    /// The turns of a frame, in the order in which they lead to it: those about fixed axes come last to first.
+    pub fn frame_turns(
+        &mut self,
+        entry: &'a DeTable<'a>,
+        what: &str,
+        span: &std::ops::Range<usize>,
+    ) -> Option<Vec<(usize, Expr)>> {
+        let mut turns = self.turns(entry, what, span)?;
+        match self.reader.get(entry, "fixed") {
+            None => {}
+            Some(value) => {
+                let fixed = self.reader.string(value, "`fixed`")?;
+                match fixed.text.as_str() {
+                    "body" => {}
+                    "space" => turns.reverse(),
+                    other => {
+                        let message = format!("turns are fixed in body or space, not in `{}`", shown(other));
+                        self.reader.error(fixed.span, message, "write fixed = \"space\", or leave it out");
+                        return None;
+                    }
+                }
+            }
+        }
+        Some(turns)
+    }
+
+    /// The turns under a key of a joint.
+    fn turned(
+        &mut self,
+        joint: &Joint<'a>,
+        key: &str,
+        value: &'a toml::Spanned<DeValue<'a>>,
+    ) -> Option<Vec<(usize, Expr)>> {
+        let what = format!("`{key}` of {}", joint.what);
+        let table = self.reader.table(value, &what, "{ sequence = \"13\", angles = [\"pi/2\", \"a\"] }")?;
+        self.reader.allow(table, &what, &["sequence", "angles"]);
+        self.turns(table, &what, &value.span())
+    }
+
+    /// Declares the frames that joints bring.
+    pub fn joint_frames(&mut self, joints: &Joints<'a>, root: &str) -> Vec<FrameNode> {
+        let mut nodes = Vec::new();
+        for joint in &joints.list {
+            let mut parent = joint.frame_below(joints, root);
+            if let Some(value) = self.reader.get(joint.entry, "turned") {
+                let turns = self.turned(joint, "turned", value);
+                let base = joint.named("base");
+                let Some(turns) = turns else {
+                    self.names.spoil(&base.text);
+                    if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
+                        self.names.spoil(&placed.frame.text);
+                    }
+                    continue;
+                };
+                parent = self.chain(&mut nodes, (parent, base), turns);
+            }
+            if let Some(turned) = self.reader.get(joint.entry, "body_turned")
+                && let Some(placed) = joints.bodies.get(&joint.body.text)
+            {
+                let last = joint.named("closed_base");
+                match self.turned(joint, "body_turned", turned) {
+                    Some(turns) => drop(self.chain(&mut nodes, (placed.frame.clone(), last), turns)),
+                    None => self.names.spoil(&last.text),
+                }
+            }
+            let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) else { continue };
+            let mut turns = Vec::new();
+            for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
+                if let Freedom::About(axis) | Freedom::Screwed(axis) = freedom {
+                    turns.push((axis, self.arena.symbol(&name.text)));
+                }
+            }
+            if turns.is_empty() {
+                turns.push((2, Expr::ZERO));
+            }
+            self.chain(&mut nodes, (parent, placed.frame.clone()), turns);
+        }
+        nodes
+    }
+
+    /// Frames from one to another, `last`, by turns; those on the way are declared.
+    pub fn chain(
+        &mut self,
+        nodes: &mut Vec<FrameNode>,
+        (mut parent, last): (Located, Located),
+        turns: Vec<(usize, Expr)>,
+    ) -> Located {
+        let count = turns.len();
+        for (at, payload) in turns.into_iter().enumerate() {
+            let is_last = at + 1 == count;
+            let turned = || Located { text: format!("{}_turn{}", last.text, at + 1), ..last.clone() };
+            let name = if is_last { last.clone() } else { turned() };
+            // A frame of the file is declared where it stands.
+            if !is_last || self.names.kind(&name.text).is_none() {
+                self.names.declare_brought(&mut self.reader, &name, Kind::Frame);
+            }
+            nodes.push(Node { name: name.clone(), parent, payload });
+            parent = name;
+        }
+        parent
+    }
+
+    /// Declares the points that joints bring: that of each on its body, of the same name, and the mass centre.
+    pub fn joint_points(&mut self, joints: &Joints<'a>, table: &'a DeTable<'a>, root: (&str, &str)) -> Vec<PointNode> {
+        let stated = table.get("points").and_then(|v| v.get_ref().as_table());
+        let mut nodes = Vec::new();
+        for joint in &joints.list {
+            let (below, base) = (joint.frame_below(joints, root.0), joint.base(joints, root.0));
+            let home = joint.home(joint.to.as_ref(), joints, root.1);
+            let Some((mut from, at)) = self.place(joint, "at", home) else {
+                self.spoil_points(joint, joints);
+                continue;
+            };
+            let Some(way) = self.way_along(joint) else {
+                self.spoil_points(joint, joints);
+                continue;
+            };
+            let mut payload = (below.clone(), at);
+            if base.text == below.text {
+                payload.1 = [0, 1, 2].map(|i| self.arena.add(at[i], way[i]));
+            } else if way != [Expr::ZERO; 3] {
+                if at != [Expr::ZERO; 3] {
+                    let name = joint.named("on");
+                    self.names.declare_brought(&mut self.reader, &name, Kind::Point);
+                    nodes.push(Node { name: name.clone(), parent: from, payload });
+                    from = name;
+                }
+                payload = (base, way);
+            }
+            self.names.declare_brought(&mut self.reader, &joint.name, Kind::Point);
+            nodes.push(Node { name: joint.name.clone(), parent: from, payload });
+            let Some(placed) = joints.bodies.get(&joint.body.text) else { continue };
+            if !joint.carries {
+                let home = joint.home(Some(&joint.body), joints, root.1);
+                let Some((from, at)) = self.place(joint, "body_at", home) else { continue };
+                let name = joint.named("closed");
+                self.names.declare_brought(&mut self.reader, &name, Kind::Point);
+                nodes.push(Node { name, parent: from, payload: (placed.frame.clone(), at) });
+            } else if stated.is_none_or(|points| !points.contains_key(placed.centre.text.as_str())) {
+                let Some((from, at)) = self.place(joint, "centre", joint.name.clone()) else {
+                    self.names.spoil(&placed.centre.text);
+                    continue;
+                };
+                self.names.declare_brought(&mut self.reader, &placed.centre, Kind::Point);
+                nodes.push(Node { name: placed.centre.clone(), parent: from, payload: (placed.frame.clone(), at) });
+            } else if let Some(value) = self.reader.get(joint.entry, "centre") {
+                let message = format!("the mass centre of `{}` is a point already", joint.body.text);
+                self.reader.error(value.span(), message, "state it in one of the two places");
+            }
+        }
+        nodes
+    }
+
+    /// Notes that it is reported why a joint has no points.
+    fn spoil_points(&mut self, joint: &Joint<'a>, joints: &Joints<'a>) {
+        self.names.spoil(&joint.name.text);
+        if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
+            self.names.spoil(&placed.centre.text);
+        }
+    }
+
+    /// Where a joint is on a body: a point, or components from `home`, which it is if the key is left out.
+    fn place(&mut self, joint: &Joint<'a>, key: &str, home: Located) -> Option<(Located, [Expr; 3])> {
+        match self.reader.get(joint.entry, key) {
+            None => Some((home, [Expr::ZERO; 3])),
+            Some(value) => match value.get_ref() {
+                DeValue::String(_) => Some((self.reader.string(value, key)?, [Expr::ZERO; 3])),
+                _ => {
+                    let metre = Unit::new(1, 0, 0);
+                    let (what, span) = (&joint.what, &joint.name.span);
+                    Some((home, vector(self, joint.entry, key, what, span, CONFIGURATION, &metre)?))
+                }
+            },
+        }
+    }
+
+    /// How far the coordinates of a joint have carried its point, in its base frame.
+    fn way_along(&mut self, joint: &Joint<'a>) -> Option<[Expr; 3]> {
+        let mut way = [Expr::ZERO; 3];
+        for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
+            let q = self.arena.symbol(&name.text);
+            match freedom {
+                Freedom::Along(axis) => way[axis] = q,
+                Freedom::Screwed(axis) => {
+                    let lead = self.reader.need(joint.entry, "lead", &joint.what, &joint.name.span)?;
+                    let lead = self.reader.formula(lead, "`lead`")?;
+                    let lead = self.quantity(&lead, PARAMETERS, &Unit::new(1, 0, 0), "the lead of a screw")?;
+                    let turn = self.arena.pi();
+                    let turn = self.arena.scale(turn, &Rational::integer(2));
+                    let advance = self.arena.mul(lead, q);
+                    way[axis] = self.arena.div(advance, turn)?;
+                }
+                Freedom::About(_) => {}
+            }
+        }
+        Some(way)
+    }
+
+    /// What closed joints tie: components of the way between their two points, and of axes that stay along one another.
+    /// The forces act at the joint's point on the body, on whatever is there of the other, so that they do no work in loops that are open
+    /// either.
+    pub fn closed(&mut self, moving: &mut Moving, closings: &[Closing]) -> (Vec<Stated>, Vec<Holding>) {
+        let (mut list, mut holding) = (Vec::new(), Vec::new());
+        for Closing { name, kind, axes, frames: [base, body], points: [on, at], bodies } in closings {
+            let axis = axes.first().copied().unwrap_or(2);
+            let across = [(axis + 1) % 3, (axis + 2) % 3];
+            // (axis of the body, axis of the base) pairs that stay at right angles.
+            let (ways, right): (Vec<usize>, Vec<(usize, usize)>) = match kind {
+                JointKind::Pin => (vec![0, 1, 2], across.map(|i| (axis, i)).to_vec()),
+                JointKind::Ball => (vec![0, 1, 2], Vec::new()),
+                JointKind::Universal => (vec![0, 1, 2], vec![(axes[1], axes[0])]),
+                JointKind::Slider => (across.to_vec(), vec![(0, 1), (1, 2), (2, 0)]),
+                JointKind::Cylinder => (across.to_vec(), across.map(|i| (axis, i)).to_vec()),
+                JointKind::Planar => (vec![axis], across.map(|i| (axis, i)).to_vec()),
+                JointKind::Weld => (vec![0, 1, 2], vec![(0, 1), (1, 2), (2, 0)]),
+                JointKind::Free | JointKind::Screw => (Vec::new(), Vec::new()),
+            };
+            let mut state = |loading: &mut Self, part: String, equation: Expr, kind: ReactionKind, direction| {
+                let name_of = format!("{}_{part}", name.text);
+                let what = if let ReactionKind::Force { .. } = kind { "force" } else { "torque" };
+                let called = format!("{}_{what}{}", name.text, part.trim_start_matches("turn"));
+                let symbol = loading.arena.symbol(&called);
+                let located = Located { text: called.clone(), ..name.clone() };
+                loading.names.declare(&mut loading.reader, &located, Kind::Reaction, Some(symbol));
+                let reaction = Reaction { name: called, symbol, kind, frame: *base, direction, is_stated: false };
+                holding.push((name_of.clone(), reaction));
+                list.push(Stated {
+                    name: name_of,
+                    equation,
+                    enforced_by: None,
+                    span: name.span.clone(),
+                    may_repeat: true,
+                });
+            };
+            let way = moving.way(&mut self.arena, *on, *at);
+            for i in ways {
+                let equation = moving.component(&mut self.arena, &way, *base, i);
+                let place = |body| Place { body, point: *at };
+                let kind = ReactionKind::Force { on: place(bodies.0), against: bodies.1.map(place) };
+                let mut direction = [Expr::ZERO; 3];
+                direction[i] = Expr::ONE;
+                state(self, format!("{}", i + 1), equation, kind, direction);
+            }
+            for (of, along) in right {
+                let mut unit = [Expr::ZERO; 3];
+                unit[of] = Expr::ONE;
+                let axis = Vector::in_frame(*body, unit);
+                let [x, y, z] = [0, 1, 2].map(|i| moving.component(&mut self.arena, &axis, *base, i));
+                // The cosine of two axes changes as they turn about the normal of both.
+                let mut other = [Expr::ZERO; 3];
+                other[along] = Expr::ONE;
+                let direction = cross_components(&mut self.arena, &[x, y, z], &other);
+                let kind = ReactionKind::Torque { on: bodies.0, against: bodies.1 };
+                state(self, format!("turn{}{}", of + 1, along + 1), [x, y, z][along], kind, direction);
+            }
+        }
+        (list, holding)
+    }
+}
+
+impl Model {
+    /// Takes the reactions of those equations of joints that are constraints: what follows from others needs none.
+    /// Directions have what constraints fix put in.
+    pub(super) fn hold_joints(&mut self, holding: Vec<Holding>, fixed: &mut Substitution) {
+        for (name, mut reaction) in holding {
+            let solved = self.constraints.iter().any(|c| c.name == name);
+            if solved || self.motion_constraints.iter().any(|c| c.name == name) {
+                reaction.direction = reaction.direction.map(|e| fixed.apply(&mut self.arena, e));
+                self.reactions.push(reaction);
+            }
+        }
+    }
+}

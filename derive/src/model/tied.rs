@@ -1,0 +1,74 @@
+//! What constraints tie.
+
+use super::Unit;
+use crate::algebra::Expr;
+
+/// A holonomic constraint, solved for one configuration variable.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Its name in the file.
+    pub name: String,
+    /// The expression that is zero.
+    pub equation: Expr,
+    /// The configuration variable that it fixes.
+    pub fixes: String,
+    /// The value of that variable, in the generalized coordinates.
+    pub value: Expr,
+    /// The reaction that enforces it, if it is named.
+    pub enforced_by: Option<usize>,
+}
+
+/// An equation φ(q) = 0 between coordinates that none of them can be solved from, such as that a loop is closed.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// Its name in the file.
+    pub name: String,
+    /// φ(q), which is zero.
+    pub equation: Expr,
+    /// Its unit, in SI.
+    pub unit: Unit,
+}
+
+/// What a motion constraint states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tie {
+    /// An equation of the file between velocities.
+    Stated,
+    /// That a body rolls without slip.
+    Rolling,
+    /// The time derivative of an equation between coordinates, by its place in [`super::Model::loops`].
+    Loop(usize),
+    /// That time goes on: t' = 1.
+    Clock,
+}
+
+/// A motion constraint A(q) q̇ + a(q) = 0: what it permits cannot be said by coordinates alone, unless it can be
+/// integrated.
+#[derive(Clone, Debug)]
+pub struct MotionConstraint {
+    /// Its name.
+    pub name: String,
+    /// A(q) q̇ + a(q), which is zero.
+    pub equation: Expr,
+    /// a(q): where it is not zero, the constraint drives the mechanism, and its force works.
+    pub drive: Expr,
+    /// Its unit, in SI: that of a generalized speed.
+    pub unit: Unit,
+    /// The multiplier λ of Lagrange's equations: the constraint adds Aᵀλ to the generalized forces.
+    pub multiplier: Expr,
+    /// What it states.
+    pub tie: Tie,
+    /// The reaction that enforces it, if it is named.
+    pub enforced_by: Option<usize>,
+}
+
+/// A constraint that follows from others wherever the loops are closed, though not elsewhere.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DependentConstraint {
+    /// Its name.
+    pub name: String,
+    /// The constraints that it follows from.
+    pub of: Vec<String>,
+    /// In how many closed poses this was found, at the default values.
+    pub poses: usize,
+}

@@ -1,0 +1,86 @@
+//! What is decided where the loops of a mechanism are closed: which constraints follow from others there, and which speeds of joints
+//! determine the motion best.
+
+use super::closed_poses::{Closed, Dependent, Poses, reach};
+use super::loading::Loading;
+use super::motion_constraints::Ties;
+use super::{Coordinate, DependentConstraint, Tie, Unit};
+use crate::algebra::Expr;
+use crate::algebra::linear::LinearForm;
+use std::ops::Range;
+
+impl Loading<'_> {
+    /// Takes those constraints out of the independent ones that follow from others wherever the loops are closed, and chooses among the
+    /// speeds that joints bring (`brought`) where there are too many. Without closed poses those of `also` are taken out, whose rates
+    /// follow from the others everywhere.
+    pub fn when_closed(
+        &mut self,
+        coordinates: &[Coordinate],
+        (speeds, brought): (&[Expr], &[bool]),
+        (defaults, also): (&[(Expr, f64)], Range<usize>),
+        ties: &mut Ties,
+    ) {
+        if ties.loops.is_empty() {
+            return;
+        }
+        let Some(closed) = self.closed_poses(coordinates, speeds, defaults, ties) else {
+            for at in also.rev() {
+                take_out(ties, at);
+            }
+            return;
+        };
+        let count = ties.motion.len();
+        let (stated, may_go): (Vec<usize>, Vec<usize>) = (0..speeds.len()).partition(|at| !brought[*at]);
+        let kept: Vec<usize> = closed.independent().iter().copied().chain(stated.iter().map(|at| count + at)).collect();
+        let wanted = coordinates.len().saturating_sub(kept.len());
+        if may_go.len() > wanted {
+            let among = may_go.iter().map(|at| count + at).collect();
+            let chosen = closed.choose(kept, among, wanted);
+            ties.speeds = Some(stated.into_iter().chain(chosen.into_iter().map(|row| row - count)).collect());
+        }
+        let names: Vec<String> = ties.motion.iter().map(|(c, _)| c.name.clone()).collect();
+        for Dependent { at, of } in closed.dependent().iter().rev() {
+            let name = take_out(ties, *at);
+            let of = of.iter().map(|at| names[*at].clone()).collect();
+            ties.dependent.insert(0, DependentConstraint { name, of, poses: closed.count() });
+        }
+    }
+
+    /// The slopes of constraints and speeds in closed poses, if such are found.
+    fn closed_poses(
+        &mut self,
+        coordinates: &[Coordinate],
+        speeds: &[Expr],
+        defaults: &[(Expr, f64)],
+        ties: &Ties,
+    ) -> Option<Closed> {
+        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
+        let mut form = LinearForm::new(&rates);
+        let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(speeds.iter().copied());
+        let rows: Result<Vec<Vec<Expr>>, _> =
+            equations.map(|e| form.coefficients(&mut self.arena, e).map(|(row, _)| row)).collect();
+        // What is not linear is reported where the rates are solved for.
+        let rows = rows.ok()?;
+        let lengths = defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
+        let reach = reach(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
+        let places: Vec<Expr> = coordinates.iter().map(|c| c.symbol).collect();
+        let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
+        let poses = Poses { known: defaults, coordinates: &places, reach: &reach, loops: &equations };
+        let count = ties.motion.len();
+        Closed::new(&mut self.arena.clone(), &poses, count, &rows)
+    }
+}
+
+/// Takes a constraint out of the independent ones; one that closes a loop goes on to do that. Returns its name.
+fn take_out(ties: &mut Ties, at: usize) -> String {
+    let (constraint, _) = ties.motion.remove(at);
+    if let Tie::Loop(place) = constraint.tie {
+        ties.closed.insert(0, ties.loops.remove(place));
+        for (other, _) in &mut ties.motion {
+            if let Tie::Loop(at) = &mut other.tie {
+                *at -= usize::from(*at > place);
+            }
+        }
+    }
+    constraint.name
+}

@@ -1,0 +1,94 @@
+//! Loops that tie less where they are closed than elsewhere, and which speeds determine them best.
+//!
+//! Truth: linkages of pins in space that are known to move, R. Bricard 1897 and G. T. Bennett 1903, the latter with its angles in
+//! closed form.
+
+use crate::common;
+
+use common::{errors, read};
+use tripos_derive::diagnostic::Source;
+use tripos_derive::mechanics::derive_all;
+use tripos_derive::model::{Model, Tie};
+use tripos_derive::prove::prove;
+
+const BRICARD: &str = include_str!("loops/bricard.toml");
+const BENNETT: &str = include_str!("loops/bennett.toml");
+
+fn load(text: &str) -> Model {
+    read(text).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn proved(model: &Model) {
+    let mut derivations = derive_all(model).unwrap();
+    let proof = prove(model, &mut derivations);
+    assert_eq!(proof.pairs.len(), 3);
+    assert!(proof.pairs.iter().all(|e| e.verdict.is_equal()), "{:?}", proof.pairs);
+}
+
+/// Goal: six pins that stop six bars everywhere but where they are closed leave one freedom there. Method: five equations, of which
+/// four tie; the circuit of those that depend on one another; three derivations.
+#[test]
+fn bricards_linkage_moves() {
+    let model = load(BRICARD);
+    assert_eq!((model.coordinates.len(), model.speeds.len(), model.motion_constraints.len()), (5, 1, 4));
+    let [dependent] = model.dependent.as_slice() else { panic!("{:?}", model.dependent) };
+    let mut circuit = dependent.of.clone();
+    circuit.push(dependent.name.clone());
+    circuit.sort();
+    assert_eq!(circuit, ["P6_1", "P6_2", "P6_turn12", "P6_turn13"]);
+    assert!(dependent.poses > 50, "{dependent:?}");
+    assert_eq!(model.closed.iter().map(|c| &c.name).collect::<Vec<_>>(), [&dependent.name]);
+    proved(&model);
+}
+
+/// Goal: the start of an overdetermined loop is where all of it is closed. Method: with one angle given, tan(q1/2) tan(q2/2) =
+/// sin((β + α)/2)/sin((β − α)/2) and q3 = −q1, whichever of them was left out.
+#[test]
+fn bennetts_linkage_closes_and_moves() {
+    let mut model = load(BENNETT);
+    assert_eq!((model.loops.len(), model.closed.len(), model.dependent.len()), (2, 3, 3));
+    let ties: Vec<_> = model.motion_constraints.iter().map(|c| c.tie).collect();
+    assert_eq!(ties, [Tie::Loop(0), Tie::Loop(1)]);
+    proved(&model);
+    let speed = model.speeds[0].name.clone();
+    let (alpha, beta): (f64, f64) = (std::f64::consts::PI / 6.0, 0.75_f64.asin());
+    let ratio = f64::midpoint(beta, alpha).sin() / ((beta - alpha) / 2.0).sin();
+    for q1 in [0.3, 1.0, 2.5] {
+        let text = format!(
+            "model = \"model.toml\"\nspan = [0, 1]\n[start]\nq_P1 = {q1}\n{speed} = 0\n[guess]\nq_P2 = 2\nq_P3 = -1\n"
+        );
+        let scene = tripos_derive::scene::load(&Source::from_text("scene.toml", &text), &mut model)
+            .unwrap_or_else(|e| panic!("{e}"));
+        let q2 = 2.0 * (ratio / (q1 / 2.0_f64).tan()).atan();
+        assert!((scene.q[1] - q2).abs() < 1e-12 && (scene.q[2] + q1).abs() < 1e-12, "{:?}, {q2}", scene.q);
+    }
+}
+
+/// Goal: with other lengths the same bars do not move. Method: the second twist no longer fits.
+#[test]
+fn what_does_not_fit_does_not_move() {
+    let text = BENNETT.replace("asin(b/a*sin(alpha))", "asin(b/a*sin(alpha)/2)");
+    let errors = errors(&text).to_string();
+    assert!(errors.contains("nothing can move"), "{errors}");
+}
+
+/// Goal: a speed that goes all the way round is chosen. Method: crank-rockers by pins, whose crank comes first, in the middle and last.
+/// The crank turns against the ground and the coupler alike; the rocker has dead points.
+#[test]
+fn what_goes_round_is_chosen() {
+    let head = "name = \"bars\"\n[parameters]\na = \"0.3 m\"\nb = \"0.8 m\"\nc = \"0.6 m\"\nd = \"0.7 m\"\nm = \"1 kg\"\nI = \"1 \
+                kg*m^2\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n[bodies]\ncrank = { mass = \"m\", inertia = \"I\" }\ncoupler = { mass = \
+                \"m\", inertia = \"I\" }\nrocker = { mass = \"m\", inertia = \"I\" }\n[joints]\n";
+    let of_crank = "A = { kind = \"pin\", body = \"crank\" }\n";
+    let of_coupler = "B = { kind = \"pin\", body = \"coupler\", to = \"crank\", at = [\"a\", 0, 0] }\n";
+    let of_rocker = "D = { kind = \"pin\", body = \"rocker\", at = [\"d\", 0, 0] }\n";
+    let closing =
+        "C = { kind = \"pin\", body = \"rocker\", to = \"coupler\", at = [\"b\", 0, 0], body_at = [\"c\", 0, 0] }\n";
+    for order in
+        [[of_crank, of_coupler, of_rocker], [of_rocker, of_crank, of_coupler], [of_rocker, of_coupler, of_crank]]
+    {
+        let model = load(&format!("{head}{}{closing}", order.concat()));
+        let [speed] = model.speeds.as_slice() else { panic!("one freedom") };
+        assert!(["u_A", "u_B"].contains(&speed.name.as_str()), "{}", speed.name);
+    }
+}

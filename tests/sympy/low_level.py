@@ -1,0 +1,240 @@
+"""What saves typing in a model file (docs/model.md), written out: repetition, named expressions, units of numbers, joints and
+sequences of turns. What is left has frames by one axis and one angle, points, coordinates and speeds alone."""
+
+import re
+from fractions import Fraction
+
+from sympy.physics.mechanics import ReferenceFrame, dynamicsymbols
+
+from grammar import Unsupported, expression, text
+
+PROSE = ("name", "source", "about", "unit", "kind", "fixed", "sequence")
+SCALES = {
+    "mm": ("m", "1/1000"), "cm": ("m", "1/100"), "km": ("m", "1000"), "g": ("kg", "1/1000"), "t": ("kg", "1000"),
+    "ms": ("s", "1/1000"), "min": ("s", "60"), "h": ("s", "3600"), "kN": ("N", "1000"), "kJ": ("J", "1000"),
+    "kW": ("W", "1000"), "kPa": ("Pa", "1000"), "MPa": ("Pa", "1000000"), "deg": ("rad", "pi/180"),
+    "rev": ("rad", "2*pi"), "rpm": ("1/s", "pi/30"),
+}  # fmt: skip
+NUMBER = re.compile(r"\s*(.*[\d.)])\s+([A-Za-z][\w*/^]*)\s*$", re.DOTALL)
+
+
+def low_level(tables):
+    """The tables of a file without what saves typing."""
+    tables = repeated(tables)
+    named = {}
+    for name, value in tables.pop("expressions", {}).items():
+        value = value["value"] if isinstance(value, dict) else value
+        named[name] = f"({put_names(str(value), named)})"
+    tables = {key: with_names(value, named) for key, value in tables.items() if key not in PROSE} | {
+        key: value for key, value in tables.items() if key in PROSE
+    }
+    if "parameters" in tables:
+        tables["parameters"] = {name: parameter(entry) for name, entry in tables["parameters"].items()}
+    write_joints(tables)
+    write_sequences(tables)
+    write_planar(tables)
+    return tables
+
+
+# Repetition
+
+
+def repeated(tables):
+    counts = tables.get("counts", {})
+    return {key: write_out(value, counts, key) for key, value in tables.items() if key != "counts"}
+
+
+def write_out(value, numbers, key=""):
+    if isinstance(value, str):
+        return value if key in PROSE else re.sub(r"\{([^}]*)\}", lambda found: whole(found[1], numbers), value)
+    if isinstance(value, list):
+        return [write_out(item, numbers) for item in value]
+    if isinstance(value, dict):
+        result = {}
+        for key, item in value.items():
+            for name, inner in keys(key, numbers):
+                result[name] = write_out(item, inner, key)
+        return result
+    return value
+
+
+def keys(key, numbers):
+    """Each name that a key stands for, with its indices."""
+    found = re.search(r"\{([^}]*)\}", key)
+    if not found:
+        return [(key, numbers)]
+    before, after = key[: found.start()], key[found.end() :]
+    ranged = re.fullmatch(r"\s*(\w+) in (.*)\.\.(.*)", found[1])
+    if not ranged:
+        return keys(before + whole(found[1], numbers) + after, numbers)
+    index, first, last = ranged.groups()
+    span = range(int(whole(first, numbers)), int(whole(last, numbers)) + 1)
+    return [entry for i in span for entry in keys(f"{before}{i}{after}", numbers | {index: i})]
+
+
+def whole(formula, numbers):
+    value = expression(formula, numbers)
+    if not getattr(value, "is_integer", isinstance(value, int)):
+        raise Unsupported(f"`{{{formula}}}` is not a whole number")
+    return str(value)
+
+
+# Named expressions and units
+
+
+def put_names(formula, named):
+    return re.sub(r"[A-Za-z]\w*", lambda word: named.get(word[0], word[0]), formula)
+
+
+def with_names(value, named, key=""):
+    if isinstance(value, str):
+        return value if key in PROSE else without_unit(put_names(value, named))
+    if isinstance(value, list):
+        return [with_names(item, named) for item in value]
+    if isinstance(value, dict):
+        return {key: with_names(item, named, key) for key, item in value.items()}
+    return value
+
+
+def without_unit(formula):
+    """`90 deg` as a formula."""
+    found = NUMBER.match(formula)
+    if not found:
+        return formula
+    factors = [(word, SCALES.get(word, ("", "1"))[1]) for word in re.findall(r"[A-Za-z]+", found[2])]
+    scale = found[2]
+    for word, factor in factors:
+        scale = re.sub(rf"\b{word}\b", f"({factor})", scale)
+    return f"({found[1]})*{scale}"
+
+
+def parameter(entry):
+    """Values are no part of equations: `l = "0.5 m"` is the symbol alone."""
+    return entry if isinstance(entry, dict) else {"unit": "", "value": entry}
+
+
+# Joints
+
+KINDS = {
+    "pin": lambda axes: [("turn", axes[0])],
+    "slider": lambda axes: [("way", axes[0])],
+    "cylinder": lambda axes: [("turn", axes[0]), ("way", axes[0])],
+    "screw": lambda axes: [("screw", axes[0])],
+    "universal": lambda axes: [("turn", axis) for axis in axes],
+    "ball": lambda axes: [("turn", axis) for axis in axes],
+    "planar": lambda axes: [("way", axes[0] % 3 + 1), ("way", (axes[0] + 1) % 3 + 1), ("turn", axes[0])],
+    "weld": lambda axes: [],
+    "free": lambda axes: [("way", 1), ("way", 2), ("way", 3)] + [("turn", axis) for axis in axes],
+}
+
+
+def write_joints(tables):
+    joints = tables.pop("joints", {})
+    if not joints:
+        return
+    inertial = tables["inertial"]
+    sections = {name: tables.setdefault(name, {}) for name in ("coordinates", "speeds", "frames", "points")}
+    bodies, carrier = tables.get("bodies", {}), {}
+    stated = {"frames": set(sections["frames"]), "points": set(sections["points"])}
+    for name, body in bodies.items():
+        body.setdefault("frame", f"{name}_frame")
+        body.setdefault("centre", f"{name}_centre")
+    for name, joint in joints.items():
+        if joint["body"] in carrier or bodies[joint["body"]]["frame"] in stated["frames"]:
+            raise Unsupported(f"joint `{name}` closes a loop")
+        carrier[joint["body"]] = name
+    for name, joint in joints.items():
+        body, below = bodies[joint["body"]], bodies.get(joint.get("to", ""))
+        frame = below["frame"] if below else inertial["frame"]
+        home = inertial["origin"] if not below else carrier.get(joint["to"], below["centre"])
+        base = frame
+        if "turned" in joint:
+            base = f"{name}_base"
+            sections["frames"][base] = {"from": frame, **joint["turned"]}
+        if joint["kind"] in ("universal", "ball", "free"):
+            default = [1, 2] if joint["kind"] == "universal" else "123"
+            axes = [int(axis) for axis in joint.get("axes", joint.get("sequence", default))]
+        else:
+            axes = [joint.get("axis", 3)]
+        freedoms = KINDS[joint["kind"]](axes)
+        one = len(freedoms) == 1
+        names = joint.get("coordinates", [f"q_{name}" + ("" if one else f"_{at + 1}") for at in range(len(freedoms))])
+        way, turns = ["0", "0", "0"], []
+        for q, (what, axis) in zip(names, freedoms):
+            sections["coordinates"][q] = {"unit": "m" if what == "way" else "rad"}
+            if what == "way":
+                way[axis - 1] = q
+            if what == "screw":
+                way[axis - 1] = f"({joint['lead']})*{q}/(2*pi)"
+            if what in ("turn", "screw"):
+                turns.append((axis, q))
+        write_speeds(sections["speeds"], joint, names, turns)
+        sections["frames"][body["frame"]] = turned(base, turns or [(3, "0")])
+        at = joint.get("at", [0, 0, 0])
+        start, at = (at, [0, 0, 0]) if isinstance(at, str) else (home, at)
+        on = f"{name}_on"
+        sections["points"][on] = {"from": start, "frame": frame, "position": at}
+        sections["points"][name] = {"from": on, "frame": base, "position": way}
+        if body["centre"] not in stated["points"]:
+            sections["points"][body["centre"]] = {
+                "from": name,
+                "frame": body["frame"],
+                "position": joint.get("centre", [0, 0, 0]),
+            }
+
+
+def write_speeds(section, joint, names, turns):
+    """Rates, but components of the angular velocity relative to what carries for three turns."""
+    speeds = joint.get("speeds", [f"u{q[1:]}" if q.startswith("q") else f"u_{q}" for q in names])
+    if not speeds:
+        return
+    formulas = [f"{q}'" for q in names]
+    if joint["kind"] in ("ball", "free"):
+        angles = dynamicsymbols([q for _, q in turns])
+        below, frame = ReferenceFrame("below"), ReferenceFrame("frame")
+        frame.orient_body_fixed(below, angles, "".join(str(axis) for axis, _ in turns))
+        formulas[-3:] = [text(e) for e in frame.ang_vel_in(below).to_matrix(frame)]
+    section |= dict(zip(speeds, formulas))
+
+
+def turned(parent, turns):
+    return {
+        "from": parent,
+        "sequence": "".join(str(axis) for axis, _ in turns),
+        "angles": [angle for _, angle in turns],
+    }
+
+
+def write_sequences(tables):
+    """A frame by several turns as a frame for each."""
+    frames = {}
+    for name, entry in tables.get("frames", {}).items():
+        if "sequence" not in entry:
+            frames[name] = entry
+            continue
+        turns = list(zip(entry["sequence"], entry["angles"], strict=True))
+        if entry.get("fixed") == "space":
+            turns.reverse()
+        parent = entry["from"]
+        for at, (axis, angle) in enumerate(turns):
+            inner = name if at + 1 == len(turns) else f"{name}_turn{at + 1}"
+            frames[inner] = {"from": parent, "axis": int(axis), "angle": angle}
+            parent = inner
+    if frames:
+        tables["frames"] = frames
+
+
+def write_planar(tables):
+    """One moment of inertia, about the axis that the body turns about."""
+    for body in tables.get("bodies", {}).values():
+        moment = body.get("inertia")
+        if isinstance(moment, (str, int, Fraction)):
+            axis, frame = 3, tables.get("frames", {}).get(body["frame"])
+            while frame:
+                if re.search(r"[A-Za-z]", str(frame["angle"])):
+                    axis = frame["axis"]
+                    break
+                frame = tables["frames"].get(frame["from"])
+            plate = [f"({moment})/2"] * 3
+            plate[axis - 1] = moment
+            body["inertia"] = {"diagonal": plate}
