@@ -3,7 +3,7 @@
 use crate::code::{Code, Ready, by_or_first, code};
 use crate::digits::{Digits, Values, assess};
 use crate::error::{Error, refused};
-use crate::how::options;
+use crate::how::{options, options_of_ends};
 use crate::invariants::Watch;
 use crate::mechanism::Mechanism;
 use crate::power::power;
@@ -18,7 +18,7 @@ use tripos_derive::Formulation;
 use tripos_derive::mechanics::{By, is_reducible};
 use tripos_derive::reduce::Ground;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
-use tripos_sim::{Solution, Stop};
+use tripos_sim::{Method, Solution, Stop};
 
 /// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced
 /// ones where these are a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
@@ -111,8 +111,9 @@ fn past_dead_point(mechanism: &Mechanism, scene: &Scene, run: Run) -> Result<Run
     }
     let mut other = scene.clone();
     other.integration.solve = Some(Solve::Numeric);
-    if other.integration.method == "taylor" {
-        "dop853".clone_into(&mut other.integration.method);
+    // Taylor series are those of solved equations.
+    if options_of_ends(scene)?.method == Method::Taylor {
+        Method::Dop853.name().clone_into(&mut other.integration.method);
     }
     let watch = proved(mechanism)?;
     let mut through = match run_whole(mechanism, &other, &By::from(Formulation::Lagrange), watch.as_ref()) {

@@ -120,7 +120,7 @@ impl Closed {
         self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
     }
 
-    /// Of what depends on one another, calls that dependent without which the rest is farthest from it.
+    /// Calls that dependent, among what depends on one another, without which the rest is farthest from it.
     fn choose_dependent(&mut self) {
         for at in 0..self.dependent.len() {
             let Dependent { at: last, of } = &self.dependent[at];
@@ -172,7 +172,7 @@ impl Closed {
     }
 }
 
-/// Of the first rows, those that do not follow from those before them, and those that do; nothing where it is not clear.
+/// The first rows that do not follow from those before them, and those that do; nothing where it is not clear.
 fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<(Vec<usize>, Vec<Dependent>)> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let (mut independent, mut dependent) = (Vec::new(), Vec::new());

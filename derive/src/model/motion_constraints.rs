@@ -66,7 +66,7 @@ pub struct Tied<'m> {
 struct Independent {
     motion: Vec<(MotionConstraint, Range<usize>)>,
     repeated: Vec<String>,
-    /// Of loops of joints, those whose rates follow from the others: they may be closed or open where the others are closed.
+    /// Loops of joints whose rates follow from the others: they may be closed or open where the others are closed.
     also: Vec<(MotionConstraint, Range<usize>)>,
 }
 
