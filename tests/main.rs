@@ -13,6 +13,7 @@ mod exact_motions;
 mod fresh;
 mod interpreted;
 mod lanes;
+mod library;
 mod loops;
 #[path = "support/mechanism.rs"]
 #[allow(dead_code, reason = "the battery uses its part")]

@@ -34,6 +34,8 @@ pub struct Reference {
     pub quantities: Vec<(String, String)>,
     /// The equations of motion by each formulation that is there; always by Kane and by Lagrange.
     pub systems: Vec<System>,
+    /// Why there is nothing, where the other program does not derive this model.
+    pub not_derived: Option<String>,
 }
 
 /// matrix · unknowns = forcing, as formulas.
@@ -86,6 +88,13 @@ pub enum ReferenceError {
         /// What is wrong with it.
         error: QuantityError,
     },
+    /// The other program does not derive this model.
+    NotDerived {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        why: String,
+    },
     /// A formula cannot be read.
     Formula {
         /// The file.
@@ -111,6 +120,7 @@ impl fmt::Display for ReferenceError {
             Self::Quantity { file, name, error } => {
                 write!(f, "{}: `{}`: {} ({})", path_in_line(file), shown(name), error.message, error.help)
             }
+            Self::NotDerived { file, why } => write!(f, "{}: {}", path_in_line(file), shown(why)),
             Self::Formula { file, name, error } => {
                 write!(f, "{}: the value of `{}`: {}", path_in_line(file), shown(name), error.message)
             }
@@ -130,9 +140,14 @@ impl Reference {
         let value: Value = serde_json::from_str(&source.text).map_err(not_json)?;
         let file_table = value.as_object().ok_or_else(|| form(file, "the file", "an object"))?;
         let table = Table { file, path: "", entries: file_table };
+        let not_derived = match file_table.get(NOT_DERIVED) {
+            Some(_) => Some(table.text(NOT_DERIVED)?),
+            None => None,
+        };
         let mut systems = Vec::new();
         for (formulation, key) in SYSTEMS {
-            if !formulation.carries_reactions() || file_table.contains_key(key) {
+            let is_wanted = not_derived.is_none() && !formulation.carries_reactions();
+            if is_wanted || file_table.contains_key(key) {
                 systems.push(table.table(key)?.system(formulation)?);
             }
         }
@@ -141,8 +156,9 @@ impl Reference {
             model: table.text("model")?,
             text_hash: table.text("text_hash")?,
             sympy: table.text("sympy")?,
-            quantities: table.table("quantities")?.formulas()?,
+            quantities: if not_derived.is_some() { Vec::new() } else { table.table("quantities")?.formulas()? },
             systems,
+            not_derived,
         })
     }
 
@@ -165,6 +181,9 @@ impl Reference {
 pub fn environment_name(requirements: &str) -> String {
     format!("sympy-{}", text_hash(requirements))
 }
+
+/// The key of the reason why there is nothing.
+const NOT_DERIVED: &str = "not_derived";
 
 /// The formulations with their keys.
 const SYSTEMS: [(Formulation, &str); 3] =

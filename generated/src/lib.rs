@@ -5,9 +5,17 @@
 
 #![no_std]
 #![allow(clippy::pedantic)]
+/// The model `bricard`.
+#[rustfmt::skip]
+pub mod bricard;
+
 /// The model `cart_pendulum_3`.
 #[rustfmt::skip]
 pub mod cart_pendulum_3;
+
+/// The model `cart_with_spring`.
+#[rustfmt::skip]
+pub mod cart_with_spring;
 
 /// The model `chaotic_pendulum`.
 #[rustfmt::skip]
@@ -41,6 +49,18 @@ pub mod four_bar;
 #[rustfmt::skip]
 pub mod free_body;
 
+/// The model `furuta`.
+#[rustfmt::skip]
+pub mod furuta;
+
+/// The model `gimbals`.
+#[rustfmt::skip]
+pub mod gimbals;
+
+/// The model `governor`.
+#[rustfmt::skip]
+pub mod governor;
+
 /// The model `heavy_top`.
 #[rustfmt::skip]
 pub mod heavy_top;
@@ -57,15 +77,33 @@ pub mod pendulum;
 #[rustfmt::skip]
 pub mod rolling_disc;
 
+/// The model `slider_crank`.
+#[rustfmt::skip]
+pub mod slider_crank;
+
 /// The model `spherical_pendulum`.
 #[rustfmt::skip]
 pub mod spherical_pendulum;
 
+/// The model `squeezer`.
+#[rustfmt::skip]
+pub mod squeezer;
+
+/// The model `whipple_bicycle`.
+#[rustfmt::skip]
+pub mod whipple_bicycle;
+
+/// The model `window_linkage`.
+#[rustfmt::skip]
+pub mod window_linkage;
+
 /// Every compiled model, by name.
 #[rustfmt::skip]
 pub static MODELS: &[tripos_traits::CompiledModel] = &[
-    cart_pendulum_3::MODEL, chaotic_pendulum::MODEL, disk::MODEL, driven_pendulum::MODEL,
-    elastic_pendulum::MODEL, euler_top::MODEL, floating_chain::MODEL, four_bar::MODEL,
-    free_body::MODEL, heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, rolling_disc::MODEL,
-    spherical_pendulum::MODEL,
+    bricard::MODEL, cart_pendulum_3::MODEL, cart_with_spring::MODEL, chaotic_pendulum::MODEL,
+    disk::MODEL, driven_pendulum::MODEL, elastic_pendulum::MODEL, euler_top::MODEL,
+    floating_chain::MODEL, four_bar::MODEL, free_body::MODEL, furuta::MODEL, gimbals::MODEL,
+    governor::MODEL, heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, rolling_disc::MODEL,
+    slider_crank::MODEL, spherical_pendulum::MODEL, squeezer::MODEL, whipple_bicycle::MODEL,
+    window_linkage::MODEL,
 ];

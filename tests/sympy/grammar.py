@@ -9,6 +9,10 @@ from sympy import Derivative, Mul, Rational, pi
 from sympy.core.function import AppliedUndef
 
 
+class Beyond(Exception):
+    """What this script knows, but does not get done."""
+
+
 class Unsupported(Exception):
     """The model is wrong, or uses a feature that these scripts do not know."""
 

@@ -4,6 +4,8 @@ sequences of turns. What is left has frames by one axis and one angle, points, c
 import re
 from fractions import Fraction
 
+from sympy import Matrix, Symbol, expand, trigsimp
+from sympy.matrices import rot_ccw_axis1, rot_ccw_axis2, rot_ccw_axis3
 from sympy.physics.mechanics import ReferenceFrame, dynamicsymbols
 
 from grammar import Unsupported, expression, text
@@ -30,8 +32,10 @@ def low_level(tables):
     }
     if "parameters" in tables:
         tables["parameters"] = {name: parameter(entry) for name, entry in tables["parameters"].items()}
-    write_joints(tables)
+    closing = write_joints(tables)
     write_sequences(tables)
+    write_closing(tables, closing)
+    write_positions(tables)
     write_planar(tables)
     return tables
 
@@ -129,9 +133,10 @@ KINDS = {
 
 
 def write_joints(tables):
+    """Frames, points, coordinates and speeds of what carries; returned is what closes loops."""
     joints = tables.pop("joints", {})
     if not joints:
-        return
+        return []
     inertial = tables["inertial"]
     sections = {name: tables.setdefault(name, {}) for name in ("coordinates", "speeds", "frames", "points")}
     bodies, carrier = tables.get("bodies", {}), {}
@@ -139,10 +144,11 @@ def write_joints(tables):
     for name, body in bodies.items():
         body.setdefault("frame", f"{name}_frame")
         body.setdefault("centre", f"{name}_centre")
+    closing, bases = [], {}
     for name, joint in joints.items():
-        if joint["body"] in carrier or bodies[joint["body"]]["frame"] in stated["frames"]:
-            raise Unsupported(f"joint `{name}` closes a loop")
-        carrier[joint["body"]] = name
+        closes = joint["body"] in carrier or bodies[joint["body"]]["frame"] in stated["frames"]
+        closing += [name] * closes
+        carrier.setdefault(joint["body"], name)
     for name, joint in joints.items():
         body, below = bodies[joint["body"]], bodies.get(joint.get("to", ""))
         frame = below["frame"] if below else inertial["frame"]
@@ -151,6 +157,17 @@ def write_joints(tables):
         if "turned" in joint:
             base = f"{name}_base"
             sections["frames"][base] = {"from": frame, **joint["turned"]}
+        at = joint.get("at", [0, 0, 0])
+        start, at = (at, [0, 0, 0]) if isinstance(at, str) else (home, at)
+        if name in closing:
+            bases[name] = base, f"{name}_closed_base" if "body_turned" in joint else body["frame"]
+            sections["points"][name] = {"from": start, "frame": frame, "position": at}
+            if "body_turned" in joint:
+                sections["frames"][f"{name}_closed_base"] = {"from": body["frame"], **joint["body_turned"]}
+            at = joint.get("body_at", [0, 0, 0])
+            start, at = (at, [0, 0, 0]) if isinstance(at, str) else (carrier[joint["body"]], at)
+            sections["points"][f"{name}_closed"] = {"from": start, "frame": body["frame"], "position": at}
+            continue
         if joint["kind"] in ("universal", "ball", "free"):
             default = [1, 2] if joint["kind"] == "universal" else "123"
             axes = [int(axis) for axis in joint.get("axes", joint.get("sequence", default))]
@@ -170,8 +187,6 @@ def write_joints(tables):
                 turns.append((axis, q))
         write_speeds(sections["speeds"], joint, names, turns)
         sections["frames"][body["frame"]] = turned(base, turns or [(3, "0")])
-        at = joint.get("at", [0, 0, 0])
-        start, at = (at, [0, 0, 0]) if isinstance(at, str) else (home, at)
         on = f"{name}_on"
         sections["points"][on] = {"from": start, "frame": frame, "position": at}
         sections["points"][name] = {"from": on, "frame": base, "position": way}
@@ -181,6 +196,83 @@ def write_joints(tables):
                 "frame": body["frame"],
                 "position": joint.get("centre", [0, 0, 0]),
             }
+
+
+    return [(name, joints[name], bases[name]) for name in closing]
+
+
+class Places:
+    """Where frames and points are: rotation matrices and places in the inertial frame, by formulas of the coordinates."""
+
+    def __init__(self, tables):
+        inertial = tables["inertial"]
+        self.tables = tables
+        self.names = {q: Symbol(q) for section in ("parameters", "coordinates") for q in tables.get(section, {})}
+        self.turned, self.placed = {inertial["frame"]: Matrix.eye(3)}, {inertial["origin"]: Matrix([0, 0, 0])}
+
+    def turn(self, frame):
+        if frame not in self.turned:
+            entry = self.tables["frames"][frame]
+            about = (rot_ccw_axis1, rot_ccw_axis2, rot_ccw_axis3)[entry["axis"] - 1]
+            self.turned[frame] = self.turn(entry["from"]) * about(expression(str(entry["angle"]), self.names))
+        return self.turned[frame]
+
+    def parting(self, first, second):
+        """The nearest frame from which both are turned."""
+        above = [first]
+        while above[-1] in self.tables["frames"]:
+            above.append(self.tables["frames"][above[-1]]["from"])
+        while second not in above:
+            second = self.tables["frames"][second]["from"]
+        return second
+
+    def place(self, point):
+        if point not in self.placed:
+            entry = self.tables["points"][point]
+            way = Matrix([expression(str(formula), self.names) for formula in entry["position"]])
+            self.placed[point] = self.place(entry["from"]) + self.turn(entry["frame"]) * way
+        return self.placed[point]
+
+
+def write_positions(tables):
+    """Components of places in constraints, `p(Q) @ N [3]`, as formulas."""
+    places = Places(tables)
+
+    def formula(found):
+        point, frame, axis = found.groups()
+        return f"({text((places.turn(frame).T * places.place(point))[int(axis) - 1])})"
+
+    for name, entry in tables.get("constraints", {}).items():
+        equation = re.sub(r"\bp\((\w+)\) @ (\w+) \[([123])\]", formula, entry["equation"])
+        tables["constraints"][name] = entry | {"equation": equation}
+
+
+def write_closing(tables, closing):
+    """The equations of joints that close loops, by components in the frame of the joint."""
+    places = Places(tables)
+    for name, joint, (base, frame) in closing:
+        kind, axis = joint["kind"], joint.get("axis", 3) - 1
+        across = [(axis + 1) % 3, (axis + 2) % 3]
+        first, second = (each - 1 for each in joint.get("axes", [1, 2]))
+        ways, right = {
+            "pin": ([0, 1, 2], [(axis, i) for i in across]),
+            "ball": ([0, 1, 2], []),
+            "universal": ([0, 1, 2], [(second, first)]),
+            "slider": (across, [(0, 1), (1, 2), (2, 0)]),
+            "cylinder": (across, [(axis, i) for i in across]),
+            "planar": ([axis], [(axis, i) for i in across]),
+            "weld": ([0, 1, 2], [(0, 1), (1, 2), (2, 0)]),
+        }[kind]
+        ground = tables["inertial"]["frame"]
+        told = ground if len(ways) == 3 and places.parting(base, frame) == ground else base
+        way = places.turn(told).T * (places.place(f"{name}_closed") - places.place(name))
+        cosines = places.turn(frame).T * places.turn(base)
+        equations = {f"{name}_{i + 1}": way[i] for i in ways}
+        equations |= {f"{name}_turn{of + 1}{along + 1}": cosines[of, along] for of, along in right}
+        for called, equation in equations.items():
+            equation = trigsimp(expand(equation))
+            if equation != 0:
+                tables.setdefault("constraints", {})[called] = {"equation": f"{text(equation)} = 0"}
 
 
 def write_speeds(section, joint, names, turns):

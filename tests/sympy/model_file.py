@@ -4,6 +4,7 @@
 """
 
 import hashlib
+import itertools
 import random
 import re
 import tomllib
@@ -15,7 +16,7 @@ from sympy import Matrix, Rational, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols, msubs
 
-from grammar import Unsupported, expression
+from grammar import Beyond, Unsupported, expression
 from low_level import low_level
 
 # Keys of an entry of each section; "" is the file itself. What is not listed is not supported.
@@ -40,6 +41,9 @@ KEYS = {
 }
 SINGLE = ("inertial", "gravity")
 TIME = "t"
+# Operations.
+MOST_TO_SIMPLIFY = 200
+MOST_IN_RATES = 1000
 TIMED = "speeds frames points forces torques springs constraints reactions domain".split()
 
 
@@ -182,7 +186,9 @@ def independent(coordinates, candidates):
     to_plain = {q.diff(): rate for q, rate in zip(coordinates, plain)}
     kept, rows = {}, []
     for name, equation in candidates:
-        row = Matrix([msubs(equation, to_plain)]).jacobian(plain).applyfunc(lambda e: sympy.trigsimp(sympy.expand(e)))
+        row = Matrix([msubs(equation, to_plain)]).jacobian(plain)
+        if row.atoms(Symbol) & set(plain):
+            row = row.applyfunc(lambda e: sympy.trigsimp(sympy.expand(e)))
         if row.atoms(Symbol) & set(plain):
             raise Unsupported(f"the constraint `{name}` is not linear in the rates of the coordinates")
         if generic_rank(rows + [row]) > len(rows):
@@ -203,6 +209,8 @@ def generic_rank(rows):
 
 def solve_rates(coordinates, speeds, definitions, constrained):
     """Each q' in terms of q and u, from u = C(q) q' + d(q) and A(q) q' + a(q) = 0."""
+    if len(coordinates) < len(speeds) + len(constrained):
+        raise Beyond(f"its {len(constrained)} constraints, where no loop is closed, leave less than {len(speeds)} speeds")
     if len(coordinates) != len(speeds) + len(constrained):
         raise Unsupported(f"{len(speeds)} speeds and {len(constrained)} constraints for {len(coordinates)} coordinates")
     plain = [Symbol(f"rate of {q.func.__name__}", real=True) for q in coordinates]
@@ -213,25 +221,39 @@ def solve_rates(coordinates, speeds, definitions, constrained):
         raise Unsupported("a speed is not linear in the rates of the coordinates")
     right = Matrix([*speeds, *(0 for _ in constrained)]) - formulas.subs({rate: 0 for rate in plain})
     values = {}
-    for rows, columns in connected_blocks(matrix):
+    for rows, columns in solvable_blocks(matrix):
         block = matrix.extract(rows, columns)
-        determinant = sympy.trigsimp(sympy.expand(block.det(method="berkowitz"))) if len(rows) == len(columns) else 0
-        if determinant == 0:
+        known = matrix.extract(rows, list(range(matrix.cols))) * Matrix([values.get(q, 0) for q in coordinates])
+        determinant = block.det(method="berkowitz")
+        if determinant.count_ops() > MOST_IN_RATES:
+            raise Beyond(f"what determines {len(rows)} rates together has {determinant.count_ops()} operations")
+        determinant = tidy(sympy.expand(determinant))
+        if generic_rank([block]) < len(rows):
             raise Unsupported(f"the speeds do not determine the rate of `{coordinates[columns[0]].func.__name__}`")
-        solution = block.adjugate().applyfunc(sympy.trigsimp) * right.extract(rows, [0]) / determinant
+        solution = block.adjugate().applyfunc(tidy) * (right.extract(rows, [0]) - known) / determinant
         values |= {coordinates[column]: value for column, value in zip(columns, solution)}
+    operations = sum(value.count_ops() for value in values.values())
+    if operations > MOST_IN_RATES:
+        raise Beyond(f"the rates of the coordinates, without independent speeds of their own, have {operations} operations")
     return {q.diff(): values[q] for q in coordinates}
 
 
-def connected_blocks(matrix):
-    """Rows and columns that belong together: the connected parts of the graph whose edges are the entries."""
-    rows_left, blocks = set(range(matrix.rows)), []
+def tidy(e):
+    """Simplified if that takes no time."""
+    return sympy.trigsimp(e) if e.count_ops() < MOST_TO_SIMPLIFY else e
+
+
+def solvable_blocks(matrix):
+    """Rows and the columns that they determine, once those of the blocks before are known: few rows at a time."""
+    rows_left, known = list(range(matrix.rows)), set()
     while rows_left:
-        rows, columns, fresh = set(), set(), {min(rows_left)}
-        while fresh:
-            rows |= fresh
-            columns |= {j for i in fresh for j in range(matrix.cols) if matrix[i, j] != 0}
-            fresh = {i for i in rows_left - rows if any(matrix[i, j] != 0 for j in columns)}
-        rows_left -= rows
-        blocks.append((sorted(rows), sorted(columns)))
-    return blocks
+        sizes = range(1, len(rows_left) + 1)
+        for rows in itertools.chain.from_iterable(itertools.combinations(rows_left, size) for size in sizes):
+            columns = sorted({j for i in rows for j in range(matrix.cols) if matrix[i, j] != 0} - known)
+            if len(columns) <= len(rows):
+                break
+        if len(columns) != len(rows):
+            raise Unsupported("the speeds do not determine the rates of the coordinates")
+        yield list(rows), columns
+        rows_left = [row for row in rows_left if row not in rows]
+        known |= set(columns)

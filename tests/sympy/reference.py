@@ -37,7 +37,7 @@ from sympy.physics.mechanics import (
 )
 
 sys.dont_write_bytecode = True  # The source tree stays as it is.
-from grammar import Unsupported, text  # noqa: E402
+from grammar import Beyond, Unsupported, text  # noqa: E402
 from mechanism import Body, Load, Mechanism  # noqa: E402
 from model_file import read_model, read_tables  # noqa: E402
 
@@ -202,6 +202,19 @@ def with_partials(model, name, vector, basis):
 def derive(path):
     """The whole reference of a model file, as it is written."""
     tables, text_hash = read_tables(path)
+    head = {
+        "model": path.resolve().parent.name if path.name == "model.toml" else path.stem,
+        "text_hash": text_hash,
+        "sympy": sympy.__version__,
+    }
+    try:
+        return head | derived(tables)
+    except Beyond as error:
+        return head | {"not_derived": str(error)}
+
+
+def derived(tables):
+    """What is compared."""
     model = read_model(tables)
     placed = Mechanism(model, in_speeds=False)
     model = model.with_rates(placed.motion_constraints())
@@ -213,9 +226,6 @@ def derive(path):
     quantities |= {"T": kinetic_energy(moving.inertial, *moving.parts), "V_gravity": potential_energy(*moving.parts)}
     quantities |= {text(rate): value for rate, value in model.rates.items()}
     reference = {
-        "model": path.resolve().parent.name if path.name == "model.toml" else path.stem,
-        "text_hash": text_hash,
-        "sympy": sympy.__version__,
         "quantities": {name: text(e) for name, e in quantities.items()},
         "kane": by_kane,
         "lagrange": lagrange(model, placed),

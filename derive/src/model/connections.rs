@@ -159,14 +159,15 @@ impl<'m> Search<'m> {
     /// In how many ways a body moves against another, or the ground.
     fn freedom(&self, body: usize, against: Holder) -> usize {
         let space = self.drawn.space;
-        let both = self.is_rigid(Some(body)) && self.is_rigid(against);
+        // A particle holds nothing that turns.
+        let turns = self.is_rigid(Some(body));
         // The material of a particle is at its own point alone.
         let particle = against.filter(|_| !self.is_rigid(against));
         let point = self.model.bodies[particle.unwrap_or(body)].centre;
         self.ways(|along| {
             let slip = space.sub(self.material(Some(body), point, along), self.material(against, point, along));
             let turn = space.sub(self.turning(Some(body), along), self.turning(against, along));
-            if both { vec![slip, turn] } else { vec![slip] }
+            if turns { vec![slip, turn] } else { vec![slip] }
         })
     }
 

@@ -13,7 +13,7 @@ use super::{Model, Place, Reaction, ReactionKind};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::shown;
-use crate::geometry::{Vector, cross_components};
+use crate::geometry::{Frame, Vector, cross_components};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
@@ -29,6 +29,8 @@ pub struct Closing {
     axes: Vec<usize>,
     /// The frame of the joint on the body that carries, and that of the other.
     frames: [usize; 2],
+    /// Whether the two sides of the loop are turned from no frame but the inertial one.
+    parts_at_ground: bool,
     /// The joint's points on the two.
     points: [usize; 2],
     /// The body, and that which carries.
@@ -76,15 +78,17 @@ impl<'a> Joints<'a> {
         let body = |name: &str| elements.bodies.iter().position(|b| b.name == name);
         let root = elements.frames.first().map_or("", |f| f.name.as_str());
         let closing = |joint: &Joint<'a>| {
+            let frames = [
+                frame(&joint.base(self, root).text)?,
+                frame(&joint.named("closed_base").text)
+                    .or_else(|| frame(&self.bodies.get(&joint.body.text)?.frame.text))?,
+            ];
             Some(Closing {
                 name: joint.name.clone(),
                 kind: joint.kind,
                 axes: joint.axes.clone(),
-                frames: [
-                    frame(&joint.base(self, root).text)?,
-                    frame(&joint.named("closed_base").text)
-                        .or_else(|| frame(&self.bodies.get(&joint.body.text)?.frame.text))?,
-                ],
+                frames,
+                parts_at_ground: parting(&elements.frames, frames) == 0,
                 points: [point(&joint.name.text)?, point(&joint.named("closed").text)?],
                 bodies: (
                     body(&joint.body.text)?,
@@ -326,11 +330,11 @@ impl<'a> Loading<'a> {
     }
 
     /// What closed joints tie: components of the way between their two points, and of axes that stay along one another.
-    /// The forces act at the joint's point on the body, on whatever is there of the other, so that they do no work in loops that are open
-    /// either.
+    /// The forces act at the joint's point on the body, and on the other at its own or on whatever is at the first, so that they do no
+    /// work in loops that are open either.
     pub fn closed(&mut self, moving: &mut Moving, closings: &[Closing]) -> (Vec<Stated>, Vec<Holding>) {
         let (mut list, mut holding) = (Vec::new(), Vec::new());
-        for Closing { name, kind, axes, frames: [base, body], points: [on, at], bodies } in closings {
+        for Closing { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in closings {
             let axis = axes.first().copied().unwrap_or(2);
             let across = [(axis + 1) % 3, (axis + 2) % 3];
             // (axis of the body, axis of the base) pairs that stay at right angles.
@@ -344,31 +348,37 @@ impl<'a> Loading<'a> {
                 JointKind::Weld => (vec![0, 1, 2], vec![(0, 1), (1, 2), (2, 0)]),
                 JointKind::Free | JointKind::Screw => (Vec::new(), Vec::new()),
             };
-            let mut state = |loading: &mut Self, part: String, equation: Expr, kind: ReactionKind, direction| {
-                let name_of = format!("{}_{part}", name.text);
-                let what = if let ReactionKind::Force { .. } = kind { "force" } else { "torque" };
-                let called = format!("{}_{what}{}", name.text, part.trim_start_matches("turn"));
-                let symbol = loading.arena.symbol(&called);
-                let located = Located { text: called.clone(), ..name.clone() };
-                loading.names.declare(&mut loading.reader, &located, Kind::Reaction, Some(symbol));
-                let reaction = Reaction { name: called, symbol, kind, frame: *base, direction, is_stated: false };
-                holding.push((name_of.clone(), reaction));
-                list.push(Stated {
-                    name: name_of,
-                    equation,
-                    enforced_by: None,
-                    span: name.span.clone(),
-                    may_repeat: true,
-                });
-            };
+            let mut state =
+                |loading: &mut Self, part: String, equation: Expr, kind: ReactionKind, along: (usize, [Expr; 3])| {
+                    let name_of = format!("{}_{part}", name.text);
+                    let what = if let ReactionKind::Force { .. } = kind { "force" } else { "torque" };
+                    let called = format!("{}_{what}{}", name.text, part.trim_start_matches("turn"));
+                    let symbol = loading.arena.symbol(&called);
+                    let located = Located { text: called.clone(), ..name.clone() };
+                    loading.names.declare(&mut loading.reader, &located, Kind::Reaction, Some(symbol));
+                    let (frame, direction) = along;
+                    let reaction = Reaction { name: called, symbol, kind, frame, direction, is_stated: false };
+                    holding.push((name_of.clone(), reaction));
+                    list.push(Stated {
+                        name: name_of,
+                        equation,
+                        enforced_by: None,
+                        span: name.span.clone(),
+                        may_repeat: true,
+                    });
+                };
             let way = moving.way(&mut self.arena, *on, *at);
+            // Places that agree do so in any frame; formulas are shortest in that from which both are told. Where the loop is open the
+            // way changes in the inertial frame as the joint's two points move, in another as points of one place do.
+            let is_told_there = *parts_at_ground && ways.len() == 3;
+            let (frame, held) = if is_told_there { (0, on) } else { (*base, at) };
             for i in ways {
-                let equation = moving.component(&mut self.arena, &way, *base, i);
-                let place = |body| Place { body, point: *at };
-                let kind = ReactionKind::Force { on: place(bodies.0), against: bodies.1.map(place) };
+                let equation = moving.component(&mut self.arena, &way, frame, i);
+                let against = bodies.1.map(|body| Place { body, point: *held });
+                let kind = ReactionKind::Force { on: Place { body: bodies.0, point: *at }, against };
                 let mut direction = [Expr::ZERO; 3];
                 direction[i] = Expr::ONE;
-                state(self, format!("{}", i + 1), equation, kind, direction);
+                state(self, format!("{}", i + 1), equation, kind, (frame, direction));
             }
             for (of, along) in right {
                 let mut unit = [Expr::ZERO; 3];
@@ -380,11 +390,21 @@ impl<'a> Loading<'a> {
                 other[along] = Expr::ONE;
                 let direction = cross_components(&mut self.arena, &[x, y, z], &other);
                 let kind = ReactionKind::Torque { on: bodies.0, against: bodies.1 };
-                state(self, format!("turn{}{}", of + 1, along + 1), [x, y, z][along], kind, direction);
+                state(self, format!("turn{}{}", of + 1, along + 1), [x, y, z][along], kind, (*base, direction));
             }
         }
         (list, holding)
     }
+}
+
+/// The nearest frame from which both of two are turned.
+fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
+    // A frame comes after the one that it is turned from.
+    while a != b {
+        let later = if a > b { &mut a } else { &mut b };
+        *later = frames[*later].rotation.map_or(0, |(parent, ..)| parent);
+    }
+    a
 }
 
 impl Model {

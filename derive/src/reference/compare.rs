@@ -39,6 +39,9 @@ pub fn compare(
     reference: &Reference,
 ) -> Result<Vec<Compared>, ReferenceError> {
     reference.check_text(&model.source.text)?;
+    if let Some(why) = &reference.not_derived {
+        return Err(ReferenceError::NotDerived { file: reference.file.clone(), why: why.clone() });
+    }
     let names = names(model);
     let quantities = Quantities::new(model, derivations);
     let mut judge = Judge { reference, names, quantities, comparer: Comparer::default(), found: Vec::new() };

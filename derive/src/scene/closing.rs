@@ -54,6 +54,12 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         for (name, value) in self.reader.entries(section) {
+            // What a constraint fixes needs no guess; whether it does is no matter of the scene.
+            if self.model.constraints.iter().any(|c| c.fixes == name.text) {
+                let formula = self.reader.formula(value, &format!("`{}`", name.text))?;
+                self.number(&formula, parameters, "a guess")?;
+                continue;
+            }
             let Some(at) = self.model.coordinates.iter().position(|c| c.name == name.text && c.name != TIME) else {
                 let names = self.model.coordinates.iter().map(|c| c.name.as_str());
                 let help = crate::diagnostic::nearest(&name.text, names);

@@ -23,6 +23,8 @@ enum Outcome {
     Recorded(usize),
     /// It agrees in so many entries, as recorded.
     Unchanged(usize),
+    /// SymPy does not derive this model, which is recorded with its reason.
+    NotDerived(String),
     /// There is none, for a reason that says nothing about the equations.
     NotRenewed(String),
     /// It disagrees, or cannot be compared: lines for people.
@@ -52,6 +54,7 @@ pub fn renew(root: &Path, models: &[String]) -> Result<u8, Failure> {
             match outcome {
                 Outcome::Recorded(n) => print(&format!("{model}: SymPy agrees in {n} entries; reference recorded\n"))?,
                 Outcome::Unchanged(n) => print(&format!("{model}: SymPy agrees in {n} entries\n"))?,
+                Outcome::NotDerived(why) => print(&format!("{model}: not derived by SymPy: {why}\n"))?,
                 Outcome::NotRenewed(why) => warn(&format!("the SymPy reference of {model} was not renewed: {why}")),
                 Outcome::Refused(lines) => {
                     answer = status::NO;
@@ -72,6 +75,12 @@ fn outcome(root: &Path, python: &Path, name: &str) -> Outcome {
         Err(why) => return Outcome::NotRenewed(why),
     };
     let source = Source { path: path.with_file_name("reference.json"), text: output.stdout };
+    if let Ok(Reference { not_derived: Some(why), .. }) = Reference::read(&source) {
+        return match record(&source, 0) {
+            Outcome::Refused(lines) => Outcome::Refused(lines),
+            _ => Outcome::NotDerived(why),
+        };
+    }
     match disagreements(&path, &source) {
         Err(why) => Outcome::Refused(format!("the SymPy reference cannot be compared\n  {why}")),
         Ok((count, lines)) if lines.is_empty() => record(&source, count),

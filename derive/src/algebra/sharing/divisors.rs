@@ -45,6 +45,8 @@ struct Candidate {
     cost: usize,
     /// The atom that holds it already.
     defined: Option<Atom>,
+    /// What it stands in the queue with; other entries there are of before. 0 if it is not there.
+    queued: usize,
 }
 
 /// Divisors of a network, kept up to date while they are taken out.
@@ -88,11 +90,15 @@ impl Extraction {
     /// Takes divisors out until none saves an operation.
     pub fn run(mut self) -> Network {
         while let Some((saved, Reverse(id))) = self.queue.pop() {
+            if self.candidates[id].queued != saved {
+                continue;
+            }
+            self.candidates[id].queued = 0;
             let now = self.saving(id);
             if now == saved {
                 self.take_out(id);
-            } else if now > 0 {
-                self.queue.push((now, Reverse(id)));
+            } else {
+                self.enqueue(id, now);
             }
         }
         self.network
@@ -154,8 +160,15 @@ impl Extraction {
         candidate.places.push(place);
         candidate.most += gain;
         let once = if candidate.defined.is_some() { 0 } else { candidate.cost };
-        if candidate.most > once {
-            self.queue.push((candidate.most - once, Reverse(id)));
+        let most = candidate.most.saturating_sub(once);
+        self.enqueue(id, most);
+    }
+
+    /// Enters what a divisor saves at most.
+    fn enqueue(&mut self, id: usize, most: usize) {
+        if most > self.candidates[id].queued {
+            self.candidates[id].queued = most;
+            self.queue.push((most, Reverse(id)));
         }
     }
 

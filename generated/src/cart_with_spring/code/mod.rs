@@ -1,0 +1,15 @@
+//! Cart with spring: the code of the equations.
+//!
+//! Generated from `models/cart_with_spring/model.toml`. Do not edit; run `tripos regenerate`.
+
+/// Kane's method.
+#[rustfmt::skip]
+pub mod kane;
+
+/// Lagrange's equations.
+#[rustfmt::skip]
+pub mod lagrange;
+
+/// Newton–Euler equations.
+#[rustfmt::skip]
+pub mod newton_euler;

@@ -1,0 +1,13 @@
+//! Gyroscope in gimbals: the equations of its scenes.
+//!
+//! Generated from `models/gimbals/model.toml`. Do not edit; run `tripos regenerate`.
+
+/// The code of the equations.
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::let_and_return)]
+pub mod code;
+#[rustfmt::skip]
+pub mod nutation;
+
+/// The equations of every scene.
+pub const SCENES: &[tripos_traits::CompiledScene] = &[nutation::SCENE];

@@ -1,0 +1,15 @@
+//! Flyball governor: the code of the equations.
+//!
+//! Generated from `models/governor/model.toml`. Do not edit; run `tripos regenerate`.
+
+/// Kane's method.
+#[rustfmt::skip]
+pub mod kane;
+
+/// Lagrange's equations.
+#[rustfmt::skip]
+pub mod lagrange;
+
+/// Newton–Euler equations.
+#[rustfmt::skip]
+pub mod newton_euler;
